@@ -1,0 +1,148 @@
+#include "formula/derivative.h"
+
+#include <unordered_map>
+
+namespace isomotion::formula {
+namespace {
+
+class Differentiation {
+public:
+    Differentiation(Graph& graph, const LeafDerivative& leaf)
+        : g_(graph)
+        , leaf_(leaf) {}
+
+    NodeId of(NodeId root) {
+        // Children have smaller ids, so one pass in id order needs no recursion, however deep the
+        // formula. Only nodes below root get a derivative.
+        std::vector<bool> live(std::size_t(root) + 1, false);
+        live[root] = true;
+        for (NodeId id = root + 1; id-- > 0;) {
+            if (!live[id]) continue;
+            const Node& node = g_[id];
+            for (int k = 0; k < node.arity; ++k) live[node.children[std::size_t(k)]] = true;
+        }
+        for (NodeId id = 0; id <= root; ++id) {
+            if (live[id]) derivatives_[id] = rule(id);
+        }
+        return derivatives_.at(root);
+    }
+
+private:
+    NodeId rule(NodeId id) {
+        const Node node = g_[id]; // a copy: the graph grows below
+        const NodeId a = node.children[0], b = node.children[1];
+        const auto d = [&](int k) { return derivatives_.at(node.children[std::size_t(k)]); };
+        switch (node.op) {
+        case Op::constant:
+            return zero();
+        case Op::input:
+        case Op::parameter:
+        case Op::element:
+            return leaf_(g_, id);
+        case Op::sign:
+        case Op::floor:
+        case Op::random:
+            return zero();
+        case Op::select:
+            return g_.select(a, b, d(2), d(3));
+        case Op::sum:
+            return g_.sum(node.index, d(0));
+        default:
+            break;
+        }
+        if (node.arity == 1 && g_.is_constant(d(0), 0)) return zero();
+        switch (node.op) {
+        case Op::negate:
+            return g_.unary(Op::negate, d(0));
+        case Op::add:
+            return g_.add(d(0), d(1));
+        case Op::subtract:
+            return g_.subtract(d(0), d(1));
+        case Op::multiply:
+            return g_.add(g_.multiply(d(0), b), g_.multiply(a, d(1)));
+        case Op::divide: // (a' - (a/b) b') / b shares the quotient with the value
+            return g_.divide(g_.subtract(d(0), g_.multiply(id, d(1))), b);
+        case Op::min:
+            return g_.select(a, b, d(0), d(1));
+        case Op::max:
+            return g_.select(a, b, d(1), d(0));
+        case Op::power:
+            return power(id, a, b, d(0), d(1));
+        default:
+            return g_.multiply(slope(id, node, a), d(0));
+        }
+    }
+
+    // d f(a) / d a of the functions of one argument.
+    NodeId slope(NodeId id, const Node& node, NodeId a) {
+        const NodeId one = g_.constant(1);
+        switch (node.op) {
+        case Op::abs:
+            return g_.unary(Op::sign, a);
+        case Op::sqrt:
+            return g_.divide(g_.constant(0.5), id);
+        case Op::exp:
+            return id;
+        case Op::log:
+            return g_.divide(one, a);
+        case Op::sin:
+            return g_.unary(Op::cos, a);
+        case Op::cos:
+            return g_.unary(Op::negate, g_.unary(Op::sin, a));
+        case Op::tan:
+            return g_.add(one, g_.multiply(id, id));
+        case Op::sinh:
+            return g_.unary(Op::cosh, a);
+        case Op::cosh:
+            return g_.unary(Op::sinh, a);
+        case Op::tanh:
+            return g_.subtract(one, g_.multiply(id, id));
+        case Op::asin:
+            return g_.divide(one, root_of_one_minus_square(a));
+        case Op::acos:
+            return g_.divide(g_.constant(-1), root_of_one_minus_square(a));
+        case Op::atan:
+            return g_.divide(one, g_.add(one, g_.multiply(a, a)));
+        case Op::chebyshev:
+            return g_.chebyshev(node.index, a, node.second + 1);
+        default:
+            return zero();
+        }
+    }
+
+    // b a^(b-1) a' + a^b log(a) b', the second half only where the exponent moves.
+    NodeId power(NodeId id, NodeId a, NodeId b, NodeId da, NodeId db) {
+        const NodeId lower = g_.binary(Op::power, a, g_.subtract(b, g_.constant(1)));
+        const NodeId by_base = g_.multiply(g_.multiply(b, lower), da);
+        if (g_.is_constant(db, 0)) return by_base;
+        return g_.add(by_base, g_.multiply(g_.multiply(id, g_.unary(Op::log, a)), db));
+    }
+
+    // sqrt((1-a)(1+a)) keeps its digits where 1 - a^2 loses them.
+    NodeId root_of_one_minus_square(NodeId a) {
+        const NodeId one = g_.constant(1);
+        return g_.unary(Op::sqrt, g_.multiply(g_.subtract(one, a), g_.add(one, a)));
+    }
+
+    NodeId zero() { return g_.constant(0); }
+
+    Graph& g_;
+    const LeafDerivative& leaf_;
+    std::unordered_map<NodeId, NodeId> derivatives_;
+};
+
+} // namespace
+
+NodeId differentiate(Graph& graph, NodeId root, const LeafDerivative& leaf) {
+    return Differentiation(graph, leaf).of(root);
+}
+
+NodeId differentiate_inputs(Graph& graph, NodeId root, const std::vector<NodeId>& directions) {
+    return differentiate(graph, root, [&directions](Graph& g, NodeId leaf) {
+        const Node& node = g[leaf];
+        const bool moves = node.op == Op::input && std::size_t(node.index) < directions.size();
+        return moves ? directions[std::size_t(node.index)] : g.constant(0);
+    });
+}
+
+} // namespace isomotion::formula

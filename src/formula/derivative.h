@@ -1,0 +1,23 @@
+// Forward-mode differentiation, as a map from graph to graph.
+//
+// The derivative is an expression of the same graph, so it shares every subexpression with the
+// value, can be differentiated again (Hessian), and runs on every back end that runs the value.
+#pragma once
+
+#include <functional>
+
+#include "formula/graph.h"
+
+namespace isomotion::formula {
+
+// The derivative of a leaf (input, parameter or element): another node, or constant 0.
+using LeafDerivative = std::function<NodeId(Graph&, NodeId leaf)>;
+
+// d root, when the leaves move as `leaf` says. At kinks the rules choose: abs and sqrt(0) have
+// slope 0 for a resting argument, min and max take the side they return.
+NodeId differentiate(Graph& graph, NodeId root, const LeafDerivative& leaf);
+
+// Input k has derivative `directions[k]`; parameters and elements are constant.
+NodeId differentiate_inputs(Graph& graph, NodeId root, const std::vector<NodeId>& directions);
+
+} // namespace isomotion::formula

@@ -1,0 +1,73 @@
+// Runs a Program on the CPU for any number type with Operations<T>: one point, or a block of
+// points at a time (structure of arrays, vectorised by the compiler).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "formula/program.h"
+
+namespace isomotion::formula {
+
+template<class T> struct ArrayColumns {
+    int count = 0;
+    std::vector<std::vector<T>> fields; // [field][element]; unused fields may be empty
+};
+
+// What a formula's names stand for, apart from its inputs.
+template<class T> struct Bindings {
+    std::vector<T> parameters;
+    std::vector<ArrayColumns<T>> arrays;
+    std::uint64_t seed = 0; // of random(i, k)
+};
+
+template<class To, class From> Bindings<To> convert(const Bindings<From>& from) {
+    Bindings<To> to;
+    to.parameters.assign(from.parameters.begin(), from.parameters.end());
+    to.seed = from.seed;
+    for (const auto& array : from.arrays) {
+        ArrayColumns<To> columns;
+        columns.count = array.count;
+        for (const auto& field : array.fields)
+            columns.fields.emplace_back(field.begin(), field.end());
+        to.arrays.push_back(std::move(columns));
+    }
+    return to;
+}
+
+// Holds the registers, so that evaluating allocates nothing. One evaluator a thread.
+// Instantiated for float and double.
+template<class T> class Evaluator {
+public:
+    static constexpr int block = 32; // points evaluated together
+
+    explicit Evaluator(const Program& program);
+
+    // inputs[k] is the value of input k; writes one value an output.
+    void point(const Bindings<T>& bindings, std::span<const T> inputs, std::span<T> outputs);
+    // inputs[k][i] is input k of point i, any number of points; writes outputs[o][i].
+    void points(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
+                std::span<const std::span<T>> outputs);
+
+private:
+    template<int Lanes> void run(const Bindings<T>& bindings, std::span<const T> inputs);
+
+    const Program* program_;
+    std::vector<T> registers_; // [register][lane]
+    std::vector<T> inputs_;    // [input][lane]
+    struct OpenLoop {
+        std::size_t begin;
+        int array;
+        int element;
+    };
+    std::vector<OpenLoop> loops_;
+};
+
+extern template class Evaluator<float>;
+extern template class Evaluator<double>;
+
+// random(i, k) of animation expressions: a hash of the seed and both arguments, in [0, 1).
+double random_unit(std::uint64_t seed, double i, double k);
+
+} // namespace isomotion::formula

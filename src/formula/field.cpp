@@ -1,0 +1,73 @@
+#include "formula/field.h"
+
+#include <algorithm>
+
+#include "formula/derivative.h"
+#include "formula/lowering.h"
+#include "formula/parser.h"
+
+namespace isomotion::formula {
+namespace {
+
+constexpr int first_direction = 3; // inputs 3, 4, 5: the ray's direction
+
+// All fields that any program reads. They are packed in the order of declaration, so that the
+// storage of an array doesn't depend on which derivative reads what.
+ArrayPacking packing_of(const Vocabulary& vocabulary, std::span<const Program* const> programs) {
+    std::vector<std::set<int>> used(vocabulary.arrays.size());
+    for (const Program* program : programs) {
+        for (const Instruction& now : program->instructions) {
+            if (now.kind == Instruction::Kind::operation && now.op == Op::element) {
+                used[std::size_t(now.index)].insert(now.second);
+            }
+        }
+    }
+    ArrayPacking packing;
+    for (const auto& fields : used) packing.emplace_back(fields.begin(), fields.end());
+    return packing;
+}
+
+} // namespace
+
+Field make_field(std::string_view text, Vocabulary vocabulary) {
+    Field field;
+    field.text = text;
+    vocabulary.inputs = coordinate_names;
+    Graph& g = field.graph;
+    field.root = parse(text, vocabulary, g);
+
+    const std::vector<NodeId> direction{g.input(first_direction), g.input(first_direction + 1),
+                                        g.input(first_direction + 2)};
+    const NodeId one = g.constant(1), zero = g.constant(0);
+    const NodeId along = differentiate_inputs(g, field.root, direction);
+    const NodeId fx = differentiate_inputs(g, field.root, {one, zero, zero});
+    const NodeId fy = differentiate_inputs(g, field.root, {zero, one, zero});
+    const NodeId fz = differentiate_inputs(g, field.root, {zero, zero, one});
+
+    Graph working = g; // lowering adds nodes that only the programs need
+    const std::vector<NodeId> low = lower(working, std::array{field.root, along, fx, fy, fz});
+    field.value = schedule(working, std::array{low[0]});
+    field.along = schedule(working, std::array{low[0], low[1]});
+    field.gradient = schedule(working, std::array{low[2], low[3], low[4]});
+    field.packing = packing_of(vocabulary, std::array{&field.value, &field.along, &field.gradient});
+    return field;
+}
+
+std::string glsl_value(const Field& field) {
+    return emit_glsl(field.value, {"float field(vec3 p)", "float", {"p.x", "p.y", "p.z"}},
+                     field.packing);
+}
+
+std::string glsl_along(const Field& field) {
+    return emit_glsl(
+        field.along,
+        {"vec2 field_along(vec3 p, vec3 d)", "vec2", {"p.x", "p.y", "p.z", "d.x", "d.y", "d.z"}},
+        field.packing);
+}
+
+std::string glsl_gradient(const Field& field) {
+    return emit_glsl(field.gradient, {"vec3 field_gradient(vec3 p)", "vec3", {"p.x", "p.y", "p.z"}},
+                     field.packing);
+}
+
+} // namespace isomotion::formula

@@ -1,0 +1,67 @@
+// A surface's field F: the formula with everything derived from it, on both back ends.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "formula/evaluate.h"
+#include "formula/glsl.h"
+#include "formula/program.h"
+#include "formula/vocabulary.h"
+
+namespace isomotion::formula {
+
+struct Field {
+    std::string text; // as the user wrote it
+
+    // The graph keeps primitives (chebyshev) whole; the programs run their lowered form.
+    Graph graph;
+    NodeId root = 0;
+
+    Program value;        // inputs x y z          -> F
+    Program along;        // inputs x y z dx dy dz -> F, dF/dt for the ray p + t d
+    Program gradient;     // inputs x y z          -> F_x, F_y, F_z
+    ArrayPacking packing; // the fields each array must supply, in the order they are stored
+};
+
+// Inputs of the vocabulary are replaced by coordinate_names. Throws ParseError.
+Field make_field(std::string_view text, Vocabulary vocabulary);
+
+// float field(vec3 p); vec2 field_along(vec3 p, vec3 d); vec3 field_gradient(vec3 p)
+std::string glsl_value(const Field& field);
+std::string glsl_along(const Field& field);
+std::string glsl_gradient(const Field& field);
+
+// Evaluates the field in T (float or double) at one point.
+template<class T> class FieldEvaluator {
+public:
+    explicit FieldEvaluator(const Field& field)
+        : value_(field.value)
+        , along_(field.along)
+        , gradient_(field.gradient) {}
+
+    T value(const Bindings<T>& bindings, const std::array<T, 3>& p) {
+        T f{};
+        value_.point(bindings, p, {&f, 1});
+        return f;
+    }
+    // F and dF/dt.
+    std::array<T, 2> along(const Bindings<T>& bindings, const std::array<T, 3>& p,
+                           const std::array<T, 3>& d) {
+        const std::array<T, 6> inputs{p[0], p[1], p[2], d[0], d[1], d[2]};
+        std::array<T, 2> result{};
+        along_.point(bindings, inputs, result);
+        return result;
+    }
+    std::array<T, 3> gradient(const Bindings<T>& bindings, const std::array<T, 3>& p) {
+        std::array<T, 3> result{};
+        gradient_.point(bindings, p, result);
+        return result;
+    }
+
+private:
+    Evaluator<T> value_, along_, gradient_;
+};
+
+} // namespace isomotion::formula

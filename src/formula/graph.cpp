@@ -1,0 +1,328 @@
+#include "formula/graph.h"
+
+#include <bit>
+#include <cassert>
+#include <cmath>
+
+#include "formula/operations.h"
+
+namespace isomotion::formula {
+namespace {
+
+using Fold = Operations<double>;
+
+double fold(Op op, double a) {
+    switch (op) {
+    case Op::negate:
+        return Fold::negate(a);
+    case Op::abs:
+        return Fold::abs(a);
+    case Op::sign:
+        return Fold::sign(a);
+    case Op::sqrt:
+        return Fold::sqrt(a);
+    case Op::exp:
+        return Fold::exp(a);
+    case Op::log:
+        return Fold::log(a);
+    case Op::sin:
+        return Fold::sin(a);
+    case Op::cos:
+        return Fold::cos(a);
+    case Op::tan:
+        return Fold::tan(a);
+    case Op::sinh:
+        return Fold::sinh(a);
+    case Op::cosh:
+        return Fold::cosh(a);
+    case Op::tanh:
+        return Fold::tanh(a);
+    case Op::asin:
+        return Fold::asin(a);
+    case Op::acos:
+        return Fold::acos(a);
+    case Op::atan:
+        return Fold::atan(a);
+    case Op::floor:
+        return Fold::floor(a);
+    default:
+        assert(!"not a unary operation");
+        return 0;
+    }
+}
+
+double fold(Op op, double a, double b) {
+    switch (op) {
+    case Op::add:
+        return Fold::add(a, b);
+    case Op::subtract:
+        return Fold::subtract(a, b);
+    case Op::multiply:
+        return Fold::multiply(a, b);
+    case Op::divide:
+        return Fold::divide(a, b);
+    case Op::min:
+        return Fold::min(a, b);
+    case Op::max:
+        return Fold::max(a, b);
+    case Op::power:
+        return Fold::power(a, b);
+    default:
+        assert(!"not a foldable binary operation");
+        return 0;
+    }
+}
+
+Node leaf(Op op, int index = 0, int second = 0) {
+    Node node;
+    node.op = op;
+    node.index = index;
+    node.second = second;
+    return node;
+}
+
+} // namespace
+
+std::size_t Graph::Hash::operator()(const Node& node) const {
+    std::uint64_t h = std::uint64_t(node.op) * 0x9E3779B97F4A7C15u;
+    const auto mix = [&h](std::uint64_t v) {
+        h ^= v + 0x9E3779B97F4A7C15u + (h << 6) + (h >> 2);
+        h *= 0xBF58476D1CE4E5B9u;
+    };
+    mix(std::uint64_t(node.index));
+    mix(std::uint64_t(node.second));
+    mix(std::bit_cast<std::uint64_t>(node.value));
+    for (int k = 0; k < node.arity; ++k) mix(node.children[std::size_t(k)]);
+    return std::size_t(h);
+}
+
+NodeId Graph::intern(Node node) {
+    for (int k = 0; k < node.arity; ++k)
+        node.arrays |= nodes_[node.children[std::size_t(k)]].arrays;
+    if (node.op == Op::sum) node.arrays &= ~(1u << node.index);
+    if (node.op == Op::element) node.arrays = 1u << node.index;
+    const auto [it, inserted] = ids_.try_emplace(node, NodeId(nodes_.size()));
+    if (inserted) nodes_.push_back(node);
+    return it->second;
+}
+
+NodeId Graph::constant(double value) {
+    Node node = leaf(Op::constant);
+    node.value = value == 0 ? 0 : value; // one zero: -0 and 0 would not compare equal as keys
+    if (std::isnan(value)) node.value = std::numeric_limits<double>::quiet_NaN();
+    return intern(node);
+}
+
+NodeId Graph::input(int index) { return intern(leaf(Op::input, index)); }
+NodeId Graph::parameter(int index) { return intern(leaf(Op::parameter, index)); }
+
+NodeId Graph::element(int array, int field) {
+    assert(array < max_arrays);
+    return intern(leaf(Op::element, array, field));
+}
+
+NodeId Graph::unary(Op op, NodeId a) {
+    const Node& child = nodes_[a];
+    if (child.op == Op::constant) return constant(fold(op, child.value));
+    if (op == Op::negate && child.op == Op::negate) return child.children[0];
+    if (op == Op::negate && child.op == Op::subtract) {
+        return subtract(child.children[1], child.children[0]);
+    }
+    if (op == Op::abs && (child.op == Op::abs || child.op == Op::negate)) {
+        return unary(Op::abs, child.children[0]);
+    }
+    Node node = leaf(op);
+    node.arity = 1;
+    node.children = {a};
+    return intern(node);
+}
+
+NodeId Graph::binary(Op op, NodeId a, NodeId b) {
+    const bool ca = is_constant(a), cb = is_constant(b);
+    if (ca && cb && op != Op::random) {
+        return constant(fold(op, nodes_[a].value, nodes_[b].value));
+    }
+    switch (op) {
+    case Op::add:
+        if (is_constant(a, 0)) return b;
+        if (is_constant(b, 0)) return a;
+        if (nodes_[b].op == Op::negate) return subtract(a, nodes_[b].children[0]);
+        if (nodes_[a].op == Op::negate) return subtract(b, nodes_[a].children[0]);
+        break;
+    case Op::subtract:
+        if (is_constant(b, 0)) return a;
+        if (is_constant(a, 0)) return unary(Op::negate, b);
+        if (a == b) return constant(0);
+        if (nodes_[b].op == Op::negate) return add(a, nodes_[b].children[0]);
+        break;
+    case Op::multiply:
+        if (is_constant(a, 0) || is_constant(b, 0)) return constant(0);
+        if (is_constant(a, 1)) return b;
+        if (is_constant(b, 1)) return a;
+        if (is_constant(a, -1)) return unary(Op::negate, b);
+        if (is_constant(b, -1)) return unary(Op::negate, a);
+        // Signs move outwards, where sums absorb them.
+        if (nodes_[a].op == Op::negate && nodes_[b].op == Op::negate) {
+            return multiply(nodes_[a].children[0], nodes_[b].children[0]);
+        }
+        if (nodes_[a].op == Op::negate) {
+            return unary(Op::negate, multiply(nodes_[a].children[0], b));
+        }
+        if (nodes_[b].op == Op::negate) {
+            return unary(Op::negate, multiply(a, nodes_[b].children[0]));
+        }
+        // c1 * (c2 * x): derivatives pile up constant factors.
+        if (cb) std::swap(a, b);
+        if (is_constant(a) && nodes_[b].op == Op::multiply && is_constant(nodes_[b].children[0])) {
+            const double product = nodes_[a].value * nodes_[nodes_[b].children[0]].value;
+            return multiply(constant(product), nodes_[b].children[1]);
+        }
+        break;
+    case Op::divide:
+        if (is_constant(a, 0)) return constant(0);
+        if (is_constant(b, 1)) return a;
+        break;
+    case Op::power:
+        if (is_constant(b)) {
+            const double n = nodes_[b].value;
+            if (n == std::floor(n) && std::abs(n) <= 256) return integer_power(a, int(n));
+            if (n == 0.5) return unary(Op::sqrt, a);
+        }
+        break;
+    case Op::min:
+    case Op::max:
+        if (a == b) return a;
+        break;
+    default:
+        break;
+    }
+    // One order for commutative operations, constants first: x*y and y*x are one node. min and max
+    // stay as written, since their derivatives decide ties by order.
+    if (op == Op::add || op == Op::multiply) {
+        const bool constant_last = is_constant(b) && !is_constant(a);
+        const bool unordered = is_constant(a) == is_constant(b) && b < a;
+        if (constant_last || unordered) std::swap(a, b);
+    }
+    Node node = leaf(op);
+    node.arity = 2;
+    node.children = {a, b};
+    return intern(node);
+}
+
+NodeId Graph::select(NodeId a, NodeId b, NodeId then, NodeId otherwise) {
+    if (then == otherwise) return then;
+    if (is_constant(a) && is_constant(b)) {
+        return nodes_[a].value < nodes_[b].value ? then : otherwise;
+    }
+    Node node = leaf(Op::select);
+    node.arity = 4;
+    node.children = {a, b, then, otherwise};
+    return intern(node);
+}
+
+NodeId Graph::chebyshev(int degree, NodeId a, int derivative) {
+    assert(degree >= 0 && derivative >= 0);
+    if (derivative > degree) return constant(0);
+    if (degree == 0) return constant(1);
+    if (degree == 1) return derivative == 0 ? a : constant(1);
+    Node node = leaf(Op::chebyshev, degree, derivative);
+    node.arity = 1;
+    node.children = {a};
+    return intern(node);
+}
+
+NodeId Graph::sum(int array, NodeId body) {
+    if (is_constant(body, 0)) return body;
+    Node node = leaf(Op::sum, array);
+    node.arity = 1;
+    node.children = {body};
+    return intern(node);
+}
+
+NodeId Graph::integer_power(NodeId a, int n) {
+    if (n < 0) return divide(constant(1), integer_power(a, -n));
+    if (n == 0) return constant(1);
+    if (n == 1) return a;
+    if (nodes_[a].op == Op::abs && n % 2 == 0) return integer_power(nodes_[a].children[0], n);
+    // High powers overflow float inside ordinary bounds (6^200); clamping the base keeps sums of
+    // them free of inf - inf. Low ones don't, and stay bare products that others can share.
+    constexpr int bare = 24;
+    if (n > bare && nodes_[a].op != Op::max) {
+        const NodeId reach = constant(std::pow(double(Operations<float>::saturation()), 1.0 / n));
+        const NodeId low = unary(Op::negate, reach);
+        return integer_power(binary(Op::max, low, binary(Op::min, reach, a)), n);
+    }
+    const NodeId half = integer_power(a, n / 2);
+    const NodeId square = multiply(half, half);
+    return n % 2 == 0 ? square : multiply(square, a);
+}
+
+std::string_view name(Op op) {
+    switch (op) {
+    case Op::constant:
+        return "constant";
+    case Op::input:
+        return "input";
+    case Op::parameter:
+        return "parameter";
+    case Op::element:
+        return "element";
+    case Op::negate:
+        return "negate";
+    case Op::abs:
+        return "abs";
+    case Op::sign:
+        return "sign";
+    case Op::sqrt:
+        return "sqrt";
+    case Op::exp:
+        return "exp";
+    case Op::log:
+        return "log";
+    case Op::sin:
+        return "sin";
+    case Op::cos:
+        return "cos";
+    case Op::tan:
+        return "tan";
+    case Op::sinh:
+        return "sinh";
+    case Op::cosh:
+        return "cosh";
+    case Op::tanh:
+        return "tanh";
+    case Op::asin:
+        return "asin";
+    case Op::acos:
+        return "acos";
+    case Op::atan:
+        return "atan";
+    case Op::floor:
+        return "floor";
+    case Op::add:
+        return "add";
+    case Op::subtract:
+        return "subtract";
+    case Op::multiply:
+        return "multiply";
+    case Op::divide:
+        return "divide";
+    case Op::min:
+        return "min";
+    case Op::max:
+        return "max";
+    case Op::power:
+        return "power";
+    case Op::random:
+        return "random";
+    case Op::chebyshev:
+        return "chebyshev";
+    case Op::select:
+        return "select";
+    case Op::sum:
+        return "sum";
+    }
+    return "?";
+}
+
+} // namespace isomotion::formula

@@ -1,0 +1,50 @@
+#include "formula/vocabulary.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace isomotion::formula {
+namespace {
+
+// Levenshtein distance, letter case ignored.
+int edit_distance(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    std::vector<int> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        int diagonal = row[0];
+        row[0] = int(i) + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const int substitute = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({substitute, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+} // namespace
+
+bool is_identifier(std::string_view name) {
+    if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0]))) return false;
+    return std::all_of(name.begin(), name.end(),
+                       [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+}
+
+std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates) {
+    std::string best;
+    int best_distance = std::max(1, int(word.size()) / 3) + 1;
+    for (const std::string& candidate : candidates) {
+        // For one-letter names every other letter is one edit away: no suggestion is better.
+        if (word.size() == 1 && candidate.size() == 1) continue;
+        const int distance = edit_distance(word, candidate);
+        if (distance < best_distance) {
+            best_distance = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+} // namespace isomotion::formula

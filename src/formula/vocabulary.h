@@ -1,0 +1,42 @@
+// The names a formula may use, and what each becomes in the graph.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isomotion::formula {
+
+struct FieldName {
+    std::string name;
+    // A field with one value for all elements is a parameter, read once instead of once an element.
+    std::optional<int> parameter;
+};
+
+struct ArrayName {
+    std::string name;
+    std::vector<FieldName> fields;
+};
+
+// Input and parameter indices are positions in these lists.
+struct Vocabulary {
+    std::vector<std::string> inputs;
+    std::vector<std::string> parameters;
+    std::vector<ArrayName> arrays;
+    bool allows_random =
+        false; // random(i, k): in animation only, where the CPU evaluates in double
+};
+
+// The inputs of a surface's field: position, and for derivatives the ray's direction.
+inline const std::vector<std::string> coordinate_names{"x", "y", "z"};
+
+// Names no parameter, array or field may take: functions, constants and coordinates.
+bool is_reserved(std::string_view name);
+bool is_identifier(std::string_view name);
+
+// The candidate with the smallest edit distance to `word`, or empty if none is near enough to be a
+// slip of the finger.
+std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
+
+} // namespace isomotion::formula
