@@ -104,4 +104,8 @@ std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots) {
     return result;
 }
 
+Program schedule_lowered(Graph& graph, NodeId root) {
+    return schedule(graph, lower(graph, std::array{root}));
+}
+
 } // namespace isomotion::formula

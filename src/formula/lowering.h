@@ -10,11 +10,15 @@
 #include <span>
 
 #include "formula/graph.h"
+#include "formula/program.h"
 
 namespace isomotion::formula {
 
 // The nodes equal to `roots` without chebyshev nodes below them. Arguments are clamped where the
 // float32 value would pass Operations<float>::saturation().
 std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots);
+
+// Lowers and schedules one expression.
+Program schedule_lowered(Graph& graph, NodeId root);
 
 } // namespace isomotion::formula

@@ -1,0 +1,240 @@
+#include "animation/animation.h"
+
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "formula/lowering.h"
+#include "formula/parser.h"
+
+namespace isomotion::animation {
+namespace {
+
+enum Input { input_time, input_index, input_count };
+
+// An order in which every item comes after what it refers to, or the name of one that refers to
+// itself in the end.
+std::vector<int> dependency_order(std::size_t count,
+                                  const std::function<std::vector<int>(int)>& references,
+                                  const std::function<void(int)>& on_cycle) {
+    enum class State : char { untouched, open, done };
+    std::vector<State> state(count, State::untouched);
+    std::vector<int> order;
+    const std::function<void(int)> visit = [&](int item) {
+        if (state[std::size_t(item)] == State::done) return;
+        if (state[std::size_t(item)] == State::open) return on_cycle(item);
+        state[std::size_t(item)] = State::open;
+        for (const int other : references(item)) visit(other);
+        state[std::size_t(item)] = State::done;
+        order.push_back(item);
+    };
+    for (std::size_t k = 0; k < count; ++k) visit(int(k));
+    return order;
+}
+
+// Whole words only: "cx" is no mention of "x".
+bool mentions(std::string_view text, std::string_view word) {
+    const auto part = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+    };
+    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || !part(text[at - 1])) && (end == text.size() || !part(text[end])))
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+bool Values::operator==(const Values& other) const {
+    // Time itself doesn't count: equal values give equal pictures.
+    if (tracks != other.tracks || arrays.size() != other.arrays.size()) return false;
+    return std::equal(
+        arrays.begin(), arrays.end(), other.arrays.begin(),
+        [](const auto& a, const auto& b) { return a.count == b.count && a.fields == b.fields; });
+}
+
+Animation::Animation(std::vector<Track> tracks, std::vector<Array> arrays, std::uint64_t seed)
+    : tracks_(std::move(tracks))
+    , arrays_(std::move(arrays))
+    , seed_(seed)
+    , referenced_(tracks_.size(), false) {
+    compile_tracks();
+    for (const Array& array : arrays_) compile_array(array);
+}
+
+Animation::Compiled Animation::compile(const std::string& owner, const std::string& text,
+                                       const formula::Vocabulary& vocabulary) const {
+    formula::Graph graph;
+    formula::NodeId root{};
+    try {
+        root = formula::parse(text, vocabulary, graph);
+    } catch (const formula::ParseError& error) {
+        throw ExpressionError(owner, error.what());
+    }
+    Compiled compiled;
+    compiled.program = formula::schedule_lowered(graph, root);
+    for (const auto& instruction : compiled.program.instructions) {
+        if (instruction.kind == formula::Instruction::Kind::operation &&
+            instruction.op == formula::Op::parameter) {
+            compiled.references.push_back(instruction.index);
+        }
+    }
+    return compiled;
+}
+
+void Animation::compile_tracks() {
+    formula::Vocabulary vocabulary;
+    vocabulary.inputs = {"t"};
+    for (const Track& track : tracks_) vocabulary.parameters.push_back(track.name);
+    vocabulary.allows_random = true;
+    compiled_.resize(tracks_.size());
+    for (std::size_t k = 0; k < tracks_.size(); ++k) {
+        const auto* expression = std::get_if<Expression>(&tracks_[k].source);
+        if (!expression) continue;
+        compiled_[k] = compile(tracks_[k].name, expression->text, vocabulary);
+        for (const int other : compiled_[k]->references) referenced_[std::size_t(other)] = true;
+    }
+    order_ = dependency_order(
+        tracks_.size(),
+        [this](int k) {
+            const auto& compiled = compiled_[std::size_t(k)];
+            return compiled ? compiled->references : std::vector<int>{};
+        },
+        [this](int k) {
+            const std::string& name = tracks_[std::size_t(k)].name;
+            throw ExpressionError(name, fmt::format("the value of '{}' depends on itself", name));
+        });
+}
+
+void Animation::compile_array(const Array& array) {
+    formula::Vocabulary vocabulary;
+    vocabulary.inputs = {"t", "i", "n"};
+    for (const Track& track : tracks_) vocabulary.parameters.push_back(track.name);
+    for (const ArrayField& field : array.fields) vocabulary.parameters.push_back(field.name);
+    vocabulary.allows_random = true;
+    const auto tracks = int(tracks_.size());
+
+    CompiledArray compiled;
+    compiled.fields.resize(array.fields.size());
+    for (std::size_t f = 0; f < array.fields.size(); ++f) {
+        const auto* expression = std::get_if<Expression>(&array.fields[f].source);
+        if (!expression) continue;
+        const std::string owner = array.name + "." + array.fields[f].name;
+        compiled.fields[f] = compile(owner, expression->text, vocabulary);
+        for (const int other : compiled.fields[f]->references) {
+            if (other < tracks) referenced_[std::size_t(other)] = true;
+        }
+    }
+    compiled.order = dependency_order(
+        array.fields.size(),
+        [&](int f) {
+            std::vector<int> siblings;
+            if (const auto& field = compiled.fields[std::size_t(f)]) {
+                for (const int other : field->references) {
+                    if (other >= tracks) siblings.push_back(other - tracks);
+                }
+            }
+            return siblings;
+        },
+        [&](int f) {
+            const std::string name = array.name + "." + array.fields[std::size_t(f)].name;
+            throw ExpressionError(name, fmt::format("the value of '{}' depends on itself", name));
+        });
+    compiled_arrays_.push_back(std::move(compiled));
+}
+
+Values Animation::at(double time) const {
+    Values values;
+    values.time = time;
+    values.tracks.resize(tracks_.size());
+    formula::Bindings<double> bindings;
+    bindings.seed = seed_;
+    bindings.parameters.resize(tracks_.size());
+    for (const int k : order_) {
+        const auto index = std::size_t(k);
+        double& value = bindings.parameters[index];
+        const TrackSource& source = tracks_[index].source;
+        if (const auto* number = std::get_if<double>(&source)) {
+            value = *number;
+        } else if (const auto* keys = std::get_if<Keys>(&source)) {
+            value = keys->at(time);
+        } else {
+            double result = 0;
+            formula::Evaluator<double>(compiled_[index]->program)
+                .point(bindings, {&time, 1}, {&result, 1});
+            value = result;
+        }
+    }
+    values.tracks = bindings.parameters;
+    for (std::size_t a = 0; a < arrays_.size(); ++a) values.arrays.push_back(columns(a, values));
+    return values;
+}
+
+formula::ArrayColumns<double> Animation::columns(std::size_t a, const Values& values) const {
+    const Array& array = arrays_[a];
+    const CompiledArray& compiled = compiled_arrays_[a];
+    formula::ArrayColumns<double> columns;
+    columns.count = array.count;
+    columns.fields.resize(array.fields.size());
+    const auto count = std::size_t(array.count);
+    const std::size_t tracks = tracks_.size();
+
+    formula::Bindings<double> bindings;
+    bindings.seed = seed_;
+    bindings.parameters = values.tracks;
+    bindings.parameters.resize(tracks + array.fields.size());
+    for (const int f : compiled.order) {
+        const auto field = std::size_t(f);
+        auto& column = columns.fields[field];
+        if (const auto* number = std::get_if<double>(&array.fields[field].source)) {
+            column.assign(count, *number);
+        } else if (const auto* list =
+                       std::get_if<std::vector<double>>(&array.fields[field].source)) {
+            column = *list;
+            column.resize(count);
+        } else {
+            const Compiled& expression = *compiled.fields[field];
+            formula::Evaluator<double> evaluator(expression.program);
+            column.resize(count);
+            for (std::size_t i = 0; i < count; ++i) {
+                for (const int other : expression.references) {
+                    if (std::size_t(other) < tracks) continue;
+                    bindings.parameters[std::size_t(other)] =
+                        columns.fields[std::size_t(other) - tracks][i];
+                }
+                const double inputs[3] = {values.time, double(i), double(count)};
+                evaluator.point(bindings, inputs, {&column[i], 1});
+            }
+        }
+    }
+    return columns;
+}
+
+std::optional<int> Animation::find(std::string_view track) const {
+    for (std::size_t k = 0; k < tracks_.size(); ++k) {
+        if (tracks_[k].name == track) return int(k);
+    }
+    return std::nullopt;
+}
+
+bool varies_by_element(const Array& array, std::size_t field) {
+    std::vector<bool> visited(array.fields.size(), false);
+    const std::function<bool(std::size_t)> varies = [&](std::size_t f) {
+        if (visited[f]) return false;
+        visited[f] = true;
+        if (std::holds_alternative<std::vector<double>>(array.fields[f].source)) return true;
+        const auto* expression = std::get_if<Expression>(&array.fields[f].source);
+        if (!expression) return false;
+        if (mentions(expression->text, "i")) return true;
+        for (std::size_t other = 0; other < array.fields.size(); ++other) {
+            if (mentions(expression->text, array.fields[other].name) && varies(other)) return true;
+        }
+        return false;
+    };
+    return varies(field);
+}
+
+} // namespace isomotion::animation

@@ -1,0 +1,108 @@
+// Everything of a scene that moves: named tracks and arrays of them, as pure functions of time.
+//
+// A track is a number, an expression in t (which may name other tracks) or keys. An array has
+// `count` elements with fields; a field is an expression in t, the element's index i and the number
+// of elements n, or a list of numbers, and may name tracks and sibling fields.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "animation/keys.h"
+#include "formula/evaluate.h"
+#include "formula/vocabulary.h"
+
+namespace isomotion::animation {
+
+struct Expression {
+    std::string text;
+};
+
+using TrackSource = std::variant<double, Expression, Keys>;
+
+struct Track {
+    std::string name; // "m", "camera.fov"; only names that are identifiers can be referred to
+    TrackSource source;
+};
+
+using FieldSource = std::variant<double, Expression, std::vector<double>>;
+
+struct ArrayField {
+    std::string name;
+    FieldSource source;
+};
+
+struct Array {
+    std::string name;
+    int count = 0;
+    std::vector<ArrayField> fields;
+};
+
+// The values of all tracks and arrays at one time.
+struct Values {
+    double time = 0;
+    std::vector<double> tracks;                        // in the order the tracks were given
+    std::vector<formula::ArrayColumns<double>> arrays; // fields in the order they were given
+
+    bool operator==(const Values& other) const;
+};
+
+// A track or array field whose expression is wrong; `owner` is its name ("m", "blobs.cx").
+class ExpressionError : public std::runtime_error {
+public:
+    ExpressionError(std::string owner, const std::string& message)
+        : std::runtime_error(message)
+        , owner_(std::move(owner)) {}
+    const std::string& owner() const { return owner_; }
+
+private:
+    std::string owner_;
+};
+
+class Animation {
+public:
+    Animation() = default;
+    // Throws ExpressionError for bad expressions and for tracks that depend on themselves.
+    Animation(std::vector<Track> tracks, std::vector<Array> arrays, std::uint64_t seed = 0);
+
+    Values at(double time) const;
+
+    const std::vector<Track>& tracks() const { return tracks_; }
+    const std::vector<Array>& arrays() const { return arrays_; }
+    std::optional<int> find(std::string_view track) const;
+    // True if some expression names this track.
+    bool is_referenced(int track) const { return referenced_[std::size_t(track)]; }
+
+private:
+    struct Compiled {
+        formula::Program program;
+        std::vector<int> references; // tracks (and sibling fields, counted after the tracks)
+    };
+    struct CompiledArray {
+        std::vector<std::optional<Compiled>> fields;
+        std::vector<int> order;
+    };
+
+    Compiled compile(const std::string& owner, const std::string& text,
+                     const formula::Vocabulary& vocabulary) const;
+    void compile_tracks();
+    void compile_array(const Array& array);
+    formula::ArrayColumns<double> columns(std::size_t array, const Values& values) const;
+
+    std::vector<Track> tracks_;
+    std::vector<Array> arrays_;
+    std::uint64_t seed_ = 0;
+    std::vector<std::optional<Compiled>> compiled_; // of the tracks that are expressions
+    std::vector<CompiledArray> compiled_arrays_;
+    std::vector<int> order_; // tracks, what they refer to first
+    std::vector<bool> referenced_;
+};
+
+// True if the field's value differs from element to element: it is a list, or an expression that
+// names i or a sibling for which this holds.
+bool varies_by_element(const Array& array, std::size_t field);
+
+} // namespace isomotion::animation

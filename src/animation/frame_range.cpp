@@ -1,0 +1,52 @@
+#include "animation/frame_range.h"
+
+#include <charconv>
+#include <unordered_set>
+
+#include <fmt/format.h>
+
+namespace isomotion::animation {
+namespace {
+
+constexpr int last_frame = 10'000'000;
+
+int parse_number(std::string_view part, std::string_view digits) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc{} || end != digits.data() + digits.size() || digits.empty()) {
+        throw std::invalid_argument(fmt::format(
+            "'{}' is not a frame range: write a frame (5), a range (1-10), or a range with a step "
+            "(1-10x2), several separated by commas",
+            part));
+    }
+    if (value < 1 || value > last_frame) {
+        throw std::invalid_argument(
+            fmt::format("'{}': frames and steps count from 1 to {}", part, last_frame));
+    }
+    return value;
+}
+
+} // namespace
+
+std::vector<int> parse_frame_range(std::string_view text) {
+    std::vector<int> frames;
+    std::unordered_set<int> seen;
+    while (true) {
+        const std::size_t comma = text.find(',');
+        const std::string_view part = text.substr(0, comma);
+        const std::size_t x = part.find('x');
+        const std::string_view span = part.substr(0, x);
+        const int step = x == part.npos ? 1 : parse_number(part, part.substr(x + 1));
+        const std::size_t dash = span.find('-');
+        const int first = parse_number(part, span.substr(0, dash));
+        const int last = dash == span.npos ? first : parse_number(part, span.substr(dash + 1));
+        for (int frame = first; first <= last ? frame <= last : frame >= last;
+             frame += first <= last ? step : -step) {
+            if (seen.insert(frame).second) frames.push_back(frame);
+        }
+        if (comma == text.npos) return frames;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+} // namespace isomotion::animation

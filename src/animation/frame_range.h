@@ -1,0 +1,13 @@
+// The usual grammar of frame ranges: "1-10", "1-10x2", "1,3,5-9", "9-5" (downwards).
+#pragma once
+
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace isomotion::animation {
+
+// Throws std::invalid_argument with a message for the user. Frames in the order given, each once.
+std::vector<int> parse_frame_range(std::string_view text);
+
+} // namespace isomotion::animation

@@ -1,0 +1,31 @@
+// Keyframes: values at given times and a rule between them.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace isomotion::animation {
+
+enum class Ease {
+    linear,
+    smooth, // at rest at every key: smoothstep
+    hold,   // the last key's value
+    cubic,  // through the keys with continuous velocity: Catmull-Rom on uneven times
+};
+
+inline constexpr std::string_view ease_names[] = {"linear", "smooth", "hold", "cubic"};
+
+struct Key {
+    double time = 0;
+    double value = 0;
+};
+
+// Keys in strictly ascending time (at least one); constant before the first and after the last.
+struct Keys {
+    std::vector<Key> keys;
+    Ease ease = Ease::linear;
+
+    double at(double time) const;
+};
+
+} // namespace isomotion::animation

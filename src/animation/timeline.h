@@ -1,0 +1,38 @@
+// The one way from a frame's number to the values it shows.
+//
+// Playing, exporting, measuring and topology all call it: frame 812 alone equals frame 812 of the
+// whole sequence. Frames count from 1; frame f shows time (f - 1) / fps.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "animation/animation.h"
+
+namespace isomotion::animation {
+
+struct FrameRate {
+    std::int64_t numerator = 30;
+    std::int64_t denominator = 1;
+
+    bool operator==(const FrameRate&) const = default;
+};
+
+// "30", "30000/1001", "23.976" (an exact decimal fraction); empty if it is none or not positive.
+std::optional<FrameRate> parse_frame_rate(std::string_view text);
+std::string to_string(FrameRate rate); // "30", "30000/1001"
+
+struct Timeline {
+    FrameRate fps;
+    int frames = 1;
+    Animation animation;
+
+    double time(std::int64_t frame) const {
+        return double((frame - 1) * fps.denominator) / double(fps.numerator);
+    }
+    Values values(std::int64_t frame) const { return animation.at(time(frame)); }
+};
+
+} // namespace isomotion::animation

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "gpu/context.h"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace isomotion::gpu {
+
+/// Core profile versions to ask for, best first. Asking for more than 4.5 fails on Mesa's software
+/// rasteriser instead of giving the best it has.
+inline constexpr std::pair<int, int> wanted_versions[] = {{4, 5}, {3, 3}};
+
+// Each opens a context that is not yet current, or returns null and adds why to `failed`.
+std::unique_ptr<Context> open_egl(std::vector<Attempt>& failed);
+std::unique_ptr<Context> open_osmesa(std::vector<Attempt>& failed);
+
+} // namespace isomotion::gpu

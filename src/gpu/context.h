@@ -1,0 +1,92 @@
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isomotion::gpu {
+
+struct Discarded;
+class Name;
+
+enum class Backend { automatic, egl, osmesa };
+
+/// Throws std::invalid_argument that lists the names there are.
+Backend parse_backend(std::string_view text);
+std::string_view name(Backend backend);
+
+struct ContextInfo {
+    std::string backend; ///< how it was reached: "egl-device", "egl-surfaceless", "osmesa"
+    std::string vendor, renderer, version, glsl_version;
+    int major = 0, minor = 0;
+    int max_texture_size = 0;
+    int max_uniform_block_size = 0;  ///< bytes
+    int max_texture_buffer_size = 0; ///< texels
+    bool software = false;
+};
+
+/// One way to a context that was tried and did not work.
+struct Attempt {
+    std::string what;
+    std::string reason;
+};
+
+/// No context can be had here. The message lists every attempt and what to install.
+class Unavailable : public std::runtime_error {
+public:
+    explicit Unavailable(std::vector<Attempt> attempts);
+    const std::vector<Attempt>& attempts() const noexcept { return attempts_; }
+
+private:
+    std::vector<Attempt> attempts_;
+};
+
+/// An OpenGL core context, 4.5 where the driver has it and 3.3 at least, with no window.
+///
+/// The GL functions belong to the back end whose context was made current last, in the whole
+/// process: draw from one thread. (llvmpipe gains nothing from several; processes scale.)
+class Context {
+public:
+    /// Returns a context that is current on this thread. `automatic` takes a graphics card where
+    /// there is one. Throws Unavailable.
+    static std::unique_ptr<Context> create(Backend backend = Backend::automatic);
+
+    /// The context current on this thread, or null.
+    static Context* current() noexcept { return current_; }
+
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+    virtual ~Context();
+
+    void make_current();
+    void release() noexcept;
+
+    const ContextInfo& info() const noexcept { return info_; }
+
+protected:
+    using Procedure = void (*)();
+    using Loader = Procedure (*)(const char* name);
+
+    /// `loader` finds the GL functions of the back end.
+    Context(std::string backend, Loader loader);
+
+private:
+    friend class Name;
+
+    /// A destructor of a back end calls release() while these still are its own.
+    virtual void bind() = 0;
+    virtual void unbind() noexcept = 0;
+
+    void load_functions();
+    void describe();
+
+    static thread_local Context* current_;
+
+    ContextInfo info_;
+    Loader loader_;
+    std::shared_ptr<Discarded> discarded_;
+};
+
+} // namespace isomotion::gpu

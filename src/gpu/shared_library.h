@@ -1,0 +1,40 @@
+#pragma once
+
+#include <dlfcn.h>
+
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+
+namespace isomotion::gpu {
+
+/// A library looked for at run time, so that the program starts where no driver is installed.
+///
+/// It stays open to the end of the process: drivers leave handlers behind that run at exit.
+class SharedLibrary {
+public:
+    /// Opens the first of `names` that can be; throws with the loader's reasons.
+    explicit SharedLibrary(std::initializer_list<const char*> names) {
+        std::string reasons;
+        for (const char* name : names) {
+            // Local: a driver's gl* must not become everyone's.
+            handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+            if (handle_) return;
+            reasons += (reasons.empty() ? "" : "; ");
+            reasons += dlerror();
+        }
+        throw std::runtime_error(reasons);
+    }
+
+    template <typename Function>
+    Function* find(const char* symbol) const {
+        void* address = dlsym(handle_, symbol);
+        if (!address) throw std::runtime_error(std::string(symbol) + " is missing in the library");
+        return reinterpret_cast<Function*>(address);
+    }
+
+private:
+    void* handle_ = nullptr;
+};
+
+} // namespace isomotion::gpu

@@ -1,0 +1,56 @@
+#include "scene/data_folder.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "scene/error.h"
+
+namespace isomotion::scene {
+namespace fs = std::filesystem;
+namespace {
+
+bool holds_data(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::is_directory(folder / "shaders", ignored) &&
+           fs::is_directory(folder / "animations", ignored);
+}
+
+std::vector<std::string> toml_names(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+} // namespace
+
+fs::path data_folder() {
+    if (const char* given = std::getenv("ISOMOTION_DATA")) {
+        if (holds_data(given)) return given;
+        throw SceneError(fmt::format("ISOMOTION_DATA={}: this folder has no shaders/ and "
+                                     "animations/ in it; name the one that has, or unset it",
+                                     given));
+    }
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    for (fs::path up = program.parent_path(); !error && up.has_relative_path();
+         up = up.parent_path()) {
+        if (holds_data(up / "share" / "isomotion")) return up / "share" / "isomotion";
+        if (holds_data(up)) return up;
+    }
+    throw SceneError(fmt::format("the program's shaders/ and animations/ are not to be found above "
+                                 "{}; set ISOMOTION_DATA to the folder that holds them",
+                                 program.string()));
+}
+
+std::vector<std::string> animation_names() { return toml_names(data_folder() / "animations"); }
+std::vector<std::string> surface_names() {
+    return toml_names(data_folder() / "animations" / "surfaces");
+}
+
+} // namespace isomotion::scene

@@ -1,0 +1,19 @@
+// Where the program's own files are: shaders/, animations/, installed or in the source tree.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace isomotion::scene {
+
+// The folder that holds shaders/ and animations/: $ISOMOTION_DATA, or <prefix>/share/isomotion
+// beside the program, or the nearest folder above the program that has both (a source tree with
+// its build inside). Throws SceneError naming where it looked.
+std::filesystem::path data_folder();
+
+// Names (without .toml) of the gallery's animations and of the catalogue's surfaces, sorted.
+std::vector<std::string> animation_names();
+std::vector<std::string> surface_names();
+
+} // namespace isomotion::scene

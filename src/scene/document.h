@@ -1,0 +1,62 @@
+// Typed access to a TOML table that remembers which keys were read.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <initializer_list>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#define TOML_HEADER_ONLY 1
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+#include "animation/animation.h"
+#include "scene/error.h"
+
+namespace isomotion::scene {
+
+// Reads and parses a file; SceneError for a missing or malformed one.
+toml::table read_document(const std::filesystem::path& file);
+
+[[noreturn]] void fail(const toml::node& at, const std::string& key, const std::string& message);
+
+// One table of a document, `key` being its dotted name. Sections are read key by key; refuse_rest
+// then reports the first key nobody asked for, with the nearest name that would have been known.
+class Section {
+public:
+    Section(const toml::table& table, std::string key)
+        : table_(&table)
+        , key_(std::move(key)) {}
+
+    const toml::node* find(const std::string& name);
+    bool has(const std::string& name) const { return table_->contains(name); }
+    const toml::table& table() const { return *table_; }
+    std::string dotted(const std::string& name) const {
+        return key_.empty() ? name : key_ + "." + name;
+    }
+    std::optional<Section> section(const std::string& name);
+
+    std::optional<std::string> text(const std::string& name);
+    std::optional<double> number(const std::string& name, double least, double most);
+    std::optional<int> integer(const std::string& name, int least, int most);
+    std::optional<animation::TrackSource> track(const std::string& name);
+    std::optional<std::array<animation::TrackSource, 3>> vector(const std::string& name);
+
+    void refuse_rest();
+
+private:
+    const toml::table* table_;
+    std::string key_;
+    std::set<std::string> known_;
+};
+
+// A number, an expression, or { keys = [[t, v], ...], ease = "linear" }.
+animation::TrackSource read_track(const toml::node& node, const std::string& key);
+// [x, y, z] of such, or { keys = [[t, [x, y, z]], ...], ease = "linear" }.
+std::array<animation::TrackSource, 3> read_vector(const toml::node& node, const std::string& key);
+double read_finite(const toml::node& node, const std::string& key);
+
+} // namespace isomotion::scene

@@ -1,0 +1,255 @@
+#include "scene/load.h"
+
+#include <fmt/format.h>
+
+#include "scene/data_folder.h"
+#include "scene/surface.h"
+#include "scene/thresholds.h"
+
+namespace isomotion::scene {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path locate(const std::string& scene) {
+    if (fs::exists(scene)) {
+        if (fs::is_directory(scene)) {
+            throw SceneError(scene + ": is a folder; name a scene file (.toml)");
+        }
+        return scene;
+    }
+    const bool looks_like_path =
+        scene.find('/') != scene.npos || fs::path(scene).extension() == ".toml";
+    if (looks_like_path) throw SceneError(scene + ": no such file");
+    const fs::path installed = data_folder() / "animations" / (scene + ".toml");
+    if (fs::exists(installed)) return installed;
+    const auto known = animation_names();
+    const std::string near = formula::nearest_name(scene, known);
+    throw SceneError(
+        near.empty() ? fmt::format("{}: no such file, and no animation of this name; known: {}",
+                                   scene, fmt::join(known, ", "))
+                     : fmt::format("{}: no such file, and no animation of this name; did you mean "
+                                   "'{}'?",
+                                   scene, near));
+}
+
+// --set: the value goes into the document before it is read, so that it is checked like any other.
+void override_key(toml::table& document, const Override& setting) {
+    const std::size_t equals = setting.find('=');
+    if (equals == setting.npos || equals == 0 || equals + 1 == setting.size()) {
+        throw SceneError(fmt::format("--set {}: write name=value", setting));
+    }
+    std::string path = setting.substr(0, equals);
+    const std::string value = setting.substr(equals + 1);
+    if (path.find('.') == path.npos) path = "parameters." + path;
+    toml::table parsed;
+    try { // as TOML, else as an expression or a name: m=2.5, m="2+t", m=2+t, camera.up=[0,1,0]
+        parsed = toml::parse("value = " + value);
+    } catch (const toml::parse_error&) {
+        parsed.insert("value", value);
+    }
+    // parse() without a path leaves lines but no file; documents tell by that it was the command
+    // line.
+    toml::table* table = &document;
+    std::size_t begin = 0;
+    for (std::size_t dot = path.find('.'); dot != path.npos; dot = path.find('.', begin)) {
+        const std::string part = path.substr(begin, dot - begin);
+        toml::node* next = table->get(part);
+        if (!next) {
+            table->insert(part, toml::table{});
+            next = table->get(part);
+        }
+        if (!next->is_table()) {
+            throw SceneError(fmt::format("--set {}: '{}' is not a table", setting, part));
+        }
+        table = next->as_table();
+        begin = dot + 1;
+    }
+    table->insert_or_assign(path.substr(begin), *parsed.get("value"));
+}
+
+void read_time(Section& document, Scene& scene, std::uint64_t& seed) {
+    auto section = document.section("time");
+    if (!section) return;
+    if (const toml::node* fps = section->find("fps")) {
+        std::optional<animation::FrameRate> rate;
+        if (const auto text = fps->value_exact<std::string>()) {
+            rate = animation::parse_frame_rate(*text);
+        } else if (fps->is_number()) {
+            rate = animation::parse_frame_rate(fmt::format("{}", read_finite(*fps, "time.fps")));
+        }
+        if (!rate) fail(*fps, "time.fps", "must be above 0: 30, 23.976 or \"30000/1001\"");
+        scene.timeline.fps = *rate;
+    }
+    scene.timeline.frames = section->integer("frames", 1, 10'000'000).value_or(1);
+    seed = std::uint64_t(section->integer("seed", 0, 2'147'483'647).value_or(0));
+    section->refuse_rest();
+}
+
+void read_camera(Section& document, Scene& scene, TrackTable& tracks) {
+    auto section = document.section("camera");
+    Camera& camera = scene.camera;
+    const auto vector = [&](const std::string& name, double x, double y, double z) {
+        const toml::node* node = section ? section->find(name) : nullptr;
+        return node ? tracks.add("camera." + name, *section->vector(name), node)
+                    : tracks.add("camera." + name, x, y, z);
+    };
+    camera.framed = !section || !section->has("position");
+    camera.position = vector("position", 3, 2, 1.5);
+    camera.target = vector("target", 0, 0, 0);
+    camera.up = vector("up", 0, 0, 1);
+    const toml::node* fov = section ? section->find("fov") : nullptr;
+    camera.fov =
+        tracks.add("camera.fov", fov ? *section->track("fov") : animation::TrackSource(40.0), fov);
+    if (section) section->refuse_rest();
+}
+
+void read_lights(Section& document, Scene& scene, TrackTable& tracks) {
+    constexpr std::size_t most = 8;
+    const toml::node* node = document.find("lights");
+    const toml::array* list = node ? node->as_array() : nullptr;
+    if (node && (!list || list->empty() || !list->is_array_of_tables())) {
+        fail(*node, "lights", "must be written as [[lights]], one such table a light");
+    }
+    if (list && list->size() > most) fail(*node, "lights", fmt::format("at most {}", most));
+    for (std::size_t k = 0; k < (list ? list->size() : 1); ++k) {
+        const std::string key = fmt::format("lights[{}]", k);
+        Light light;
+        light.headlight = !list;
+        std::array<animation::TrackSource, 3> direction{0.0, 0.0, 1.0}, color{1.0, 1.0, 1.0};
+        const toml::node* at = nullptr;
+        if (list) {
+            at = list->get(k);
+            Section section(*at->as_table(), key);
+            if (auto given = section.vector("color")) color = *given;
+            auto given = section.vector("direction");
+            if (!given) fail(*at, key, "needs direction = [x, y, z], pointing to the light");
+            direction = *given;
+            section.refuse_rest();
+        }
+        light.direction = tracks.add(key + ".direction", direction, at);
+        light.color = tracks.add(key + ".color", color, at);
+        scene.lights.push_back(light);
+    }
+}
+
+void read_material(Section& document, Scene& scene, TrackTable& tracks) {
+    auto section = document.section("material");
+    const toml::node* color = section ? section->find("color") : nullptr;
+    scene.material.color = color ? tracks.add("material.color", *section->vector("color"), color)
+                                 : tracks.add("material.color", 0.72, 0.32, 0.08);
+    if (section) section->refuse_rest();
+}
+
+void read_output(Section& document, Scene& scene) {
+    constexpr int most = 16384;
+    Output& output = scene.output;
+    output.background = {0.86, 0.86, 0.9};
+    auto section = document.section("output");
+    if (!section) return;
+    if (const toml::node* node = section->find("size")) {
+        const toml::array* size = node->as_array();
+        const auto width =
+            size && size->size() == 2 ? size->get(0)->value_exact<std::int64_t>() : std::nullopt;
+        const auto height = width ? size->get(1)->value_exact<std::int64_t>() : std::nullopt;
+        if (!width || !height || *width < 1 || *height < 1 || *width > most || *height > most) {
+            fail(*node, "output.size",
+                 fmt::format("must be [width, height], integers from 1 to {}", most));
+        }
+        output.width = int(*width);
+        output.height = int(*height);
+    }
+    if (const toml::node* node = section->find("background")) {
+        if (node->value_exact<std::string>() == "transparent") {
+            output.transparent = true;
+            output.background = {0, 0, 0};
+        } else {
+            const toml::array* color = node->as_array();
+            if (!color || color->size() != 3) {
+                fail(*node, "output.background", "must be [r, g, b] (linear) or \"transparent\"");
+            }
+            for (std::size_t k = 0; k < 3; ++k) {
+                output.background[k] = read_finite(*color->get(k), "output.background");
+            }
+        }
+    }
+    section->refuse_rest();
+}
+
+// The catalogue's settings first, the scene's own over them. False where no value was given.
+struct GivenThresholds {
+    bool step = false, near = false, far = false, horizon = false;
+};
+
+void read_isolation(Section& document, Isolation& isolation, GivenThresholds& given) {
+    auto section = document.section("isolation");
+    if (!section) return;
+    if (const auto text = section->text("method")) {
+        const auto method = parse_method(*text);
+        if (!method) {
+            std::vector<std::string> names;
+            for (const auto& entry : method_names) names.emplace_back(entry.name);
+            fail(*section->find("method"), "isolation.method",
+                 fmt::format("there is no method '{}'; known: {}", *text, fmt::join(names, ", ")));
+        }
+        isolation.method = *method;
+    }
+    const auto set = [&](const char* name, double least, double& value, bool& known) {
+        if (const auto number = section->number(name, least, 1e30)) {
+            value = *number;
+            known = true;
+        }
+    };
+    set("step", 1e-30, isolation.step, given.step);
+    set("near", 0, isolation.near, given.near);
+    set("far", 0, isolation.far, given.far);
+    set("horizon", 0, isolation.horizon, given.horizon);
+    isolation.bisections = section->integer("bisections", 0, 64).value_or(isolation.bisections);
+    isolation.limit = section->integer("limit", 1, 10'000'000).value_or(isolation.limit);
+    section->refuse_rest();
+}
+
+} // namespace
+
+Scene load(const std::string& name, const std::vector<Override>& overrides) {
+    Scene scene;
+    scene.file = locate(name);
+    toml::table root = read_document(scene.file);
+    for (const Override& setting : overrides) override_key(root, setting);
+
+    Section document(root, "");
+    scene.title = document.text("title").value_or(scene.file.stem().string());
+    TrackTable tracks;
+    std::uint64_t seed = 0;
+    read_time(document, scene, seed);
+    const auto parts = read_surface(document, tracks);
+    read_space(document, *parts, tracks);
+    read_camera(document, scene, tracks);
+    read_lights(document, scene, tracks);
+    read_material(document, scene, tracks);
+    read_output(document, scene);
+    GivenThresholds given;
+    if (parts->catalogue) {
+        Section catalogue(*parts->catalogue, "");
+        read_isolation(catalogue, scene.isolation, given);
+    }
+    read_isolation(document, scene.isolation, given);
+    document.refuse_rest();
+
+    scene.timeline.animation = tracks.animate(parts->arrays, seed);
+    make_field(*parts, scene.timeline.animation, tracks);
+    scene.surface = parts->surface;
+
+    // Settings are chosen once, at the first frame: every frame is marched alike.
+    const SceneAt first = at(scene, scene.timeline.values(1));
+    Isolation& isolation = scene.isolation;
+    if (!given.step) isolation.step = first.bounds.radius / 100;
+    if (!given.near || !given.far || !given.horizon) {
+        const Thresholds found = field_thresholds(*scene.surface.field, first, isolation.step);
+        if (!given.near) isolation.near = found.near;
+        if (!given.far) isolation.far = std::max(found.far, isolation.near);
+        if (!given.horizon) isolation.horizon = found.horizon;
+    }
+    return scene;
+}
+
+} // namespace isomotion::scene

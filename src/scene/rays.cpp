@@ -1,0 +1,34 @@
+#include "scene/rays.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isomotion::scene {
+
+Rays rays(const SceneAt& scene, int width, int height) {
+    const PlacementAt& place = scene.placement;
+    const glm::dmat3 to_local = glm::transpose(place.rotate);
+    const glm::dvec3 eye = place.to_local(scene.camera.position);
+    const glm::dvec3 forward =
+        glm::normalize(to_local * (scene.camera.target - scene.camera.position));
+    glm::dvec3 up = to_local * scene.camera.up;
+    // A camera looking along its own `up` (straight down, say) still has an upright picture.
+    if (glm::length(glm::cross(forward, up)) < 1e-9 * glm::length(up)) {
+        up = std::abs(forward.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    }
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
+    up = glm::cross(right, forward);
+
+    // Bounds beside or behind the eye: any plane before the eye will do.
+    const double depth =
+        std::max(glm::dot(scene.bounds.centre - eye, forward), 0.5 * scene.bounds.radius);
+    const double half_height = depth * std::tan(glm::radians(scene.camera.fov) / 2);
+    Rays rays;
+    rays.axis = depth * forward;
+    rays.origin = eye + rays.axis;
+    rays.up = half_height * up;
+    rays.right = half_height * double(width) / height * right;
+    return rays;
+}
+
+} // namespace isomotion::scene

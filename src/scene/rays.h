@@ -1,0 +1,28 @@
+// The rays of a picture, in formula coordinates, from double on the CPU to float on the GPU.
+//
+// Every ray is given by the point `anchor` where it crosses the plane through the middle of the
+// bounds, parallel to the picture, and not by the eye: float keeps 24 bits of a coordinate, so a
+// point computed from an eye 10^5 away would jitter by 10^-2. Anchors have the size of the bounds,
+// whatever the camera's distance and the surface's placement.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "scene/scene_at.h"
+
+namespace isomotion::scene {
+
+// Pixel centre (column + 0.5, row + 0.5), rows counted from the bottom, has the picture coordinates
+// (u, v) = 2 * (column + 0.5, row + 0.5) / (width, height) - 1. Its ray:
+//   anchor    = origin + u * right + v * up
+//   direction = normalize(axis + u * right + v * up)
+// The eye lies at anchor - direction * |axis + u * right + v * up|.
+struct Rays {
+    glm::dvec3 origin{0}; // where the axis meets the plane
+    glm::dvec3 axis{0};   // from the eye to `origin`
+    glm::dvec3 right{0}, up{0};
+};
+
+Rays rays(const SceneAt& scene, int width, int height);
+
+} // namespace isomotion::scene

@@ -1,0 +1,91 @@
+// A scene, loaded: a surface, how everything moves, and how it is seen.
+//
+// Every number that may move is a track of the one animation; the structs here hold track indices.
+// scene_at.h turns a scene and a time into plain numbers.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "animation/timeline.h"
+#include "formula/field.h"
+#include "scene/method.h"
+
+namespace isomotion::scene {
+
+using TrackId = int;
+using Vec3Track = std::array<TrackId, 3>;
+
+struct Bounds {
+    enum class Shape { box, sphere };
+    Shape shape = Shape::sphere;
+    Vec3Track min{}, max{}; // box: opposite corners
+    Vec3Track centre{};     // sphere
+    TrackId radius = 0;
+};
+
+// World = translate + rotate * scale * formula coordinates; rotations in degrees about the fixed
+// axes x, then y, then z.
+struct Placement {
+    Vec3Track translate{}, rotate{};
+    TrackId scale = 0;
+};
+
+struct Surface {
+    std::string name; // of the catalogue, or empty
+    // Shared: evaluators and shaders refer to its programs for as long as they live.
+    std::shared_ptr<const formula::Field> field;
+    int parameters = 0; // the first tracks of the animation are the formula's parameters
+    Bounds bounds;
+    Placement placement;
+};
+
+// The method's settings; lengths in formula coordinates, thresholds in units of F.
+struct Isolation {
+    Method method = Method::amp_sign;
+    double step = 0;    // b of Eq. 2
+    double near = 0;    // tau 1: closer than this the step is halved
+    double far = 0;     // tau 2: farther than this it is doubled
+    double horizon = 0; // tau 3: near a silhouette (|dF/dt| below this) it is quartered
+    int bisections = 10;
+    int limit = 100'000; // evaluations after which a ray gives up with the verdict step limit
+};
+
+struct Camera {
+    Vec3Track position{}, target{}, up{};
+    TrackId fov = 0;     // vertical, degrees
+    bool framed = false; // no camera given: looks at the bounds so that they fill the picture
+};
+
+// A directional light; the direction points to the light, in world coordinates.
+struct Light {
+    Vec3Track direction{}, color{};
+    bool headlight = false; // no light given: over the viewer's shoulder
+};
+
+struct Material {
+    Vec3Track color{};
+};
+
+struct Output {
+    int width = 512, height = 512;
+    std::array<double, 3> background{};
+    bool transparent = false;
+};
+
+struct Scene {
+    std::filesystem::path file;
+    std::string title;
+    animation::Timeline timeline;
+    Surface surface;
+    Isolation isolation;
+    Camera camera;
+    std::vector<Light> lights; // at least one
+    Material material;
+    Output output;
+};
+
+} // namespace isomotion::scene

@@ -1,0 +1,158 @@
+#include "scene/scene_at.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/gtc/constants.hpp>
+
+#include "scene/error.h"
+
+namespace isomotion::scene {
+namespace {
+
+class Reader {
+public:
+    Reader(const Scene& scene, const animation::Values& values)
+        : scene_(scene)
+        , values_(values) {}
+
+    double number(TrackId track) const { return values_.tracks[std::size_t(track)]; }
+    glm::dvec3 vector(const Vec3Track& track) const {
+        return {number(track[0]), number(track[1]), number(track[2])};
+    }
+    [[noreturn]] void fail(TrackId track, const std::string& message) const {
+        throw SceneError(fmt::format("{}: {} at t = {}: {}", scene_.file.string(),
+                                     scene_.timeline.animation.tracks()[std::size_t(track)].name,
+                                     values_.time, message));
+    }
+
+    BoundsAt bounds() const {
+        const Bounds& from = scene_.surface.bounds;
+        BoundsAt to;
+        to.shape = from.shape;
+        if (from.shape == Bounds::Shape::sphere) {
+            to.centre = vector(from.centre);
+            to.radius = number(from.radius);
+            if (!(to.radius > 0)) {
+                fail(from.radius, fmt::format("the radius must be above 0, not {}", to.radius));
+            }
+            to.min = to.centre - to.radius;
+            to.max = to.centre + to.radius;
+            return to;
+        }
+        to.min = vector(from.min);
+        to.max = vector(from.max);
+        for (int k = 0; k < 3; ++k) {
+            if (to.min[k] < to.max[k]) continue;
+            fail(from.min[std::size_t(k)],
+                 fmt::format("the first corner of the box must be below the second: {} and {}",
+                             to.min[k], to.max[k]));
+        }
+        to.centre = 0.5 * (to.min + to.max);
+        to.radius = 0.5 * glm::length(to.max - to.min);
+        return to;
+    }
+
+    PlacementAt placement() const {
+        const Placement& from = scene_.surface.placement;
+        PlacementAt to;
+        to.translate = vector(from.translate);
+        to.scale = number(from.scale);
+        if (!(to.scale > 0)) {
+            fail(from.scale, fmt::format("the scale must be above 0, not {}", to.scale));
+        }
+        const glm::dvec3 angle = glm::radians(vector(from.rotate));
+        const glm::dvec3 c = glm::cos(angle), s = glm::sin(angle);
+        // GLM's matrices are written column by column.
+        const glm::dmat3 x(1, 0, 0, 0, c.x, s.x, 0, -s.x, c.x);
+        const glm::dmat3 y(c.y, 0, -s.y, 0, 1, 0, s.y, 0, c.y);
+        const glm::dmat3 z(c.z, s.z, 0, -s.z, c.z, 0, 0, 0, 1);
+        to.rotate = z * y * x;
+        return to;
+    }
+
+    CameraAt camera(const BoundsAt& bounds, const PlacementAt& placement) const {
+        const Camera& from = scene_.camera;
+        CameraAt to;
+        to.fov = number(from.fov);
+        if (!(to.fov > 0 && to.fov < 180)) {
+            fail(from.fov, fmt::format("the field of view must be above 0 and below 180 degrees, "
+                                       "not {}",
+                                       to.fov));
+        }
+        to.up = vector(from.up);
+        if (from.framed) {
+            const double aspect = double(scene_.output.width) / scene_.output.height;
+            const double half = glm::radians(to.fov) / 2;
+            const double narrow = aspect < 1 ? std::atan(std::tan(half) * aspect) : half;
+            const double distance = bounds.radius * placement.scale / std::sin(narrow);
+            to.target = placement.to_world(bounds.centre);
+            to.position = to.target + distance * glm::normalize(glm::dvec3(3, 2, 1.5));
+        } else {
+            to.position = vector(from.position);
+            to.target = vector(from.target);
+        }
+        if (to.position == to.target) {
+            fail(from.position[0], "the camera stands at its target; move one of them");
+        }
+        if (glm::length(to.up) == 0) fail(from.up[0], "`up` has no direction");
+        return to;
+    }
+
+    std::vector<LightAt> lights(const CameraAt& camera) const {
+        std::vector<LightAt> lights;
+        for (const Light& from : scene_.lights) {
+            LightAt light;
+            light.color = vector(from.color);
+            light.direction = from.headlight ? shoulder(camera) : vector(from.direction);
+            const double length = glm::length(light.direction);
+            if (!(length > 0)) fail(from.direction[0], "the direction to the light has length 0");
+            light.direction /= length;
+            lights.push_back(light);
+        }
+        return lights;
+    }
+
+private:
+    // From above the viewer's right shoulder.
+    static glm::dvec3 shoulder(const CameraAt& camera) {
+        const glm::dvec3 back = glm::normalize(camera.position - camera.target);
+        glm::dvec3 right = glm::cross(camera.up, back);
+        if (glm::length(right) < 1e-9 * glm::length(camera.up)) {
+            right = glm::cross(std::abs(back.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0),
+                               back);
+        }
+        right = glm::normalize(right);
+        return back + 0.6 * right + 0.8 * glm::cross(back, right);
+    }
+
+    const Scene& scene_;
+    const animation::Values& values_;
+};
+
+} // namespace
+
+SceneAt at(const Scene& scene, const animation::Values& values) {
+    const Reader read(scene, values);
+    SceneAt now;
+    now.time = values.time;
+    const auto parameters = std::ptrdiff_t(scene.surface.parameters);
+    formula::Bindings<double> bindings;
+    bindings.parameters.assign(values.tracks.begin(), values.tracks.begin() + parameters);
+    bindings.arrays = values.arrays;
+    now.bindings = formula::convert<float>(bindings);
+    for (std::ptrdiff_t k = 0; k < parameters; ++k) {
+        const double value = values.tracks[std::size_t(k)];
+        if (!std::isfinite(value)) {
+            read.fail(TrackId(k), fmt::format("the value is {}; it must be finite", value));
+        }
+    }
+    now.bounds = read.bounds();
+    now.placement = read.placement();
+    now.camera = read.camera(now.bounds, now.placement);
+    now.lights = read.lights(now.camera);
+    now.material_color = read.vector(scene.material.color);
+    return now;
+}
+
+} // namespace isomotion::scene

@@ -1,0 +1,58 @@
+// A scene at one time, as plain numbers.
+#pragma once
+
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "scene/scene.h"
+
+namespace isomotion::scene {
+
+struct BoundsAt {
+    Bounds::Shape shape = Bounds::Shape::sphere;
+    glm::dvec3 min{-1}, max{1}; // the box, or the sphere's circumscribed box
+    glm::dvec3 centre{0};
+    double radius = 1; // of the sphere, or of the box's circumscribed sphere
+};
+
+// Formula coordinates to world: world = translate + scale * rotate * local.
+struct PlacementAt {
+    glm::dvec3 translate{0};
+    glm::dmat3 rotate{1};
+    double scale = 1;
+
+    glm::dvec3 to_world(const glm::dvec3& local) const {
+        return translate + scale * (rotate * local);
+    }
+    glm::dvec3 to_local(const glm::dvec3& world) const {
+        return glm::transpose(rotate) * (world - translate) / scale;
+    }
+};
+
+struct CameraAt {
+    glm::dvec3 position{0, 0, 3}, target{0}, up{0, 1, 0};
+    double fov = 40; // vertical, degrees
+};
+
+struct LightAt {
+    glm::dvec3 direction{0, 0, 1}; // to the light, unit length, world
+    glm::dvec3 color{1};
+};
+
+struct SceneAt {
+    double time = 0;
+    // What the formula's names stand for, rounded to float: GPU, CPU and truth see the same values.
+    formula::Bindings<float> bindings;
+    BoundsAt bounds;
+    PlacementAt placement;
+    CameraAt camera;
+    std::vector<LightAt> lights;
+    glm::dvec3 material_color{1};
+};
+
+// Throws SceneError when a value has left its range at this time (a radius of 0, a field of view
+// of 200 degrees, a camera at its own target).
+SceneAt at(const Scene& scene, const animation::Values& values);
+
+} // namespace isomotion::scene

@@ -1,0 +1,314 @@
+#include "scene/surface.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "formula/parser.h"
+#include "scene/data_folder.h"
+
+namespace isomotion::scene {
+namespace {
+
+constexpr int most_elements = 1'000'000;
+
+void check_name(const std::string& name, const toml::node& at, const std::string& key) {
+    if (!formula::is_identifier(name)) {
+        fail(at, key, "a name is letters, digits and _, and starts with a letter");
+    }
+    if (formula::is_reserved(name)) {
+        fail(at, key,
+             fmt::format("'{}' already has a meaning in formulas; choose another name", name));
+    }
+    if (name == "t" || name == "i" || name == "n") {
+        fail(at, key,
+             fmt::format("'{}' means the {} in expressions; choose another name", name,
+                         name == "t"   ? "time"
+                         : name == "i" ? "element's index"
+                                       : "number of elements"));
+    }
+}
+
+// A surface file's parameter is { default = 6, min = 0.5, max = 20 }, or as in a scene.
+animation::TrackSource read_parameter(const toml::node& node, const std::string& key) {
+    const toml::table* table = node.as_table();
+    if (!table || table->contains("keys")) return read_track(node, key);
+    Section section(*table, key);
+    const toml::node* value = section.find("default");
+    if (!value) fail(node, key, "needs a default, or keys = [[t, value], ...]");
+    section.number("min", -1e30, 1e30);
+    section.number("max", -1e30, 1e30);
+    section.refuse_rest();
+    return read_track(*value, section.dotted("default"));
+}
+
+struct Named {
+    animation::TrackSource source;
+    const toml::node* node;
+};
+
+// Parameters in the order of first mention: the catalogue's, then the scene's own.
+void read_parameters(Section& document, SurfaceParts& parts, TrackTable& tracks) {
+    std::map<std::string, Named> found;
+    const auto read = [&](Section& from) {
+        auto section = from.section("parameters");
+        if (!section) return;
+        // toml++ keeps tables sorted by key: the order is the same for every run.
+        for (const auto& [name_key, node] : section->table()) {
+            const std::string name(name_key.str());
+            check_name(name, node, section->dotted(name));
+            if (!found.count(name)) parts.parameters.push_back(name);
+            found[name] = {read_parameter(node, section->dotted(name)), &node};
+        }
+    };
+    if (parts.catalogue) {
+        Section catalogue(*parts.catalogue, "");
+        read(catalogue);
+    }
+    read(document);
+    for (const std::string& name : parts.parameters) {
+        tracks.add(name, found[name].source, found[name].node);
+        tracks.place(name, "parameters." + name, found[name].node);
+    }
+}
+
+animation::FieldSource read_field(const toml::node& node, const std::string& key) {
+    if (node.is_number()) return read_finite(node, key);
+    if (const auto text = node.value<std::string>()) return animation::Expression{*text};
+    if (const toml::array* list = node.as_array()) {
+        std::vector<double> values;
+        for (std::size_t k = 0; k < list->size(); ++k) {
+            values.push_back(read_finite(*list->get(k), fmt::format("{}[{}]", key, k)));
+        }
+        return values;
+    }
+    fail(node, key, "must be a number, an expression in t, i and n, or a list of numbers");
+}
+
+struct ArrayNodes {
+    const toml::node* count = nullptr;
+    std::map<std::string, std::pair<const toml::node*, std::string>> fields;
+};
+
+void gather_array(const toml::table& table, const std::string& key, ArrayNodes& nodes,
+                  std::vector<std::string>& order) {
+    for (const auto& [name_key, node] : table) {
+        const std::string name(name_key.str());
+        if (name == "count") {
+            nodes.count = &node;
+            continue;
+        }
+        check_name(name, node, key + "." + name);
+        if (!nodes.fields.count(name)) order.push_back(name);
+        nodes.fields[name] = {&node, key + "." + name};
+    }
+}
+
+animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
+                            const std::vector<std::string>& order, const toml::node& at,
+                            TrackTable& tracks) {
+    animation::Array array;
+    array.name = name;
+    const std::string key = "arrays." + name;
+    if (!nodes.count) fail(at, key, "needs count, the number of elements");
+    const auto count = nodes.count->value_exact<std::int64_t>();
+    if (!count || *count < 0 || *count > most_elements) {
+        fail(*nodes.count, key + ".count",
+             fmt::format("must be an integer from 0 to {}", most_elements));
+    }
+    array.count = int(*count);
+    for (const std::string& field : order) {
+        const auto& [node, field_key] = nodes.fields.at(field);
+        array.fields.push_back({field, read_field(*node, field_key)});
+        tracks.place(name + "." + field, field_key, node);
+        const auto* list = std::get_if<std::vector<double>>(&array.fields.back().source);
+        if (list && list->size() != std::size_t(array.count)) {
+            fail(*node, field_key,
+                 fmt::format("has {} values for {} elements; give one for each", list->size(),
+                             array.count));
+        }
+    }
+    return array;
+}
+
+void read_arrays(Section& document, SurfaceParts& parts, TrackTable& tracks) {
+    std::vector<std::string> names;
+    std::map<std::string, ArrayNodes> nodes;
+    std::map<std::string, std::vector<std::string>> orders;
+    std::map<std::string, const toml::node*> places;
+    const auto read = [&](Section& from) {
+        auto section = from.section("arrays");
+        if (!section) return;
+        for (const auto& [name_key, node] : section->table()) {
+            const std::string name(name_key.str()), key = section->dotted(name);
+            check_name(name, node, key);
+            if (!node.is_table()) fail(node, key, fmt::format("must be a table: [{}]", key));
+            if (!places.count(name)) names.push_back(name);
+            places[name] = &node;
+            gather_array(*node.as_table(), key, nodes[name], orders[name]);
+        }
+    };
+    if (parts.catalogue) {
+        Section catalogue(*parts.catalogue, "");
+        read(catalogue);
+    }
+    read(document);
+    if (names.size() > std::size_t(formula::max_arrays)) {
+        fail(*places[names.back()], "arrays",
+             fmt::format("a scene has at most {} arrays", formula::max_arrays));
+    }
+    for (const std::string& name : names) {
+        parts.arrays.push_back(make_array(name, nodes[name], orders[name], *places[name], tracks));
+    }
+}
+
+// Fields with one value for all elements become parameters: read once, not once an element.
+void make_vocabulary(SurfaceParts& parts, TrackTable& tracks) {
+    parts.vocabulary.parameters = parts.parameters;
+    for (const animation::Array& array : parts.arrays) {
+        formula::ArrayName names{array.name, {}};
+        for (std::size_t f = 0; f < array.fields.size(); ++f) {
+            const animation::ArrayField& field = array.fields[f];
+            formula::FieldName name{field.name, {}};
+            // An expression that names `n` has no value outside the array, nor one that names a
+            // sibling; such a field stays with the elements.
+            if (const auto* number = std::get_if<double>(&field.source)) {
+                name.parameter = tracks.add(array.name + "." + field.name, *number, nullptr);
+                parts.vocabulary.parameters.push_back(array.name + "." + field.name);
+            }
+            names.fields.push_back(name);
+        }
+        parts.vocabulary.arrays.push_back(names);
+    }
+    parts.surface.parameters = tracks.size();
+}
+
+toml::table read_catalogue(const toml::node& use, const std::string& name) {
+    const auto file = data_folder() / "animations" / "surfaces" / (name + ".toml");
+    if (!std::filesystem::exists(file)) {
+        const auto known = surface_names();
+        const std::string near = formula::nearest_name(name, known);
+        fail(use, "surface.use",
+             near.empty()
+                 ? fmt::format("there is no surface '{}'; known: {}", name, fmt::join(known, ", "))
+                 : fmt::format("there is no surface '{}'; did you mean '{}'?", name, near));
+    }
+    return read_document(file);
+}
+
+} // namespace
+
+std::unique_ptr<SurfaceParts> read_surface(Section& document, TrackTable& tracks) {
+    auto parts = std::make_unique<SurfaceParts>();
+    auto section = document.section("surface");
+    if (!section) {
+        fail(document.table(), "surface",
+             "is missing; give formula = \"...\" and bounds, or use = \"name\" of the catalogue");
+    }
+    const toml::node* use = section->find("use");
+    const toml::node* formula = section->find("formula");
+    if (use && formula)
+        fail(*formula, "surface.formula", "the surface has `use` already; keep one");
+    if (use) {
+        parts->surface.name = *section->text("use");
+        parts->catalogue = read_catalogue(*use, parts->surface.name);
+        Section catalogue(*parts->catalogue, "");
+        for (const char* known :
+             {"title", "source", "bounds", "parameters", "arrays", "isolation"}) {
+            catalogue.find(known);
+        }
+        parts->formula_node = catalogue.find("formula");
+        if (!parts->formula_node) fail(*parts->catalogue, "formula", "is missing");
+        parts->formula = *catalogue.text("formula");
+        catalogue.refuse_rest();
+    } else if (formula) {
+        parts->formula_node = formula;
+        parts->formula = *section->text("formula");
+    } else {
+        fail(section->table(), "surface",
+             "needs formula = \"...\", or use = \"name\" of the catalogue");
+    }
+    for (const char* later : {"bounds", "placement"}) section->find(later);
+    section->refuse_rest();
+    read_parameters(document, *parts, tracks);
+    read_arrays(document, *parts, tracks);
+    make_vocabulary(*parts, tracks);
+    return parts;
+}
+
+void read_space(Section& document, SurfaceParts& parts, TrackTable& tracks) {
+    auto section = document.section("surface");
+    Bounds& bounds = parts.surface.bounds;
+    std::optional<Section> given = section->section("bounds");
+    if (!given && parts.catalogue) given = Section(*parts.catalogue, "").section("bounds");
+    if (!given) {
+        fail(section->table(), "surface.bounds",
+             "is missing; give { sphere = radius } or { box = [[x0, y0, z0], [x1, y1, z1]] }");
+    }
+    const toml::node* box = given->find("box");
+    const toml::node* sphere = given->find("sphere");
+    if (bool(box) == bool(sphere)) {
+        fail(given->table(), "surface.bounds",
+             "needs one of sphere = radius and box = [[..], [..]]");
+    }
+    if (box) {
+        bounds.shape = Bounds::Shape::box;
+        const toml::array* corners = box->as_array();
+        if (!corners || corners->size() != 2) {
+            fail(*box, "surface.bounds.box", "must be two corners: [[x0, y0, z0], [x1, y1, z1]]");
+        }
+        const std::string key = "surface.bounds.box";
+        bounds.min = tracks.add(key + ".min", read_vector(*corners->get(0), key + "[0]"), box);
+        bounds.max = tracks.add(key + ".max", read_vector(*corners->get(1), key + "[1]"), box);
+    } else {
+        bounds.radius = tracks.add("surface.bounds.sphere", *given->track("sphere"), sphere);
+        const toml::node* centre = given->find("centre");
+        bounds.centre = centre
+                            ? tracks.add("surface.bounds.centre", *given->vector("centre"), centre)
+                            : tracks.add("surface.bounds.centre", 0, 0, 0);
+    }
+    given->refuse_rest();
+
+    Placement& placement = parts.surface.placement;
+    auto place = section->section("placement");
+    const auto vector = [&](const std::string& name) {
+        const std::string key = "surface.placement." + name;
+        const toml::node* node = place ? place->find(name) : nullptr;
+        return node ? tracks.add(key, *place->vector(name), node) : tracks.add(key, 0, 0, 0);
+    };
+    placement.translate = vector("translate");
+    placement.rotate = vector("rotate");
+    const toml::node* scale = place ? place->find("scale") : nullptr;
+    placement.scale =
+        tracks.add("surface.placement.scale",
+                   scale ? *place->track("scale") : animation::TrackSource(1.0), scale);
+    if (place) place->refuse_rest();
+}
+
+void make_field(SurfaceParts& parts, const animation::Animation& animation,
+                const TrackTable& tracks) {
+    try {
+        parts.surface.field =
+            std::make_shared<formula::Field>(formula::make_field(parts.formula, parts.vocabulary));
+    } catch (const formula::ParseError& error) {
+        fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula", error.what());
+    }
+    std::vector<bool> used(parts.vocabulary.parameters.size(), false);
+    for (formula::NodeId id = 0; id < parts.surface.field->graph.size(); ++id) {
+        const formula::Node& node = parts.surface.field->graph[id];
+        if (node.op == formula::Op::parameter) used[std::size_t(node.index)] = true;
+    }
+    // A parameter that neither the formula nor an expression names is a slip of the pen.
+    for (std::size_t k = 0; k < parts.parameters.size(); ++k) {
+        if (used[k] || animation.is_referenced(int(k))) continue;
+        std::vector<std::string> others = parts.parameters;
+        others.erase(others.begin() + std::ptrdiff_t(k));
+        const std::string near = formula::nearest_name(parts.parameters[k], others);
+        tracks.fail_at(parts.parameters[k],
+                       near.empty()
+                           ? "neither the formula nor an expression uses this parameter"
+                           : fmt::format("nothing uses this parameter; did you mean '{}'?", near));
+    }
+}
+
+} // namespace isomotion::scene

@@ -1,0 +1,31 @@
+// The [surface], [parameters] and [arrays] of a scene, with what a catalogue surface brings along.
+#pragma once
+
+#include "scene/document.h"
+#include "scene/scene.h"
+#include "scene/track_table.h"
+
+namespace isomotion::scene {
+
+struct SurfaceParts {
+    Surface surface; // the field is made later, when uniform fields have their tracks
+    std::string formula;
+    const toml::node* formula_node = nullptr;
+    std::vector<std::string> parameters;
+    std::vector<animation::Array> arrays;
+    formula::Vocabulary vocabulary;
+    std::optional<toml::table> catalogue; // the catalogue's file, kept for places and [isolation]
+};
+
+// Reads the three sections and adds their tracks: parameters first, then fields that have one value
+// for all elements.
+std::unique_ptr<SurfaceParts> read_surface(Section& document, TrackTable& tracks);
+
+// Reads what the surface's bounds and placement are; the tracks of these come after the parameters.
+void read_space(Section& document, SurfaceParts& parts, TrackTable& tracks);
+
+// Parses the formula, and refuses parameters that nothing uses.
+void make_field(SurfaceParts& parts, const animation::Animation& animation,
+                const TrackTable& tracks);
+
+} // namespace isomotion::scene
