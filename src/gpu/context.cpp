@@ -78,7 +78,8 @@ std::string_view name(Backend backend) {
 }
 
 Unavailable::Unavailable(std::vector<Attempt> attempts)
-    : std::runtime_error(message(attempts)), attempts_(std::move(attempts)) {}
+    : std::runtime_error(message(attempts))
+    , attempts_(std::move(attempts)) {}
 
 thread_local Context* Context::current_ = nullptr;
 
@@ -95,7 +96,8 @@ std::unique_ptr<Context> Context::create(Backend backend) {
 }
 
 Context::Context(std::string backend, Loader loader)
-    : loader_(loader), discarded_(std::make_shared<Discarded>()) {
+    : loader_(loader)
+    , discarded_(std::make_shared<Discarded>()) {
     info_.backend = std::move(backend);
 }
 
@@ -125,7 +127,8 @@ void Context::load_functions() {
     loaded = gladLoadGL(loader_) ? loader_ : nullptr;
     if (loaded) return;
     release();
-    throw std::runtime_error(fmt::format("{}: the OpenGL functions cannot be loaded", info_.backend));
+    throw std::runtime_error(
+        fmt::format("{}: the OpenGL functions cannot be loaded", info_.backend));
 }
 
 void Context::describe() {

@@ -11,32 +11,32 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace isomotion::gpu {
 namespace {
 
 struct Egl {
-    template <typename Pointer>
+    template<typename Pointer>
     static Pointer extension(PFNEGLGETPROCADDRESSPROC find, const char* name) {
         return reinterpret_cast<Pointer>(find(name));
     }
 
     SharedLibrary library{"libEGL.so.1", "libEGL.so"};
 
-    template <typename Pointer>
-    Pointer core(const char* name) const {
+    template<typename Pointer> Pointer core(const char* name) const {
         return library.find<std::remove_pointer_t<Pointer>>(name);
     }
 
-    PFNEGLGETPROCADDRESSPROC get_proc_address =
-        core<PFNEGLGETPROCADDRESSPROC>("eglGetProcAddress");
+    PFNEGLGETPROCADDRESSPROC get_proc_address = core<PFNEGLGETPROCADDRESSPROC>("eglGetProcAddress");
     PFNEGLGETERRORPROC get_error = core<PFNEGLGETERRORPROC>("eglGetError");
     PFNEGLQUERYSTRINGPROC query_string = core<PFNEGLQUERYSTRINGPROC>("eglQueryString");
     PFNEGLINITIALIZEPROC initialize = core<PFNEGLINITIALIZEPROC>("eglInitialize");
-    PFNEGLTERMINATEPROC terminate = core<PFNEGLTERMINATEPROC>("eglTerminate");
     PFNEGLBINDAPIPROC bind_api = core<PFNEGLBINDAPIPROC>("eglBindAPI");
     PFNEGLCHOOSECONFIGPROC choose_config = core<PFNEGLCHOOSECONFIGPROC>("eglChooseConfig");
     PFNEGLCREATECONTEXTPROC create_context = core<PFNEGLCREATECONTEXTPROC>("eglCreateContext");
@@ -45,7 +45,6 @@ struct Egl {
         core<PFNEGLCREATEPBUFFERSURFACEPROC>("eglCreatePbufferSurface");
     PFNEGLDESTROYSURFACEPROC destroy_surface = core<PFNEGLDESTROYSURFACEPROC>("eglDestroySurface");
     PFNEGLMAKECURRENTPROC make_current = core<PFNEGLMAKECURRENTPROC>("eglMakeCurrent");
-    PFNEGLRELEASETHREADPROC release_thread = core<PFNEGLRELEASETHREADPROC>("eglReleaseThread");
 
     // Null where the extension is missing.
     PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display =
@@ -95,45 +94,25 @@ bool has(const char* list, std::string_view extension) {
     return false;
 }
 
-/// An initialised display. EGL hands out one handle for one device and terminates it for all of
-/// its contexts at once, hence the sharing.
-class Display {
-public:
-    static std::shared_ptr<Display> open(EGLenum platform, void* native) {
-        const Egl& egl = Egl::get();
-        const EGLDisplay handle = egl.get_platform_display(platform, native, nullptr);
-        if (handle == EGL_NO_DISPLAY) fail("eglGetPlatformDisplay");
-        static std::map<EGLDisplay, std::weak_ptr<Display>> opened;
-        auto display = opened[handle].lock();
-        if (!display) opened[handle] = display = std::make_shared<Display>(handle);
-        return display;
-    }
-
-    explicit Display(EGLDisplay handle) : handle_(handle) {
-        if (!Egl::get().initialize(handle_, nullptr, nullptr)) fail("eglInitialize");
-    }
-    ~Display() { Egl::get().terminate(handle_); }
-    Display(const Display&) = delete;
-    Display& operator=(const Display&) = delete;
-
-    EGLDisplay handle() const { return handle_; }
-    bool offers(std::string_view extension) const {
-        return has(Egl::get().query_string(handle_, EGL_EXTENSIONS), extension);
-    }
-
-private:
-    EGLDisplay handle_;
-};
+/// A display ready for use. None is ever terminated: that would end all contexts of its device, and
+/// Mesa unloads its driver then, to load it again for the next context.
+EGLDisplay open_display(EGLenum platform, void* native) {
+    const Egl& egl = Egl::get();
+    const EGLDisplay display = egl.get_platform_display(platform, native, nullptr);
+    if (display == EGL_NO_DISPLAY) fail("eglGetPlatformDisplay");
+    if (!egl.initialize(display, nullptr, nullptr)) fail("eglInitialize");
+    return display;
+}
 
 class EglContext final : public Context {
 public:
-    EglContext(std::string backend, std::shared_ptr<Display> display)
+    EglContext(std::string backend, EGLDisplay display)
         : Context(std::move(backend),
                   [](const char* name) -> Procedure { return Egl::get().get_proc_address(name); })
-        , display_(std::move(display)) {
+        , display_(display) {
         if (!egl_.bind_api(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
-        const bool surfaceless = display_->offers("EGL_KHR_surfaceless_context");
-        if (!surfaceless || !display_->offers("EGL_KHR_no_config_context")) choose_config();
+        const bool surfaceless = offers("EGL_KHR_surfaceless_context");
+        if (!surfaceless || !offers("EGL_KHR_no_config_context")) choose_config();
         create_context();
         if (!surfaceless) create_surface();
     }
@@ -141,12 +120,15 @@ public:
     ~EglContext() override { destroy(); }
 
 private:
+    bool offers(std::string_view extension) const {
+        return has(egl_.query_string(display_, EGL_EXTENSIONS), extension);
+    }
+
     void choose_config() {
         constexpr EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                                      EGL_OPENGL_BIT, EGL_NONE};
         EGLint found = 0;
-        if (!egl_.choose_config(display_->handle(), wanted, &config_, 1, &found))
-            fail("eglChooseConfig");
+        if (!egl_.choose_config(display_, wanted, &config_, 1, &found)) fail("eglChooseConfig");
         if (found == 0) throw std::runtime_error("no configuration can draw OpenGL off screen");
     }
 
@@ -159,8 +141,7 @@ private:
                                          EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR,
                                          EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR,
                                          EGL_NONE};
-            context_ =
-                egl_.create_context(display_->handle(), config_, EGL_NO_CONTEXT, attributes);
+            context_ = egl_.create_context(display_, config_, EGL_NO_CONTEXT, attributes);
             if (context_ != EGL_NO_CONTEXT) return;
         }
         fail("eglCreateContext for OpenGL 3.3 core");
@@ -168,7 +149,7 @@ private:
 
     void create_surface() {
         constexpr EGLint size[] = {EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
-        surface_ = egl_.create_pbuffer(display_->handle(), config_, size);
+        surface_ = egl_.create_pbuffer(display_, config_, size);
         if (surface_ != EGL_NO_SURFACE) return;
         const std::string reason = last_error();
         destroy();
@@ -177,23 +158,22 @@ private:
 
     void destroy() noexcept {
         release();
-        if (surface_ != EGL_NO_SURFACE) egl_.destroy_surface(display_->handle(), surface_);
-        if (context_ != EGL_NO_CONTEXT) egl_.destroy_context(display_->handle(), context_);
+        if (surface_ != EGL_NO_SURFACE) egl_.destroy_surface(display_, surface_);
+        if (context_ != EGL_NO_CONTEXT) egl_.destroy_context(display_, context_);
     }
 
     void bind() override {
         // The bound API is this thread's, not the context's.
         egl_.bind_api(EGL_OPENGL_API);
-        if (!egl_.make_current(display_->handle(), surface_, surface_, context_))
-            fail("eglMakeCurrent");
+        if (!egl_.make_current(display_, surface_, surface_, context_)) fail("eglMakeCurrent");
     }
 
     void unbind() noexcept override {
-        egl_.make_current(display_->handle(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }
 
     const Egl& egl_ = Egl::get();
-    std::shared_ptr<Display> display_;
+    EGLDisplay display_;
     EGLConfig config_ = EGL_NO_CONFIG_KHR;
     EGLContext context_ = EGL_NO_CONTEXT;
     EGLSurface surface_ = EGL_NO_SURFACE;
@@ -214,7 +194,8 @@ std::vector<Route> routes() {
     if (!egl.get_platform_display)
         throw std::runtime_error("EGL_EXT_platform_base is missing in the library");
     std::vector<Route> cards, others;
-    others.push_back({"egl-surfaceless", "egl, surfaceless", EGL_PLATFORM_SURFACELESS_MESA, nullptr});
+    others.push_back(
+        {"egl-surfaceless", "egl, surfaceless", EGL_PLATFORM_SURFACELESS_MESA, nullptr});
 
     std::array<EGLDeviceEXT, 32> devices{};
     EGLint count = 0;
@@ -235,12 +216,11 @@ std::vector<Route> routes() {
 } // namespace
 
 std::unique_ptr<Context> open_egl(std::vector<Attempt>& failed) {
-    std::string label = "egl";
     try {
         for (const Route& route : routes()) {
             try {
                 return std::make_unique<EglContext>(route.backend,
-                                                    Display::open(route.platform, route.native));
+                                                    open_display(route.platform, route.native));
             } catch (const std::runtime_error& error) {
                 failed.push_back({route.label, error.what()});
             }

@@ -26,8 +26,7 @@ public:
         throw std::runtime_error(reasons);
     }
 
-    template <typename Function>
-    Function* find(const char* symbol) const {
+    template<typename Function> Function* find(const char* symbol) const {
         void* address = dlsym(handle_, symbol);
         if (!address) throw std::runtime_error(std::string(symbol) + " is missing in the library");
         return reinterpret_cast<Function*>(address);

@@ -9,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#define TOML_HEADER_ONLY 1
-#define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
 
 #include "animation/animation.h"

@@ -1,0 +1,4 @@
+// For methods that look at F alone.
+vec2 sample_field(vec3 p, vec3 direction) {
+    return vec2(field(p), 0.0);
+}

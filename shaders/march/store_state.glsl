@@ -1,0 +1,8 @@
+// Needs state.glsl.
+layout(location = 0) out vec4 state_0;
+layout(location = 1) out vec4 state_1;
+
+void store_state(RayState s) {
+    state_0 = vec4(s.low, s.f_low, s.high);
+    state_1 = vec4(float(s.phase), float(s.verdict), float(s.evaluations), float(s.bisections));
+}

@@ -1,0 +1,72 @@
+// im_asin, im_acos, im_atan. Needs no other file.
+//
+// Arguments of asin and acos beyond +-1 count as +-1: they come from rounding. The constants of pi
+// are added in two floats, the small one first.
+
+// asin(a) - a for a in [0, 1/2], from z = a*a. A larger |x| goes through a = sqrt((1 - |x|)/2),
+// whose square is exact: asin(|x|) = pi/2 - 2 asin(a).
+float im_asin_excess(float a, float z) {
+    precise float p = 4.2163199048e-2;
+    p = p * z + 2.4181311049e-2;
+    p = p * z + 4.5470025998e-2;
+    p = p * z + 7.4953002686e-2;
+    p = p * z + 1.6666752422e-1;
+    precise float y = a * z * p;
+    return y;
+}
+
+// (turn + turn_rest) - 2*(a + excess), without the rounding of the first difference.
+float im_turned_back(float turn, float turn_rest, float a, float excess) {
+    precise float y = turn - 2.0 * a;
+    precise float lost = (turn - y) - 2.0 * a;
+    y = y + (lost + (turn_rest - 2.0 * excess));
+    return y;
+}
+
+float im_asin(float x) {
+    precise float size = abs(x);
+    size = size > 1.0 ? 1.0 : size;
+    bool large = size > 0.5;
+    precise float z = large ? 0.5 * (1.0 - size) : size * size;
+    precise float a = large ? sqrt(z) : size;
+    float excess = im_asin_excess(a, z);
+    precise float y =
+        large ? im_turned_back(1.57079637, -4.37113883e-8, a, excess) : a + excess;
+    y = x < 0.0 ? -y : y;
+    return y;
+}
+
+float im_acos(float x) {
+    precise float size = abs(x);
+    size = size > 1.0 ? 1.0 : size;
+    bool large = size > 0.5;
+    precise float z = large ? 0.5 * (1.0 - size) : size * size;
+    precise float a = large ? sqrt(z) : size;
+    float excess = im_asin_excess(a, z);
+    precise float asin_x = x < 0.0 ? -(a + excess) : a + excess;
+    precise float y = 1.57079637 - (asin_x + 4.37113883e-8);
+    precise float close = x < 0.0 ? im_turned_back(3.14159274, -8.74227766e-8, a, excess)
+                                  : 2.0 * asin_x;
+    y = large ? close : y;
+    return y;
+}
+
+float im_atan(float x) {
+    float a = abs(x);
+    // Turned by 0, pi/4 or pi/2 into [-tan(pi/8), tan(pi/8)], with one division for all.
+    bool steep = a > 2.41421356;
+    bool middle = a > 0.414213562;
+    float above = steep ? -1.0 : (middle ? a - 1.0 : a);
+    float below = steep ? a : (middle ? a + 1.0 : 1.0);
+    float turn = steep ? 1.57079637 : (middle ? 0.785398185 : 0.0);
+    float turn_rest = steep ? -4.37113883e-8 : (middle ? -2.18556941e-8 : 0.0);
+    precise float t = above / below;
+    precise float z = t * t;
+    precise float p = 8.05374449538e-2;
+    p = p * z - 1.38776856032e-1;
+    p = p * z + 1.99777106478e-1;
+    p = p * z - 3.33329491539e-1;
+    precise float y = turn + (t + (t * z * p + turn_rest));
+    y = x < 0.0 ? -y : y;
+    return y;
+}

@@ -1,0 +1,64 @@
+// im_pow. Needs bits.glsl, exp.glsl, log.glsl.
+//
+// For a > 0 accurate to a few ulp however large b*log(a): an error of the logarithm comes out
+// multiplied by b, so the logarithm and its product with b are carried in two floats.
+// pow(a, 0) = 1 even for a = 0 or NaN. pow(0, b) is 0 for b > 0 and IM_SATURATION for b < 0.
+// For a < 0 an integer b gives the signed power, any other NaN. Never beyond +-IM_SATURATION.
+
+// log(a) = high + low for normal a > 0; high has 12 bits, so that its products are exact.
+float im_log_split(float a, precise out float low) {
+    float n;
+    precise float f = im_log_reduce(a, n);
+    // s = f/(2 + f) = s_high + s_low; log(1 + f) = 2s + 2s^3/3 + 2s^5/5 + ...
+    precise float g = 2.0 + f;
+    precise float g_high = im_leading(g);
+    precise float g_low = f - (g_high - 2.0);
+    precise float s = f / g;
+    precise float s_high = im_leading(s);
+    precise float s_low = ((f - s_high * g_high) - s_high * g_low) / g;
+    precise float z = s * s;
+    precise float p = 0.241034806;
+    p = p * z + 0.285067946;
+    p = p * z + 0.400008678;
+    p = p * z + 0.666666627;
+    precise float tail = 2.0 * s_low + s * z * p;
+
+    precise float whole = n * 0.693359375;
+    precise float sum = whole + 2.0 * s_high;
+    precise float rest = (2.0 * s_high - (sum - whole)) + (tail - n * 2.12194440e-4);
+    precise float high = im_leading(sum + rest);
+    low = rest - (high - sum);
+    return high;
+}
+
+// |a|^b without the special cases.
+float im_pow_positive(float a, float b) {
+    precise float l_low;
+    precise float l_high = im_log_split(a, l_low);
+    precise float b_high = im_leading(b);
+    precise float b_low = b - b_high;
+    precise float y_high = b_high * l_high;
+    precise float y_low = b_low * l_high + b * l_low;
+    precise float y = y_high + y_low;
+    float k = floor(y * 1.44269504 + 0.5);
+    precise float r = ((y_high - k * 0.693359375) + k * 2.12194440e-4) + y_low;
+    precise float power = im_exp_reduced(r, int(k));
+    power = y >= 69.07755 ? IM_SATURATION : power;
+    power = y < -87.33654 ? 0.0 : power;
+    return power;
+}
+
+float im_pow(float a, float b) {
+    float size = abs(a);
+    // An infinite b would split into infinity - infinity; so large a finite one says the same.
+    precise float y = im_pow_positive(size, clamp(b, -IM_SATURATION, IM_SATURATION));
+    y = size < IM_SMALLEST ? (b > 0.0 ? 0.0 : IM_SATURATION) : y;
+    y = size > IM_LARGEST ? (b > 0.0 ? IM_SATURATION : 0.0) : y;
+    if (a < 0.0) {
+        bool odd = floor(0.5 * b) != 0.5 * b;
+        y = floor(b) != b ? IM_NAN : (odd ? -y : y);
+    }
+    y = im_is_nan(a) || im_is_nan(b) ? IM_NAN : y;
+    y = b == 0.0 ? 1.0 : y;
+    return y;
+}

@@ -1,0 +1,8 @@
+// Diffuse light from every direction light, and a little from everywhere.
+vec3 shade(Hit hit) {
+    vec3 light = vec3(0.12);
+    for (int k = 0; k < LIGHTS; ++k) {
+        light += light_color[k].rgb * max(dot(hit.normal, light_direction[k].xyz), 0.0);
+    }
+    return material_color.rgb * light;
+}

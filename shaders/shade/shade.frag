@@ -1,0 +1,35 @@
+// The picture from the finished rays.
+
+layout(location = 0) out vec4 color;
+layout(location = 1) out vec4 record; // verdict, evaluations
+
+// |g| may leave float's range long before its direction does: scaled by its largest component.
+float magnitude(vec3 g) {
+    return max(max(abs(g.x), abs(g.y)), abs(g.z));
+}
+
+void main() {
+    Ray ray = pixel_ray();
+    RayState s = load_state();
+    color = background;
+    Hit hit = Hit(ray_point(ray, s.low), -ray.direction, s.low);
+    int verdict = s.verdict;
+    if (verdict == VERDICT_HIT) {
+        vec3 g = clamp(field_gradient(hit.position), -IM_SATURATION, IM_SATURATION);
+        float size = magnitude(g);
+        if (size > 0.0 && !im_is_nan(g.x + g.y + g.z)) {
+            hit.normal = normalize(g / size);
+            if (dot(hit.normal, ray.direction) > 0.0) hit.normal = -hit.normal;
+        } else {
+            verdict = VERDICT_ZERO_GRADIENT; // a hit all the same: lit as if it faced the viewer
+        }
+        color = vec4(shade(hit), 1.0);
+    } else if (verdict == VERDICT_NAN) {
+        color = vec4(1.0, 0.0, 1.0, 1.0); // no pixel lies silently: magenta,
+    } else if (verdict == VERDICT_STEP_LIMIT) {
+        color = vec4(1.0, 0.8, 0.0, 1.0); // amber
+    }
+    record = vec4(float(verdict), float(s.evaluations), 0.0, 0.0);
+    bool on_surface = verdict == VERDICT_HIT || verdict == VERDICT_ZERO_GRADIENT;
+    write_channels(ray, hit, on_surface);
+}

@@ -1,0 +1,16 @@
+// What colours need. The layout is ShadingBlock of src/render/blocks.h; LIGHTS is their number.
+layout(std140) uniform Shading {
+    vec4 material_color;
+    vec4 background; // with its coverage
+    vec4 light_direction[LIGHTS]; // to the light, unit length, formula coordinates
+    vec4 light_color[LIGHTS];
+    mat4 to_world;   // formula coordinates to world; its columns are scaled axes
+    vec4 depth;      // depth of the plane t = 0, depth by t along (xyz . direction)
+};
+
+// A place on the surface.
+struct Hit {
+    vec3 position; // formula coordinates
+    vec3 normal;   // unit length, towards the viewer
+    float t;
+};

@@ -1,0 +1,69 @@
+#include "app/commands.h"
+
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "gpu/context.h"
+#include "gpu/error.h"
+#include "image/file.h"
+#include "image/frame.h"
+#include "image/movie.h"
+#include "scene/error.h"
+
+namespace isomotion::app {
+namespace {
+
+int report(int code, const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return code;
+}
+
+} // namespace
+
+int run(int argc, char** argv) {
+    CLI::App app(
+        "Renders implicit surfaces that move: a formula F(x, y, z; parameters) = 0 and how "
+        "its parameters change, drawn frame by frame on the GPU.",
+        "isomotion");
+    app.set_version_flag("--version", "isomotion " ISOMOTION_VERSION);
+    app.require_subcommand(1);
+    Action chosen;
+    add_render(app, chosen);
+    add_show(app, chosen);
+    add_list(app, chosen);
+    add_doctor(app, chosen);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        // CLI11 counts --help and --version as errors with code 0.
+        return app.exit(error) == 0 ? exit_done : exit_usage;
+    }
+    try {
+        return chosen();
+    } catch (const scene::SceneError& error) {
+        return report(exit_usage, error);
+    } catch (const std::invalid_argument& error) {
+        return report(exit_usage, error);
+    } catch (const image::ImageError& error) {
+        return report(exit_usage, error);
+    } catch (const std::length_error& error) { // a sum too long for a shader
+        return report(exit_usage, error);
+    } catch (const gpu::Unavailable& error) {
+        return report(exit_machine, error);
+    } catch (const image::FileError& error) {
+        return report(exit_machine, error);
+    } catch (const image::MovieError& error) {
+        return report(exit_machine, error);
+    } catch (const gpu::ResourceError& error) {
+        return report(exit_machine, error);
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "out of memory: the picture is too large for this machine\n");
+        return exit_machine;
+    } catch (const std::exception& error) {
+        return report(exit_machine, error);
+    }
+}
+
+} // namespace isomotion::app

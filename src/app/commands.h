@@ -1,0 +1,32 @@
+// The commands of the program. Each adds itself to the command line and throws on failure; run()
+// turns exceptions into messages and exit codes.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace isomotion::app {
+
+enum ExitCode {
+    exit_done = 0,
+    exit_check_failed = 1,
+    exit_usage = 2,         // a wrong command line or scene
+    exit_machine = 3,       // no GL, disk full, unwritable
+    exit_interrupted = 130, // Ctrl-C, as shells count it
+};
+
+// Each sets `chosen` to what is to be done when its command is the one given.
+using Action = std::function<int()>;
+void add_render(CLI::App& app, Action& chosen);
+void add_list(CLI::App& app, Action& chosen);
+void add_show(CLI::App& app, Action& chosen);
+void add_doctor(CLI::App& app, Action& chosen);
+
+int run(int argc, char** argv);
+
+} // namespace isomotion::app

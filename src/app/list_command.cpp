@@ -1,0 +1,33 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "scene/data_folder.h"
+#include "scene/method.h"
+
+namespace isomotion::app {
+namespace {
+
+int list(const std::string& what) {
+    if (what == "methods") {
+        for (const auto& method : scene::method_names) {
+            fmt::print("{:<12} {}\n", method.name, method.summary);
+        }
+        return exit_done;
+    }
+    const auto names = what == "surfaces" ? scene::surface_names() : scene::animation_names();
+    for (const auto& name : names) fmt::print("{}\n", name);
+    return exit_done;
+}
+
+} // namespace
+
+void add_list(CLI::App& app, Action& chosen) {
+    const auto what = std::make_shared<std::string>("animations");
+    CLI::App* command = app.add_subcommand("list", "what there is: animations, surfaces, methods");
+    command->add_option("what", *what, "animations (default), surfaces or methods")
+        ->check(CLI::IsMember({"animations", "surfaces", "methods"}));
+    command->callback([what, &chosen] { chosen = [what] { return list(*what); }; });
+}
+
+} // namespace isomotion::app

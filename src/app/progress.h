@@ -1,0 +1,26 @@
+// One line on a terminal that tells how far a sequence is; silent where nobody looks.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace isomotion::app {
+
+class Progress {
+public:
+    Progress(std::string what, int total, bool quiet);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void show(int done, const std::string& note = {});
+
+private:
+    std::string what_;
+    int total_;
+    bool terminal_;
+    bool drawn_ = false;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+} // namespace isomotion::app

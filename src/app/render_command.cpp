@@ -1,0 +1,308 @@
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "animation/frame_range.h"
+#include "app/commands.h"
+#include "app/frame_metadata.h"
+#include "app/progress.h"
+#include "image/decode.h"
+#include "image/file.h"
+#include "image/movie.h"
+#include "image/sequence.h"
+#include "render/fingerprint.h"
+#include "render/renderer.h"
+#include "scene/load.h"
+
+namespace isomotion::app {
+namespace fs = std::filesystem;
+namespace {
+
+struct RenderArguments {
+    std::string scene, output, frames, size, method, backend = "auto", channels, movie;
+    std::string step;
+    std::vector<std::string> settings;
+    int bits = 8;
+    bool resume = false, quiet = false;
+};
+
+std::atomic<int> stop_signal{0};
+static_assert(std::atomic<int>::is_always_lock_free, "written by a signal handler");
+
+// While it lives, Ctrl-C and SIGTERM ask the loop to stop instead of ending the process, so that
+// only whole files are left. A second Ctrl-C ends it at once.
+class StopOnSignal {
+public:
+    StopOnSignal() {
+        stop_signal = 0;
+        for (const int signal : {SIGINT, SIGTERM}) {
+            struct sigaction action {};
+            action.sa_handler = [](int which) { stop_signal = which; };
+            action.sa_flags = static_cast<int>(SA_RESETHAND);
+            sigaction(signal, &action, nullptr);
+        }
+    }
+    ~StopOnSignal() {
+        for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+    }
+    StopOnSignal(const StopOnSignal&) = delete;
+    StopOnSignal& operator=(const StopOnSignal&) = delete;
+
+    bool asked() const { return stop_signal != 0; }
+};
+
+std::vector<scene::Override> overrides(const RenderArguments& arguments) {
+    std::vector<scene::Override> all = arguments.settings;
+    if (!arguments.method.empty()) all.push_back("isolation.method=\"" + arguments.method + "\"");
+    if (!arguments.step.empty()) all.push_back("isolation.step=" + arguments.step);
+    if (!arguments.size.empty()) {
+        const std::size_t x = arguments.size.find('x');
+        if (x == std::string::npos) {
+            throw std::invalid_argument(
+                fmt::format("--size {}: write WIDTHxHEIGHT, 1920x1080", arguments.size));
+        }
+        all.push_back(fmt::format("output.size=[{},{}]", arguments.size.substr(0, x),
+                                  arguments.size.substr(x + 1)));
+    }
+    return all;
+}
+
+std::vector<synthesis::Channel> parse_channels(const std::string& text) {
+    std::vector<synthesis::Channel> channels;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        const std::string part = text.substr(begin, comma - begin);
+        const auto channel = synthesis::parse_channel(part);
+        if (!channel) {
+            std::vector<std::string_view> known;
+            for (const auto& entry : synthesis::channel_names()) known.push_back(entry.name);
+            throw std::invalid_argument(fmt::format(
+                "--channels: there is no channel '{}'; known: {}", part, fmt::join(known, ", ")));
+        }
+        if (std::find(channels.begin(), channels.end(), *channel) == channels.end()) {
+            channels.push_back(*channel);
+        }
+        begin = comma + 1;
+    }
+    // One order, whatever the user's: it decides shader text and fingerprint.
+    std::sort(channels.begin(), channels.end());
+    return channels;
+}
+
+void make_folder(const fs::path& file) {
+    const fs::path folder = file.parent_path();
+    if (folder.empty()) return;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error && !fs::is_directory(folder)) {
+        throw image::FileError(folder, "create the folder", error.value());
+    }
+}
+
+// What a sequence's rays went through, over all frames.
+struct Totals {
+    std::array<std::int64_t, 5> verdicts{};
+    std::int64_t evaluations = 0;
+    std::chrono::duration<double> drawing{};
+    int drawn = 0, reused = 0, kept = 0;
+
+    void add(const render::Picture& picture) {
+        for (std::size_t v = 0; v < verdicts.size(); ++v) verdicts[v] += picture.verdicts[v];
+        evaluations += picture.evaluations;
+        drawing += picture.drawing;
+        ++drawn;
+    }
+};
+
+class RenderJob {
+public:
+    explicit RenderJob(const RenderArguments& arguments)
+        : arguments_(arguments)
+        , scene_(scene::load(arguments.scene, overrides(arguments)))
+        , channels_(parse_channels(arguments.channels))
+        , frames_(parse_frames())
+        , output_(output_name())
+        , name_(image::SequenceName::parse(output_))
+        , format_(image::format_of(output_, arguments.bits == 16 ? image::PngDepth::bits16
+                                                                 : image::PngDepth::bits8)) {
+        name_.check_holds(frames_.size());
+        if (format_ != image::Format::exr && !channels_.empty()) {
+            throw std::invalid_argument(
+                fmt::format("--channels: a PNG holds the picture alone; write an EXR: -o {}",
+                            fs::path(output_).replace_extension(".exr").string()));
+        }
+    }
+
+    int run() {
+        const auto begin = std::chrono::steady_clock::now();
+        make_folder(name_.path(frames_.front()));
+        if (!arguments_.movie.empty()) make_folder(arguments_.movie);
+        const auto context = gpu::Context::create(gpu::parse_backend(arguments_.backend));
+        say("{}: {} frame{}, {}x{}, {}, step {:g}; {} ({})\n", scene_.title, frames_.size(),
+            frames_.size() == 1 ? "" : "s", scene_.output.width, scene_.output.height,
+            scene::name(scene_.isolation.method), scene_.isolation.step, context->info().renderer,
+            context->info().backend);
+        const StopOnSignal stop;
+        render_frames(*context, stop);
+        if (stop.asked()) {
+            fmt::print(stderr,
+                       "stopped; the frames written are whole, --resume renders the rest\n");
+            return exit_interrupted;
+        }
+        const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+        summarise(wall.count());
+        if (!arguments_.movie.empty()) make_movie();
+        return exit_done;
+    }
+
+private:
+    template<class... Args> void say(fmt::format_string<Args...> format, Args&&... args) const {
+        if (!arguments_.quiet) fmt::print(format, std::forward<Args>(args)...);
+    }
+
+    std::vector<int> parse_frames() const {
+        if (!arguments_.frames.empty()) return animation::parse_frame_range(arguments_.frames);
+        return animation::parse_frame_range(fmt::format("1-{}", scene_.timeline.frames));
+    }
+
+    std::string output_name() const {
+        if (!arguments_.output.empty()) return arguments_.output;
+        return fmt::format("out/{}.####.png", scene_.file.stem().string());
+    }
+
+    void render_frames(gpu::Context& context, const StopOnSignal& stop) {
+        render::Renderer renderer(context, scene_,
+                                  {scene_.output.width, scene_.output.height, channels_, {}});
+        const std::string machine = context.info().renderer + context.info().version;
+        image::SequenceWriter writer(name_, format_);
+        Progress progress("rendering", int(frames_.size()), arguments_.quiet);
+        std::optional<render::Picture> last;
+        std::string last_pixels; // the fingerprint of what `last` shows
+        for (std::size_t k = 0; k < frames_.size() && !stop.asked(); ++k) {
+            const int frame = frames_[k];
+            const animation::Values values = scene_.timeline.values(frame);
+            const scene::SceneAt now = scene::at(scene_, values);
+            const std::string pixels = renderer.fingerprint(now);
+            image::Metadata metadata = frame_metadata(scene_, now, values, frame, "");
+            metadata.back().value = file_fingerprint(pixels, machine, metadata);
+            progress.show(int(k), fs::path(name_.path(frame)).filename().string());
+            if (arguments_.resume && is_finished(frame, metadata)) {
+                ++totals_.kept;
+                continue;
+            }
+            // A scene that stands still is drawn once.
+            if (!last || pixels != last_pixels) {
+                last = renderer.draw(now);
+                last_pixels = pixels;
+                totals_.add(*last);
+                warn(frame, *last);
+            } else {
+                ++totals_.reused;
+            }
+            image::Frame image = last->frame;
+            image.metadata = std::move(metadata);
+            writer.submit(frame, std::move(image));
+        }
+        writer.finish();
+    }
+
+    // Pixels, file format and everything else that the file records.
+    std::string file_fingerprint(const std::string& pixels, const std::string& machine,
+                                 const image::Metadata& metadata) const {
+        render::Fingerprint print;
+        print.add(pixels).add(machine).add(ISOMOTION_VERSION).add(std::to_string(int(format_)));
+        for (const auto& entry : metadata) print.add(entry.name).add(image::to_text(entry.value));
+        return print.text();
+    }
+
+    bool is_finished(int frame, const image::Metadata& wanted) const {
+        const fs::path file = name_.path(frame);
+        std::error_code ignored;
+        if (!fs::exists(file, ignored)) return false;
+        try {
+            const auto found = image::read_metadata(file);
+            const auto* print = image::find_as<std::string>(found, fingerprint_key);
+            return print && *print == std::get<std::string>(wanted.back().value);
+        } catch (const std::exception&) {
+            return false; // broken or foreign: rendered again
+        }
+    }
+
+    static void warn(int frame, const render::Picture& picture) {
+        for (const auto verdict : {render::Verdict::nan, render::Verdict::step_limit}) {
+            const auto count = picture.verdicts[std::size_t(verdict)];
+            if (count == 0) continue;
+            fmt::print(stderr, "warning: frame {}: {} pixel{} ended with the verdict {}\n", frame,
+                       count, count == 1 ? "" : "s", render::verdict_names[std::size_t(verdict)]);
+        }
+    }
+
+    void summarise(double wall) const {
+        if (totals_.drawn > 0) {
+            std::int64_t rays = 0;
+            for (const auto count : totals_.verdicts) rays += count;
+            const double drawing = totals_.drawing.count();
+            say("drawn {} in {:.2f} s ({:.1f} ms each, {:.1f} evaluations a ray); all of it took "
+                "{:.2f} s, {:.2f} times the drawing\n",
+                totals_.drawn, drawing, 1e3 * drawing / totals_.drawn,
+                double(totals_.evaluations) / double(rays), wall, wall / drawing);
+            say("rays:");
+            for (std::size_t v = 0; v < totals_.verdicts.size(); ++v) {
+                say("{} {} {}", v == 0 ? "" : ",", totals_.verdicts[v], render::verdict_names[v]);
+            }
+            say("\n");
+        }
+        if (totals_.reused > 0) say("{} frames equal to the one before them\n", totals_.reused);
+        if (totals_.kept > 0) say("{} frames kept from an earlier run\n", totals_.kept);
+        say("frames: {}\n", output_);
+    }
+
+    void make_movie() const {
+        std::vector<fs::path> pictures;
+        for (const int frame : frames_) pictures.push_back(name_.path(frame));
+        const auto& fps = scene_.timeline.fps;
+        image::write_movie(arguments_.movie, pictures, {fps.numerator, fps.denominator});
+        say("movie: {}\n", arguments_.movie);
+    }
+
+    const RenderArguments& arguments_;
+    scene::Scene scene_;
+    std::vector<synthesis::Channel> channels_;
+    std::vector<int> frames_;
+    std::string output_;
+    image::SequenceName name_;
+    image::Format format_;
+    Totals totals_;
+};
+
+} // namespace
+
+void add_render(CLI::App& app, Action& chosen) {
+    const auto arguments = std::make_shared<RenderArguments>();
+    RenderArguments& a = *arguments;
+    CLI::App* command = app.add_subcommand("render", "render frames of a scene into image files");
+    command->add_option("scene", a.scene, "a scene file (.toml) or the name of a gallery animation")
+        ->required();
+    command->add_option("-o,--output", a.output,
+                        "files to write: out/name.####.png or .exr (#### is the frame's number)");
+    command->add_option("--frames", a.frames, "1-10, 1-10x2, 1,3,5-9 (default: all of the scene)");
+    command->add_option("--size", a.size, "WIDTHxHEIGHT");
+    command->add_option("--set", a.settings,
+                        "name=value: a parameter, or a key of the scene file (camera.fov=30)");
+    command->add_option("--method", a.method, "marching, amp-sign or amp-taylor");
+    command->add_option("--step", a.step, "base step of the method, in formula coordinates");
+    command->add_option("--backend", a.backend, "auto, egl or osmesa");
+    command->add_option("--channels", a.channels, "EXR only: z,n,p,verdict,evaluations");
+    command->add_option("--bits", a.bits, "of a PNG: 8 or 16")->check(CLI::IsMember({8, 16}));
+    command->add_option("--movie", a.movie, "also join the frames: .mp4, .webm or .gif");
+    command->add_flag("--resume", a.resume, "keep files that these settings would render again");
+    command->add_flag("--quiet", a.quiet, "errors and warnings only");
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return RenderJob(*arguments).run(); }; });
+}
+
+} // namespace isomotion::app

@@ -1,0 +1,63 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "scene/load.h"
+#include "scene/scene_at.h"
+#include "synthesis/assemble.h"
+
+namespace isomotion::app {
+namespace {
+
+struct ShowArguments {
+    std::string scene;
+    int frame = 1;
+    bool shader = false;
+    std::vector<std::string> settings;
+};
+
+int show(const ShowArguments& arguments) {
+    const scene::Scene scene = scene::load(arguments.scene, arguments.settings);
+    const synthesis::Shaders shaders = synthesis::assemble(scene);
+    if (arguments.shader) {
+        fmt::print("{}\n{}", shaders.march, shaders.shade);
+        return exit_done;
+    }
+    const animation::Values values = scene.timeline.values(arguments.frame);
+    scene::at(scene, values); // values that have left their range are an error here too
+    const scene::Isolation& isolation = scene.isolation;
+    fmt::print("{}\n", scene.title);
+    fmt::print("formula   {}\n", scene.surface.field->text);
+    fmt::print("timeline  {} frames at {} a second\n", scene.timeline.frames,
+               animation::to_string(scene.timeline.fps));
+    fmt::print("method    {}, step {:g}, near {:g}, far {:g}, horizon {:g}, {} bisections\n",
+               scene::name(isolation.method), isolation.step, isolation.near, isolation.far,
+               isolation.horizon, isolation.bisections);
+    fmt::print("frame     {} at t = {:g} s\n", arguments.frame, values.time);
+    for (std::size_t k = 0; k < values.tracks.size(); ++k) {
+        fmt::print("    {:<28} {:g}\n", scene.timeline.animation.tracks()[k].name,
+                   values.tracks[k]);
+    }
+    for (std::size_t a = 0; a < values.arrays.size(); ++a) {
+        const auto& array = scene.timeline.animation.arrays()[a];
+        fmt::print("    {:<28} {} elements\n", array.name, values.arrays[a].count);
+    }
+    fmt::print("shaders   {}\n", fmt::join(shaders.files, " "));
+    return exit_done;
+}
+
+} // namespace
+
+void add_show(CLI::App& app, Action& chosen) {
+    const auto arguments = std::make_shared<ShowArguments>();
+    CLI::App* command = app.add_subcommand("show", "what a scene is at a frame, and its shader");
+    command->add_option("scene", arguments->scene, "a scene file or the name of an animation")
+        ->required();
+    command->add_option("--frame", arguments->frame, "frame number, from 1")
+        ->check(CLI::Range(1, 10'000'000));
+    command->add_option("--set", arguments->settings, "name=value, as for render");
+    command->add_flag("--shader", arguments->shader, "print the assembled GLSL");
+    command->callback([arguments, &chosen] { chosen = [arguments] { return show(*arguments); }; });
+}
+
+} // namespace isomotion::app

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "gpu/name.h"
+
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <span>
+
+namespace isomotion::gpu {
+
+/// The contents of a uniform block (std140), of a size fixed when it is made.
+class UniformBuffer {
+public:
+    /// Throws ResourceError if the driver's blocks are smaller.
+    explicit UniformBuffer(std::size_t capacity_bytes);
+
+    /// Replaces the first bytes; allocates nothing. Throws std::length_error beyond the capacity.
+    void update(std::span<const std::byte> bytes);
+
+    void bind(unsigned binding) const;
+
+    std::size_t capacity() const noexcept { return capacity_; }
+
+private:
+    Name name_{Kind::buffer};
+    std::size_t capacity_;
+};
+
+/// A long array of RGBA32F texels: `texelFetch(samplerBuffer, i)`. Of a size fixed when it is made.
+class TextureBuffer {
+public:
+    /// Throws ResourceError if the driver's texture buffers are smaller.
+    explicit TextureBuffer(std::size_t capacity_texels);
+
+    /// Replaces the first texels; allocates nothing. Throws std::length_error beyond the capacity.
+    void update(std::span<const glm::vec4> texels);
+
+    void bind(int unit) const;
+
+    std::size_t capacity() const noexcept { return capacity_; }
+
+private:
+    Name buffer_{Kind::buffer};
+    Name texture_{Kind::texture};
+    std::size_t capacity_;
+};
+
+} // namespace isomotion::gpu

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace isomotion::gpu {
+
+/// The driver cannot give what was asked for: too large, too many, or out of memory.
+class ResourceError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A shader that does not compile or link. The message holds the driver's log and the source lines
+/// around each error.
+class CompileError : public std::runtime_error {
+public:
+    /// `stage` is "vertex", "fragment" or "link"; `source` is empty for "link".
+    CompileError(std::string_view label, std::string stage, std::string log,
+                 std::string_view source);
+
+    const std::string& stage() const noexcept { return stage_; }
+    const std::string& log() const noexcept { return log_; }
+
+private:
+    std::string stage_, log_;
+};
+
+/// Forgets earlier GL errors, so that the next check speaks of what lies between.
+void forget_errors();
+
+/// Throws ResourceError, naming `what`, if a GL call since forget_errors() failed.
+void expect_success(std::string_view what);
+
+} // namespace isomotion::gpu

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "gpu/error.h"
+#include "gpu/name.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+namespace isomotion::gpu {
+
+/// A linked vertex and fragment shader.
+///
+/// A driver drops uniforms and blocks that the shader does not need; setting one that is not there
+/// does nothing.
+class Program {
+public:
+    /// `label` names the program in messages. Throws CompileError. Software drivers translate to
+    /// machine code at the first draw, not here.
+    Program(std::string_view vertex, std::string_view fragment, std::string_view label);
+
+    void use() const;
+
+    /// -1 if the program has no such uniform.
+    int uniform_location(std::string_view uniform) const;
+
+    // Each puts the program to use.
+    void set(std::string_view uniform, int value) const;
+    void set(std::string_view uniform, unsigned value) const;
+    void set(std::string_view uniform, float value) const;
+    void set(std::string_view uniform, glm::vec2 value) const;
+    void set(std::string_view uniform, glm::vec3 value) const;
+    void set(std::string_view uniform, glm::vec4 value) const;
+    void set(std::string_view uniform, glm::ivec2 value) const;
+    void set(std::string_view uniform, glm::ivec3 value) const;
+    void set(std::string_view uniform, glm::ivec4 value) const;
+    void set(std::string_view uniform, std::span<const float> values) const;
+
+    void bind_block(std::string_view block, unsigned binding) const;
+    void bind_sampler(std::string_view sampler, int unit) const { set(sampler, unit); }
+
+private:
+    struct Hash : std::hash<std::string_view> {
+        using is_transparent = void;
+    };
+
+    Name name_{Kind::program};
+    mutable std::unordered_map<std::string, int, Hash, std::equal_to<>> locations_;
+};
+
+} // namespace isomotion::gpu

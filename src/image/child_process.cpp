@@ -1,0 +1,146 @@
+#include "image/child_process.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+#include <system_error>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <fmt/format.h>
+
+namespace isomotion::image {
+namespace {
+
+class SpawnActions {
+public:
+    SpawnActions() { ::posix_spawn_file_actions_init(&actions_); }
+    ~SpawnActions() { ::posix_spawn_file_actions_destroy(&actions_); }
+    SpawnActions(const SpawnActions&) = delete;
+    SpawnActions& operator=(const SpawnActions&) = delete;
+
+    void duplicate(const FileDescriptor& from, int to) {
+        ::posix_spawn_file_actions_adddup2(&actions_, from.number(), to);
+    }
+    void discard(int descriptor) {
+        ::posix_spawn_file_actions_addopen(&actions_, descriptor, "/dev/null", O_WRONLY, 0);
+    }
+    const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+private:
+    posix_spawn_file_actions_t actions_;
+};
+
+[[noreturn]] void fail(const char* attempt, int code) {
+    throw std::system_error(code, std::generic_category(), attempt);
+}
+
+bool is_executable(const std::filesystem::path& file) {
+    struct stat found = {};
+    return ::stat(file.c_str(), &found) == 0 && S_ISREG(found.st_mode) &&
+           ::access(file.c_str(), X_OK) == 0;
+}
+
+} // namespace
+
+std::optional<std::filesystem::path> find_program(const std::string& name) {
+    // Not posix_spawnp(), which looks in /usr/bin too when there is no PATH.
+    const char* variable = std::getenv("PATH");
+    std::string_view folders = variable ? variable : "";
+    while (!folders.empty()) {
+        const std::string_view folder = folders.substr(0, folders.find(':'));
+        folders.remove_prefix(std::min(folder.size() + 1, folders.size()));
+        if (folder.empty()) continue;
+        const std::filesystem::path file = std::filesystem::path(folder) / name;
+        if (is_executable(file)) return file;
+    }
+    return std::nullopt;
+}
+
+ChildProcess::ChildProcess(const std::filesystem::path& program,
+                           const std::vector<std::string>& arguments) {
+    // A socket instead of a pipe: only send() can be told not to raise SIGPIPE.
+    int ends[2];
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail("socketpair", errno);
+    input_ = FileDescriptor(ends[0]);
+    const FileDescriptor child_end(ends[1]);
+    // Its messages go to memory, which cannot fill up and block it as a pipe nobody reads would.
+    errors_ = FileDescriptor(::memfd_create("messages", MFD_CLOEXEC));
+    if (!errors_) fail("memfd_create", errno);
+
+    SpawnActions actions;
+    actions.duplicate(child_end, STDIN_FILENO);
+    actions.discard(STDOUT_FILENO);
+    actions.duplicate(errors_, STDERR_FILENO);
+
+    std::vector<std::string> words{program.string()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> vector;
+    vector.reserve(words.size() + 1);
+    for (std::string& word : words) vector.push_back(word.data());
+    vector.push_back(nullptr);
+    const int code =
+        ::posix_spawn(&id_, program.c_str(), actions.get(), nullptr, vector.data(), environ);
+    if (code != 0) {
+        id_ = -1;
+        fail(program.c_str(), code);
+    }
+}
+
+ChildProcess::~ChildProcess() {
+    if (id_ < 0) return;
+    ::kill(id_, SIGKILL);
+    finish();
+}
+
+bool ChildProcess::feed(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t sent = ::send(input_.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR) continue;
+        if (sent < 0) return false;
+        bytes = bytes.subspan(std::size_t(sent));
+    }
+    return true;
+}
+
+bool ChildProcess::finish() {
+    input_.close();
+    while (::waitpid(id_, &status_, 0) < 0 && errno == EINTR) {
+    }
+    id_ = -1;
+    return WIFEXITED(status_) && WEXITSTATUS(status_) == 0;
+}
+
+std::string ChildProcess::ending() const {
+    return WIFSIGNALED(status_) ? fmt::format("signal {}", WTERMSIG(status_))
+                                : fmt::format("exit status {}", WEXITSTATUS(status_));
+}
+
+std::string ChildProcess::last_words(std::size_t lines) const {
+    constexpr off_t most = 8192;
+    struct stat found = {};
+    if (::fstat(errors_.number(), &found) != 0) return {};
+    std::string text(std::size_t(std::min(found.st_size, most)), '\0');
+    const ssize_t count = ::pread(errors_.number(), text.data(), text.size(),
+                                  std::max<off_t>(found.st_size - most, 0));
+    text.resize(std::size_t(std::max<ssize_t>(count, 0)));
+    while (text.ends_with('\n')) text.pop_back();
+
+    std::size_t begin = text.size();
+    for (; lines > 0 && begin > 0; --lines) {
+        const std::size_t newline = text.rfind('\n', begin - 1);
+        begin = newline == std::string::npos ? 0 : newline;
+    }
+    text.erase(0, text[begin] == '\n' ? begin + 1 : begin);
+    return text;
+}
+
+} // namespace isomotion::image

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+#include "image/file_descriptor.h"
+
+namespace isomotion::image {
+
+/// The program of that name in the folders of PATH.
+std::optional<std::filesystem::path> find_program(const std::string& name);
+
+/// A running program that is fed through its standard input, started without a shell. It is killed
+/// if it still runs when this object goes.
+class ChildProcess {
+public:
+    /// Throws a std::system_error if the program cannot be started.
+    ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+    ~ChildProcess();
+    ChildProcess(const ChildProcess&) = delete;
+    ChildProcess& operator=(const ChildProcess&) = delete;
+
+    /// Hands the bytes over; false if the program no longer takes any.
+    bool feed(std::span<const std::byte> bytes);
+
+    /// Ends the input and waits for the program: true if it ended with exit status 0.
+    bool finish();
+
+    /// How it ended: "exit status 1", "signal 9". Only after finish().
+    std::string ending() const;
+
+    /// The last lines it wrote to its standard error.
+    std::string last_words(std::size_t lines) const;
+
+private:
+    FileDescriptor input_;
+    FileDescriptor errors_;
+    pid_t id_ = -1;
+    int status_ = 0;
+};
+
+} // namespace isomotion::image

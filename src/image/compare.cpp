@@ -1,0 +1,62 @@
+#include "image/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isomotion::image {
+namespace {
+
+double distance(float a, float b) {
+    if (a == b || (std::isnan(a) && std::isnan(b)))
+        return 0; // the first holds for equal infinities
+    if (!std::isfinite(a) || !std::isfinite(b)) return std::numeric_limits<double>::infinity();
+    return std::abs(double(a) - double(b));
+}
+
+ChannelDifference difference(const Channel& first, const Channel& second, double tolerance) {
+    ChannelDifference result{first.name};
+    double sum = 0;
+    for (std::size_t i = 0; i < first.samples.size(); ++i) {
+        const double apart = distance(first.samples[i], second.samples[i]);
+        result.largest = std::max(result.largest, apart);
+        if (apart > tolerance) ++result.over_tolerance;
+        if (std::isinf(apart))
+            ++result.not_finite;
+        else
+            sum += apart;
+    }
+    if (const std::size_t finite = first.samples.size() - result.not_finite)
+        result.mean = sum / double(finite);
+    return result;
+}
+
+std::vector<std::string> names_missing(const Frame& of, const Frame& in) {
+    std::vector<std::string> names;
+    for (const Channel& channel : of.channels)
+        if (!in.find(channel.name)) names.push_back(channel.name);
+    return names;
+}
+
+} // namespace
+
+bool Comparison::within_tolerance() const {
+    return same_size && only_in_first.empty() && only_in_second.empty() &&
+           std::ranges::all_of(channels, [](const auto& c) { return c.over_tolerance == 0; });
+}
+
+Comparison compare(const Frame& first, const Frame& second, double tolerance) {
+    check(first);
+    check(second);
+    Comparison result;
+    result.same_size = first.width == second.width && first.height == second.height;
+    result.only_in_first = names_missing(first, second);
+    result.only_in_second = names_missing(second, first);
+    if (!result.same_size) return result;
+    for (const Channel& channel : first.channels)
+        if (const Channel* other = second.find(channel.name))
+            result.channels.push_back(difference(channel, *other, tolerance));
+    return result;
+}
+
+} // namespace isomotion::image

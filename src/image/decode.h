@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+#include "image/frame.h"
+
+namespace isomotion::image {
+
+/// Reads the first picture of a file that OpenImageIO knows, all channels, with colour as linear
+/// light multiplied by coverage. Channels may come in another order than they were written in.
+///
+/// Throws a FileError if the file cannot be read and an ImageError if it is broken or cut short.
+Frame decode(const std::filesystem::path& file);
+
+/// What decode() finds beside the pixels. The pixels are decoded all the same: a file whose header
+/// is good and whose end is missing does not pass.
+Metadata read_metadata(const std::filesystem::path& file);
+
+} // namespace isomotion::image

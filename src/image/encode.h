@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "image/frame.h"
+
+namespace isomotion::image {
+
+enum class Format {
+    png8,  ///< R, G, B and A alone, as sRGB in 8 bits
+    png16, ///< the same in 16 bits
+    exr,   ///< every channel: R, G, B, A as linear half, the others as 32-bit float
+};
+
+enum class PngDepth { bits8, bits16 };
+
+/// The format that a file name asks for. Throws an ImageError that lists the choices.
+Format format_of(const std::filesystem::path& file, PngDepth depth = PngDepth::bits8);
+
+/// The bytes of a file that holds the frame. They depend on the frame and nothing else: not on the
+/// time, the machine or the number of threads. (A `DateTime` in the metadata is written as given.)
+///
+/// EXR keeps NaN and infinite samples; a finite colour beyond the range of half becomes the largest
+/// half, because a bright light is not an infinite one. Metadata is kept with its types.
+///
+/// PNG stores colour divided by coverage, so light where the coverage is 0 has no place in it; NaN
+/// becomes 0 and infinity the largest value. Metadata becomes text (see to_text()).
+std::vector<std::byte> encode(const Frame& frame, Format format);
+
+} // namespace isomotion::image

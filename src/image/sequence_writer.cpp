@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "image/file.h"
+#include "image/sequence.h"
+
+namespace isomotion::image {
+
+SequenceWriter::SequenceWriter(SequenceName name, Format format, SequenceOptions options)
+    : name_(std::move(name))
+    , format_(format)
+    , options_(std::move(options)) {
+    for (int i = 0; i < std::max(options_.threads, 1); ++i)
+        workers_.emplace_back([this] { work(); });
+}
+
+SequenceWriter::~SequenceWriter() {
+    cancel();
+    join();
+}
+
+bool SequenceWriter::submit(int frame, Frame image) {
+    std::unique_lock lock(mutex_);
+    name_.check_holds(submitted_ + 1);
+    changed_.wait(lock, [this] {
+        return state_ != State::open ||
+               waiting_.size() < std::max<std::size_t>(options_.capacity, 1);
+    });
+    if (error_) std::rethrow_exception(error_);
+    if (state_ == State::finishing)
+        throw std::logic_error("a frame was submitted to a sequence that is finished");
+    if (state_ == State::stopped) return false;
+    waiting_.push_back({frame, std::move(image)});
+    ++submitted_;
+    changed_.notify_all();
+    return true;
+}
+
+void SequenceWriter::finish() {
+    {
+        const std::lock_guard lock(mutex_);
+        if (state_ == State::open) state_ = State::finishing;
+        changed_.notify_all();
+    }
+    join();
+    if (error_) std::rethrow_exception(error_);
+}
+
+void SequenceWriter::cancel() { stop(nullptr); }
+
+std::size_t SequenceWriter::written() const {
+    const std::lock_guard lock(mutex_);
+    return written_;
+}
+
+void SequenceWriter::work() {
+    for (;;) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return state_ != State::open || !waiting_.empty(); });
+        if (waiting_.empty()) return;
+        Job job = std::move(waiting_.front());
+        waiting_.pop_front();
+        changed_.notify_all();
+        lock.unlock();
+        try {
+            write(std::move(job));
+        } catch (...) {
+            stop(std::current_exception());
+        }
+    }
+}
+
+void SequenceWriter::write(Job job) {
+    const std::filesystem::path file = name_.path(job.frame);
+    const std::vector<std::byte> bytes = encode(job.image, format_);
+    job.image = {}; // its memory is free for the next frame while this one goes to the disk
+    write_whole(file, bytes);
+    {
+        const std::lock_guard lock(mutex_);
+        ++written_;
+    }
+    if (!options_.on_written) return;
+    const std::lock_guard lock(reporting_);
+    options_.on_written(job.frame, file);
+}
+
+void SequenceWriter::stop(std::exception_ptr error) {
+    const std::lock_guard lock(mutex_);
+    if (!error_) error_ = std::move(error);
+    state_ = State::stopped;
+    waiting_.clear();
+    changed_.notify_all();
+}
+
+void SequenceWriter::join() {
+    for (std::jthread& worker : workers_)
+        if (worker.joinable()) worker.join();
+}
+
+} // namespace isomotion::image

@@ -1,0 +1,77 @@
+#include "render/blocks.h"
+
+#include <cstring>
+
+namespace isomotion::render {
+namespace {
+
+glm::vec4 wide(const glm::dvec3& v, double w = 0) { return glm::vec4(glm::dvec4(v, w)); }
+
+} // namespace
+
+FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width,
+                       int height) {
+    const scene::Rays rays = scene::rays(now, width, height);
+    const scene::Isolation& isolation = scene.isolation;
+    const bool box = now.bounds.shape == scene::Bounds::Shape::box;
+    FrameBlock block;
+    block.ray_origin = wide(rays.origin);
+    block.ray_axis = wide(rays.axis);
+    block.ray_right = wide(rays.right);
+    block.ray_up = wide(rays.up);
+    block.bounds_min = box ? wide(now.bounds.min) : wide(now.bounds.centre, now.bounds.radius);
+    block.bounds_max = wide(now.bounds.max);
+    block.picture = glm::vec4(2.0 / width, 2.0 / height, 0, 0);
+    block.thresholds = glm::dvec4(isolation.step, isolation.near, isolation.far, isolation.horizon);
+    block.refinement = glm::vec4(isolation.bisections, isolation.limit, 0, 0);
+    return block;
+}
+
+std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,
+                                     int width, int height) {
+    const scene::PlacementAt& place = now.placement;
+    const auto& background = scene.output.background;
+    std::vector<glm::vec4> block;
+    block.push_back(wide(now.material_color));
+    block.push_back(glm::dvec4(background[0], background[1], background[2],
+                               scene.output.transparent ? 0.0 : 1.0));
+    const glm::dmat3 to_local = glm::transpose(place.rotate);
+    for (const auto& light : now.lights) block.push_back(wide(to_local * light.direction));
+    for (const auto& light : now.lights) block.push_back(wide(light.color));
+    const glm::dmat3 axes = place.scale * place.rotate;
+    for (int k = 0; k < 3; ++k) block.push_back(wide(axes[k]));
+    block.push_back(wide(place.translate, 1));
+    const scene::Rays rays = scene::rays(now, width, height);
+    const double depth = glm::length(rays.axis);
+    block.push_back(wide(place.scale / depth * rays.axis, place.scale * depth));
+    return block;
+}
+
+std::vector<std::byte> parameter_block(const synthesis::Shaders& shaders,
+                                       const scene::SceneAt& now) {
+    const std::size_t vectors = std::size_t(shaders.parameter_vectors);
+    std::vector<std::byte> block((vectors + std::size_t(shaders.count_vectors)) * 16);
+    std::memcpy(block.data(), now.bindings.parameters.data(), now.bindings.parameters.size() * 4);
+    for (std::size_t a = 0; a < shaders.arrays.size(); ++a) {
+        const std::int32_t count = now.bindings.arrays[a].count;
+        std::memcpy(block.data() + vectors * 16 + a * 4, &count, 4);
+    }
+    return block;
+}
+
+std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::Shaders& shaders,
+                                    const scene::SceneAt& now, std::size_t index) {
+    const auto& fields = scene.surface.field->packing[index];
+    const auto& columns = now.bindings.arrays[index];
+    const auto per_element = std::size_t(shaders.arrays[index].texels);
+    std::vector<glm::vec4> texels(std::size_t(columns.count) * per_element);
+    for (std::size_t slot = 0; slot < fields.size(); ++slot) {
+        const auto& column = columns.fields[std::size_t(fields[slot])];
+        for (std::size_t i = 0; i < std::size_t(columns.count); ++i) {
+            texels[i * per_element + slot / 4][int(slot % 4)] = column[i];
+        }
+    }
+    return texels;
+}
+
+} // namespace isomotion::render

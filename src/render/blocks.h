@@ -1,0 +1,35 @@
+// What a frame uploads: the uniform blocks of the shaders, filled from a scene at one time.
+#pragma once
+
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "scene/rays.h"
+#include "scene/scene_at.h"
+#include "synthesis/assemble.h"
+
+namespace isomotion::render {
+
+// Block Frame of shaders/frame.glsl.
+struct FrameBlock {
+    glm::vec4 ray_origin, ray_axis, ray_right, ray_up;
+    glm::vec4 bounds_min, bounds_max;
+    glm::vec4 picture, thresholds, refinement;
+};
+
+FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height);
+
+// Block Shading of shaders/shade/shading.glsl; its length depends on the number of lights.
+std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,
+                                     int width, int height);
+
+// Block Parameters, generated: parameter values, then the arrays' counts.
+std::vector<std::byte> parameter_block(const synthesis::Shaders& shaders,
+                                       const scene::SceneAt& now);
+
+// The elements of array `index`, packed as the field reads them.
+std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::Shaders& shaders,
+                                    const scene::SceneAt& now, std::size_t index);
+
+} // namespace isomotion::render

@@ -1,0 +1,36 @@
+#include "render/march_plan.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace isomotion::render {
+
+MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int max_tile) {
+    const double by_loops = loop_iterations_per_pass / (1 + evaluation.iterations);
+    if (by_loops < 1) {
+        throw std::length_error(
+            fmt::format("the formula sums {:.0f} terms at every point; a shader can sum {:.0f}",
+                        evaluation.iterations, loop_iterations_per_pass - 1));
+    }
+    constexpr double march_operations = 40;   // of a step beside the field
+    constexpr double useful_evaluations = 64; // fewer a pass and the passes' own cost shows
+    const double operations = evaluation.operations + march_operations;
+
+    MarchPlan plan;
+    const double evaluations = std::min(useful_evaluations, by_loops);
+    int tile = 64;
+    while (2 * tile <= max_tile &&
+           4.0 * tile * tile * operations * evaluations <= operations_per_draw) {
+        tile *= 2;
+    }
+    plan.tile_width = std::min(tile, width);
+    plan.tile_height = std::min(tile, height);
+    const double pixels = double(plan.tile_width) * plan.tile_height;
+    const double by_work = operations_per_draw / (pixels * operations);
+    plan.evaluations_per_pass = int(std::clamp(std::min(by_work, by_loops), 1.0, 60'000.0));
+    return plan;
+}
+
+} // namespace isomotion::render

@@ -1,0 +1,28 @@
+// How a picture is cut into draw calls.
+//
+// Two things bound a draw. llvmpipe ends every loop of a shader, silently, after 65535 iterations
+// summed over all its loops, so a pass evaluates the field only as often as fits. And a draw call
+// of seconds freezes a desktop or gets the GPU reset, so tiles and passes are cut to a bounded
+// amount of arithmetic. The picture doesn't depend on the plan: a ray goes on exactly where it
+// stopped.
+#pragma once
+
+#include "formula/program.h"
+
+namespace isomotion::render {
+
+struct MarchPlan {
+    int tile_width = 0, tile_height = 0;
+    int evaluations_per_pass = 0;
+};
+
+// Loop iterations a shader may do in all; below the driver's 65535 by what the march itself loops.
+inline constexpr double loop_iterations_per_pass = 60'000;
+// Arithmetic operations in one draw: about a second on two cores of a software renderer.
+inline constexpr double operations_per_draw = 1e10;
+
+// `evaluation` is the cost of sampling the field once. Throws std::length_error if one evaluation
+// alone passes the loop limit.
+MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int max_tile);
+
+} // namespace isomotion::render

@@ -1,0 +1,57 @@
+// Draws frames of one scene: compiled once, then only uniform values change.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gpu/context.h"
+#include "image/frame.h"
+#include "render/march_plan.h"
+#include "scene/scene_at.h"
+#include "synthesis/channel.h"
+
+namespace isomotion::render {
+
+enum class Verdict { miss, hit, step_limit, nan, zero_gradient };
+inline constexpr std::array verdict_names{"miss", "hit", "step limit", "NaN", "zero gradient"};
+
+// A finished picture and what its rays went through.
+struct Picture {
+    image::Frame frame;                      // R G B A and the channels asked for; no metadata
+    std::array<std::int64_t, 5> verdicts{};  // pixels by Verdict
+    std::int64_t evaluations = 0;            // of the field, all rays together
+    int passes = 0;                          // march draws, all tiles together
+    std::chrono::duration<double> drawing{}; // upload to read-back
+};
+
+struct RenderOptions {
+    int width = 0, height = 0;
+    std::vector<synthesis::Channel> channels;
+    // Instead of the plan made from the formula's cost; tests show that it changes no pixel.
+    std::optional<MarchPlan> plan;
+};
+
+class Renderer {
+public:
+    // Compiles the scene's shaders in `context`, which must outlive the renderer. Throws
+    // gpu::CompileError, gpu::ResourceError, std::length_error (a sum too long for a shader).
+    Renderer(gpu::Context& context, const scene::Scene& scene, RenderOptions options);
+    ~Renderer();
+
+    Picture draw(const scene::SceneAt& now);
+
+    // Everything that decides the pixels of a frame beside the driver: shader text, uniform values,
+    // size and channels. Equal fingerprints, equal pictures.
+    std::string fingerprint(const scene::SceneAt& now) const;
+
+    const MarchPlan& plan() const;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace isomotion::render

@@ -1,0 +1,36 @@
+// What a frame can hold beside the picture itself.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace isomotion::synthesis {
+
+enum class Channel { depth, normal, position, verdict, evaluations };
+
+struct ChannelName {
+    Channel channel;
+    std::string_view name;                // on the command line
+    std::vector<std::string_view> layers; // in an EXR file
+};
+
+inline const std::vector<ChannelName>& channel_names() {
+    static const std::vector<ChannelName> names{
+        {Channel::depth, "z", {"Z"}},
+        {Channel::normal, "n", {"N.X", "N.Y", "N.Z"}},
+        {Channel::position, "p", {"P.X", "P.Y", "P.Z"}},
+        {Channel::verdict, "verdict", {"verdict"}},
+        {Channel::evaluations, "evaluations", {"evaluations"}},
+    };
+    return names;
+}
+
+inline std::optional<Channel> parse_channel(std::string_view text) {
+    for (const auto& entry : channel_names()) {
+        if (entry.name == text) return entry.channel;
+    }
+    return std::nullopt;
+}
+
+} // namespace isomotion::synthesis

@@ -1,0 +1,17 @@
+// The files of shaders/.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace isomotion::synthesis {
+
+// The text of shaders/<name>. Throws std::runtime_error if it cannot be read.
+std::string read_shader(const std::string& name);
+
+// The files of shaders/math/ that define these kernels ("exp", "pow") and what they need
+// themselves, in an order in which each comes after what it needs. bits.glsl is always there.
+std::vector<std::string> kernel_files(const std::set<std::string>& kernels);
+
+} // namespace isomotion::synthesis
