@@ -115,6 +115,8 @@ private:
         const NodeId lower = g_.binary(Op::power, a, g_.subtract(b, g_.constant(1)));
         const NodeId by_base = g_.multiply(g_.multiply(b, lower), da);
         if (g_.is_constant(db, 0)) return by_base;
+        // A negative constant has powers at integers only: no slope, and no logarithm.
+        if (g_.is_constant(a) && g_[a].value < 0) return zero();
         return g_.add(by_base, g_.multiply(g_.multiply(id, g_.unary(Op::log, a)), db));
     }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <limits>
 
 #include "formula/operations.h"
 
@@ -112,7 +113,10 @@ void Evaluator<T>::run(const Bindings<T>& bindings, std::span<const T> inputs) {
         }
         switch (now.op) {
         case Op::constant:
-            std::fill_n(to, Lanes, T(now.value));
+            // As in a shader: folded in double, a constant may be more than a float holds.
+            std::fill_n(to, Lanes,
+                        T(std::clamp(now.value, double(std::numeric_limits<T>::lowest()),
+                                     double(std::numeric_limits<T>::max()))));
             break;
         case Op::input:
             each([&](int lane) { return inputs[std::size_t(now.index * Lanes + lane)]; });

@@ -73,6 +73,14 @@ double fold(Op op, double a, double b) {
     }
 }
 
+// a^n for n >= 1, by repeated squaring.
+NodeId product(Graph& g, NodeId a, int n) {
+    if (n == 1) return a;
+    const NodeId half = product(g, a, n / 2);
+    const NodeId square = g.multiply(half, half);
+    return n % 2 == 0 ? square : g.multiply(square, a);
+}
+
 Node leaf(Op op, int index = 0, int second = 0) {
     Node node;
     node.op = op;
@@ -161,6 +169,9 @@ NodeId Graph::binary(Op op, NodeId a, NodeId b) {
         if (is_constant(b, 1)) return a;
         if (is_constant(a, -1)) return unary(Op::negate, b);
         if (is_constant(b, -1)) return unary(Op::negate, a);
+        if (a == b && nodes_[a].op == Op::abs) {
+            return multiply(nodes_[a].children[0], nodes_[a].children[0]);
+        }
         // Signs move outwards, where sums absorb them.
         if (nodes_[a].op == Op::negate && nodes_[b].op == Op::negate) {
             return multiply(nodes_[a].children[0], nodes_[b].children[0]);
@@ -174,8 +185,8 @@ NodeId Graph::binary(Op op, NodeId a, NodeId b) {
         // c1 * (c2 * x): derivatives pile up constant factors.
         if (cb) std::swap(a, b);
         if (is_constant(a) && nodes_[b].op == Op::multiply && is_constant(nodes_[b].children[0])) {
-            const double product = nodes_[a].value * nodes_[nodes_[b].children[0]].value;
-            return multiply(constant(product), nodes_[b].children[1]);
+            const double factor = nodes_[a].value * nodes_[nodes_[b].children[0]].value;
+            if (std::isfinite(factor)) return multiply(constant(factor), nodes_[b].children[1]);
         }
         break;
     case Op::divide:
@@ -242,19 +253,16 @@ NodeId Graph::sum(int array, NodeId body) {
 NodeId Graph::integer_power(NodeId a, int n) {
     if (n < 0) return divide(constant(1), integer_power(a, -n));
     if (n == 0) return constant(1);
-    if (n == 1) return a;
     if (nodes_[a].op == Op::abs && n % 2 == 0) return integer_power(nodes_[a].children[0], n);
     // High powers overflow float inside ordinary bounds (6^200); clamping the base keeps sums of
     // them free of inf - inf. Low ones don't, and stay bare products that others can share.
     constexpr int bare = 24;
-    if (n > bare && nodes_[a].op != Op::max) {
+    if (n > bare) {
         const NodeId reach = constant(std::pow(double(Operations<float>::saturation()), 1.0 / n));
         const NodeId low = unary(Op::negate, reach);
-        return integer_power(binary(Op::max, low, binary(Op::min, reach, a)), n);
+        a = binary(Op::max, low, binary(Op::min, reach, a));
     }
-    const NodeId half = integer_power(a, n / 2);
-    const NodeId square = multiply(half, half);
-    return n % 2 == 0 ? square : multiply(square, a);
+    return product(*this, a, n);
 }
 
 std::string_view name(Op op) {

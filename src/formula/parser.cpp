@@ -17,6 +17,17 @@ struct Place {
     std::string_view text_of_line;
 };
 
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+// The length of the first `count` UTF-8 characters.
+std::size_t bytes_of(std::string_view text, int count) {
+    std::size_t bytes = 0;
+    for (; bytes < text.size(); ++bytes) {
+        if (!continues_character(text[bytes]) && --count < 0) break;
+    }
+    return bytes;
+}
+
 Place locate(std::string_view text, std::size_t offset) {
     Place place;
     offset = std::min(offset, text.size());
@@ -29,7 +40,7 @@ Place locate(std::string_view text, std::size_t offset) {
     }
     // Columns count characters, not bytes: UTF-8 continuation bytes don't move the caret.
     for (std::size_t k = begin; k < offset; ++k) {
-        if ((static_cast<unsigned char>(text[k]) & 0xC0) != 0x80) ++place.column;
+        if (!continues_character(text[k])) ++place.column;
     }
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     place.text_of_line = text.substr(begin, end - begin);
@@ -44,12 +55,13 @@ std::string with_caret(std::string_view text, std::size_t offset, const std::str
     int column = place.column;
     std::string lead;
     if (column > before + 4) {
-        line.remove_prefix(std::min(line.size(), std::size_t(column - before)));
+        line.remove_prefix(bytes_of(line, column - before));
         column = before;
         lead = "...";
     }
-    const std::string tail = line.size() > width ? "..." : "";
-    line = line.substr(0, width);
+    const std::size_t shown = bytes_of(line, width);
+    const std::string tail = line.size() > shown ? "..." : "";
+    line = line.substr(0, shown);
     return fmt::format("{}\n    {}{}{}\n    {:>{}}", message, lead, line, tail, "^",
                        int(lead.size()) + column);
 }
@@ -125,10 +137,11 @@ private:
         NodeId left = term();
         while (true) {
             skip_space();
+            const std::size_t place = at_;
             if (accept('+')) {
-                left = graph_.add(left, term());
+                left = checked(graph_.add(left, term()), place, out_of_range);
             } else if (accept('-')) {
-                left = graph_.subtract(left, term());
+                left = checked(graph_.subtract(left, term()), place, out_of_range);
             } else {
                 return left;
             }
@@ -142,7 +155,7 @@ private:
             const std::size_t place = at_;
             if (accept('*')) {
                 if (peek() == '*') fail(at_ - 1, "powers are written with '^'");
-                left = graph_.multiply(left, factor());
+                left = checked(graph_.multiply(left, factor()), place, out_of_range);
             } else if (accept('/')) {
                 const NodeId right = factor();
                 if (graph_.is_constant(right, 0)) fail(place, "division by zero");
@@ -188,6 +201,7 @@ private:
             return inside;
         }
         if (std::isdigit(static_cast<unsigned char>(peek())) || peek() == '.') return number();
+        if (peek() == ')') fail(at_, "expected a value before ')'");
         const std::string_view word = peek_name();
         if (word.empty()) fail_unexpected();
         at_ += word.size();
@@ -335,10 +349,13 @@ private:
         return graph_.sum(array, body);
     }
 
-    NodeId checked(NodeId node, std::size_t place, const std::string& message) const {
-        if (graph_.is_constant(node) && std::isnan(graph_[node].value)) fail(place, message);
-        return node;
+    // A constant that isn't finite has no literal in a shader.
+    NodeId checked(NodeId node, std::size_t place, std::string_view message) const {
+        if (!graph_.is_constant(node) || std::isfinite(graph_[node].value)) return node;
+        fail(place, std::string(message));
     }
+    static constexpr std::string_view out_of_range =
+        "these constants lead beyond the range of numbers";
 
     static std::string join(const std::vector<std::string>& words) {
         return fmt::format("{}", fmt::join(words, ", "));
@@ -378,10 +395,7 @@ private:
         if (!word.empty()) fail(at_, fmt::format("expected an operator before '{}'", word));
         if (peek() == ')') fail(at_, "this ')' closes nothing");
         std::size_t length = 1; // a whole UTF-8 character
-        while (at_ + length < text_.size() &&
-               (static_cast<unsigned char>(text_[at_ + length]) & 0xC0) == 0x80) {
-            ++length;
-        }
+        while (at_ + length < text_.size() && continues_character(text_[at_ + length])) ++length;
         fail(at_, fmt::format("unexpected '{}'", text_.substr(at_, length)));
     }
 

@@ -3,22 +3,26 @@
 #include <algorithm>
 #include <cctype>
 #include <numeric>
+#include <utility>
 
 namespace isomotion::formula {
 namespace {
 
-// Levenshtein distance, letter case ignored.
+// Insertions, deletions, substitutions and swaps of neighbours, letter case ignored.
 int edit_distance(std::string_view a, std::string_view b) {
     const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-    std::vector<int> row(b.size() + 1);
+    const auto same = [&](std::size_t i, std::size_t j) { return lower(a[i]) == lower(b[j]); };
+    std::vector<int> before, last, row(b.size() + 1);
     std::iota(row.begin(), row.end(), 0);
     for (std::size_t i = 0; i < a.size(); ++i) {
-        int diagonal = row[0];
+        before = std::exchange(last, row);
         row[0] = int(i) + 1;
         for (std::size_t j = 0; j < b.size(); ++j) {
-            const int substitute = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({substitute, row[j] + 1, row[j + 1] + 1});
+            const int substitute = last[j] + (same(i, j) ? 0 : 1);
+            row[j + 1] = std::min({substitute, row[j] + 1, last[j + 1] + 1});
+            if (i > 0 && j > 0 && same(i, j - 1) && same(i - 1, j)) {
+                row[j + 1] = std::min(row[j + 1], before[j - 1] + 1);
+            }
         }
     }
     return row.back();

@@ -1,0 +1,130 @@
+// Pictures whose every pixel is known.
+#include "render/drawing.h"
+
+#include <gtest/gtest.h>
+
+namespace isomotion::render {
+namespace {
+
+class ClosedForms : public Drawing {};
+ISOMOTION_ON_EVERY_BACKEND(ClosedForms);
+
+struct SphereHit {
+    bool certain_miss, certain_hit;
+    double t;
+};
+
+// The ray of a pixel of sphere_scene against the unit sphere, in double. Rays that pass the
+// silhouette closer than `margin` are neither hit nor miss.
+SphereHit trace(int column, int row, int width, int height, double margin) {
+    const double tangent = std::tan(20 * M_PI / 180);
+    const double u = (2 * (column + 0.5) / width - 1) * tangent * width / height;
+    const double v = (1 - 2 * (row + 0.5) / height) * tangent;
+    const double length = std::sqrt(1 + u * u + v * v);
+    const double along = 5 / length; // from the eye to the foot of the perpendicular
+    const double foot = std::sqrt(std::max(0.0, 25 - along * along));
+    return {foot > 1 + margin, foot < 1 - margin,
+            along - std::sqrt(std::max(0.0, 1 - foot * foot))};
+}
+
+TEST_P(ClosedForms, SphereHasItsSilhouetteDepthNormalsAndPositions) {
+    for (const char* method : {"marching", "amp-sign", "amp-taylor"}) {
+        SCOPED_TRACE(method);
+        const scene::Scene scene =
+            scene_of(sphere_scene, {std::string("isolation.method=\"") + method + "\""});
+        const Picture picture = draw(*context, scene);
+        const image::Frame& f = picture.frame;
+        const auto at = [&](const char* name, int k) {
+            return double(f.find(name)->samples[std::size_t(k)]);
+        };
+        // A chord shorter than the step can be stepped over by the sign test: the step bounds how
+        // far from the silhouette that happens.
+        const double margin = scene.isolation.step * scene.isolation.step;
+        int hits = 0;
+        for (int row = 0; row < f.height; ++row) {
+            for (int column = 0; column < f.width; ++column) {
+                const int k = row * f.width + column;
+                const SphereHit truth = trace(column, row, f.width, f.height, margin);
+                const auto verdict = Verdict(int(at("verdict", k)));
+                if (truth.certain_miss) {
+                    ASSERT_EQ(verdict, Verdict::miss) << column << "," << row;
+                }
+                if (!truth.certain_hit) continue;
+                ASSERT_EQ(verdict, Verdict::hit) << column << "," << row;
+                ++hits;
+                // Ten bisections of a step leave 2^-11 of it; a grazing ray magnifies that in x.
+                const double tolerance = scene.isolation.step / 1024;
+                const double x = 5 - at("Z", k);
+                const double px = at("P.X", k), py = at("P.Y", k), pz = at("P.Z", k);
+                EXPECT_NEAR(px, x, 1e-5);
+                EXPECT_NEAR(std::hypot(px - 5, py, pz), truth.t, tolerance);
+                EXPECT_NEAR(std::hypot(at("N.X", k), at("N.Y", k), at("N.Z", k)), 1, 1e-6);
+                EXPECT_NEAR(at("N.X", k), px, 2 * tolerance);
+                EXPECT_NEAR(at("N.Y", k), py, 2 * tolerance);
+                EXPECT_NEAR(at("N.Z", k), pz, 2 * tolerance);
+                EXPECT_EQ(at("A", k), 1);
+            }
+        }
+        EXPECT_GT(hits, 3000);
+        EXPECT_EQ(picture.verdicts[0] + picture.verdicts[1], f.width * f.height);
+    }
+}
+
+// Light, camera and colour in one formula: ambient 0.12 plus the cosine.
+TEST_P(ClosedForms, DiffuseShadingIsTheCosine) {
+    const scene::Scene scene = scene_of(sphere_scene + R"(
+[[lights]]
+direction = [1, 1, 1]
+color = [1, 0.5, 0.25]
+[material]
+color = [0.5, 0.5, 0.5]
+)");
+    const Picture picture = draw(*context, scene);
+    const auto sample = [&](const char* name, std::size_t k) {
+        return double(picture.frame.find(name)->samples[k]);
+    };
+    int lit = 0;
+    for (std::size_t k = 0; k < picture.frame.find("R")->samples.size(); ++k) {
+        if (sample("verdict", k) != 1) continue;
+        const double cosine = std::max(
+            0.0, (sample("N.X", k) + sample("N.Y", k) + sample("N.Z", k)) / std::sqrt(3.0));
+        EXPECT_NEAR(sample("R", k), 0.5 * (0.12 + cosine), 1e-5);
+        EXPECT_NEAR(sample("B", k), 0.5 * (0.12 + 0.25 * cosine), 1e-5);
+        lit += cosine > 0;
+    }
+    EXPECT_GT(lit, 1000);
+}
+
+// A box clips an unbounded plane to its section; the eye inside the bounds sees it too.
+TEST_P(ClosedForms, PlaneFillsThePictureFromInsideTheBounds) {
+    const Picture picture = draw(*context, scene_of(R"(
+[surface]
+formula = "z"
+bounds = { box = [[-10, -10, -1], [10, 10, 1]] }
+[camera]
+position = [0, 0, 0.5]
+target = [0, 0, 0]
+up = [0, 1, 0]
+fov = 90
+[output]
+size = [64, 64]
+)"));
+    EXPECT_EQ(count(picture, Verdict::hit), 64 * 64);
+    for (const float z : picture.frame.find("Z")->samples) EXPECT_NEAR(z, 0.5, 1e-4);
+}
+
+// The paper's Fig. 6: touching roots don't change the sign, and the Taylor test sees them.
+TEST_P(ClosedForms, TaylorTestFindsTheTouchingRootsThatTheSignTestMisses) {
+    std::string text = sphere_scene;
+    text.replace(text.find("x^2 + y^2 + z^2 - 1"), 19, "(x^2 + y^2 + z^2 - 1)^2");
+    text += "[isolation]\nstep = 0.02\nnear = 0.1\nfar = 0.5\nhorizon = 0.1\n";
+    const std::int64_t simple =
+        count(draw(*context, scene_of(sphere_scene, {"isolation.step=0.002"})), Verdict::hit);
+    const auto sign = draw(*context, scene_of(text, {"isolation.method=\"amp-sign\""}));
+    const auto taylor = draw(*context, scene_of(text, {"isolation.method=\"amp-taylor\""}));
+    EXPECT_EQ(count(sign, Verdict::hit) + count(sign, Verdict::zero_gradient), 0);
+    EXPECT_GE(count(taylor, Verdict::hit) + count(taylor, Verdict::zero_gradient), simple);
+}
+
+} // namespace
+} // namespace isomotion::render

@@ -1,0 +1,88 @@
+// A pixel never lies silently.
+#include "render/drawing.h"
+
+#include <gtest/gtest.h>
+
+namespace isomotion::render {
+namespace {
+
+class Verdicts : public Drawing {
+protected:
+    Picture draw_formula(const std::string& formula, const std::string& rest = "") {
+        return draw(*context,
+                    scene_of("[surface]\nformula = \"" + formula +
+                             "\"\nbounds = { sphere = 1.5 }\n[camera]\nposition = [5, 1, 1]\n"
+                             "[output]\nsize = [48, 48]\n" +
+                             rest));
+    }
+};
+ISOMOTION_ON_EVERY_BACKEND(Verdicts);
+
+TEST_P(Verdicts, EveryPixelHasOneAndTheChannelAgreesWithTheCount) {
+    const Picture picture = draw_formula("x^2 + y^2 + z^2 - 1");
+    std::array<std::int64_t, 5> counted{};
+    for (const float v : picture.frame.find("verdict")->samples) ++counted[std::size_t(v)];
+    EXPECT_EQ(counted, picture.verdicts);
+    double evaluations = 0;
+    for (const float e : picture.frame.find("evaluations")->samples) evaluations += e;
+    EXPECT_EQ(evaluations, double(picture.evaluations));
+}
+
+TEST_P(Verdicts, NaNIsReportedAndPaintedMagenta) {
+    const Picture picture = draw_formula("log(x - 2) + y"); // x < 2 everywhere in the bounds
+    const auto nan = count(picture, Verdict::nan);
+    EXPECT_GT(nan, 500);
+    EXPECT_EQ(nan + count(picture, Verdict::miss), 48 * 48); // rays beside the bounds miss
+    const auto& verdict = picture.frame.find("verdict")->samples;
+    for (std::size_t k = 0; k < verdict.size(); ++k) {
+        if (verdict[k] != float(Verdict::nan)) continue;
+        EXPECT_EQ(picture.frame.find("R")->samples[k], 1);
+        EXPECT_EQ(picture.frame.find("G")->samples[k], 0);
+        EXPECT_EQ(picture.frame.find("B")->samples[k], 1);
+    }
+}
+
+TEST_P(Verdicts, ARayThatGivesUpIsNoMiss) {
+    const Picture picture = draw_formula("x^2 + y^2 + z^2 - 1e-4", "[isolation]\nlimit = 5\n");
+    EXPECT_GT(count(picture, Verdict::step_limit), 500);
+    EXPECT_EQ(count(picture, Verdict::hit), 0);
+}
+
+// A step below the spacing of floats would stand still for ever.
+TEST_P(Verdicts, AStepTooSmallForFloatEndsInTheStepLimit) {
+    const Picture picture = draw_formula("x^2 + y^2 + z^2 - 1", "[isolation]\nstep = 1e-12\n");
+    EXPECT_GT(count(picture, Verdict::step_limit), 500);
+    EXPECT_EQ(count(picture, Verdict::hit), 0);
+}
+
+TEST_P(Verdicts, ZeroGradientIsAHitWithAFiniteNormal) {
+    // A jump: the sign changes where the slope is 0 on either side.
+    const Picture picture = draw_formula("sign(x - 0.2)");
+    EXPECT_GT(count(picture, Verdict::zero_gradient), 100);
+    for (const char* name : {"N.X", "N.Y", "N.Z", "R", "G", "B"}) {
+        for (const float v : picture.frame.find(name)->samples) ASSERT_TRUE(std::isfinite(v));
+    }
+}
+
+// Formulas that are finite on paper, where float is not: no NaN, whatever the camera sees.
+TEST_P(Verdicts, FormulasThatAreFiniteOnPaperNeverGiveNaN) {
+    for (const char* formula :
+         {"exp(100*z)*cos(50*y) - cos(x)", "abs(x)^0.3 + abs(y)^0.3 + abs(z)^0.3 - 1",
+          "abs(3*x)^200 + abs(3*y)^200 + abs(3*z)^200 - 1", "(6*x)^200 - (6*y)^200 + z",
+          "chebyshev(50, 6*x) - chebyshev(50, 6*y) + chebyshev(51, 6*z)", "1/(x^2+y^2+z^2) - 1.5",
+          "sqrt(x^2 + y^2) + z^2 - 0.5", "cosh(99*x) - cosh(99*y) + sinh(99*z)",
+          "pow(abs(x), 0.01) - pow(abs(y), 80) + pow(abs(z), -0.5) - 1",
+          "tan(20*x)*cos(20*x) - y"}) {
+        for (const char* method : {"amp-sign", "amp-taylor"}) {
+            const Picture picture =
+                draw_formula(formula, std::string("[isolation]\nmethod = \"") + method + "\"\n");
+            EXPECT_EQ(count(picture, Verdict::nan), 0) << formula << " by " << method;
+            for (const float r : picture.frame.find("R")->samples) {
+                ASSERT_TRUE(std::isfinite(r)) << formula;
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace isomotion::render

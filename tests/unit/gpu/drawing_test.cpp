@@ -1,0 +1,189 @@
+#include "every_backend.h"
+
+#include "gpu/buffer.h"
+#include "gpu/query.h"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace isomotion::gpu {
+namespace {
+
+class DrawingTest : public EveryBackend {};
+ISOMOTION_ON_EVERY_BACKEND(DrawingTest);
+
+TEST_P(DrawingTest, AttachmentsKeepFloatsExactly) {
+    const Program program = fullscreen_program(
+        "layout(location = 0) out vec4 a; layout(location = 1) out vec4 b;",
+        "a = vec4(gl_FragCoord.xy, 1.0e-30, 16777215.0);"
+        "b = vec4(uintBitsToFloat(0x7fc00000u), uintBitsToFloat(0xff800000u), -0.0, 0.1);");
+    const Target target(5, 3, 2);
+    target.bind();
+    program.use();
+    Fullscreen().draw();
+
+    const auto a = target.read(0, 0, 0, 5, 3);
+    ASSERT_EQ(a.size(), 5u * 3 * 4);
+    for (std::size_t y = 0; y < 3; ++y) {
+        for (std::size_t x = 0; x < 5; ++x) {
+            const float* pixel = &a[(y * 5 + x) * 4];
+            EXPECT_EQ(pixel[0], float(x) + 0.5f);
+            EXPECT_EQ(pixel[1], float(y) + 0.5f);
+            EXPECT_EQ(pixel[2], 1.0e-30f);
+            EXPECT_EQ(pixel[3], 16777215.0f);
+        }
+    }
+    const auto b = target.read(1, 4, 2, 1, 1);
+    EXPECT_TRUE(std::isnan(b[0]));
+    EXPECT_EQ(b[1], -std::numeric_limits<float>::infinity());
+    EXPECT_EQ(b[2], 0.0f);
+    EXPECT_EQ(b[3], 0.1f);
+}
+
+TEST_P(DrawingTest, ReadsARectangleFromTheLowerLeft) {
+    const Program program =
+        fullscreen_program("out vec4 color;", "color = vec4(floor(gl_FragCoord.xy), 0.0, 1.0);");
+    const Target target(8, 6);
+    target.bind();
+    program.use();
+    Fullscreen().draw();
+    std::array<float, 2 * 2 * 4> pixels{};
+    target.read(0, 5, 3, 2, 2, pixels);
+    EXPECT_EQ(pixels, (std::array<float, 16>{5, 3, 0, 1, 6, 3, 0, 1, 5, 4, 0, 1, 6, 4, 0, 1}));
+    EXPECT_THROW(target.read(0, 7, 0, 2, 1), std::out_of_range);
+    EXPECT_THROW(target.read(1, 0, 0, 1, 1), std::out_of_range);
+    EXPECT_THROW(target.read(0, 0, 0, 1, 1, pixels), std::invalid_argument);
+}
+
+TEST_P(DrawingTest, AScissorEndsWithItsScope) {
+    const Program program = fullscreen_program("out vec4 color;", "color = vec4(1.0);");
+    const Target target(4, 4);
+    target.clear(0);
+    target.bind();
+    program.use();
+    const Fullscreen fullscreen;
+    const auto covered = [&] {
+        float sum = 0;
+        for (const float value : target.read(0, 0, 0, 4, 4)) sum += value;
+        return sum / 4;
+    };
+    {
+        const Scissor scissor({1, 1, 2, 3});
+        fullscreen.draw();
+    }
+    EXPECT_EQ(covered(), 6.0f);
+    fullscreen.draw();
+    EXPECT_EQ(covered(), 16.0f);
+}
+
+TEST_P(DrawingTest, BuffersReachTheShader) {
+    const Program program = fullscreen_program(
+        "layout(std140) uniform Values { vec4 scale; }; uniform samplerBuffer points;"
+        "out vec4 color;",
+        "color = scale.y * texelFetch(points, textureSize(points) - 1);");
+    UniformBuffer block(32);
+    TextureBuffer points(100);
+    program.bind_block("Values", 3);
+    program.bind_sampler("points", 2);
+    block.bind(3);
+    points.bind(2);
+
+    for (const float factor : {2.0f, 5.0f}) {
+        const std::array scale = {glm::vec4(0, factor, 0, 0)};
+        std::array<glm::vec4, 100> texels{};
+        texels.back() = {1.5f, 0, 0, 0};
+        block.update(std::as_bytes(std::span(scale)));
+        points.update(texels);
+        EXPECT_EQ(draw_one(program), 1.5f * factor);
+    }
+    const std::array<glm::vec4, 101> too_long{};
+    EXPECT_THROW(points.update(too_long), std::length_error);
+    EXPECT_THROW(block.update(std::as_bytes(std::span(too_long))), std::length_error);
+}
+
+TEST_P(DrawingTest, TexturesReachTheShader) {
+    const Program program = fullscreen_program(
+        "uniform sampler2D image; out vec4 color;",
+        "color = vec4(texelFetch(image, ivec2(1, 0), 0).r + texelFetch(image, ivec2(0, 1), 0).g);");
+    const std::array<float, 8> texels = {0, 0, 10, 0, 0, 0.5f, 0, 0};
+    Texture texture(Format::rg32f, 2, 2, texels);
+    program.bind_sampler("image", 1);
+    texture.bind(1);
+    EXPECT_EQ(draw_one(program), 10.5f);
+    texture.update(std::array<float, 8>{0, 0, 20, 0, 0, 0.5f, 0, 0});
+    texture.bind(1);
+    EXPECT_EQ(draw_one(program), 20.5f);
+    EXPECT_THROW(Texture(Format::r32f, 2, 2, texels), std::invalid_argument);
+}
+
+TEST_P(DrawingTest, ASamplesQuerySeesWhetherAnythingWasWritten) {
+    const Program program = fullscreen_program("uniform int drop; out vec4 color;",
+                                               "if (drop != 0) discard; color = vec4(1.0);");
+    const Target target(64, 64);
+    target.bind();
+    const Fullscreen fullscreen;
+    SamplesQuery query;
+    for (const int drop : {0, 1, 0}) {
+        program.set("drop", drop);
+        query.begin();
+        fullscreen.draw();
+        query.end();
+        EXPECT_EQ(query.any_passed(), drop == 0);
+        EXPECT_TRUE(query.ready());
+    }
+}
+
+TEST_P(DrawingTest, ATimerAgreesWithTheClock) {
+    using Clock = std::chrono::steady_clock;
+    const Program program = fullscreen_program(
+        "out vec4 color;", "float a = 0.0;"
+                           "for (int i = 0; i < 100; ++i) a = sin(a + gl_FragCoord.x);"
+                           "color = vec4(a);");
+    const Target target(512, 512);
+    target.bind();
+    program.use();
+    const Fullscreen fullscreen;
+    Timer timer;
+    for (int draw = 0; draw < 3; ++draw) { // the first one also compiles
+        finish();
+        const auto before = Clock::now();
+        timer.begin();
+        fullscreen.draw();
+        timer.end();
+        const auto reported = double(timer.nanoseconds());
+        finish();
+        const std::chrono::duration<double, std::nano> wall = Clock::now() - before;
+        EXPECT_TRUE(timer.ready());
+        EXPECT_LE(reported, wall.count());
+        if (context->info().software) {
+            EXPECT_GE(reported, 0.5 * wall.count());
+        }
+    }
+}
+
+TEST_P(DrawingTest, TooMuchIsAResourceError) {
+    const int limit = context->info().max_texture_size;
+    EXPECT_THROW(Texture(Format::r32f, limit + 1, 1), ResourceError);
+    EXPECT_THROW(Texture(Format::r32f, 0, 1), ResourceError);
+    EXPECT_THROW(Target(4, 4, 1000), ResourceError);
+    EXPECT_THROW(UniformBuffer(std::size_t(context->info().max_uniform_block_size) + 1),
+                 ResourceError);
+    EXPECT_THROW(TextureBuffer(std::size_t(context->info().max_texture_buffer_size) + 1),
+                 ResourceError);
+}
+
+TEST_P(DrawingTest, RunningOutOfMemoryIsAResourceError) {
+    if (context->info().renderer.find("llvmpipe") == std::string::npos)
+        GTEST_SKIP() << "only llvmpipe's limit of one resource is known";
+    try {
+        const Target target(16384, 16384);
+        GTEST_SKIP() << "this version allows it";
+    } catch (const ResourceError& error) {
+        EXPECT_NE(std::string(error.what()).find("16384 x 16384"), std::string::npos);
+    }
+}
+
+} // namespace
+} // namespace isomotion::gpu

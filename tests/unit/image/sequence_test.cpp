@@ -1,0 +1,180 @@
+#include "image/sequence.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <future>
+#include <latch>
+
+#include "image/decode.h"
+#include "image/file.h"
+#include "places.h"
+
+namespace isomotion::image {
+namespace {
+
+TEST(SequenceName, PutsTheNumberInItsPlace) {
+    EXPECT_EQ(SequenceName::parse("out/name.####.exr").path(7), "out/name.0007.exr");
+    EXPECT_EQ(SequenceName::parse("out/name.####.exr").path(123456), "out/name.123456.exr");
+    EXPECT_EQ(SequenceName::parse("#.png").path(12), "12.png");
+    EXPECT_EQ(SequenceName::parse("a_%04d.png").path(12), "a_0012.png");
+    EXPECT_EQ(SequenceName::parse("a_%d.png").path(12), "a_12.png");
+    EXPECT_EQ(SequenceName::parse("a_%012d.png").path(12), "a_000000000012.png");
+    EXPECT_EQ(SequenceName::parse("a####.png").path(-3), "a-003.png");
+    EXPECT_TRUE(SequenceName::parse("a####.png").holds_many());
+}
+
+TEST(SequenceName, WithoutAPlaceHoldsOneFrame) {
+    for (const char* text : {"out/name.exr", "out##/name.exr", "100%.exr", "50%s.exr", "%x.exr"}) {
+        const SequenceName name = SequenceName::parse(text);
+        EXPECT_FALSE(name.holds_many());
+        EXPECT_EQ(name.path(7), text);
+        EXPECT_NO_THROW(name.check_holds(1));
+        EXPECT_THROW(name.check_holds(2), ImageError);
+    }
+}
+
+TEST(SequenceName, SaysWhatWouldBeRight) {
+    try {
+        SequenceName::parse("out/name.exr").check_holds(120);
+        FAIL();
+    } catch (const ImageError& error) {
+        EXPECT_STREQ(error.what(), "out/name.exr: names one file for 120 frames; put #### where "
+                                   "their number goes, as in name.####.exr");
+    }
+}
+
+TEST(SequenceName, RefusesTwoPlacesAndFolders) {
+    for (const char* text : {"a##.##.exr", "a%d.%d.exr", "a##%04d.exr", "", "out/", ".."})
+        EXPECT_THROW(SequenceName::parse(text), ImageError) << text;
+}
+
+class Sequence : public testing::Test {
+protected:
+    SequenceName name() const { return SequenceName::parse((folder_ / "a.####.exr").string()); }
+    static Frame numbered(int number) { return {1, 1, {{"Z", {float(number)}}}, {}}; }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(Sequence, WritesEveryFrameInOrder) {
+    std::vector<int> order;
+    SequenceWriter writer(name(), Format::exr,
+                          {.on_written = [&](int frame, const auto&) { order.push_back(frame); }});
+    for (int frame = 1; frame <= 20; ++frame) EXPECT_TRUE(writer.submit(frame, numbered(frame)));
+    writer.finish();
+    writer.finish();
+    EXPECT_EQ(writer.written(), 20u);
+    ASSERT_EQ(order.size(), 20u);
+    EXPECT_TRUE(std::ranges::is_sorted(order));
+    EXPECT_EQ(folder_.names().size(), 20u);
+    for (int frame = 1; frame <= 20; ++frame)
+        EXPECT_EQ(decode(name().path(frame)).find("Z")->samples[0], float(frame));
+    EXPECT_THROW(writer.submit(21, numbered(21)), std::logic_error);
+}
+
+TEST_F(Sequence, WritesWithSeveralThreads) {
+    int reports = 0; // no lock: reports never come two at once
+    SequenceWriter writer(name(), Format::exr,
+                          {.threads = 3, .on_written = [&](int, const auto&) { ++reports; }});
+    for (int frame = 1; frame <= 40; ++frame) writer.submit(frame, numbered(frame));
+    writer.finish();
+    EXPECT_EQ(reports, 40);
+    EXPECT_EQ(folder_.names().size(), 40u);
+}
+
+TEST_F(Sequence, QueueIsBounded) {
+    std::latch released(1);
+    SequenceWriter writer(name(), Format::exr, {.capacity = 2, .on_written = [&](int, const auto&) {
+                                                    released.wait();
+                                                }});
+    writer.submit(1, numbered(1));
+    while (writer.written() == 0) std::this_thread::yield(); // the only thread is now held up
+    writer.submit(2, numbered(2));
+    writer.submit(3, numbered(3));
+    auto blocked = std::async(std::launch::async, [&] { return writer.submit(4, numbered(4)); });
+    EXPECT_EQ(blocked.wait_for(std::chrono::milliseconds(100)), std::future_status::timeout);
+    released.count_down();
+    EXPECT_TRUE(blocked.get());
+    writer.finish();
+    EXPECT_EQ(writer.written(), 4u);
+}
+
+TEST_F(Sequence, FirstErrorStopsAndComesOut) {
+    SequenceWriter writer(SequenceName::parse((folder_ / "none/a.####.exr").string()), Format::exr);
+    const auto submit_until_refused = [&] {
+        for (int frame = 1; frame <= 1000; ++frame) writer.submit(frame, numbered(frame));
+    };
+    EXPECT_THROW(submit_until_refused(), FileError);
+    try {
+        writer.finish();
+        FAIL();
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.code(), ENOENT);
+        EXPECT_EQ(error.path(), folder_ / "none/a.0001.exr");
+    }
+    EXPECT_EQ(writer.written(), 0u);
+}
+
+TEST_F(Sequence, AFrameThatIsNoPictureIsAnError) {
+    SequenceWriter writer(name(), Format::png8);
+    writer.submit(1, numbered(1));
+    EXPECT_THROW(writer.finish(), ImageError);
+    EXPECT_TRUE(folder_.names().empty());
+}
+
+TEST_F(Sequence, AFullDiskComesOutAndLeavesWholeFilesOnly) {
+    const Disk disk(folder_, 0, "size=256k");
+    if (!disk) GTEST_SKIP() << "no right to mount a small disk";
+    SequenceWriter writer(name(), Format::exr);
+    Frame noise{100, 100, {{"Z", std::vector<float>(10'000)}}, {}};
+    for (std::size_t i = 0; i < 10'000; ++i)
+        noise.channels[0].samples[i] = float((i * 2654435761u) % 1000003u);
+    try {
+        for (int frame = 1; frame <= 100; ++frame) writer.submit(frame, noise);
+        writer.finish();
+        FAIL();
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.code(), ENOSPC);
+    }
+    EXPECT_GT(writer.written(), 0u);
+    EXPECT_EQ(folder_.names().size(), writer.written());
+    for (const std::string& file : folder_.names()) EXPECT_NO_THROW(decode(folder_ / file));
+}
+
+TEST_F(Sequence, CancelDropsWhatWaits) {
+    std::latch released(1);
+    SequenceWriter writer(name(), Format::exr,
+                          {.on_written = [&](int, const auto&) { released.wait(); }});
+    writer.submit(1, numbered(1));
+    while (writer.written() == 0) std::this_thread::yield();
+    for (int frame = 2; frame <= 5; ++frame) writer.submit(frame, numbered(frame));
+    auto blocked = std::async(std::launch::async, [&] { return writer.submit(6, numbered(6)); });
+    writer.cancel();
+    EXPECT_FALSE(blocked.get());
+    EXPECT_FALSE(writer.submit(7, numbered(7)));
+    released.count_down();
+    writer.finish();
+    EXPECT_EQ(folder_.names(), std::set<std::string>{"a.0001.exr"});
+}
+
+TEST_F(Sequence, DestructorLeavesNothingHalfDone) {
+    for (int run = 0; run < 20; ++run) {
+        SequenceWriter writer(name(), Format::exr, {.threads = 2});
+        for (int frame = 1; frame <= 5; ++frame) writer.submit(frame, numbered(frame));
+    }
+    for (const std::string& file : folder_.names()) {
+        EXPECT_FALSE(file.starts_with(".")) << file;
+        EXPECT_NO_THROW(decode(folder_ / file));
+    }
+}
+
+TEST_F(Sequence, OneFileTakesOneFrame) {
+    SequenceWriter writer(SequenceName::parse((folder_ / "a.exr").string()), Format::exr);
+    writer.submit(1, numbered(1));
+    EXPECT_THROW(writer.submit(2, numbered(2)), ImageError);
+    writer.finish();
+    EXPECT_EQ(folder_.names(), std::set<std::string>{"a.exr"});
+}
+
+} // namespace
+} // namespace isomotion::image
