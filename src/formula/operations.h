@@ -33,7 +33,7 @@ template<class T> struct Operations {
     static T sign(T a) { return a > 0 ? T(1) : a < 0 ? T(-1) : a == 0 ? T(0) : a; }
     static T sqrt(T a) { return a < 0 ? T(0) : std::sqrt(a); }
     static T exp(T a) { return saturate(std::exp(a)); }
-    static T log(T a) { return a == 0 ? -saturation() : std::log(a); }
+    static T log(T a) { return a == 0 ? -saturation() : saturate(std::log(a)); }
     static T sin(T a) { return std::sin(a); }
     static T cos(T a) { return std::cos(a); }
     static T tan(T a) { return saturate(std::tan(a)); }

@@ -46,6 +46,7 @@ TYPED_TEST(Rules, Powers) {
     EXPECT_EQ(Do::power(0, 0), 1);
     EXPECT_EQ(Do::power(0, TypeParam(0.3)), 0);
     EXPECT_EQ(Do::power(0, TypeParam(-0.3)), Do::saturation());
+    EXPECT_EQ(Do::power(TypeParam(-0.0), -3), Do::saturation()); // one zero
     EXPECT_EQ(Do::power(-2, 3), -8);
     EXPECT_EQ(Do::power(-2, -2), TypeParam(0.25));
     EXPECT_TRUE(std::isnan(Do::power(-2, TypeParam(0.5))));

@@ -93,6 +93,9 @@ TEST(Glsl, OnlyTexelsThatAreUsedAreRead) {
     // The slope needs r alone: it lies in the second texel of the same storage.
     EXPECT_THAT(glsl_gradient(field), HasSubstr("a0_1.x"));
     EXPECT_THAT(glsl_gradient(field), Not(HasSubstr("array0_texel(e0, 0)")));
+    // The fifth and sixth field alone lie first.
+    EXPECT_THAT(glsl("sum(blobs, r*s)"), HasSubstr("a0_0.x * a0_0.y"));
+    EXPECT_THAT(glsl("sum(blobs, r*s)"), Not(HasSubstr("array0_texel(e0, 1)")));
 }
 
 // The text is a function of the formula: nothing about values or counts is even passed in, and the
@@ -234,7 +237,8 @@ void expect_well_formed(const std::string& code) {
         const std::string word = code.substr(at, end - at);
         const bool ours = (word[0] == 'v' || word[0] == 'a') && word.size() > 1 &&
                           std::isdigit(static_cast<unsigned char>(word[1])) != 0;
-        const bool declared = code[at - 1] == ' ' && (before == "float" || before == "vec4");
+        const bool declared =
+            at > 0 && code[at - 1] == ' ' && (before == "float" || before == "vec4");
         if (ours && declared) {
             EXPECT_TRUE(blocks.back().insert(word).second) << word << " is declared twice";
         } else if (ours) {

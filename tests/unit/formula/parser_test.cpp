@@ -7,12 +7,14 @@ namespace isomotion::formula {
 namespace {
 
 constexpr double x = 1.375, y = -0.625, z = 2.25;
-constexpr double a = 1.25, b = -0.75, c = 0.5, m = 3;
+constexpr double a = 1.25, b = -0.75, c = 0.5;
 
 struct Reading {
     std::string text;
     double value;
 };
+
+void PrintTo(const Reading& reading, std::ostream* out) { *out << reading.text; }
 
 class Grammar : public testing::TestWithParam<Reading> {};
 

@@ -68,6 +68,8 @@ TEST(Schedule, ASharedFieldIsReadBeforeTheLoop) {
 
 TEST(Schedule, SumsOverOneArrayShareALoop) {
     EXPECT_EQ(iterations("sum(blobs, cx) + sum(blobs, cy)*sum(blobs, exp(cz))", {75, 0}), 75);
+    // Also where one of them holds a loop of its own.
+    EXPECT_EQ(iterations("sum(blobs, sum(links, cx*px)) + sum(blobs, cy)", {10, 4}), 10 + 10 * 4);
     const Program program = program_of("sum(blobs, exp(x-cx)) + sum(blobs, exp(x-cx)*cy)");
     EXPECT_EQ(shape_of(program).loops, 1);
     EXPECT_EQ(shape_of(program).depths.at(Op::exp).size(), 1u);
