@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/frame_metadata.h"
 #include "app/progress.h"
+#include "app/render_arguments.h"
 #include "image/decode.h"
 #include "image/file.h"
 #include "image/movie.h"
@@ -21,14 +22,6 @@
 namespace isomotion::app {
 namespace fs = std::filesystem;
 namespace {
-
-struct RenderArguments {
-    std::string scene, output, frames, size, method, backend = "auto", channels, movie;
-    std::string step;
-    std::vector<std::string> settings;
-    int bits = 8;
-    bool resume = false, quiet = false;
-};
 
 std::atomic<int> stop_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free, "written by a signal handler");
@@ -55,51 +48,13 @@ public:
     bool asked() const { return stop_signal != 0; }
 };
 
-std::vector<scene::Override> overrides(const RenderArguments& arguments) {
-    std::vector<scene::Override> all = arguments.settings;
-    if (!arguments.method.empty()) all.push_back("isolation.method=\"" + arguments.method + "\"");
-    if (!arguments.step.empty()) all.push_back("isolation.step=" + arguments.step);
-    if (!arguments.size.empty()) {
-        const std::size_t x = arguments.size.find('x');
-        if (x == std::string::npos) {
-            throw std::invalid_argument(
-                fmt::format("--size {}: write WIDTHxHEIGHT, 1920x1080", arguments.size));
-        }
-        all.push_back(fmt::format("output.size=[{},{}]", arguments.size.substr(0, x),
-                                  arguments.size.substr(x + 1)));
-    }
-    return all;
-}
-
-std::vector<synthesis::Channel> parse_channels(const std::string& text) {
-    std::vector<synthesis::Channel> channels;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        const std::string part = text.substr(begin, comma - begin);
-        const auto channel = synthesis::parse_channel(part);
-        if (!channel) {
-            std::vector<std::string_view> known;
-            for (const auto& entry : synthesis::channel_names()) known.push_back(entry.name);
-            throw std::invalid_argument(fmt::format(
-                "--channels: there is no channel '{}'; known: {}", part, fmt::join(known, ", ")));
-        }
-        if (std::find(channels.begin(), channels.end(), *channel) == channels.end()) {
-            channels.push_back(*channel);
-        }
-        begin = comma + 1;
-    }
-    // One order, whatever the user's: it decides shader text and fingerprint.
-    std::sort(channels.begin(), channels.end());
-    return channels;
-}
-
 void make_folder(const fs::path& file) {
     const fs::path folder = file.parent_path();
     if (folder.empty()) return;
     std::error_code error;
     fs::create_directories(folder, error);
     if (error && !fs::is_directory(folder)) {
-        throw image::FileError(folder, "create the folder", error.value());
+        throw image::FileError(folder, "the folder cannot be created", error.value());
     }
 }
 
@@ -123,6 +78,7 @@ public:
     explicit RenderJob(const RenderArguments& arguments)
         : arguments_(arguments)
         , scene_(scene::load(arguments.scene, overrides(arguments)))
+        , backend_(gpu::parse_backend(arguments.backend))
         , channels_(parse_channels(arguments.channels))
         , frames_(parse_frames())
         , output_(output_name())
@@ -130,6 +86,7 @@ public:
         , format_(image::format_of(output_, arguments.bits == 16 ? image::PngDepth::bits16
                                                                  : image::PngDepth::bits8)) {
         name_.check_holds(frames_.size());
+        check_movie(arguments.movie);
         if (format_ != image::Format::exr && !channels_.empty()) {
             throw std::invalid_argument(
                 fmt::format("--channels: a PNG holds the picture alone; write an EXR: -o {}",
@@ -141,7 +98,7 @@ public:
         const auto begin = std::chrono::steady_clock::now();
         make_folder(name_.path(frames_.front()));
         if (!arguments_.movie.empty()) make_folder(arguments_.movie);
-        const auto context = gpu::Context::create(gpu::parse_backend(arguments_.backend));
+        const auto context = gpu::Context::create(backend_);
         say("{}: {} frame{}, {}x{}, {}, step {:g}; {} ({})\n", scene_.title, frames_.size(),
             frames_.size() == 1 ? "" : "s", scene_.output.width, scene_.output.height,
             scene::name(scene_.isolation.method), scene_.isolation.step, context->info().renderer,
@@ -256,8 +213,12 @@ private:
             }
             say("\n");
         }
-        if (totals_.reused > 0) say("{} frames equal to the one before them\n", totals_.reused);
-        if (totals_.kept > 0) say("{} frames kept from an earlier run\n", totals_.kept);
+        if (const int n = totals_.reused; n > 0) {
+            say("{} frame{} equal to the one before\n", n, n == 1 ? "" : "s");
+        }
+        if (const int n = totals_.kept; n > 0) {
+            say("{} frame{} kept from an earlier run\n", n, n == 1 ? "" : "s");
+        }
         say("frames: {}\n", output_);
     }
 
@@ -271,6 +232,7 @@ private:
 
     const RenderArguments& arguments_;
     scene::Scene scene_;
+    gpu::Backend backend_;
     std::vector<synthesis::Channel> channels_;
     std::vector<int> frames_;
     std::string output_;
@@ -291,8 +253,10 @@ void add_render(CLI::App& app, Action& chosen) {
                         "files to write: out/name.####.png or .exr (#### is the frame's number)");
     command->add_option("--frames", a.frames, "1-10, 1-10x2, 1,3,5-9 (default: all of the scene)");
     command->add_option("--size", a.size, "WIDTHxHEIGHT");
-    command->add_option("--set", a.settings,
-                        "name=value: a parameter, or a key of the scene file (camera.fov=30)");
+    command
+        ->add_option("--set", a.settings,
+                     "name=value: a parameter, or a key of the scene file (camera.fov=30)")
+        ->allow_extra_args(false);
     command->add_option("--method", a.method, "marching, amp-sign or amp-taylor");
     command->add_option("--step", a.step, "base step of the method, in formula coordinates");
     command->add_option("--backend", a.backend, "auto, egl or osmesa");

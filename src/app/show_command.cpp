@@ -55,7 +55,8 @@ void add_show(CLI::App& app, Action& chosen) {
         ->required();
     command->add_option("--frame", arguments->frame, "frame number, from 1")
         ->check(CLI::Range(1, 10'000'000));
-    command->add_option("--set", arguments->settings, "name=value, as for render");
+    command->add_option("--set", arguments->settings, "name=value, as for render")
+        ->allow_extra_args(false);
     command->add_flag("--shader", arguments->shader, "print the assembled GLSL");
     command->callback([arguments, &chosen] { chosen = [arguments] { return show(*arguments); }; });
 }

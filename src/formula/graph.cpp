@@ -3,6 +3,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <tuple>
 
 #include "formula/operations.h"
 
@@ -130,65 +131,33 @@ NodeId Graph::element(int array, int field) {
 }
 
 NodeId Graph::unary(Op op, NodeId a) {
-    const Node& child = nodes_[a];
+    const Node child = nodes_[a];
     if (child.op == Op::constant) return constant(fold(op, child.value));
-    if (op == Op::negate && child.op == Op::negate) return child.children[0];
-    if (op == Op::negate && child.op == Op::subtract) {
-        return subtract(child.children[1], child.children[0]);
+    if (op == Op::negate) {
+        if (child.op == Op::negate) return child.children[0];
+        if (child.op == Op::subtract) return subtract(child.children[1], child.children[0]);
+        // A sign goes into a factor that is computed once, before the loop.
+        if (child.op == Op::multiply && is_outside(child.children[0], child.children[1])) {
+            return multiply(unary(Op::negate, child.children[0]), child.children[1]);
+        }
     }
     if (op == Op::abs && (child.op == Op::abs || child.op == Op::negate)) {
         return unary(Op::abs, child.children[0]);
     }
-    Node node = leaf(op);
-    node.arity = 1;
-    node.children = {a};
-    return intern(node);
+    return make(op, a);
 }
 
 NodeId Graph::binary(Op op, NodeId a, NodeId b) {
-    const bool ca = is_constant(a), cb = is_constant(b);
-    if (ca && cb && op != Op::random) {
+    if (is_constant(a) && is_constant(b) && op != Op::random) {
         return constant(fold(op, nodes_[a].value, nodes_[b].value));
     }
     switch (op) {
     case Op::add:
-        if (is_constant(a, 0)) return b;
-        if (is_constant(b, 0)) return a;
-        if (nodes_[b].op == Op::negate) return subtract(a, nodes_[b].children[0]);
-        if (nodes_[a].op == Op::negate) return subtract(b, nodes_[a].children[0]);
-        break;
+        return add_simplified(a, b);
     case Op::subtract:
-        if (is_constant(b, 0)) return a;
-        if (is_constant(a, 0)) return unary(Op::negate, b);
-        if (a == b) return constant(0);
-        if (nodes_[b].op == Op::negate) return add(a, nodes_[b].children[0]);
-        break;
+        return subtract_simplified(a, b);
     case Op::multiply:
-        if (is_constant(a, 0) || is_constant(b, 0)) return constant(0);
-        if (is_constant(a, 1)) return b;
-        if (is_constant(b, 1)) return a;
-        if (is_constant(a, -1)) return unary(Op::negate, b);
-        if (is_constant(b, -1)) return unary(Op::negate, a);
-        if (a == b && nodes_[a].op == Op::abs) {
-            return multiply(nodes_[a].children[0], nodes_[a].children[0]);
-        }
-        // Signs move outwards, where sums absorb them.
-        if (nodes_[a].op == Op::negate && nodes_[b].op == Op::negate) {
-            return multiply(nodes_[a].children[0], nodes_[b].children[0]);
-        }
-        if (nodes_[a].op == Op::negate) {
-            return unary(Op::negate, multiply(nodes_[a].children[0], b));
-        }
-        if (nodes_[b].op == Op::negate) {
-            return unary(Op::negate, multiply(a, nodes_[b].children[0]));
-        }
-        // c1 * (c2 * x): derivatives pile up constant factors.
-        if (cb) std::swap(a, b);
-        if (is_constant(a) && nodes_[b].op == Op::multiply && is_constant(nodes_[b].children[0])) {
-            const double factor = nodes_[a].value * nodes_[nodes_[b].children[0]].value;
-            if (std::isfinite(factor)) return multiply(constant(factor), nodes_[b].children[1]);
-        }
-        break;
+        return multiply_simplified(a, b);
     case Op::divide:
         if (is_constant(a, 0)) return constant(0);
         if (is_constant(b, 1)) return a;
@@ -200,24 +169,106 @@ NodeId Graph::binary(Op op, NodeId a, NodeId b) {
             if (n == 0.5) return unary(Op::sqrt, a);
         }
         break;
-    case Op::min:
+    case Op::min: // as written, since derivatives decide ties by order
     case Op::max:
         if (a == b) return a;
         break;
     default:
         break;
     }
-    // One order for commutative operations, constants first: x*y and y*x are one node. min and max
-    // stay as written, since their derivatives decide ties by order.
-    if (op == Op::add || op == Op::multiply) {
-        const bool constant_last = is_constant(b) && !is_constant(a);
-        const bool unordered = is_constant(a) == is_constant(b) && b < a;
-        if (constant_last || unordered) std::swap(a, b);
+    return make(op, a, b);
+}
+
+NodeId Graph::add_simplified(NodeId a, NodeId b) {
+    if (is_constant(a, 0)) return b;
+    if (is_constant(b, 0)) return a;
+    if (a == b) return multiply(constant(2), a);
+    if (nodes_[b].op == Op::negate) return subtract(a, nodes_[b].children[0]);
+    if (nodes_[a].op == Op::negate) return subtract(b, nodes_[a].children[0]);
+    if (const auto factor = common_outside_factor(a, b)) {
+        return multiply(*factor, add(nodes_[a].children[1], nodes_[b].children[1]));
     }
+    return make_commutative(Op::add, a, b);
+}
+
+NodeId Graph::subtract_simplified(NodeId a, NodeId b) {
+    if (is_constant(b, 0)) return a;
+    if (is_constant(a, 0)) return unary(Op::negate, b);
+    if (a == b) return constant(0);
+    if (nodes_[b].op == Op::negate) return add(a, nodes_[b].children[0]);
+    if (const auto factor = common_outside_factor(a, b)) {
+        return multiply(*factor, subtract(nodes_[a].children[1], nodes_[b].children[1]));
+    }
+    return make(Op::subtract, a, b);
+}
+
+NodeId Graph::multiply_simplified(NodeId a, NodeId b) {
+    if (is_constant(a, 0) || is_constant(b, 0)) return constant(0);
+    if (is_constant(a, 1)) return b;
+    if (is_constant(b, 1)) return a;
+    if (is_constant(a, -1)) return unary(Op::negate, b);
+    if (is_constant(b, -1)) return unary(Op::negate, a);
+    if (a == b && nodes_[a].op == Op::abs) {
+        return multiply(nodes_[a].children[0], nodes_[a].children[0]);
+    }
+    // Signs move outwards, where sums absorb them, but not out of what a loop computes once.
+    for (const auto& [signed_one, other] : {std::pair(a, b), std::pair(b, a)}) {
+        if (nodes_[signed_one].op == Op::negate && !is_outside(signed_one, other)) {
+            return unary(Op::negate, multiply(nodes_[signed_one].children[0], other));
+        }
+    }
+    // c1 * (c2 * x): derivatives pile up constant factors.
+    if (is_constant(b)) std::swap(a, b);
+    if (is_constant(a) && nodes_[b].op == Op::multiply && is_constant(nodes_[b].children[0])) {
+        const double factor = nodes_[a].value * nodes_[nodes_[b].children[0]].value;
+        if (std::isfinite(factor)) return multiply(constant(factor), nodes_[b].children[1]);
+    }
+    // What doesn't change with a loop's element moves out of the products that do, to be computed
+    // once or to leave the sum altogether: a * (c * y) is (a * c) * y or c * (a * y).
+    if (is_outside(b, a)) std::swap(a, b);
+    for (const auto& [product, other] : {std::pair(b, a), std::pair(a, b)}) {
+        if (nodes_[product].op != Op::multiply || is_outside(product, other)) continue;
+        const NodeId c = nodes_[product].children[0], y = nodes_[product].children[1];
+        if (!is_outside(c, y)) continue;
+        if (is_outside(other, y)) return multiply(multiply(other, c), y);
+        if (is_outside(c, other)) return multiply(c, multiply(other, y));
+    }
+    return make_commutative(Op::multiply, a, b);
+}
+
+bool Graph::is_outside(NodeId a, NodeId b) const {
+    const std::uint32_t outer = nodes_[a].arrays, inner = nodes_[b].arrays;
+    return outer != inner && (outer & ~inner) == 0;
+}
+
+std::optional<NodeId> Graph::common_outside_factor(NodeId a, NodeId b) const {
+    const Node &x = nodes_[a], &y = nodes_[b];
+    if (x.op != Op::multiply || y.op != Op::multiply) return std::nullopt;
+    if (x.children[0] != y.children[0]) return std::nullopt;
+    const bool outside =
+        is_outside(x.children[0], x.children[1]) && is_outside(y.children[0], y.children[1]);
+    return outside ? std::optional(x.children[0]) : std::nullopt;
+}
+
+NodeId Graph::make(Op op, NodeId a) {
+    Node node = leaf(op);
+    node.arity = 1;
+    node.children = {a};
+    return intern(node);
+}
+
+NodeId Graph::make(Op op, NodeId a, NodeId b) {
     Node node = leaf(op);
     node.arity = 2;
     node.children = {a, b};
     return intern(node);
+}
+
+NodeId Graph::make_commutative(Op op, NodeId a, NodeId b) {
+    const auto rank = [this](NodeId id) {
+        return std::tuple(!is_constant(id), std::popcount(nodes_[id].arrays), id);
+    };
+    return rank(b) < rank(a) ? make(op, b, a) : make(op, a, b);
 }
 
 NodeId Graph::select(NodeId a, NodeId b, NodeId then, NodeId otherwise) {
@@ -244,6 +295,17 @@ NodeId Graph::chebyshev(int degree, NodeId a, int derivative) {
 
 NodeId Graph::sum(int array, NodeId body) {
     if (is_constant(body, 0)) return body;
+    // Signs, and factors that are the same for every element, leave the sum.
+    const Node inner = nodes_[body];
+    const std::uint32_t bit = 1u << array;
+    if (inner.op == Op::negate) return unary(Op::negate, sum(array, inner.children[0]));
+    for (const std::size_t k : {0u, 1u}) {
+        const NodeId factor = inner.children[k], rest = inner.children[1 - k];
+        if (inner.op == Op::multiply && !(nodes_[factor].arrays & bit) &&
+            (nodes_[rest].arrays & bit)) {
+            return multiply(factor, sum(array, rest));
+        }
+    }
     Node node = leaf(Op::sum, array);
     node.arity = 1;
     node.children = {body};

@@ -2,12 +2,13 @@
 //
 // Nodes are hash-consed: equal expressions are one node, so common subexpressions cost one
 // evaluation in GLSL and on the CPU alike. Constants are folded and trivial algebra (x*1, x+0, 0*x)
-// is simplified as nodes are made. A graph only grows; node ids are topologically ordered
-// (children before parents).
+// is simplified as nodes are made; factors that are the same for all elements of a sum leave it. A
+// graph only grows; node ids are topologically ordered (children before parents).
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -95,6 +96,20 @@ public:
 
 private:
     NodeId intern(Node node);
+    NodeId make(Op op, NodeId a);
+    NodeId make(Op op, NodeId a, NodeId b);
+    // One order for commutative operations: constants first, then what loops compute once. x*y and
+    // y*x are one node.
+    NodeId make_commutative(Op op, NodeId a, NodeId b);
+
+    NodeId add_simplified(NodeId a, NodeId b);
+    NodeId subtract_simplified(NodeId a, NodeId b);
+    NodeId multiply_simplified(NodeId a, NodeId b);
+
+    // True if a is computed outside some loop that b is inside of, and inside no other.
+    bool is_outside(NodeId a, NodeId b) const;
+    // f, if a = f*x and b = f*y and f is outside the loops of x and of y.
+    std::optional<NodeId> common_outside_factor(NodeId a, NodeId b) const;
 
     struct Hash {
         std::size_t operator()(const Node& node) const;

@@ -84,6 +84,21 @@ const std::vector<std::string>& function_names() {
     return names;
 }
 
+// On paper: evaluation forgives what rounding does to a radicand, a constant needs no forgiving.
+bool has_value(Op function, double at) {
+    switch (function) {
+    case Op::sqrt:
+        return at >= 0;
+    case Op::log:
+        return at > 0;
+    case Op::asin:
+    case Op::acos:
+        return std::abs(at) <= 1;
+    default:
+        return true;
+    }
+}
+
 bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
 bool is_name_part(char c) {
     return is_name_start(c) || std::isdigit(static_cast<unsigned char>(c));
@@ -118,7 +133,11 @@ private:
             at_ = begin;
             return false;
         }
-        if (is_reserved(word)) fail(begin, fmt::format("'{}' already has a meaning", word));
+        if (is_reserved(word)) {
+            fail(begin, fmt::format("'{}' already has a meaning (a formula is the left side of "
+                                    "F = 0, written without '= 0')",
+                                    word));
+        }
         ++at_;
         const NodeId value = expression();
         skip_space();
@@ -260,6 +279,10 @@ private:
         };
         if (const auto it = unary_functions().find(function); it != unary_functions().end()) {
             need(1);
+            if (graph_.is_constant(arguments[0]) &&
+                !has_value(it->second, graph_[arguments[0]].value)) {
+                fail(first_argument, fmt::format("{} is not defined here", function));
+            }
             return checked(graph_.unary(it->second, arguments[0]), first_argument,
                            fmt::format("{} is not defined here", function));
         }
@@ -341,9 +364,7 @@ private:
         }
         expect(',', "between the array and the expression of sum");
         open_sums_.push_back(array);
-        const auto outer_definitions = definitions_;
         const NodeId body = expression();
-        definitions_ = outer_definitions;
         open_sums_.pop_back();
         expect(')', "to close the sum");
         return graph_.sum(array, body);

@@ -195,7 +195,7 @@ TEST(Finite, PolesSaturate) {
 }
 
 TEST(Finite, ConstantsBeyondFloat) {
-    for (const auto* text : {"exp(200)*x", "1e300*x", "1e39*x*y", "log(0)*x", "x/1e30"}) {
+    for (const auto* text : {"exp(200)*x", "1e300*x", "1e39*x*y", "x/1e30"}) {
         SCOPED_TRACE(text);
         for (const Seen& seen : see(text, {0, 0, 0})) {
             EXPECT_EQ(seen.value, 0);

@@ -69,7 +69,8 @@ TEST(Schedule, ASharedFieldIsReadBeforeTheLoop) {
 TEST(Schedule, SumsOverOneArrayShareALoop) {
     EXPECT_EQ(iterations("sum(blobs, cx) + sum(blobs, cy)*sum(blobs, exp(cz))", {75, 0}), 75);
     // Also where one of them holds a loop of its own.
-    EXPECT_EQ(iterations("sum(blobs, sum(links, cx*px)) + sum(blobs, cy)", {10, 4}), 10 + 10 * 4);
+    EXPECT_EQ(iterations("sum(blobs, sum(links, max(cx, px))) + sum(blobs, cy)", {10, 4}),
+              10 + 10 * 4);
     const Program program = program_of("sum(blobs, exp(x-cx)) + sum(blobs, exp(x-cx)*cy)");
     EXPECT_EQ(shape_of(program).loops, 1);
     EXPECT_EQ(shape_of(program).depths.at(Op::exp).size(), 1u);
@@ -92,8 +93,22 @@ TEST(Schedule, SumsThatFeedSumsRunOneAfterTheOther) {
     EXPECT_EQ(iterations("sum(blobs, (cx - sum(links, px)/sum(links, 1))^2)", {10, 4}), 14);
     // The mean of one array, used by a second sum over the same array.
     EXPECT_EQ(iterations("q = sum(blobs, cx)/sum(blobs, 1); sum(blobs, (cx-q)^2)", {10, 0}), 20);
-    EXPECT_EQ(iterations("sum(blobs, sum(links, cx*px))", {10, 4}), 10 + 10 * 4);
-    EXPECT_EQ(iterations("sum(links, sum(blobs, cx*px))", {10, 4}), 4 + 10 * 4);
+    EXPECT_EQ(iterations("sum(blobs, sum(links, max(cx, px)))", {10, 4}), 10 + 10 * 4);
+    EXPECT_EQ(iterations("sum(links, sum(blobs, max(cx, px)))", {10, 4}), 4 + 10 * 4);
+}
+
+TEST(Schedule, FactorsLeaveTheSumsTheyDoNotBelongTo) {
+    // A product over two arrays is no nested loop.
+    EXPECT_EQ(iterations("sum(blobs, sum(links, cx*px))", {10, 4}), 14);
+    EXPECT_EQ(iterations("sum(blobs, sum(links, x*px*y*cx*3))", {10, 4}), 14);
+    const auto operations = [](std::string_view text) {
+        return cost(program_of(text), std::array{1000, 0}).operations;
+    };
+    // One accumulation an element, whatever stands before it.
+    EXPECT_EQ(operations("sum(blobs, cx)"), 1000);
+    EXPECT_EQ(operations("sum(blobs, 2*x*cx)"), 1002);
+    EXPECT_EQ(operations("sum(blobs, -cx)"), 1001);
+    EXPECT_EQ(operations("sum(blobs, cx*sin(x)*y - cy*sin(x)*y)"), 2000 + 3);
 }
 
 TEST(Schedule, WellFormed) {
@@ -178,10 +193,10 @@ TEST(Cost, CountsOperationsAndIterations) {
     EXPECT_EQ(operations("x", 0, 0), 0);
     EXPECT_EQ(operations("x*y + 1", 0, 0), 2);
     EXPECT_EQ(operations("x^16", 0, 0), 4);
-    // One product and one accumulation an element; the sine once.
-    EXPECT_EQ(operations("sum(blobs, cx*sin(x))", 75, 0), 1 + 75 * 2);
-    EXPECT_EQ(operations("sum(blobs, cx*sin(x))", 0, 0), 1);
-    EXPECT_EQ(operations("sum(blobs, sum(links, cx*px))", 5, 7), 5 * (7 * 2 + 1));
+    // One difference and one accumulation an element; the sine once.
+    EXPECT_EQ(operations("sum(blobs, cx - sin(x))", 75, 0), 1 + 75 * 2);
+    EXPECT_EQ(operations("sum(blobs, cx - sin(x))", 0, 0), 1);
+    EXPECT_EQ(operations("sum(blobs, sum(links, max(cx, px)))", 5, 7), 5 * (7 * 2 + 1));
     // A missing count is an empty array.
     EXPECT_EQ(cost(program_of("sum(links, px)"), std::array{3}).iterations, 0);
 }

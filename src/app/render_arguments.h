@@ -1,0 +1,32 @@
+// What is asked of `render`, and how its words become settings.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/load.h"
+#include "synthesis/channel.h"
+
+namespace isomotion::app {
+
+struct RenderArguments {
+    std::string scene, output, frames, size, method, backend = "auto", channels, movie;
+    std::string step;
+    std::vector<std::string> settings;
+    int bits = 8;
+    bool resume = false, quiet = false;
+};
+
+// Each of these throws std::invalid_argument with a message that names the option as it was
+// written, not the key of the scene file that it stands for.
+
+// The scene's keys that the options set, --set first.
+std::vector<scene::Override> overrides(const RenderArguments& arguments);
+
+// In one order, whatever the user's: it decides shader text and fingerprint.
+std::vector<synthesis::Channel> parse_channels(const std::string& text);
+
+// A movie's wrong name is told before a long sequence is drawn, not after it. Empty: no movie.
+void check_movie(const std::string& movie);
+
+} // namespace isomotion::app

@@ -1,0 +1,101 @@
+// The commands that draw nothing.
+#include "cli.h"
+
+#include <algorithm>
+
+namespace isomotion::cli {
+namespace {
+
+class Information : public Cli {
+protected:
+    std::string told(const Words& arguments) const {
+        const Ending ending = run(arguments);
+        EXPECT_EQ(ending.code, 0) << ending;
+        EXPECT_THAT(ending.err, IsEmpty());
+        EXPECT_EQ(names(), std::set<std::string>{"sphere.toml"});
+        return ending.out;
+    }
+};
+
+TEST_F(Information, HelpNamesEveryCommandAndOption) {
+    const std::string help = told({"--help"});
+    for (const char* command : {"render", "show", "list", "doctor"}) {
+        EXPECT_THAT(help, HasSubstr(std::string("\n  ") + command));
+        EXPECT_THAT(told({command, "--help"}), HasSubstr("Usage: isomotion "));
+    }
+    const std::string render_help = told({"render", "--help"});
+    for (const char* option : {"--frames", "--size", "--set", "--method", "--step", "--backend",
+                               "--channels", "--bits", "--movie", "--resume", "--quiet"}) {
+        EXPECT_THAT(render_help, HasSubstr(option));
+    }
+}
+
+TEST_F(Information, Version) { EXPECT_THAT(told({"--version"}), StartsWith("isomotion ")); }
+
+TEST_F(Information, ListsWhatThereIs) {
+    EXPECT_THAT(told({"list"}), HasSubstr("twisting_superquadric\n"));
+    EXPECT_EQ(told({"list"}), told({"list", "animations"}));
+    EXPECT_THAT(told({"list", "surfaces"}), HasSubstr("blinn_blobby\n"));
+    const std::string methods = told({"list", "methods"});
+    for (const char* method : {"marching", "amp-sign", "amp-taylor"}) {
+        EXPECT_THAT(methods, HasSubstr(method));
+    }
+}
+
+TEST_F(Information, EveryAnimationOfTheListCanBeShown) {
+    std::istringstream lines(told({"list"}));
+    int count = 0;
+    for (std::string name; std::getline(lines, name); ++count) {
+        EXPECT_THAT(told({"show", name}), HasSubstr("\nframe     1 at t = 0 s\n"));
+    }
+    EXPECT_GT(count, 0);
+}
+
+TEST_F(Information, ShowFollowsTheFrame) {
+    const std::string first = told({"show", "sphere.toml"});
+    EXPECT_THAT(first, StartsWith("Sphere\nformula   x^2 + y^2 + z^2 - r^2\n"));
+    EXPECT_THAT(first, HasSubstr("60 frames at 30000/1001 a second"));
+    EXPECT_THAT(first, HasSubstr("amp-sign"));
+    EXPECT_THAT(first, HasSubstr("march/march.frag"));
+    EXPECT_NE(told({"show", "sphere.toml", "--frame", "2"}), first);
+}
+
+// A frame changes uniforms only.
+TEST_F(Information, AValueChangesWhatIsShownButNotTheShader) {
+    const auto show = [&](const std::string& setting, const Words& more) {
+        Words words{"show", "sphere.toml", "--set", setting};
+        words.insert(words.end(), more.begin(), more.end());
+        return told(words);
+    };
+    const std::string shader = show("r=1", {"--shader"});
+    EXPECT_THAT(shader, HasSubstr("void main()"));
+    const std::string shown = show("r=1", {});
+    for (const std::string setting : {"r=0.5", "camera.fov=20", "isolation.step=0.001"}) {
+        EXPECT_NE(show(setting, {}), shown) << setting;
+        EXPECT_EQ(show(setting, {"--shader"}), shader) << setting;
+    }
+    EXPECT_NE(show("surface.formula=x^2 + y^2 + z^4 - r^2", {"--shader"}), shader);
+    EXPECT_NE(show("isolation.method=marching", {"--shader"}), shader);
+}
+
+TEST_F(Information, DoctorTellsWhatWorks) {
+    const Ending ending = run({"doctor"});
+    EXPECT_EQ(ending.code, ending.out.find(" works: ") == std::string::npos ? 3 : 0) << ending;
+    EXPECT_THAT(ending.out, HasSubstr(ISOMOTION_SOURCE_DIR));
+    EXPECT_THAT(ending.out, HasSubstr("\negl "));
+    EXPECT_THAT(ending.out, HasSubstr("\nosmesa "));
+    if (ending.code == 0) {
+        EXPECT_THAT(ending.out, HasSubstr("OpenGL "));
+    }
+}
+
+TEST_F(Information, AFullPlaceForTheTextIsAnError) {
+    const Ending ending = cli::run(
+        {"/bin/sh", "-c", std::string(ISOMOTION_PROGRAM) + " show sphere.toml --shader >/dev/full"},
+        circumstances());
+    EXPECT_EQ(ending.code, 3) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("No space left"));
+}
+
+} // namespace
+} // namespace isomotion::cli

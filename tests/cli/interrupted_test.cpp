@@ -1,0 +1,118 @@
+// A run that is ended at any moment leaves whole files, and --resume makes of them the sequence
+// that an undisturbed run makes.
+#include "cli.h"
+
+#include <csignal>
+
+#include <fmt/format.h>
+
+namespace isomotion::cli {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr int frames = 30;
+
+class Interrupted : public Cli {
+protected:
+    static Words command(const std::string& output) {
+        return {
+            "render",     "sphere.toml", "--frames", fmt::format("1-{}", frames), "--size", "64x64",
+            "--channels", "n,p,verdict", "-o",       output + "/a.####.exr"};
+    }
+    Words resumed(const std::string& output) const {
+        Words words = command(output);
+        words.push_back("--resume");
+        return words;
+    }
+    std::set<std::string> present(const std::string& output) const {
+        return std::filesystem::exists(*this / output) ? names(output) : std::set<std::string>{};
+    }
+    // Finished frames, or the hidden files of those being written.
+    std::size_t count(const std::string& output, bool hidden) const {
+        std::size_t number = 0;
+        for (const std::string& name : present(output)) number += (name[0] == '.') == hidden;
+        return number;
+    }
+    Ending run_until(const std::string& output, int signal,
+                     std::function<bool(milliseconds)> moment) const {
+        Circumstances circumstances = this->circumstances();
+        circumstances.interrupt_when = std::move(moment);
+        circumstances.interrupt_signal = signal;
+        return run(command(output), circumstances);
+    }
+    void expect_same_files(const std::string& first, const std::string& second) const {
+        EXPECT_EQ(names(first), names(second));
+        for (const std::string& name : names(first)) {
+            EXPECT_EQ(bytes(first + "/" + name), bytes(second + "/" + name)) << name;
+        }
+    }
+};
+
+TEST_F(Interrupted, KilledAtAnyMomentAndResumed) {
+    ASSERT_EQ(run(command("whole")).code, 0);
+    ASSERT_EQ(names("whole").size(), std::size_t(frames));
+
+    const auto after = [](milliseconds time) {
+        return [time](milliseconds running) { return running >= time; };
+    };
+    const auto files = [this](std::size_t number) {
+        return [this, number](milliseconds) { return count("cut", false) >= number; };
+    };
+    const std::pair<std::string, std::function<bool(milliseconds)>> moments[] = {
+        {"while it starts", after(milliseconds(20))},
+        {"while shaders compile", after(milliseconds(200))},
+        {"after the first file", files(1)},
+        {"after many files", files(15)},
+        {"while a file is written", [this](milliseconds) { return count("cut", true) > 0; }},
+    };
+    int kills = 0;
+    for (const auto& [name, moment] : moments) {
+        SCOPED_TRACE(name);
+        std::filesystem::remove_all(*this / "cut");
+        kills += run_until("cut", SIGKILL, moment).signal == SIGKILL;
+        std::size_t whole = 0;
+        for (const std::string& file : present("cut")) {
+            if (file[0] == '.') continue; // the one that was being written
+            EXPECT_EQ(bytes("cut/" + file), bytes("whole/" + file)) << file;
+            ++whole;
+        }
+        EXPECT_LE(count("cut", true), 1u);
+        const Ending rest = run(resumed("cut"));
+        EXPECT_EQ(rest.code, 0) << rest;
+        if (whole > 1) {
+            EXPECT_THAT(rest.out, HasSubstr(fmt::format("\n{} frames kept from", whole)));
+        }
+        expect_same_files("cut", "whole"); // hidden files among them
+    }
+    // On a machine busy with other work a run may come to its end before it is seen.
+    EXPECT_GE(kills, 2);
+    RecordProperty("kills", kills);
+}
+
+TEST_F(Interrupted, StopsAtControlCWithWholeFiles) {
+    const Ending ending =
+        run_until("cut", SIGINT, [this](milliseconds) { return count("cut", false) >= 3; });
+    EXPECT_EQ(ending.code, 130) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("--resume renders the rest"));
+    expect_only_whole_files();
+    const std::size_t whole = count("cut", false);
+    EXPECT_LT(whole, std::size_t(frames));
+
+    const Ending rest = run(resumed("cut"));
+    EXPECT_EQ(rest.code, 0) << rest;
+    EXPECT_THAT(rest.out, HasSubstr(fmt::format("\n{} frames kept from an earlier run", whole)));
+    EXPECT_THAT(rest.out, HasSubstr(fmt::format("drawn {} in", frames - int(whole))));
+    ASSERT_EQ(run(command("whole")).code, 0);
+    expect_same_files("cut", "whole");
+}
+
+TEST_F(Interrupted, TerminationStopsAlike) {
+    const Ending ending =
+        run_until("cut", SIGTERM, [this](milliseconds) { return count("cut", false) >= 1; });
+    EXPECT_EQ(ending.code, 130) << ending;
+    expect_only_whole_files();
+}
+
+} // namespace
+} // namespace isomotion::cli

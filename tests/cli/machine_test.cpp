@@ -1,0 +1,119 @@
+// What the machine refuses: exit code 3, the reason, and nothing half written.
+#include "cli.h"
+
+#include <cstdlib>
+
+#include <sys/mount.h>
+
+namespace isomotion::cli {
+namespace {
+
+class Machine : public Cli {
+protected:
+    Ending render_to(const std::string& output) const {
+        return run({"render", "sphere.toml", "--frames", "1-3", "-o", output});
+    }
+    void expect_refusal(const Ending& ending, const std::string& message) const {
+        EXPECT_EQ(ending.code, 3) << ending;
+        EXPECT_THAT(ending.err, HasSubstr(message));
+        expect_only_whole_files();
+    }
+};
+
+TEST_F(Machine, OutputBelowAFile) {
+    expect_refusal(render_to("sphere.toml/a.####.png"), "cannot be created: Not a directory");
+    expect_refusal(render_to("sphere.toml/deeper/a.####.png"),
+                   "cannot be created: Not a directory");
+    expect_refusal(run({"render", "sphere.toml", "--movie", "sphere.toml/a.mp4"}),
+                   "sphere.toml: the folder cannot be created: Not a directory");
+    EXPECT_EQ(bytes("sphere.toml"), sphere_scene());
+}
+
+// Even root can make nothing here.
+TEST_F(Machine, OutputInProc) {
+    if (!std::filesystem::is_directory("/proc/self")) GTEST_SKIP() << "no /proc here";
+    expect_refusal(render_to("/proc/a.####.png"), "/proc/a.0001.png: cannot be created");
+    expect_refusal(render_to("/proc/deeper/a.####.png"), "/proc/deeper: the folder cannot be");
+}
+
+TEST_F(Machine, AFolderIsWhereAFrameBelongs) {
+    std::filesystem::create_directory(*this / "a.0002.png");
+    expect_refusal(render_to("a.####.png"), "a.0002.png: cannot be replaced: Is a directory");
+    EXPECT_TRUE(std::filesystem::is_directory(*this / "a.0002.png"));
+}
+
+TEST_F(Machine, ReadOnlyDisk) {
+    const image::TemporaryFolder place;
+    const image::Disk disk(place, MS_RDONLY, "");
+    if (!disk) GTEST_SKIP() << "mounting a file system is not allowed here";
+    expect_refusal(render_to(place / "a.####.png"), "a.0001.png: cannot be created: Read-only");
+    expect_refusal(render_to(place / "new/a.####.png"), "folder cannot be created: Read-only");
+}
+
+TEST_F(Machine, FullDisk) {
+    const image::TemporaryFolder place;
+    const image::Disk disk(place, 0, "size=64k");
+    if (!disk) GTEST_SKIP() << "mounting a file system is not allowed here";
+    const Ending ending = run({"render", "sphere.toml", "--frames", "1-9", "--size", "96x96",
+                               "--channels", "z,n,p", "-o", place / "a.####.exr"});
+    expect_refusal(ending, "cannot be written: No space left on device");
+    EXPECT_THAT(ending.err, HasSubstr(place / "a.000")); // names the frame's file, not a hidden one
+    for (const std::string& name : place.names()) {
+        EXPECT_THAT(name, StartsWith("a.000"));
+        EXPECT_NO_THROW(image::decode(place / name)) << name;
+    }
+}
+
+TEST_F(Machine, FullDiskUnderTheMovie) {
+    const image::TemporaryFolder place;
+    const image::Disk disk(place, 0, "size=4k");
+    if (!disk) GTEST_SKIP() << "mounting a file system is not allowed here";
+    if (std::system("command -v ffmpeg >/dev/null")) GTEST_SKIP() << "ffmpeg is not installed";
+    const Ending ending = run({"render", "sphere.toml", "--frames", "1-6", "--size", "160x160",
+                               "-o", "a.####.png", "--movie", place / "a.gif"});
+    expect_refusal(ending, "a.gif: ffmpeg failed");
+    EXPECT_THAT(ending.err, HasSubstr("No space left on device"));
+    EXPECT_THAT(place.names(), IsEmpty());
+    EXPECT_EQ(names().size(), 1u + 6u);
+}
+
+TEST_F(Machine, NoDriver) {
+    Circumstances circumstances = this->circumstances();
+    circumstances.environment["__EGL_VENDOR_LIBRARY_FILENAMES"] = "/nonexistent/driver";
+    circumstances.environment["ISOMOTION_OSMESA"] = "/nonexistent/driver";
+    const Ending ending =
+        run({"render", "sphere.toml", "--frames", "1", "-o", "a.png"}, circumstances);
+    expect_refusal(ending, "no OpenGL context can be made here");
+    EXPECT_THAT(ending.err, HasSubstr("\n  egl, surfaceless: "));
+    EXPECT_THAT(ending.err, HasSubstr("\n  osmesa: /nonexistent/driver: cannot open"));
+    EXPECT_THAT(ending.err, HasSubstr("libgl1-mesa-dri"));
+    EXPECT_EQ(names(), std::set<std::string>{"sphere.toml"});
+
+    const Ending examined = run({"doctor"}, circumstances);
+    EXPECT_EQ(examined.code, 3);
+    EXPECT_THAT(examined.out, HasSubstr("egl      does not work: "));
+    EXPECT_THAT(examined.out, HasSubstr("osmesa   does not work: "));
+
+    // What needs no driver goes on.
+    EXPECT_EQ(run({"show", "sphere.toml", "--shader"}, circumstances).code, 0);
+}
+
+TEST_F(Machine, OneBackEndIsAskedAlone) {
+    Circumstances circumstances = this->circumstances();
+    circumstances.environment["ISOMOTION_OSMESA"] = "/nonexistent/driver";
+    const Ending ending = run({"render", "sphere.toml", "--backend", "osmesa"}, circumstances);
+    EXPECT_EQ(ending.code, 3) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("osmesa: "));
+    EXPECT_THAT(ending.err, Not(HasSubstr("  egl")));
+}
+
+TEST_F(Machine, DataThatIsNotThere) {
+    Circumstances circumstances = this->circumstances();
+    circumstances.environment["ISOMOTION_DATA"] = folder().string();
+    const Ending ending = run({"list"}, circumstances);
+    EXPECT_EQ(ending.code, 2) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("this folder has no shaders/ and animations/"));
+}
+
+} // namespace
+} // namespace isomotion::cli

@@ -1,0 +1,91 @@
+// Sequences of frames: movies of them, scenes that stand still, and what is said about them.
+#include "cli.h"
+
+#include <fmt/format.h>
+
+namespace isomotion::cli {
+namespace {
+
+class Sequence : public Cli {
+protected:
+    // A program on PATH, or nothing.
+    static std::string program(const std::string& name) {
+        const Ending ending = cli::run({"/bin/sh", "-c", "command -v " + name}, {});
+        return ending.out.substr(0, ending.out.find('\n'));
+    }
+    // "width,height,rate,frames"
+    std::string probed(const std::string& movie) const {
+        const Ending ending =
+            cli::run({program("ffprobe"), "-v", "error", "-count_frames", "-show_entries",
+                      "stream=width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", movie},
+                     {.folder = folder()});
+        EXPECT_EQ(ending.code, 0) << ending;
+        return ending.out.substr(0, ending.out.find('\n'));
+    }
+};
+
+TEST_F(Sequence, MovieHasEveryFrame) {
+    if (program("ffmpeg").empty()) GTEST_SKIP() << "ffmpeg is not installed";
+    for (const std::string movie : {"m/a.mp4", "m/a.webm", "m/a.gif"}) {
+        const Ending ending = render({"sphere.toml", "--set", "time.fps=25", "--frames", "1-7",
+                                      "--resume", "-o", "a.####.png", "--movie", movie});
+        EXPECT_THAT(ending.out, HasSubstr("\nmovie: " + movie + "\n"));
+        EXPECT_GT(std::filesystem::file_size(*this / movie), 100u);
+        if (!program("ffprobe").empty()) {
+            EXPECT_EQ(probed(movie), "48,48,25/1,7") << movie;
+        }
+    }
+    expect_only_whole_files();
+    EXPECT_EQ(names("m").size(), 3u);
+    if (program("ffprobe").empty()) GTEST_SKIP() << "ffprobe is not installed: frames uncounted";
+}
+
+TEST_F(Sequence, WithoutFfmpegTheFramesAreThere) {
+    Circumstances circumstances = this->circumstances();
+    circumstances.environment["PATH"] = folder().string();
+    const Ending ending =
+        run({"render", "sphere.toml", "--frames", "1-3", "-o", "a.####.png", "--movie", "a.mp4"},
+            circumstances);
+    EXPECT_EQ(ending.code, 3) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("ffmpeg is not on PATH: install it"));
+    EXPECT_EQ(names(),
+              (std::set<std::string>{"sphere.toml", "a.0001.png", "a.0002.png", "a.0003.png"}));
+    expect_only_whole_files();
+}
+
+TEST_F(Sequence, ASceneThatStandsStillIsDrawnOnce) {
+    const Ending ending =
+        render({"sphere.toml", "--set", "r=1", "--frames", "1-9", "-o", "a.#.exr"});
+    EXPECT_THAT(ending.out, HasSubstr("\ndrawn 1 in "));
+    EXPECT_THAT(ending.out, HasSubstr("\n8 frames equal to the one before\n"));
+    const auto first = image::decode(*this / "a.1.exr"), last = image::decode(*this / "a.9.exr");
+    EXPECT_EQ(first.find("R")->samples, last.find("R")->samples);
+    EXPECT_EQ(image::to_text(*image::find(last.metadata, "isomotion:frame")), "9");
+}
+
+TEST_F(Sequence, ASummaryCountsEveryRay) {
+    const Ending ending =
+        render({"sphere.toml", "--frames", "1-3", "--size", "10x10", "-o", "a.#.png"});
+    int miss = 0, hit = 0;
+    const std::size_t rays = ending.out.find("\nrays: ");
+    ASSERT_NE(rays, std::string::npos);
+    ASSERT_EQ(std::sscanf(ending.out.c_str() + rays, "\nrays: %d miss, %d hit", &miss, &hit), 2);
+    EXPECT_EQ(miss + hit, 3 * 10 * 10);
+    EXPECT_GT(hit, 0);
+    EXPECT_THAT(ending.out, HasSubstr("\ndrawn 3 in "));
+    EXPECT_THAT(ending.out, HasSubstr("\nframes: a.#.png\n"));
+}
+
+TEST_F(Sequence, QuietSaysNothing) {
+    const Ending ending = render({"sphere.toml", "--frames", "1-2", "-o", "a.#.png", "--quiet"});
+    EXPECT_THAT(ending.out, IsEmpty());
+    EXPECT_EQ(names().size(), 3u);
+}
+
+TEST_F(Sequence, FramesHaveAPlaceOfTheirOwnByDefault) {
+    render({"sphere.toml", "--frames", "3"});
+    EXPECT_EQ(names("out"), std::set<std::string>{"sphere.0003.png"});
+}
+
+} // namespace
+} // namespace isomotion::cli
