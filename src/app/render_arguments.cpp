@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "image/extension.h"
 #include "scene/method.h"
 
 namespace isomotion::app {
@@ -54,14 +53,6 @@ std::vector<scene::Override> overrides(const RenderArguments& arguments) {
     if (!arguments.step.empty()) all.push_back(step_key(arguments.step));
     if (!arguments.size.empty()) all.push_back(size_key(arguments.size));
     return all;
-}
-
-void check_movie(const std::string& movie) {
-    if (movie.empty()) return;
-    const std::string extension = image::lower_extension(movie);
-    if (extension == ".mp4" || extension == ".webm" || extension == ".gif") return;
-    throw std::invalid_argument(
-        fmt::format("--movie {}: a movie's name ends in .mp4, .webm or .gif", movie));
 }
 
 std::vector<synthesis::Channel> parse_channels(const std::string& text) {

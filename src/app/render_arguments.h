@@ -26,7 +26,4 @@ std::vector<scene::Override> overrides(const RenderArguments& arguments);
 // In one order, whatever the user's: it decides shader text and fingerprint.
 std::vector<synthesis::Channel> parse_channels(const std::string& text);
 
-// A movie's wrong name is told before a long sequence is drawn, not after it. Empty: no movie.
-void check_movie(const std::string& movie);
-
 } // namespace isomotion::app

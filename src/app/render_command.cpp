@@ -1,6 +1,4 @@
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
@@ -11,6 +9,7 @@
 #include "app/frame_metadata.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
+#include "app/stop_on_signal.h"
 #include "image/decode.h"
 #include "image/file.h"
 #include "image/movie.h"
@@ -22,31 +21,6 @@
 namespace isomotion::app {
 namespace fs = std::filesystem;
 namespace {
-
-std::atomic<int> stop_signal{0};
-static_assert(std::atomic<int>::is_always_lock_free, "written by a signal handler");
-
-// While it lives, Ctrl-C and SIGTERM ask the loop to stop instead of ending the process, so that
-// only whole files are left. A second Ctrl-C ends it at once.
-class StopOnSignal {
-public:
-    StopOnSignal() {
-        stop_signal = 0;
-        for (const int signal : {SIGINT, SIGTERM}) {
-            struct sigaction action {};
-            action.sa_handler = [](int which) { stop_signal = which; };
-            action.sa_flags = static_cast<int>(SA_RESETHAND);
-            sigaction(signal, &action, nullptr);
-        }
-    }
-    ~StopOnSignal() {
-        for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
-    }
-    StopOnSignal(const StopOnSignal&) = delete;
-    StopOnSignal& operator=(const StopOnSignal&) = delete;
-
-    bool asked() const { return stop_signal != 0; }
-};
 
 void make_folder(const fs::path& file) {
     const fs::path folder = file.parent_path();
@@ -86,12 +60,16 @@ public:
         , format_(image::format_of(output_, arguments.bits == 16 ? image::PngDepth::bits16
                                                                  : image::PngDepth::bits8)) {
         name_.check_holds(frames_.size());
-        check_movie(arguments.movie);
+        if (format_ == image::Format::exr && arguments.bits != 8) {
+            throw std::invalid_argument("--bits is of a PNG; an EXR holds half floats");
+        }
         if (format_ != image::Format::exr && !channels_.empty()) {
             throw std::invalid_argument(
                 fmt::format("--channels: a PNG holds the picture alone; write an EXR: -o {}",
                             fs::path(output_).replace_extension(".exr").string()));
         }
+        check_movie();
+        check_values();
     }
 
     int run() {
@@ -105,14 +83,15 @@ public:
             context->info().backend);
         const StopOnSignal stop;
         render_frames(*context, stop);
-        if (stop.asked()) {
-            fmt::print(stderr,
-                       "stopped; the frames written are whole, --resume renders the rest\n");
-            return exit_interrupted;
-        }
+        if (stop.asked()) return stopped();
         const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
         summarise(wall.count());
-        if (!arguments_.movie.empty()) make_movie();
+        try {
+            if (!arguments_.movie.empty()) make_movie();
+        } catch (const image::MovieError&) {
+            if (stop.asked()) return stopped(); // a terminal's Ctrl-C reaches ffmpeg too
+            throw;
+        }
         return exit_done;
     }
 
@@ -129,6 +108,29 @@ private:
     std::string output_name() const {
         if (!arguments_.output.empty()) return arguments_.output;
         return fmt::format("out/{}.####.png", scene_.file.stem().string());
+    }
+
+    static int stopped() {
+        fmt::print(stderr, "stopped; the frames written are whole, --resume renders the rest\n");
+        return exit_interrupted;
+    }
+
+    // What can be known to fail is told before hours of drawing, not after: the movie's name and
+    // rate, and values that leave their range at some frame.
+    void check_movie() const {
+        if (arguments_.movie.empty()) return;
+        try {
+            image::check_movie(arguments_.movie, movie_rate());
+        } catch (const image::MovieError& error) {
+            throw std::invalid_argument(fmt::format("--movie {}", error.what()));
+        }
+    }
+    void check_values() const {
+        for (const int frame : frames_) scene::at(scene_, scene_.timeline.values(frame));
+    }
+
+    image::Rational movie_rate() const {
+        return {scene_.timeline.fps.numerator, scene_.timeline.fps.denominator};
     }
 
     void render_frames(gpu::Context& context, const StopOnSignal& stop) {
@@ -225,8 +227,7 @@ private:
     void make_movie() const {
         std::vector<fs::path> pictures;
         for (const int frame : frames_) pictures.push_back(name_.path(frame));
-        const auto& fps = scene_.timeline.fps;
-        image::write_movie(arguments_.movie, pictures, {fps.numerator, fps.denominator});
+        image::write_movie(arguments_.movie, pictures, movie_rate());
         say("movie: {}\n", arguments_.movie);
     }
 

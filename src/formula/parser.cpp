@@ -1,7 +1,9 @@
 #include "formula/parser.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <unordered_map>
@@ -384,7 +386,9 @@ private:
 
     [[noreturn]] void fail_unknown(std::string_view word, std::size_t begin) const {
         std::vector<std::string> known = vocabulary_.inputs;
-        known.insert(known.end(), vocabulary_.parameters.begin(), vocabulary_.parameters.end());
+        // "camera.fov" is a parameter to the animation but no name in a formula.
+        std::copy_if(vocabulary_.parameters.begin(), vocabulary_.parameters.end(),
+                     std::back_inserter(known), is_identifier);
         for (const int open : open_sums_) {
             for (const auto& field : vocabulary_.arrays[std::size_t(open)].fields) {
                 known.push_back(field.name);

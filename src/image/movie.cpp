@@ -115,6 +115,10 @@ Words command(const Container& container, Size size, Rational rate,
 
 } // namespace
 
+void check_movie(const std::filesystem::path& movie, Rational frames_per_second) {
+    check_rate(movie, container_of(movie), frames_per_second);
+}
+
 void write_movie(const std::filesystem::path& movie,
                  std::span<const std::filesystem::path> pictures, Rational frames_per_second) {
     const Container container = container_of(movie);

@@ -13,6 +13,10 @@ class MovieError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Throws a MovieError unless the name's extension is one of the three below and its format holds
+/// that rate: known before the first of many pictures is rendered.
+void check_movie(const std::filesystem::path& movie, Rational frames_per_second);
+
 /// Makes a movie of pictures of one size, in the order given, with the ffmpeg program on PATH:
 /// `.mp4` (H.264), `.webm` (VP9) or `.gif`. Coverage shows black. Odd sizes are made even, as H.264
 /// and VP9 need them, by repeating the last column or row. The same pictures give the same bytes

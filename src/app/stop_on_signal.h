@@ -1,0 +1,18 @@
+// Ctrl-C as a wish instead of an end.
+#pragma once
+
+namespace isomotion::app {
+
+// While it lives, SIGINT and SIGTERM set a flag and do not end the process, so that only whole
+// files are left. A second one of the same kind ends it at once. One at a time.
+class StopOnSignal {
+public:
+    StopOnSignal();
+    ~StopOnSignal();
+    StopOnSignal(const StopOnSignal&) = delete;
+    StopOnSignal& operator=(const StopOnSignal&) = delete;
+
+    bool asked() const;
+};
+
+} // namespace isomotion::app
