@@ -1,4 +1,4 @@
-// im_sin, im_cos, im_tan. Needs bits.glsl, divide.glsl.
+// im_sin, im_cos, im_sin_cos, im_tan. Needs bits.glsl, divide.glsl.
 //
 // Accurate up to |x| = 1e5. Beyond, the result is that of an argument within two spacings of
 // floats, and from 1e7 on merely a number in [-1, 1]. Infinity gives NaN.
@@ -36,18 +36,25 @@ float im_cos_reduced(float r) {
     return y;
 }
 
-float im_sin(float x) {
+// Both at once: a value and its slope need both, and either alone takes both polynomials anyway.
+vec2 im_sin_cos(float x) {
     int quadrant;
     float r = im_quarter_turns(x, quadrant);
-    float y = (quadrant & 1) == 0 ? im_sin_reduced(r) : im_cos_reduced(r);
-    return (quadrant & 2) == 0 ? y : -y;
+    float s = im_sin_reduced(r);
+    float c = im_cos_reduced(r);
+    bool turned = (quadrant & 1) != 0;
+    float sine = turned ? c : s;
+    float cosine = turned ? s : c;
+    return vec2((quadrant & 2) == 0 ? sine : -sine,
+                ((quadrant + 1) & 2) == 0 ? cosine : -cosine);
+}
+
+float im_sin(float x) {
+    return im_sin_cos(x).x;
 }
 
 float im_cos(float x) {
-    int quadrant;
-    float r = im_quarter_turns(x, quadrant);
-    float y = (quadrant & 1) == 0 ? im_cos_reduced(r) : im_sin_reduced(r);
-    return ((quadrant + 1) & 2) == 0 ? y : -y;
+    return im_sin_cos(x).y;
 }
 
 float im_tan(float x) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -56,6 +57,7 @@ public:
         , names_(std::size_t(program.registers)) {}
 
     std::string write() {
+        find_sine_cosine_pairs();
         text_ = signature_.head + " {\n";
         for (std::size_t at = 0; at < program_.instructions.size(); ++at) {
             instruction(program_.instructions[at], at);
@@ -115,6 +117,15 @@ private:
         default:
             break;
         }
+        if (is_paired(now)) {
+            // One kernel gives both; the first of the two to come calls it.
+            const Register argument = now.operands[0];
+            if (called_.insert(argument).second) {
+                line("vec2 sc{} = im_sin_cos({});", argument, operand(now, 0));
+            }
+            name = fmt::format("sc{}.{}", argument, now.op == Op::sin ? "x" : "y");
+            return;
+        }
         const std::string value = expression(now);
         line("float {} = {};", declare(now.result), value);
     }
@@ -157,6 +168,22 @@ private:
         return name.front() == '-' ? "(" + name + ")" : name;
     }
 
+    // The arguments of which both the sine and the cosine are wanted: the slope of one is the
+    // other.
+    void find_sine_cosine_pairs() {
+        std::set<Register> sines, cosines;
+        for (const Instruction& now : program_.instructions) {
+            if (now.kind != Instruction::Kind::operation) continue;
+            if (now.op == Op::sin) sines.insert(now.operands[0]);
+            if (now.op == Op::cos) cosines.insert(now.operands[0]);
+        }
+        std::set_intersection(sines.begin(), sines.end(), cosines.begin(), cosines.end(),
+                              std::inserter(paired_, paired_.end()));
+    }
+    bool is_paired(const Instruction& now) const {
+        return (now.op == Op::sin || now.op == Op::cos) && paired_.count(now.operands[0]) > 0;
+    }
+
     const std::string& declare(Register r) {
         return names_[std::size_t(r)] = fmt::format("v{}", r);
     }
@@ -189,6 +216,7 @@ private:
     const GlslSignature& signature_;
     const ArrayPacking& packing_;
     std::vector<std::string> names_;
+    std::set<Register> paired_, called_;
     std::string text_;
     int indent_ = 1;
 };

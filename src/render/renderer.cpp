@@ -85,9 +85,11 @@ struct Renderer::Parts {
         const formula::Field& field = *scene.surface.field;
         const bool derivative = synthesis::samples_derivative(scene.isolation.method);
         formula::Cost cost = formula::cost(derivative ? field.along : field.value, counts);
-        // The shade pass evaluates the gradient once; it too must fit the loop limit.
-        cost.iterations =
-            std::max(cost.iterations, formula::cost(field.gradient, counts).iterations);
+        // The shade pass takes the gradient once; it too must fit the loop limit.
+        const double gradient = shaders.gradient_by_slopes
+                                    ? 3 * (1 + formula::cost(field.along, counts).iterations)
+                                    : formula::cost(field.gradient, counts).iterations;
+        cost.iterations = std::max(cost.iterations, gradient);
         constexpr int largest_tile = 2048;
         const MarchPlan fitting =
             plan_march(cost, options.width, options.height,

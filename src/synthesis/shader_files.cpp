@@ -20,7 +20,7 @@ struct KernelFile {
 const std::vector<KernelFile>& kernel_table() {
     static const std::vector<KernelFile> table{
         {"bits.glsl", {}, {}},
-        {"sqrt.glsl", {"sqrt"}, {}},
+        {"sqrt.glsl", {"sqrt"}, {"bits.glsl"}},
         {"divide.glsl", {"divide"}, {"bits.glsl"}},
         {"exp.glsl", {"exp", "sinh", "cosh", "tanh"}, {}},
         {"log.glsl", {"log"}, {"bits.glsl"}},

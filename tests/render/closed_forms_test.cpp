@@ -1,6 +1,7 @@
 // Pictures whose every pixel is known.
 #include "render/drawing.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace isomotion::render {
@@ -111,6 +112,31 @@ size = [64, 64]
 )"));
     EXPECT_EQ(count(picture, Verdict::hit), 64 * 64);
     for (const float z : picture.frame.find("Z")->samples) EXPECT_NEAR(z, 0.5, 1e-4);
+}
+
+// A formula of thousands of operations takes its gradient in another way: by three slopes.
+TEST_P(ClosedForms, NormalsOfALongFormulaAreItsGradient) {
+    std::string formula = "x^2 + y^2 + z^2 - 1";
+    for (int k = 1; k <= 250; ++k) formula += fmt::format(" + 1e-4*sin({}*x + y)*z", k);
+    std::string text = sphere_scene;
+    text.replace(text.find("x^2 + y^2 + z^2 - 1"), 19, formula);
+    const scene::Scene scene = scene_of(text, {"output.size=[40,30]"});
+    const Picture picture = draw(*context, scene);
+    formula::FieldEvaluator<double> evaluate(*scene.surface.field);
+    const auto at = [&](const char* name, std::size_t k) {
+        return double(picture.frame.find(name)->samples[k]);
+    };
+    int hits = 0;
+    for (std::size_t k = 0; k < 40 * 30; ++k) {
+        if (at("verdict", k) != 1) continue;
+        const auto g = evaluate.gradient({}, {at("P.X", k), at("P.Y", k), at("P.Z", k)});
+        const double length = std::hypot(g[0], g[1], g[2]);
+        const double cosine =
+            (g[0] * at("N.X", k) + g[1] * at("N.Y", k) + g[2] * at("N.Z", k)) / length;
+        EXPECT_GT(std::abs(cosine), 1 - 1e-6);
+        ++hits;
+    }
+    EXPECT_GT(hits, 150);
 }
 
 // The paper's Fig. 6: touching roots don't change the sign, and the Taylor test sees them.

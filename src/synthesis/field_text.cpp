@@ -1,0 +1,97 @@
+#include "synthesis/field_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "synthesis/shader_files.h"
+
+namespace isomotion::synthesis {
+namespace {
+
+std::string declarations(const FieldStorage& storage) {
+    std::string text = "layout(std140) uniform Parameters {\n";
+    text += fmt::format("    vec4 parameters[{}];\n", storage.parameter_vectors);
+    if (storage.count_vectors > 0) {
+        text += fmt::format("    ivec4 array_counts[{}];\n", storage.count_vectors);
+    }
+    text += "};\n";
+    for (std::size_t a = 0; a < storage.arrays.size(); ++a) {
+        const ArrayStorage& array = storage.arrays[a];
+        const bool block = array.kind == ArrayStorage::Kind::uniform_block;
+        text +=
+            fmt::format("#define {}_count array_counts[{}].{}\n", array.name, a / 4, "xyzw"[a % 4]);
+        text += block ? fmt::format("layout(std140) uniform {0}_block {{ vec4 {0}[{1}]; }};\n",
+                                    array.name, array.capacity * array.texels)
+                      : fmt::format("uniform samplerBuffer {};\n", array.name);
+        const std::string at =
+            array.texels == 1 ? "element" : fmt::format("element * {} + texel", array.texels);
+        text +=
+            fmt::format("vec4 {0}_texel(int element, int texel) {{ return {1}; }}\n", array.name,
+                        block ? fmt::format("{}[{}]", array.name, at)
+                              : fmt::format("texelFetch({}, {})", array.name, at));
+    }
+    return text;
+}
+
+// The user's text as a comment, where a line end or backslash could not end the comment.
+std::string as_comment(std::string formula) {
+    std::replace_if(
+        formula.begin(), formula.end(), [](char c) { return c < ' ' || c == '\\' || c > '~'; },
+        ' ');
+    return formula;
+}
+
+struct FunctionParts {
+    const formula::Program& program;
+    std::string glsl;
+};
+
+FunctionParts parts_of(const formula::Field& field, FieldFunction function) {
+    switch (function) {
+    case FieldFunction::value:
+        return {field.value, formula::glsl_value(field)};
+    case FieldFunction::along:
+        return {field.along, formula::glsl_along(field)};
+    case FieldFunction::gradient:
+        break;
+    }
+    return {field.gradient, formula::glsl_gradient(field)};
+}
+
+} // namespace
+
+FieldStorage field_storage(const formula::Field& field, int parameters,
+                           std::span<const int> counts) {
+    FieldStorage storage;
+    storage.parameter_vectors = std::max(1, (parameters + 3) / 4);
+    for (std::size_t a = 0; a < field.packing.size(); ++a) {
+        ArrayStorage array;
+        array.name = fmt::format("array{}", a);
+        array.texels = std::max<int>(1, (int(field.packing[a].size()) + 3) / 4);
+        array.capacity = std::max(1, counts[a]);
+        const std::size_t bytes = std::size_t(array.capacity) * std::size_t(array.texels) * 16;
+        array.kind = bytes <= ArrayStorage::uniform_block_bytes
+                         ? ArrayStorage::Kind::uniform_block
+                         : ArrayStorage::Kind::texture_buffer;
+        storage.arrays.push_back(array);
+    }
+    storage.count_vectors = (int(storage.arrays.size()) + 3) / 4;
+    return storage;
+}
+
+void add_field(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
+               const std::vector<FieldFunction>& functions) {
+    std::set<std::string> kernels;
+    std::string generated;
+    for (const FieldFunction function : functions) {
+        const auto [program, glsl] = parts_of(field, function);
+        kernels.merge(formula::kernels_used(program));
+        generated += glsl;
+    }
+    for (const auto& kernel : kernel_files(kernels)) text.file(kernel);
+    text.generated("generated: parameters of the surface", declarations(storage));
+    text.generated("generated from: " + as_comment(field.text), generated);
+}
+
+} // namespace isomotion::synthesis

@@ -1,0 +1,43 @@
+// The part of a shader that evaluates a surface's field: kernels, the storage of parameters and
+// arrays, the generated functions.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "formula/field.h"
+#include "synthesis/shader_text.h"
+
+namespace isomotion::synthesis {
+
+// How an array's elements reach the shader, `texels` vec4s each.
+struct ArrayStorage {
+    // Every OpenGL 3.3 has uniform blocks of 16 kB, and they are faster than texture buffers,
+    // which hold the longer ones.
+    enum class Kind { uniform_block, texture_buffer };
+    static constexpr std::size_t uniform_block_bytes = 16384;
+
+    Kind kind = Kind::uniform_block;
+    std::string name; // of the block or the sampler
+    int texels = 1;
+    int capacity = 0; // elements
+};
+
+// How the values that a field's names stand for reach the shader.
+struct FieldStorage {
+    int parameter_vectors = 1; // vec4s of the block Parameters, before the arrays' counts
+    int count_vectors = 0;     // ivec4s of counts
+    std::vector<ArrayStorage> arrays;
+};
+
+FieldStorage field_storage(const formula::Field& field, int parameters,
+                           std::span<const int> counts);
+
+// What a shader can ask of a field; see glsl_value() and its siblings for the signatures.
+enum class FieldFunction { value, along, gradient };
+
+void add_field(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
+               const std::vector<FieldFunction>& functions);
+
+} // namespace isomotion::synthesis

@@ -1,0 +1,34 @@
+#include "synthesis/shader_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "synthesis/shader_files.h"
+
+namespace isomotion::synthesis {
+
+ShaderText::ShaderText(std::vector<std::string>& files)
+    : files_(files)
+    , text_(read_shader("prelude.glsl")) { // #version must be the very first line
+    record("prelude.glsl");
+}
+
+void ShaderText::file(const std::string& name) {
+    text_ += fmt::format("\n// shaders/{}\n{}", name, read_shader(name));
+    record(name);
+}
+
+void ShaderText::record(const std::string& name) {
+    if (std::find(files_.begin(), files_.end(), name) == files_.end()) files_.push_back(name);
+}
+
+void ShaderText::define(std::string_view name, int value) {
+    text_ += fmt::format("#define {} {}\n", name, value);
+}
+
+void ShaderText::generated(std::string_view what, const std::string& text) {
+    text_ += fmt::format("\n// {}\n{}", what, text);
+}
+
+} // namespace isomotion::synthesis

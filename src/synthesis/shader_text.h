@@ -1,0 +1,28 @@
+// One shader, put together from files and generated parts.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isomotion::synthesis {
+
+class ShaderText {
+public:
+    // Begins with the prelude; `files` collects the names of the files of shaders/ that are used.
+    explicit ShaderText(std::vector<std::string>& files);
+
+    void file(const std::string& name);
+    void define(std::string_view name, int value);
+    void generated(std::string_view what, const std::string& text);
+
+    std::string take() { return std::move(text_); }
+
+private:
+    void record(const std::string& name);
+
+    std::vector<std::string>& files_;
+    std::string text_;
+};
+
+} // namespace isomotion::synthesis

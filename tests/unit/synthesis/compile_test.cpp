@@ -1,0 +1,100 @@
+// Assembled shaders compile: on every back end, without `precise`, and in the reference compiler.
+#include <cstdio>
+
+#include "scenes.h"
+#include "unit/gpu/every_backend.h"
+
+namespace isomotion::synthesis {
+namespace {
+
+constexpr const char* all_operations =
+    "sum(blobs, cx*min(x, cy)) + sqrt(x)/y + exp(x)^y + log(abs(x)) + sin(x)*cos(y) + tan(z) + "
+    "asin(x) - acos(y)*atan(z) + sinh(x) - max(cosh(y), tanh(z)) + sign(x)*floor(y) + "
+    "chebyshev(30, x) - x^30";
+
+constexpr const char* two_arrays = "[arrays.blobs]\ncount = 5\ncx = 'i'\ncy = 1\n"
+                                   "[arrays.links]\ncount = 3000\npx = 'i'\n";
+
+struct Text {
+    std::string name, text;
+};
+
+// Every text that methods, bounds and channels give rise to.
+std::vector<Text> fragment_texts() {
+    std::vector<Text> all;
+    std::set<std::string> seen;
+    const auto add = [&](const std::string& name, const Shaders& shaders) {
+        for (const auto& text : {shaders.march, shaders.active, shaders.shade}) {
+            if (seen.insert(text).second) all.push_back({name, text});
+        }
+    };
+    const std::string formula = std::string(all_operations) + " - sum(links, px*z)";
+    for (const auto& method : every_method) {
+        for (const auto& bounds : every_bounds) {
+            const auto scene = scene_of(surface_text(formula, bounds, method) + two_arrays);
+            add(method + " in " + bounds, assemble(scene, every_channel));
+        }
+    }
+    const auto scene = scene_of(surface_text("x"));
+    add("no channels", assemble(scene));
+    for (const Channel channel : every_channel) {
+        add(fmt::format("channel {}", int(channel)), assemble(scene, {channel}));
+    }
+    return all;
+}
+
+std::string vertex_text() { return assemble(scene_of(surface_text("x"))).vertex; }
+
+// The text for a driver without GLSL 4.00 and without GL_ARB_gpu_shader5.
+std::string without_precise(std::string text) {
+    for (const char* line :
+         {"#extension GL_ARB_gpu_shader5 : enable\n", "#ifndef GL_ARB_gpu_shader5\n", "#endif\n"}) {
+        const std::size_t at = text.find(line);
+        if (at == text.npos) throw std::logic_error(std::string("the prelude has no ") + line);
+        text.erase(at, std::string(line).size());
+    }
+    return text;
+}
+
+class Compile : public gpu::EveryBackend {
+protected:
+    static void SetUpTestSuite() { use_shaders_of_source_tree(); }
+};
+ISOMOTION_ON_EVERY_BACKEND(Compile);
+
+TEST_P(Compile, EveryAssembly) {
+    for (const auto& [name, text] : fragment_texts()) {
+        EXPECT_NO_THROW(gpu::Program(vertex_text(), text, name)) << name;
+    }
+}
+
+TEST_P(Compile, WithoutPrecise) {
+    for (const auto& [name, text] : fragment_texts()) {
+        EXPECT_NO_THROW(gpu::Program(vertex_text(), without_precise(text), name)) << name;
+    }
+}
+
+// glslang is the compiler of the specification's authors: stricter than drivers. It knows `precise`
+// from version 4.00 on only.
+TEST(CompileWithGlslang, EveryAssembly) {
+    if (std::system("command -v glslangValidator >/dev/null") != 0) {
+        GTEST_SKIP() << "glslangValidator is not on PATH";
+    }
+    use_shaders_of_source_tree();
+    const auto file =
+        std::filesystem::temp_directory_path() / fmt::format("isomotion-glslang-{}.txt", getpid());
+    const auto expect_valid = [&](const std::string& text, const char* stage,
+                                  const std::string& name) {
+        constexpr std::string_view old_version = "#version 330 core";
+        ASSERT_TRUE(text.starts_with(old_version)) << name;
+        std::ofstream(file) << "#version 450 core" << text.substr(old_version.size());
+        const auto command = fmt::format("glslangValidator -S {} '{}'", stage, file.string());
+        EXPECT_EQ(std::system(command.c_str()), 0) << name;
+    };
+    expect_valid(vertex_text(), "vert", "vertex");
+    for (const auto& [name, text] : fragment_texts()) expect_valid(text, "frag", name);
+    std::filesystem::remove(file);
+}
+
+} // namespace
+} // namespace isomotion::synthesis

@@ -1,0 +1,155 @@
+#include "field_on_gpu.h"
+
+#include <cstring>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "gpu/buffer.h"
+#include "synthesis/field_text.h"
+#include "unit/gpu/every_backend.h"
+
+namespace isomotion::synthesis {
+namespace {
+
+constexpr int width = 64;
+
+enum Binding : unsigned { binding_parameters, binding_arrays };
+
+std::vector<glm::vec4> packed(const std::vector<int>& fields, int texels,
+                              const formula::ArrayColumns<float>& array) {
+    std::vector<glm::vec4> all(std::size_t(array.count) * std::size_t(texels));
+    for (int e = 0; e < array.count; ++e) {
+        for (int slot = 0; slot < int(fields.size()); ++slot) {
+            const auto& column = array.fields[std::size_t(fields[std::size_t(slot)])];
+            all[std::size_t(e * texels + slot / 4)][slot % 4] = column[std::size_t(e)];
+        }
+    }
+    return all;
+}
+
+std::size_t block_bytes(const FieldStorage& storage) {
+    return std::size_t(storage.parameter_vectors + storage.count_vectors) * 16;
+}
+
+gpu::Texture texture_of(const std::vector<Probe>& probes, int height, glm::vec3 Probe::*part) {
+    std::vector<float> texels(std::size_t(width * height) * 4);
+    for (std::size_t k = 0; k < probes.size(); ++k) {
+        std::memcpy(&texels[4 * k], &(probes[k].*part), sizeof(glm::vec3));
+    }
+    return {gpu::Format::rgba32f, width, height, texels};
+}
+
+// What the names of a field stand for, on the GPU.
+class FieldValues {
+public:
+    FieldValues(const FieldStorage& storage, const formula::ArrayPacking& packing,
+                const formula::Bindings<float>& bindings);
+
+    static constexpr int first_free_unit = 2; // below are the probes
+    void bind(const gpu::Program& program) const;
+
+private:
+    struct ArrayOnGpu {
+        std::string name;
+        std::optional<gpu::UniformBuffer> block;
+        std::optional<gpu::TextureBuffer> buffer;
+    };
+    gpu::UniformBuffer parameters_;
+    std::vector<ArrayOnGpu> arrays_;
+};
+
+FieldValues::FieldValues(const FieldStorage& storage, const formula::ArrayPacking& packing,
+                         const formula::Bindings<float>& bindings)
+    : parameters_(block_bytes(storage)) {
+    std::vector<std::byte> block(block_bytes(storage));
+    std::memcpy(block.data(), bindings.parameters.data(), bindings.parameters.size() * 4);
+    std::byte* counts = block.data() + storage.parameter_vectors * 16;
+    for (std::size_t a = 0; a < storage.arrays.size(); ++a) {
+        const std::int32_t count = bindings.arrays[a].count;
+        std::memcpy(counts + 4 * a, &count, 4);
+        const auto texels = packed(packing[a], storage.arrays[a].texels, bindings.arrays[a]);
+        ArrayOnGpu& array = arrays_.emplace_back();
+        array.name = storage.arrays[a].name;
+        const auto capacity =
+            std::size_t(storage.arrays[a].capacity) * std::size_t(storage.arrays[a].texels);
+        if (storage.arrays[a].kind == ArrayStorage::Kind::uniform_block) {
+            array.block.emplace(capacity * 16).update(std::as_bytes(std::span(texels)));
+        } else {
+            array.buffer.emplace(capacity).update(texels);
+        }
+    }
+    parameters_.update(block);
+}
+
+void FieldValues::bind(const gpu::Program& program) const {
+    parameters_.bind(binding_parameters);
+    program.bind_block("Parameters", binding_parameters);
+    for (std::size_t a = 0; a < arrays_.size(); ++a) {
+        const ArrayOnGpu& array = arrays_[a];
+        if (array.block) {
+            array.block->bind(binding_arrays + unsigned(a));
+            program.bind_block(array.name + "_block", binding_arrays + unsigned(a));
+        } else {
+            array.buffer->bind(first_free_unit + int(a));
+            program.bind_sampler(array.name, first_free_unit + int(a));
+        }
+    }
+}
+
+// Calls each function of the field for a probe a pixel.
+std::string probe_shader(const formula::Field& field, const FieldStorage& storage) {
+    std::vector<std::string> files;
+    ShaderText text(files);
+    add_field(text, field, storage,
+              {FieldFunction::value, FieldFunction::along, FieldFunction::gradient});
+    text.generated("a probe a pixel", R"(
+uniform sampler2D points, directions;
+layout(location = 0) out vec4 value;
+layout(location = 1) out vec4 along;
+layout(location = 2) out vec4 gradient;
+
+void main() {
+    vec3 p = texelFetch(points, ivec2(gl_FragCoord.xy), 0).xyz;
+    vec3 d = texelFetch(directions, ivec2(gl_FragCoord.xy), 0).xyz;
+    value = vec4(field(p), 0.0, 0.0, 0.0);
+    along = vec4(field_along(p, d), 0.0, 0.0);
+    gradient = vec4(field_gradient(p), 0.0);
+}
+)");
+    return text.take();
+}
+
+} // namespace
+
+std::array<std::vector<glm::vec4>, 3> run_on_gpu(const formula::Field& field,
+                                                 const formula::Bindings<float>& bindings,
+                                                 const std::vector<Probe>& probes) {
+    std::vector<int> counts;
+    for (const auto& array : bindings.arrays) counts.push_back(array.count);
+    const FieldStorage storage = field_storage(field, int(bindings.parameters.size()), counts);
+    const gpu::Program program(gpu::fullscreen_vertex, probe_shader(field, storage), "probes");
+    const FieldValues values(storage, field.packing, bindings);
+
+    const int height = (int(probes.size()) + width - 1) / width;
+    const gpu::Texture points = texture_of(probes, height, &Probe::p);
+    const gpu::Texture directions = texture_of(probes, height, &Probe::d);
+    const gpu::Target target(width, height, int(field_functions.size()));
+    values.bind(program);
+    points.bind(0);
+    directions.bind(1);
+    program.bind_sampler("points", 0);
+    program.bind_sampler("directions", 1);
+    target.bind();
+    program.use();
+    gpu::Fullscreen().draw();
+    std::array<std::vector<glm::vec4>, 3> results;
+    for (std::size_t f = 0; f < results.size(); ++f) {
+        const std::vector<float> pixels = target.read(int(f), 0, 0, width, height);
+        results[f].resize(probes.size());
+        std::memcpy(results[f].data(), pixels.data(), probes.size() * sizeof(glm::vec4));
+    }
+    return results;
+}
+
+} // namespace isomotion::synthesis

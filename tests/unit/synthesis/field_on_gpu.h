@@ -1,0 +1,35 @@
+// Runs a field's generated GLSL on the GPU, assembled from the pieces that scenes are assembled of.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "formula/field.h"
+
+namespace isomotion::synthesis {
+
+// One of the functions a field has, on both sides.
+struct FunctionOfField {
+    const char* name;
+    const formula::Program formula::Field::*program;
+    int outputs;
+};
+
+inline constexpr std::array<FunctionOfField, 3> field_functions{
+    {{"field", &formula::Field::value, 1},
+     {"field_along", &formula::Field::along, 2},
+     {"field_gradient", &formula::Field::gradient, 3}}};
+
+// A point, and a direction for the slope along it.
+struct Probe {
+    glm::vec3 p, d;
+};
+
+// What each of field_functions gives at every probe, in the current context; outputs come first.
+std::array<std::vector<glm::vec4>, 3> run_on_gpu(const formula::Field& field,
+                                                 const formula::Bindings<float>& bindings,
+                                                 const std::vector<Probe>& probes);
+
+} // namespace isomotion::synthesis

@@ -1,0 +1,101 @@
+// Scenes written as text, and texts taken apart into lines.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "scene/load.h"
+#include "synthesis/assemble.h"
+
+namespace isomotion::synthesis {
+
+// Shaders are read from the source tree, wherever the test was built.
+inline void use_shaders_of_source_tree() {
+    setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1);
+}
+
+inline scene::Scene scene_of(const std::string& text) {
+    const auto file = std::filesystem::temp_directory_path() /
+                      fmt::format("isomotion-synthesis-{}.toml", getpid());
+    std::ofstream(file) << text;
+    scene::Scene scene = scene::load(file.string());
+    std::filesystem::remove(file);
+    return scene;
+}
+
+inline const std::vector<std::string> every_method{"marching", "amp-sign", "amp-taylor"};
+inline const std::vector<std::string> every_bounds{"{ sphere = 2 }",
+                                                   "{ box = [[-1,-1,-1],[1,2,1]] }"};
+inline const std::vector<Channel> every_channel{Channel::depth, Channel::normal, Channel::position,
+                                                Channel::verdict, Channel::evaluations};
+
+inline std::string surface_text(const std::string& formula,
+                                const std::string& bounds = every_bounds[0],
+                                const std::string& method = "amp-sign") {
+    return fmt::format("[surface]\nformula = '''{}'''\nbounds = {}\n[isolation]\nmethod = '{}'\n",
+                       formula, bounds, method);
+}
+
+// A formula of several thousand operations.
+inline std::string long_formula() {
+    std::string text = "x^2 + y^2 + z^2 - 1";
+    for (int k = 1; k <= 250; ++k) {
+        text += " + 1e-5*sin(" + std::to_string(k) + "*x + y)*z";
+    }
+    return text;
+}
+
+// Gaussian balls.
+inline std::string blobs_text(int count) {
+    return surface_text("sum(blobs, exp(-20*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))) - 1") +
+           fmt::format("[arrays.blobs]\ncount = {}\ncx = 'random(i, 0)'\ncy = 'random(i, 1)'\n"
+                       "cz = 'random(i, 2)'\n",
+                       count);
+}
+
+using Lines = std::multiset<std::string>;
+
+inline Lines lines_of(const std::string& text) {
+    Lines lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.insert(line);
+    return lines;
+}
+
+// What `a` has more than `b`.
+inline Lines without(const Lines& a, const Lines& b) {
+    Lines rest;
+    std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::inserter(rest, rest.end()));
+    return rest;
+}
+
+inline int occurrences(const std::string& text, const std::string& part) {
+    int count = 0;
+    for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+// The folder of shaders in the source tree, and the names of all files in it.
+inline const std::filesystem::path shader_folder{ISOMOTION_SOURCE_DIR "/shaders"};
+
+inline std::set<std::string> shader_files() {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(shader_folder)) {
+        if (!entry.is_regular_file()) continue;
+        names.insert(entry.path().lexically_relative(shader_folder).string());
+    }
+    return names;
+}
+
+} // namespace isomotion::synthesis
