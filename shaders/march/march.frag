@@ -11,12 +11,6 @@ RayState begin(Ray ray) {
                     VERDICT_MISS, 0, 0);
 }
 
-RayState finish(RayState s, int verdict) {
-    s.phase = PHASE_DONE;
-    s.verdict = verdict;
-    return s;
-}
-
 // Goes on from `low` by the step that Eq. 2 allows there.
 RayState step_on(RayState s, Ray ray) {
     if (s.low >= ray.t_far) return finish(s, VERDICT_MISS);
@@ -26,14 +20,10 @@ RayState step_on(RayState s, Ray ray) {
     return s.high > s.low ? s : finish(s, VERDICT_STEP_LIMIT);
 }
 
-RayState found(RayState s) {
-    s.low = 0.5 * (s.low + s.high);
-    return finish(s, VERDICT_HIT);
-}
-
 RayState advance(RayState s, Ray ray, float t, vec2 f) {
     s.evaluations += 1;
     if (im_is_nan(f.x)) return finish(s, VERDICT_NAN);
+    if (s.phase == PHASE_GRADIENT) return take_slope(s, f);
     bool root = s.phase != PHASE_START && root_exists(s.low, s.f_low, t, f);
     if (s.phase == PHASE_REFINE) {
         if (root) {
@@ -65,7 +55,7 @@ void main() {
     for (int k = 0; k < evaluations_per_pass; ++k) {
         if (s.phase == PHASE_DONE) break;
         float t = s.phase == PHASE_REFINE ? 0.5 * (s.low + s.high) : s.high;
-        vec2 f = sample_field(ray_point(ray, t), ray.direction);
+        vec2 f = sample_field(ray_point(ray, t), sample_direction(s, ray));
         s = advance(s, ray, t, f);
     }
     store_state(s);

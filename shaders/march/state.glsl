@@ -5,7 +5,8 @@
 const int PHASE_START = 0;   // sample t_near next
 const int PHASE_MARCH = 1;   // sample `high` next: is there a root in [low, high]?
 const int PHASE_REFINE = 2;  // there is one: bisect
-const int PHASE_DONE = 3;
+const int PHASE_GRADIENT = 3; // the root is in `low` and `high`: sample the gradient there
+const int PHASE_DONE = 4;
 
 struct RayState {
     float low;         // t of the last sample before the root; of the root when done

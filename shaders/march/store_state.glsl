@@ -6,3 +6,9 @@ void store_state(RayState s) {
     state_0 = vec4(s.low, s.f_low, s.high);
     state_1 = vec4(float(s.phase), float(s.verdict), float(s.evaluations), float(s.bisections));
 }
+
+RayState finish(RayState s, int verdict) {
+    s.phase = PHASE_DONE;
+    s.verdict = verdict;
+    return s;
+}

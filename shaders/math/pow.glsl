@@ -1,4 +1,4 @@
-// im_pow. Needs bits.glsl, exp.glsl, log.glsl.
+// im_pow, im_pow_and_lower. Needs bits.glsl, divide.glsl, exp.glsl, log.glsl.
 //
 // For a > 0 accurate to a few ulp however large b*log(a): an error of the logarithm comes out
 // multiplied by b, so the logarithm and its product with b are carried in two floats.
@@ -61,4 +61,15 @@ float im_pow(float a, float b) {
     y = im_is_nan(a) || im_is_nan(b) ? IM_NAN : y;
     y = b == 0.0 ? 1.0 : y;
     return y;
+}
+
+// a^b and a^(b-1), a value and its slope, from one logarithm. Where a^b leaves float's range, so
+// does a^(b-1), a little too early.
+vec2 im_pow_and_lower(float a, float b) {
+    float power = im_pow(a, b);
+    float lower = im_divide(power, a);
+    float at_zero = b > 1.0 ? 0.0 : IM_SATURATION;
+    lower = abs(a) < IM_SMALLEST ? at_zero : lower;
+    lower = b == 1.0 ? 1.0 : lower;
+    return vec2(power, lower);
 }

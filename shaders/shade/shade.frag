@@ -15,7 +15,7 @@ void main() {
     Hit hit = Hit(ray_point(ray, s.low), -ray.direction, s.low);
     int verdict = s.verdict;
     if (verdict == VERDICT_HIT) {
-        vec3 g = clamp(field_gradient(hit.position), -IM_SATURATION, IM_SATURATION);
+        vec3 g = clamp(surface_gradient(s, hit.position), -IM_SATURATION, IM_SATURATION);
         float size = magnitude(g);
         if (size > 0.0 && !im_is_nan(g.x + g.y + g.z)) {
             hit.normal = normalize(g / size);

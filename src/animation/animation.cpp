@@ -61,6 +61,9 @@ Animation::Animation(std::vector<Track> tracks, std::vector<Array> arrays, std::
     , arrays_(std::move(arrays))
     , seed_(seed)
     , referenced_(tracks_.size(), false) {
+    for (std::size_t k = 0; k < tracks_.size(); ++k) {
+        if (formula::is_identifier(tracks_[k].name)) nameable_ = k + 1;
+    }
     compile_tracks();
     for (const Array& array : arrays_) compile_array(array);
 }
@@ -85,10 +88,16 @@ Animation::Compiled Animation::compile(const std::string& owner, const std::stri
     return compiled;
 }
 
+std::vector<std::string> Animation::track_names() const {
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < nameable_; ++k) names.push_back(tracks_[k].name);
+    return names;
+}
+
 void Animation::compile_tracks() {
     formula::Vocabulary vocabulary;
     vocabulary.inputs = {"t"};
-    for (const Track& track : tracks_) vocabulary.parameters.push_back(track.name);
+    vocabulary.parameters = track_names();
     vocabulary.allows_random = true;
     compiled_.resize(tracks_.size());
     for (std::size_t k = 0; k < tracks_.size(); ++k) {
@@ -112,20 +121,25 @@ void Animation::compile_tracks() {
 void Animation::compile_array(const Array& array) {
     formula::Vocabulary vocabulary;
     vocabulary.inputs = {"t", "i", "n"};
-    for (const Track& track : tracks_) vocabulary.parameters.push_back(track.name);
+    vocabulary.parameters = track_names();
+    const auto tracks = int(vocabulary.parameters.size());
     for (const ArrayField& field : array.fields) vocabulary.parameters.push_back(field.name);
     vocabulary.allows_random = true;
-    const auto tracks = int(tracks_.size());
 
     CompiledArray compiled;
     compiled.fields.resize(array.fields.size());
+    compiled.referenced.resize(array.fields.size(), false);
     for (std::size_t f = 0; f < array.fields.size(); ++f) {
         const auto* expression = std::get_if<Expression>(&array.fields[f].source);
         if (!expression) continue;
         const std::string owner = array.name + "." + array.fields[f].name;
         compiled.fields[f] = compile(owner, expression->text, vocabulary);
         for (const int other : compiled.fields[f]->references) {
-            if (other < tracks) referenced_[std::size_t(other)] = true;
+            if (other < tracks) {
+                referenced_[std::size_t(other)] = true;
+            } else {
+                compiled.referenced[std::size_t(other - tracks)] = true;
+            }
         }
     }
     compiled.order = dependency_order(
@@ -180,11 +194,12 @@ formula::ArrayColumns<double> Animation::columns(std::size_t a, const Values& va
     columns.count = array.count;
     columns.fields.resize(array.fields.size());
     const auto count = std::size_t(array.count);
-    const std::size_t tracks = tracks_.size();
+    const std::size_t tracks = nameable_;
 
     formula::Bindings<double> bindings;
     bindings.seed = seed_;
-    bindings.parameters = values.tracks;
+    bindings.parameters.assign(values.tracks.begin(),
+                               values.tracks.begin() + std::ptrdiff_t(tracks));
     bindings.parameters.resize(tracks + array.fields.size());
     for (const int f : compiled.order) {
         const auto field = std::size_t(f);

@@ -75,6 +75,10 @@ public:
     std::optional<int> find(std::string_view track) const;
     // True if some expression names this track.
     bool is_referenced(int track) const { return referenced_[std::size_t(track)]; }
+    // True if a sibling's expression names this field.
+    bool is_referenced(std::size_t array, std::size_t field) const {
+        return compiled_arrays_[array].referenced[field];
+    }
 
 private:
     struct Compiled {
@@ -84,10 +88,13 @@ private:
     struct CompiledArray {
         std::vector<std::optional<Compiled>> fields;
         std::vector<int> order;
+        std::vector<bool> referenced; // by siblings
     };
 
     Compiled compile(const std::string& owner, const std::string& text,
                      const formula::Vocabulary& vocabulary) const;
+    // The names that expressions may use, in the order of the tracks.
+    std::vector<std::string> track_names() const;
     void compile_tracks();
     void compile_array(const Array& array);
     formula::ArrayColumns<double> columns(std::size_t array, const Values& values) const;
@@ -95,6 +102,8 @@ private:
     std::vector<Track> tracks_;
     std::vector<Array> arrays_;
     std::uint64_t seed_ = 0;
+    // Tracks beyond this one ("camera.fov") have no name to be written in an expression.
+    std::size_t nameable_ = 0;
     std::vector<std::optional<Compiled>> compiled_; // of the tracks that are expressions
     std::vector<CompiledArray> compiled_arrays_;
     std::vector<int> order_; // tracks, what they refer to first

@@ -13,13 +13,14 @@ constexpr int last_frame = 10'000'000;
 int parse_number(std::string_view part, std::string_view digits) {
     int value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc{} || end != digits.data() + digits.size() || digits.empty()) {
+    const bool too_large = error == std::errc::result_out_of_range;
+    if ((error != std::errc{} && !too_large) || end != digits.data() + digits.size()) {
         throw std::invalid_argument(fmt::format(
             "'{}' is not a frame range: write a frame (5), a range (1-10), or a range with a step "
             "(1-10x2), several separated by commas",
             part));
     }
-    if (value < 1 || value > last_frame) {
+    if (too_large || value < 1 || value > last_frame) {
         throw std::invalid_argument(
             fmt::format("'{}': frames and steps count from 1 to {}", part, last_frame));
     }

@@ -17,13 +17,16 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
 
 std::optional<FrameRate> checked(std::optional<std::int64_t> numerator,
                                  std::optional<std::int64_t> denominator) {
-    // The bound keeps (frame - 1) * denominator exact in 64 bits for every frame number of an int.
-    constexpr std::int64_t largest = 1'000'000'000;
+    // The bounds keep (frame - 1) * denominator exact in 64 bits for every frame number of an int,
+    // and the numerator exact in a double.
+    constexpr std::int64_t largest_numerator = 1'000'000'000'000'000;
+    constexpr std::int64_t largest_denominator = 1'000'000'000;
     if (!numerator || !denominator) return std::nullopt;
     if (*numerator <= 0 || *denominator <= 0) return std::nullopt;
     const std::int64_t common = std::gcd(*numerator, *denominator);
     const FrameRate rate{*numerator / common, *denominator / common};
-    if (rate.numerator > largest || rate.denominator > largest) return std::nullopt;
+    if (rate.numerator > largest_numerator) return std::nullopt;
+    if (rate.denominator > largest_denominator) return std::nullopt;
     return rate;
 }
 

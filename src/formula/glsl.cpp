@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <iterator>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -57,7 +57,7 @@ public:
         , names_(std::size_t(program.registers)) {}
 
     std::string write() {
-        find_sine_cosine_pairs();
+        find_pairs();
         text_ = signature_.head + " {\n";
         for (std::size_t at = 0; at < program_.instructions.size(); ++at) {
             instruction(program_.instructions[at], at);
@@ -117,13 +117,17 @@ private:
         default:
             break;
         }
-        if (is_paired(now)) {
-            // One kernel gives both; the first of the two to come calls it.
-            const Register argument = now.operands[0];
-            if (called_.insert(argument).second) {
-                line("vec2 sc{} = im_sin_cos({});", argument, operand(now, 0));
+        if (const auto pair = pairs_.find(now.result); pair != pairs_.end()) {
+            const auto& [call, component] = pair->second;
+            // The first of the two to come makes the call.
+            const auto [known, first] = calls_.try_emplace(call, fmt::format("w{}", now.result));
+            if (first) {
+                line("vec2 {} = {};", known->second,
+                     call.sine_cosine ? fmt::format("im_sin_cos({})", text_of(call.a))
+                                      : fmt::format("im_pow_and_lower({}, {})", text_of(call.a),
+                                                    exponent(call.b)));
             }
-            name = fmt::format("sc{}.{}", argument, now.op == Op::sin ? "x" : "y");
+            name = known->second + component;
             return;
         }
         const std::string value = expression(now);
@@ -164,24 +168,66 @@ private:
     }
 
     std::string operand(const Instruction& now, std::size_t k) const {
-        const std::string& name = names_[std::size_t(now.operands[k])];
+        return text_of(now.operands[k]);
+    }
+    std::string text_of(Register r) const {
+        const std::string& name = names_[std::size_t(r)];
         return name.front() == '-' ? "(" + name + ")" : name;
     }
 
-    // The arguments of which both the sine and the cosine are wanted: the slope of one is the
-    // other.
-    void find_sine_cosine_pairs() {
-        std::set<Register> sines, cosines;
+    // Values whose slope is a sibling: the sine and the cosine of a, a^b and a^(b-1). One kernel
+    // gives both for little more than one.
+    struct PairCall {
+        bool sine_cosine;
+        Register a, b;
+        auto operator<=>(const PairCall&) const = default;
+    };
+
+    void find_pairs() {
+        std::map<PairCall, Register> sines, cosines, powers;
         for (const Instruction& now : program_.instructions) {
             if (now.kind != Instruction::Kind::operation) continue;
-            if (now.op == Op::sin) sines.insert(now.operands[0]);
-            if (now.op == Op::cos) cosines.insert(now.operands[0]);
+            definitions_[now.result] = &now;
+            const Register a = now.operands[0];
+            if (now.op == Op::sin) sines[{true, a, -1}] = now.result;
+            if (now.op == Op::cos) cosines[{true, a, -1}] = now.result;
+            if (now.op == Op::power) powers[{false, a, now.operands[1]}] = now.result;
         }
-        std::set_intersection(sines.begin(), sines.end(), cosines.begin(), cosines.end(),
-                              std::inserter(paired_, paired_.end()));
+        for (const auto& [call, sine] : sines) {
+            const auto cosine = cosines.find(call);
+            if (cosine == cosines.end()) continue;
+            pairs_[sine] = {call, ".x"};
+            pairs_[cosine->second] = {call, ".y"};
+        }
+        for (const auto& [upper, result] : powers) {
+            for (auto lower = powers.lower_bound({false, upper.a, -1});
+                 lower != powers.end() && lower->first.a == upper.a; ++lower) {
+                if (!is_one_less(lower->first.b, upper.b)) {
+                    continue;
+                }
+                if (pairs_.count(result) > 0 || pairs_.count(lower->second) > 0) continue;
+                pairs_[result] = {upper, ".x"};
+                pairs_[lower->second] = {upper, ".y"};
+            }
+        }
     }
-    bool is_paired(const Instruction& now) const {
-        return (now.op == Op::sin || now.op == Op::cos) && paired_.count(now.operands[0]) > 0;
+
+    // Whether register `lower` is register `upper` minus 1.
+    bool is_one_less(Register lower, Register upper) const {
+        const Instruction& of_lower = *definitions_.at(lower);
+        const Instruction& of_upper = *definitions_.at(upper);
+        if (of_lower.op == Op::constant && of_upper.op == Op::constant) {
+            return of_lower.value == of_upper.value - 1;
+        }
+        if (of_lower.op != Op::subtract || of_lower.operands[0] != upper) return false;
+        const Instruction& subtrahend = *definitions_.at(of_lower.operands[1]);
+        return subtrahend.op == Op::constant && subtrahend.value == 1;
+    }
+
+    // a^2.5 may be asked for, by its sibling a^1.5, before the literal 2.5 had its turn.
+    std::string exponent(Register r) const {
+        const Instruction& definition = *definitions_.at(r);
+        return definition.op == Op::constant ? glsl_literal(definition.value) : text_of(r);
     }
 
     const std::string& declare(Register r) {
@@ -216,7 +262,9 @@ private:
     const GlslSignature& signature_;
     const ArrayPacking& packing_;
     std::vector<std::string> names_;
-    std::set<Register> paired_, called_;
+    std::map<Register, const Instruction*> definitions_;
+    std::map<Register, std::pair<PairCall, const char*>> pairs_; // by result: call and component
+    std::map<PairCall, std::string> calls_;                      // made so far, and their names
     std::string text_;
     int indent_ = 1;
 };

@@ -83,13 +83,13 @@ struct Renderer::Parts {
         std::vector<int> counts;
         for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
         const formula::Field& field = *scene.surface.field;
-        const bool derivative = synthesis::samples_derivative(scene.isolation.method);
-        formula::Cost cost = formula::cost(derivative ? field.along : field.value, counts);
-        // The shade pass takes the gradient once; it too must fit the loop limit.
-        const double gradient = shaders.gradient_by_slopes
-                                    ? 3 * (1 + formula::cost(field.along, counts).iterations)
-                                    : formula::cost(field.gradient, counts).iterations;
-        cost.iterations = std::max(cost.iterations, gradient);
+        formula::Cost cost =
+            formula::cost(shaders.samples_derivative ? field.along : field.value, counts);
+        if (!shaders.march_takes_gradient) {
+            // The shade pass evaluates the gradient once; it too must fit the loop limit.
+            cost.iterations =
+                std::max(cost.iterations, formula::cost(field.gradient, counts).iterations);
+        }
         constexpr int largest_tile = 2048;
         const MarchPlan fitting =
             plan_march(cost, options.width, options.height,

@@ -77,7 +77,9 @@ void read_time(Section& document, Scene& scene, std::uint64_t& seed) {
         } else if (fps->is_number()) {
             rate = animation::parse_frame_rate(fmt::format("{}", read_finite(*fps, "time.fps")));
         }
-        if (!rate) fail(*fps, "time.fps", "must be above 0: 30, 23.976 or \"30000/1001\"");
+        if (!rate)
+            fail(*fps, "time.fps",
+                 "must be above 0: 30, 23.976 (up to nine decimals) or \"30000/1001\"");
         scene.timeline.fps = *rate;
     }
     scene.timeline.frames = section->integer("frames", 1, 10'000'000).value_or(1);
@@ -94,6 +96,10 @@ void read_camera(Section& document, Scene& scene, TrackTable& tracks) {
                     : tracks.add("camera." + name, x, y, z);
     };
     camera.framed = !section || !section->has("position");
+    if (camera.framed && section && section->has("target")) {
+        fail(*section->find("target"), "camera.target",
+             "needs a position beside it; without one the camera looks at the bounds");
+    }
     camera.position = vector("position", 3, 2, 1.5);
     camera.target = vector("target", 0, 0, 0);
     camera.up = vector("up", 0, 0, 1);
@@ -116,18 +122,21 @@ void read_lights(Section& document, Scene& scene, TrackTable& tracks) {
         Light light;
         light.headlight = !list;
         std::array<animation::TrackSource, 3> direction{0.0, 0.0, 1.0}, color{1.0, 1.0, 1.0};
-        const toml::node* at = nullptr;
+        const toml::node *direction_at = nullptr, *color_at = nullptr;
         if (list) {
-            at = list->get(k);
+            const toml::node* at = list->get(k);
             Section section(*at->as_table(), key);
-            if (auto given = section.vector("color")) color = *given;
-            auto given = section.vector("direction");
-            if (!given) fail(*at, key, "needs direction = [x, y, z], pointing to the light");
-            direction = *given;
+            color_at = section.find("color");
+            direction_at = section.find("direction");
+            if (color_at) color = *section.vector("color");
+            if (!direction_at) {
+                fail(*at, key, "needs direction = [x, y, z], pointing to the light");
+            }
+            direction = *section.vector("direction");
             section.refuse_rest();
         }
-        light.direction = tracks.add(key + ".direction", direction, at);
-        light.color = tracks.add(key + ".color", color, at);
+        light.direction = tracks.add(key + ".direction", direction, direction_at);
+        light.color = tracks.add(key + ".color", color, color_at);
         scene.lights.push_back(light);
     }
 }

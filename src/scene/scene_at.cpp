@@ -1,6 +1,7 @@
 #include "scene/scene_at.h"
 
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
@@ -20,10 +21,32 @@ public:
     glm::dvec3 vector(const Vec3Track& track) const {
         return {number(track[0]), number(track[1]), number(track[2])};
     }
+    [[noreturn]] void fail(const std::string& name, const std::string& message) const {
+        throw SceneError(
+            fmt::format("{}: {} at t = {}: {}", scene_.file.string(), name, values_.time, message));
+    }
     [[noreturn]] void fail(TrackId track, const std::string& message) const {
-        throw SceneError(fmt::format("{}: {} at t = {}: {}", scene_.file.string(),
-                                     scene_.timeline.animation.tracks()[std::size_t(track)].name,
-                                     values_.time, message));
+        fail(scene_.timeline.animation.tracks()[std::size_t(track)].name, message);
+    }
+
+    // What is no number would end in an empty picture, or in the blame of something else.
+    void check_range() const {
+        const auto& tracks = scene_.timeline.animation.tracks();
+        for (std::size_t k = 0; k < values_.tracks.size(); ++k) {
+            check(values_.tracks[k], [&] { return tracks[k].name; });
+        }
+        const auto& arrays = scene_.timeline.animation.arrays();
+        for (std::size_t a = 0; a < values_.arrays.size(); ++a) {
+            const auto& fields = values_.arrays[a].fields;
+            for (std::size_t f = 0; f < fields.size(); ++f) {
+                for (std::size_t i = 0; i < fields[f].size(); ++i) {
+                    check(fields[f][i], [&] {
+                        return fmt::format("{}.{}[{}]", arrays[a].name, arrays[a].fields[f].name,
+                                           i);
+                    });
+                }
+            }
+        }
     }
 
     BoundsAt bounds() const {
@@ -114,6 +137,16 @@ public:
     }
 
 private:
+    template<class Name> void check(double value, Name&& name) const {
+        // Everything ends as a float on the GPU.
+        constexpr double most = std::numeric_limits<float>::max();
+        if (std::abs(value) <= most) return;
+        fail(name(),
+             std::isnan(value)
+                 ? "the value is not a number"
+                 : fmt::format("the value {} is beyond the range of float ({:.2g})", value, most));
+    }
+
     // From above the viewer's right shoulder.
     static glm::dvec3 shoulder(const CameraAt& camera) {
         const glm::dvec3 back = glm::normalize(camera.position - camera.target);
@@ -140,13 +173,8 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     formula::Bindings<double> bindings;
     bindings.parameters.assign(values.tracks.begin(), values.tracks.begin() + parameters);
     bindings.arrays = values.arrays;
+    read.check_range();
     now.bindings = formula::convert<float>(bindings);
-    for (std::ptrdiff_t k = 0; k < parameters; ++k) {
-        const double value = values.tracks[std::size_t(k)];
-        if (!std::isfinite(value)) {
-            read.fail(TrackId(k), fmt::format("the value is {}; it must be finite", value));
-        }
-    }
     now.bounds = read.bounds();
     now.placement = read.placement();
     now.camera = read.camera(now.bounds, now.placement);

@@ -196,6 +196,41 @@ toml::table read_catalogue(const toml::node& use, const std::string& name) {
     return read_document(file);
 }
 
+// A field that neither the formula nor a sibling names is a slip of the pen, as with parameters:
+// "weigth = 2" would leave the catalogue's weight as it was. `used` is that of the vocabulary's
+// parameters. An array that the formula leaves out altogether is no slip.
+void refuse_unused_fields(const SurfaceParts& parts, const std::vector<bool>& used,
+                          const animation::Animation& animation, const TrackTable& tracks) {
+    const formula::Graph& graph = parts.surface.field->graph;
+    for (std::size_t a = 0; a < parts.arrays.size(); ++a) {
+        const animation::Array& array = parts.arrays[a];
+        std::vector<bool> in_formula(array.fields.size(), false);
+        for (formula::NodeId id = 0; id < graph.size(); ++id) {
+            const formula::Node& node = graph[id];
+            if (node.op == formula::Op::element && std::size_t(node.index) == a)
+                in_formula[std::size_t(node.second)] = true;
+        }
+        std::vector<std::string> names;
+        for (std::size_t f = 0; f < array.fields.size(); ++f) {
+            const auto& parameter = parts.vocabulary.arrays[a].fields[f].parameter;
+            if (parameter && used[std::size_t(*parameter)]) in_formula[f] = true;
+            names.push_back(array.fields[f].name);
+        }
+        if (std::none_of(in_formula.begin(), in_formula.end(), [](bool in) { return in; }))
+            continue;
+        for (std::size_t f = 0; f < array.fields.size(); ++f) {
+            if (in_formula[f] || animation.is_referenced(a, f)) continue;
+            std::vector<std::string> others = names;
+            others.erase(others.begin() + std::ptrdiff_t(f));
+            const std::string near = formula::nearest_name(names[f], others);
+            tracks.fail_at(array.name + "." + names[f],
+                           near.empty()
+                               ? "neither the formula nor another field uses this field"
+                               : fmt::format("nothing uses this field; did you mean '{}'?", near));
+        }
+    }
+}
+
 } // namespace
 
 std::unique_ptr<SurfaceParts> read_surface(Section& document, TrackTable& tracks) {
@@ -258,8 +293,10 @@ void read_space(Section& document, SurfaceParts& parts, TrackTable& tracks) {
             fail(*box, "surface.bounds.box", "must be two corners: [[x0, y0, z0], [x1, y1, z1]]");
         }
         const std::string key = "surface.bounds.box";
-        bounds.min = tracks.add(key + ".min", read_vector(*corners->get(0), key + "[0]"), box);
-        bounds.max = tracks.add(key + ".max", read_vector(*corners->get(1), key + "[1]"), box);
+        bounds.min =
+            tracks.add(key + ".min", read_vector(*corners->get(0), key + "[0]"), corners->get(0));
+        bounds.max =
+            tracks.add(key + ".max", read_vector(*corners->get(1), key + "[1]"), corners->get(1));
     } else {
         bounds.radius = tracks.add("surface.bounds.sphere", *given->track("sphere"), sphere);
         const toml::node* centre = given->find("centre");
@@ -298,6 +335,7 @@ void make_field(SurfaceParts& parts, const animation::Animation& animation,
         const formula::Node& node = parts.surface.field->graph[id];
         if (node.op == formula::Op::parameter) used[std::size_t(node.index)] = true;
     }
+    refuse_unused_fields(parts, used, animation, tracks);
     // A parameter that neither the formula nor an expression names is a slip of the pen.
     for (std::size_t k = 0; k < parts.parameters.size(); ++k) {
         if (used[k] || animation.is_referenced(int(k))) continue;

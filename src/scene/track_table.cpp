@@ -5,7 +5,7 @@ namespace isomotion::scene {
 TrackId TrackTable::add(const std::string& name, animation::TrackSource source,
                         const toml::node* at) {
     tracks_.push_back({name, std::move(source)});
-    place(name, name, at);
+    if (at || !places_.count(name)) place(name, name, at);
     return int(tracks_.size()) - 1;
 }
 

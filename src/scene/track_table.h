@@ -10,7 +10,7 @@ namespace isomotion::scene {
 
 class TrackTable {
 public:
-    // `at` may be null for defaults.
+    // `at` may be null for defaults; a place remembered before stays then.
     TrackId add(const std::string& name, animation::TrackSource source, const toml::node* at);
     Vec3Track add(const std::string& name, const std::array<animation::TrackSource, 3>& source,
                   const toml::node* at);

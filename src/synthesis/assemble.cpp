@@ -23,25 +23,26 @@ void add_ray(ShaderText& text, const scene::Scene& scene) {
     text.file("march/state.glsl");
 }
 
+// So long that compiling it shows: some 0.2 s on a software renderer, and growing with its length.
+bool is_long(const formula::Program& gradient) { return gradient.instructions.size() > 1000; }
+
 std::string march_text(const scene::Scene& scene, Shaders& shaders) {
     const scene::Method method = scene.isolation.method;
-    const bool derivative = samples_derivative(method);
     ShaderText text(shaders.files);
     add_field(text, *scene.surface.field, shaders,
-              {derivative ? FieldFunction::along : FieldFunction::value});
+              {shaders.samples_derivative ? FieldFunction::along : FieldFunction::value});
     add_ray(text, scene);
     text.file("march/store_state.glsl");
-    text.file(derivative ? "march/sample_along.glsl" : "march/sample_value.glsl");
+    text.file(shaders.samples_derivative ? "march/sample_along.glsl" : "march/sample_value.glsl");
     text.file(method == scene::Method::marching ? "march/uniform_step.glsl"
                                                 : "march/adaptive_step.glsl");
     text.file(method == scene::Method::amp_taylor ? "march/taylor_test.glsl"
                                                   : "march/sign_test.glsl");
+    text.file(shaders.march_takes_gradient ? "march/gradient_at_root.glsl"
+                                           : "march/end_at_root.glsl");
     text.file("march/march.frag");
     return text.take();
 }
-
-// So long that compiling it shows: some 0.2 s on a software renderer, and growing with its length.
-bool is_long(const formula::Program& gradient) { return gradient.instructions.size() > 1000; }
 
 struct ChannelShader {
     Channel channel;
@@ -60,16 +61,16 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
                        Shaders& shaders) {
     ShaderText text(shaders.files);
     text.define("LIGHTS", int(scene.lights.size()));
-    shaders.gradient_by_slopes = is_long(scene.surface.field->gradient);
-    if (shaders.gradient_by_slopes) {
-        add_field(text, *scene.surface.field, shaders, {FieldFunction::along});
-        text.file("shade/gradient_by_slopes.glsl");
-    } else {
+    if (!shaders.march_takes_gradient) {
         add_field(text, *scene.surface.field, shaders, {FieldFunction::gradient});
+    } else {
+        text.file("math/bits.glsl");
     }
     add_ray(text, scene);
     text.file("shade/shading.glsl");
     text.file("shade/lambert.glsl");
+    text.file(shaders.march_takes_gradient ? "shade/gradient_from_state.glsl"
+                                           : "shade/gradient_from_field.glsl");
     std::string calls;
     for (const ChannelShader& shader : channel_shaders) {
         if (std::find(channels.begin(), channels.end(), shader.channel) == channels.end()) continue;
@@ -86,13 +87,14 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
 
 } // namespace
 
-bool samples_derivative(scene::Method method) { return method != scene::Method::marching; }
-
 Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels) {
     Shaders shaders;
     static_cast<FieldStorage&>(shaders) = storage_of(scene);
     shaders.vertex = "#version 330 core\n" + read_shader("fullscreen.vert");
     shaders.files.push_back("fullscreen.vert");
+    shaders.march_takes_gradient = is_long(scene.surface.field->gradient);
+    shaders.samples_derivative =
+        shaders.march_takes_gradient || scene.isolation.method != scene::Method::marching;
     shaders.march = march_text(scene, shaders);
     ShaderText active(shaders.files);
     active.file("march/state.glsl");

@@ -19,16 +19,15 @@ struct Shaders : FieldStorage {
     std::string active; // asks whether rays still march
     std::string shade;  // the picture from finished rays
 
-    // The shade pass takes the gradient as three samples of field_along.
-    bool gradient_by_slopes = false;
+    // Whether a march samples F and dF/dt, or F alone; and whether, the formula being long, it also
+    // samples the gradient at the root, which else the shade pass does.
+    bool samples_derivative = true;
+    bool march_takes_gradient = false;
     // Attachments of the shade pass: 0 colour, 1 verdict and evaluations, then these.
     std::vector<Channel> attachments;
     std::vector<std::string> files; // of shaders/, as used
 };
 
 Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels = {});
-
-// Whether the method looks at F alone, or at F and dF/dt.
-bool samples_derivative(scene::Method method);
 
 } // namespace isomotion::synthesis

@@ -34,16 +34,31 @@ TEST(Glsl, APolynomial) {
 TEST(Glsl, TheSlopeAlongTheRay) {
     EXPECT_EQ(glsl_along(make_field("sin(x)*y", test_vocabulary())),
               R"(vec2 field_along(vec3 p, vec3 d) {
-    float v1 = im_sin(p.x);
-    float v3 = v1 * p.y;
-    float v6 = im_cos(p.x);
-    float v7 = d.x * v6;
-    float v8 = v1 * d.y;
+    vec2 w1 = im_sin_cos(p.x);
+    float v3 = w1.x * p.y;
+    float v7 = d.x * w1.y;
+    float v8 = w1.x * d.y;
     float v9 = p.y * v7;
     float v10 = v8 + v9;
     return vec2(v3, v10);
 }
 )");
+}
+
+// A value and its slope share a kernel where one gives both, in whatever order they come.
+TEST(Glsl, PowersThatDifferByOneShareAKernel) {
+    for (const auto* text : {"abs(x)^2.5 + abs(x)^1.5", "abs(x)^1.5 + abs(x)^2.5",
+                             "abs(x)^a + abs(x)^(a-1)", "abs(x)^(a-1) + abs(x)^a"}) {
+        const std::string code = glsl(text);
+        EXPECT_THAT(code, HasSubstr("im_pow_and_lower(")) << text;
+        EXPECT_THAT(code, Not(HasSubstr("im_pow("))) << text;
+    }
+    EXPECT_THAT(glsl_along(make_field("abs(x)^a", test_vocabulary())),
+                HasSubstr("im_pow_and_lower("));
+    for (const auto* text : {"abs(x)^2.5 + abs(y)^1.5", "abs(x)^a + abs(x)^(a-2)",
+                             "abs(x)^a + abs(x)^(b-1)", "abs(x)^a + abs(x)^(1-a)"}) {
+        EXPECT_THAT(glsl(text), Not(HasSubstr("im_pow_and_lower("))) << text;
+    }
 }
 
 // Six fields need two texels; what no element changes stands before the loop.

@@ -1,0 +1,3 @@
+vec3 surface_gradient(RayState s, vec3 position) {
+    return field_gradient(position);
+}

@@ -1,0 +1,98 @@
+#include "testing.h"
+
+namespace isomotion::scene {
+namespace {
+
+using testing::StartsWith;
+
+class Overrides : public Scenes {
+protected:
+    SceneAt set(const std::vector<Override>& overrides, double time = 0) const {
+        return at_time(loaded(ball(), overrides), time);
+    }
+    std::string wrong(const std::vector<Override>& overrides) const {
+        return mistake(ball(), overrides);
+    }
+};
+
+TEST_F(Overrides, AParameterByItsName) {
+    EXPECT_EQ(set({"radius=2"}).bindings.parameters[0], 2);
+    EXPECT_EQ(set({"radius=-1.5e-3"}).bindings.parameters[0], -1.5e-3f);
+    EXPECT_EQ(set({"parameters.radius=2"}).bindings.parameters[0], 2);
+}
+
+TEST_F(Overrides, AnExpressionWithAndWithoutQuotes) {
+    EXPECT_EQ(set({"radius=2+t"}, 3).bindings.parameters[0], 5);
+    EXPECT_EQ(set({"radius=\"2+t\""}, 3).bindings.parameters[0], 5);
+    EXPECT_EQ(set({"radius='2+t'"}, 3).bindings.parameters[0], 5);
+    EXPECT_EQ(set({"radius=2 + max(t, 1)"}, 3).bindings.parameters[0], 5);
+}
+
+TEST_F(Overrides, Keyframes) {
+    EXPECT_EQ(set({"radius={ keys = [[0, 1], [1, 3]] }"}, 0.5).bindings.parameters[0], 2);
+}
+
+TEST_F(Overrides, AnyKeyOfTheFile) {
+    EXPECT_EQ(set({"camera.fov=30"}).camera.fov, 30);
+    EXPECT_EQ(set({"camera.up=[0,1,0]"}).camera.up, glm::dvec3(0, 1, 0));
+    EXPECT_EQ(set({"camera.up=[0, '1+t', 0]"}, 1).camera.up, glm::dvec3(0, 2, 0));
+    EXPECT_EQ(set({"surface.bounds.sphere=3"}).bounds.radius, 3);
+    EXPECT_EQ(loaded(ball(), {"output.size=[32, 16]"}).output.height, 16);
+    EXPECT_EQ(loaded(ball(), {"time.fps=24000/1001"}).timeline.fps.denominator, 1001);
+}
+
+TEST_F(Overrides, SectionsTheFileDoesNotHave) {
+    EXPECT_EQ(set({"material.color=[1, 0, 0]"}).material_color, glm::dvec3(1, 0, 0));
+    EXPECT_EQ(set({"surface.placement.scale=2"}).placement.scale, 2);
+    EXPECT_EQ(loaded(ball(), {"isolation.method=amp-taylor"}).isolation.method, Method::amp_taylor);
+}
+
+TEST_F(Overrides, TheLastOfTwoHolds) {
+    EXPECT_EQ(set({"radius=2", "radius=3"}).bindings.parameters[0], 3);
+}
+
+TEST_F(Overrides, WhatIsNoSetting) {
+    EXPECT_EQ(wrong({"radius"}), "--set radius: write name=value");
+    EXPECT_EQ(wrong({"=3"}), "--set =3: write name=value");
+    EXPECT_EQ(wrong({"radius="}), "--set radius=: write name=value");
+    EXPECT_EQ(wrong({""}), "--set : write name=value");
+    EXPECT_EQ(wrong({"title.long=3"}), "--set title.long=3: 'title' is not a table");
+    EXPECT_EQ(mistake(ball_and("[[lights]]\ndirection = [0, 0, 1]"), {"lights.color=[1, 1, 1]"}),
+              "--set lights.color=[1, 1, 1]: 'lights' is not a table");
+}
+
+TEST_F(Overrides, UnknownNamesAreThoseOfTheCommandLine) {
+    EXPECT_EQ(wrong({"raduis=2"}),
+              "--set: parameters.raduis: nothing uses this parameter; did you mean 'radius'?");
+    EXPECT_EQ(wrong({"camera.fvo=30"}), "--set: camera.fvo: unknown key; did you mean 'fov'?");
+    EXPECT_EQ(wrong({"camra.fov=30"}), "--set: camra: unknown key; did you mean 'camera'?");
+    EXPECT_EQ(wrong({"camera..fov=30"}),
+              "--set: camera.: unknown key; known here: fov, position, target, up");
+}
+
+TEST_F(Overrides, ValuesAreCheckedAsInAFile) {
+    EXPECT_EQ(wrong({"radius=nan"}), "--set: parameters.radius: must be finite");
+    EXPECT_EQ(wrong({"radius=2+q"}),
+              "--set: parameters.radius: unknown name 'q'; known: t, radius, pi\n"
+              "    2+q\n"
+              "      ^");
+    EXPECT_THAT(wrong({"camera.up=[0,1"}), StartsWith("--set: camera.up: must be [x, y, z] or "));
+    EXPECT_THAT(wrong({"camera.fov=[0]"}), StartsWith("--set: camera.fov: must be a number"));
+    EXPECT_EQ(wrong({"time.frames=many"}), "--set: time.frames: must be an integer");
+    EXPECT_EQ(wrong({"output.size=[0, 64]"}),
+              "--set: output.size: must be [width, height], integers from 1 to 16384");
+    EXPECT_EQ(wrong({"surface.formula=x - yy"}),
+              "--set: surface.formula: unknown name 'yy'; did you mean 'y'?\n"
+              "    x - yy\n"
+              "        ^");
+}
+
+// A mistake elsewhere keeps its place in the file.
+TEST_F(Overrides, TheFilesOwnMistakesStayTheFiles) {
+    EXPECT_EQ(mistake(ball_with(12, "fob = 40"), {"camera.up=[0, 1, 0]"}),
+              "scene.toml:12: camera.fob: unknown key; did you mean 'fov'?");
+    EXPECT_EQ(mistake(ball_with(12, "fov = true"), {"camera.fov=40"}), "nothing is wrong");
+}
+
+} // namespace
+} // namespace isomotion::scene

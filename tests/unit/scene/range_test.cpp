@@ -1,0 +1,112 @@
+// Values that leave their range while the scene moves.
+#include "testing.h"
+
+namespace isomotion::scene {
+namespace {
+
+class Range : public Scenes {
+protected:
+    // What is wrong at t = 2, when nothing was at t = 0.
+    std::string at_two(const std::string& text) const {
+        const Scene scene = loaded(text);
+        try {
+            at_time(scene, 2);
+        } catch (const SceneError& error) {
+            const std::string message = error.what(), file = scene.file.string();
+            EXPECT_EQ(message.substr(0, file.size()), file);
+            return message.substr(std::min(file.size(), message.size()));
+        }
+        return "nothing is wrong";
+    }
+    std::string of_line(int number, const std::string& line) const {
+        return at_two(ball_with(number, line));
+    }
+    std::string bounds_and(const std::string& line) const {
+        return of_line(7, "bounds = { sphere = 1.5 }\n" + line);
+    }
+};
+
+TEST_F(Range, Bounds) {
+    EXPECT_EQ(of_line(7, "bounds = { sphere = \"2 - t\" }"),
+              ": surface.bounds.sphere at t = 2: the radius must be above 0, not 0");
+    EXPECT_EQ(of_line(7, "bounds = { sphere = \"1 - t\" }"),
+              ": surface.bounds.sphere at t = 2: the radius must be above 0, not -1");
+    EXPECT_EQ(of_line(7, "bounds = { box = [[-1, \"t - 1\", -1], [1, 1, 1]] }"),
+              ": surface.bounds.box.min.y at t = 2: the first corner of the box must be below the "
+              "second: 1 and 1");
+    EXPECT_EQ(of_line(7, "bounds = { box = [[-1, -1, -1], [1, 1, \"1 - t\"]] }"),
+              ": surface.bounds.box.min.z at t = 2: the first corner of the box must be below the "
+              "second: -1 and -1");
+}
+
+TEST_F(Range, Placement) {
+    EXPECT_EQ(bounds_and("placement = { scale = \"2 - t\" }"),
+              ": surface.placement.scale at t = 2: the scale must be above 0, not 0");
+    EXPECT_EQ(bounds_and("placement = { scale = \"1 - t\" }"),
+              ": surface.placement.scale at t = 2: the scale must be above 0, not -1");
+}
+
+TEST_F(Range, Camera) {
+    const std::string fov =
+        ": camera.fov at t = 2: the field of view must be above 0 and below 180 degrees, not ";
+    EXPECT_EQ(of_line(12, "fov = \"40 - 20*t\""), fov + "0");
+    EXPECT_EQ(of_line(12, "fov = \"40 + 70*t\""), fov + "180");
+    EXPECT_EQ(of_line(12, "fov = \"40 + 80*t\""), fov + "200");
+    EXPECT_EQ(of_line(11, "position = [\"4 - 2*t\", 0, 0]"),
+              ": camera.position.x at t = 2: the camera stands at its target; move one of them");
+    EXPECT_EQ(of_line(12, "up = [0, 0, \"2 - t\"]"),
+              ": camera.up.x at t = 2: `up` has no direction");
+}
+
+TEST_F(Range, Lights) {
+    EXPECT_EQ(at_two(ball_and("[[lights]]\ndirection = [0, 0, 1]\n"
+                              "[[lights]]\ndirection = [0, 0, \"2 - t\"]")),
+              ": lights[1].direction.x at t = 2: the direction to the light has length 0");
+}
+
+// One value that is no number any more is blamed, and not what comes of it.
+TEST_F(Range, NotANumber) {
+    const std::string nan = " at t = 2: the value is not a number";
+    for (const std::string text : {"\"1 + log(1 - t)\"", "\"(2 - t)/(4 - 2*t)\""}) {
+        EXPECT_EQ(of_line(9, "radius = " + text), ": radius" + nan);
+        EXPECT_EQ(of_line(7, "bounds = { sphere = 1, centre = [0, " + text + ", 0] }"),
+                  ": surface.bounds.centre.y" + nan);
+        EXPECT_EQ(bounds_and("placement = { translate = [" + text + ", 0, 0] }"),
+                  ": surface.placement.translate.x" + nan);
+        EXPECT_EQ(bounds_and("placement = { rotate = [" + text + ", 0, 0] }"),
+                  ": surface.placement.rotate.x" + nan);
+        EXPECT_EQ(of_line(11, "position = [4, 0, " + text + "]"), ": camera.position.z" + nan);
+        EXPECT_EQ(of_line(12, "up = [0, 1, " + text + "]"), ": camera.up.z" + nan);
+        EXPECT_EQ(of_line(12, "fov = " + text), ": camera.fov" + nan);
+        EXPECT_EQ(at_two(ball_and("[material]\ncolor = [1, 1, " + text + "]")),
+                  ": material.color.z" + nan);
+        EXPECT_EQ(
+            at_two(ball_and("[[lights]]\ndirection = [0, 0, 1]\ncolor = [1, 1, " + text + "]")),
+            ": lights[0].color.z" + nan);
+        EXPECT_EQ(at_two(blobs("count = 3\nw = 1\ncx = " + text)), ": blobs.cx[0]" + nan);
+    }
+    EXPECT_EQ(at_two(blobs("count = 3\nw = 1\ncx = \"log(3.5 - t - i)\"")), ": blobs.cx[2]" + nan);
+}
+
+// A float on the GPU would be infinite.
+TEST_F(Range, TooLargeForAFloat) {
+    const std::string large = " at t = 2: the value 1e+39 is beyond the range of float (3.4e+38)";
+    EXPECT_EQ(of_line(9, "radius = { keys = [[0, 1], [1, 1e39]] }"), ": radius" + large);
+    EXPECT_EQ(of_line(9, "radius = { keys = [[0, 1], [1, 3e38]] }"), "nothing is wrong");
+    EXPECT_EQ(at_two(blobs("count = 2\nw = 1\ncx = \"max(0, t - 1)*1e39*i\"")),
+              ": blobs.cx[1]" + large);
+    EXPECT_EQ(of_line(9, "radius = \"1/(2 - t)\""),
+              ": radius at t = 2: the value 1e+300 is beyond the range of float (3.4e+38)");
+}
+
+// At the first frame the scene doesn't even load.
+TEST_F(Range, WrongFromTheStart) {
+    EXPECT_EQ(mistake(ball_with(7, "bounds = { sphere = \"t\" }")),
+              "scene.toml: surface.bounds.sphere at t = 0: the radius must be above 0, not 0");
+    EXPECT_EQ(mistake(ball_with(12, "fov = 200")),
+              "scene.toml: camera.fov at t = 0: the field of view must be above 0 and below 180 "
+              "degrees, not 200");
+}
+
+} // namespace
+} // namespace isomotion::scene

@@ -1,0 +1,135 @@
+#include "scene/thresholds.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "testing.h"
+
+namespace isomotion::scene {
+namespace {
+
+class FieldThresholds : public Scenes {
+protected:
+    static constexpr double step = 0.01;
+    Thresholds of(const std::string& formula, const std::string& bounds = "{ sphere = 1.2 }",
+                  const std::string& more = "") const {
+        // Settings of its own keep load from asking for thresholds: the tests do.
+        const Scene scene =
+            loaded(fmt::format("[surface]\nformula = \"{}\"\nbounds = {}\n{}\n[isolation]\nnear = "
+                               "1\nfar = 1\nhorizon = 1\n",
+                               formula, bounds, more));
+        return field_thresholds(*scene.surface.field, at_time(scene, 0), step);
+    }
+    static double slope(const Thresholds& thresholds) { return thresholds.horizon / 0.1; }
+};
+
+void expect_near(const Thresholds& a, const Thresholds& b, double tolerance) {
+    EXPECT_NEAR(a.near, b.near, tolerance * b.near);
+    EXPECT_NEAR(a.far, b.far, tolerance * b.far);
+    EXPECT_NEAR(a.horizon, b.horizon, tolerance * b.horizon);
+}
+
+const std::string sphere = "x^2 + y^2 + z^2 - 1";
+
+TEST_F(FieldThresholds, ThreeMultiplesOfOneSlope) {
+    const Thresholds found = of(sphere);
+    EXPECT_DOUBLE_EQ(found.near, 2 * step * slope(found));
+    EXPECT_DOUBLE_EQ(found.far, 8 * step * slope(found));
+}
+
+TEST_F(FieldThresholds, OfAPlaneAreExact) {
+    EXPECT_DOUBLE_EQ(slope(of("x - 0.25")), 1);
+    EXPECT_DOUBLE_EQ(slope(of("3*x + 4*z", "{ box = [[-1, -1, -1], [2, 1, 1]] }")), 5);
+}
+
+// |grad F| = 2 r, and r is 1 on the surface.
+TEST_F(FieldThresholds, OfTheUnitSphereHaveASlopeNearTwo) {
+    EXPECT_NEAR(slope(of(sphere)), 2, 0.1);
+    EXPECT_NEAR(slope(of(sphere, "{ box = [[-1.05, -1.05, -1.05], [1.05, 1.05, 1.05]] }")), 2, 0.1);
+}
+
+// "Near the surface" is an eighth of the bounds: in wide ones it reaches out to steeper places.
+TEST_F(FieldThresholds, OfASmallSphereInWideBoundsKeepTheirMagnitude) {
+    const double found = slope(of(sphere, "{ sphere = 3 }"));
+    EXPECT_GT(found, 2);
+    EXPECT_LT(found, 4);
+}
+
+// The surface x = 0 has slopes from exp(-6) to exp(6), in the middle 1. Small values are no sign of
+// nearness: they are all over the flat side.
+TEST_F(FieldThresholds, AreTakenNearTheSurfaceAndNotWhereTheFieldIsSmall) {
+    const double found = slope(of("x*exp(6*y)", "{ box = [[-1, -1, -1], [1, 1, 1]] }"));
+    EXPECT_GT(found, 0.7);
+    EXPECT_LT(found, 1.4);
+}
+
+TEST_F(FieldThresholds, GoWithTheField) {
+    const Thresholds one = of(sphere);
+    for (const double k : {1e-12, 0.3, 7.0, 1e12}) {
+        const Thresholds scaled = of(fmt::format("{}*({})", k, sphere));
+        expect_near(scaled, {k * one.near, k * one.far, k * one.horizon}, 1e-9);
+    }
+    expect_near(of("-(" + sphere + ")"), one, 1e-12);
+}
+
+TEST_F(FieldThresholds, GoWithTheCoordinates) {
+    const Thresholds one = of(sphere);
+    const Thresholds large = of("(x/1000)^2 + (y/1000)^2 + (z/1000)^2 - 1", "{ sphere = 1200 }");
+    expect_near(large, {one.near / 1000, one.far / 1000, one.horizon / 1000}, 1e-6);
+}
+
+TEST_F(FieldThresholds, AreTheSameEveryTime) {
+    const Thresholds a = of("sin(5*x)*cos(3*y) + z^3"), b = of("sin(5*x)*cos(3*y) + z^3");
+    EXPECT_EQ(a.near, b.near);
+    EXPECT_EQ(a.far, b.far);
+    EXPECT_EQ(a.horizon, b.horizon);
+}
+
+// Between the blobs the field is a constant in floats, and nearly so in doubles.
+TEST_F(FieldThresholds, OfBlobsInAWideSpaceAreFiniteAndPositive) {
+    for (const char* bounds : {"{ sphere = 1.2 }", "{ sphere = 3 }", "{ sphere = 10 }"}) {
+        const Thresholds found = of("sum(blobs, exp(-60*((x-cx)^2 + y^2 + z^2))) - 0.5", bounds,
+                                    "[arrays.blobs]\ncount = 75\ncx = \"2*i/n - 1\"");
+        for (const double threshold : {found.near, found.far, found.horizon}) {
+            EXPECT_TRUE(std::isfinite(threshold)) << bounds;
+            EXPECT_GT(threshold, 0) << bounds;
+        }
+    }
+}
+
+TEST_F(FieldThresholds, OfAFieldWithPolesAreFinite) {
+    const Thresholds found = of("1/x + log(abs(y)) + sqrt(z)");
+    EXPECT_TRUE(std::isfinite(found.far));
+    EXPECT_GT(found.near, 0);
+}
+
+TEST_F(FieldThresholds, OfAConstantFieldAreNone) {
+    const Thresholds found = of("1");
+    EXPECT_EQ(found.near, 0);
+    EXPECT_EQ(found.far, 0);
+    EXPECT_EQ(found.horizon, 0);
+}
+
+TEST_F(FieldThresholds, FillInWhatASceneLeavesOut) {
+    const std::string text = "[surface]\nformula = \"" + sphere + "\"\nbounds = { sphere = 1.2 }\n";
+    const Isolation all = loaded(text).isolation;
+    EXPECT_DOUBLE_EQ(all.step, 0.012);
+    EXPECT_DOUBLE_EQ(all.far, 4 * all.near);
+
+    const Isolation some = loaded(text + "[isolation]\nhorizon = 0.5\n").isolation;
+    EXPECT_EQ(some.horizon, 0.5);
+    EXPECT_EQ(some.near, all.near);
+    EXPECT_EQ(some.far, all.far);
+
+    // `far` is never nearer than `near`.
+    const Isolation wide = loaded(text + "[isolation]\nnear = 3\n").isolation;
+    EXPECT_EQ(wide.near, 3);
+    EXPECT_EQ(wide.far, 3);
+
+    const Isolation coarse = loaded(text + "[isolation]\nstep = 0.12\n").isolation;
+    EXPECT_NEAR(coarse.near, 10 * all.near, 1e-9);
+}
+
+} // namespace
+} // namespace isomotion::scene
