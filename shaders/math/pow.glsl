@@ -1,4 +1,4 @@
-// im_pow, im_pow_and_lower. Needs bits.glsl, divide.glsl, exp.glsl, log.glsl.
+// im_pow, im_pow_and_lower. Needs bits.glsl, exp.glsl, log.glsl.
 //
 // For a > 0 accurate to a few ulp however large b*log(a): an error of the logarithm comes out
 // multiplied by b, so the logarithm and its product with b are carried in two floats.
@@ -31,10 +31,10 @@ float im_log_split(float a, precise out float low) {
     return high;
 }
 
-// |a|^b without the special cases.
-float im_pow_positive(float a, float b) {
-    precise float l_low;
-    precise float l_high = im_log_split(a, l_low);
+// a^b from the logarithm of a > 0, without the special cases.
+float im_pow_of_log(float l_high, float l_low, float b) {
+    // An infinite b would split into infinity - infinity; so large a finite one says the same.
+    b = clamp(b, -IM_SATURATION, IM_SATURATION);
     precise float b_high = im_leading(b);
     precise float b_low = b - b_high;
     precise float y_high = b_high * l_high;
@@ -44,14 +44,12 @@ float im_pow_positive(float a, float b) {
     precise float r = ((y_high - k * 0.693359375) + k * 2.12194440e-4) + y_low;
     precise float power = im_exp_reduced(r, int(k));
     power = y >= 69.07755 ? IM_SATURATION : power;
-    power = y < -87.33654 ? 0.0 : power;
-    return power;
+    return y < -87.33654 ? 0.0 : power;
 }
 
-float im_pow(float a, float b) {
+// a^b from |a|^b.
+float im_pow_special(float a, float b, float y) {
     float size = abs(a);
-    // An infinite b would split into infinity - infinity; so large a finite one says the same.
-    precise float y = im_pow_positive(size, clamp(b, -IM_SATURATION, IM_SATURATION));
     y = size < IM_SMALLEST ? (b > 0.0 ? 0.0 : IM_SATURATION) : y;
     y = size > IM_LARGEST ? (b > 0.0 ? IM_SATURATION : 0.0) : y;
     if (a < 0.0) {
@@ -59,17 +57,19 @@ float im_pow(float a, float b) {
         y = floor(b) != b ? IM_NAN : (odd ? -y : y);
     }
     y = im_is_nan(a) || im_is_nan(b) ? IM_NAN : y;
-    y = b == 0.0 ? 1.0 : y;
-    return y;
+    return b == 0.0 ? 1.0 : y;
 }
 
-// a^b and a^(b-1), a value and its slope, from one logarithm. Where a^b leaves float's range, so
-// does a^(b-1), a little too early.
+float im_pow(float a, float b) {
+    precise float low;
+    precise float high = im_log_split(abs(a), low);
+    return im_pow_special(a, b, im_pow_of_log(high, low, b));
+}
+
+// a^b and a^(b-1), a value and its slope, from one logarithm.
 vec2 im_pow_and_lower(float a, float b) {
-    float power = im_pow(a, b);
-    float lower = im_divide(power, a);
-    float at_zero = b > 1.0 ? 0.0 : IM_SATURATION;
-    lower = abs(a) < IM_SMALLEST ? at_zero : lower;
-    lower = b == 1.0 ? 1.0 : lower;
-    return vec2(power, lower);
+    precise float low;
+    precise float high = im_log_split(abs(a), low);
+    return vec2(im_pow_special(a, b, im_pow_of_log(high, low, b)),
+                im_pow_special(a, b - 1.0, im_pow_of_log(high, low, b - 1.0)));
 }

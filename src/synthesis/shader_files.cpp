@@ -24,7 +24,7 @@ const std::vector<KernelFile>& kernel_table() {
         {"divide.glsl", {"divide"}, {"bits.glsl"}},
         {"exp.glsl", {"exp", "sinh", "cosh", "tanh"}, {}},
         {"log.glsl", {"log"}, {"bits.glsl"}},
-        {"pow.glsl", {"pow"}, {"bits.glsl", "divide.glsl", "exp.glsl", "log.glsl"}},
+        {"pow.glsl", {"pow"}, {"bits.glsl", "exp.glsl", "log.glsl"}},
         {"trig.glsl", {"sin", "cos", "tan"}, {"bits.glsl", "divide.glsl"}},
         {"inverse_trig.glsl", {"asin", "acos", "atan"}, {}},
     };
