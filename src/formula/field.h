@@ -7,6 +7,7 @@
 
 #include "formula/evaluate.h"
 #include "formula/glsl.h"
+#include "formula/kernel_calls.h"
 #include "formula/program.h"
 #include "formula/vocabulary.h"
 

@@ -7,46 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "formula/kernel_calls.h"
+
 namespace isomotion::formula {
 namespace {
 
 constexpr std::array components{"x", "y", "z", "w"};
-
-// The kernel of shaders/math/ an operation calls, or empty for what GLSL does exactly.
-std::string_view kernel(Op op) {
-    switch (op) {
-    case Op::sqrt:
-        return "sqrt";
-    case Op::exp:
-        return "exp";
-    case Op::log:
-        return "log";
-    case Op::sin:
-        return "sin";
-    case Op::cos:
-        return "cos";
-    case Op::tan:
-        return "tan";
-    case Op::sinh:
-        return "sinh";
-    case Op::cosh:
-        return "cosh";
-    case Op::tanh:
-        return "tanh";
-    case Op::asin:
-        return "asin";
-    case Op::acos:
-        return "acos";
-    case Op::atan:
-        return "atan";
-    case Op::divide:
-        return "divide";
-    case Op::power:
-        return "pow";
-    default:
-        return {};
-    }
-}
 
 class Writer {
 public:
@@ -54,10 +20,15 @@ public:
         : program_(program)
         , signature_(signature)
         , packing_(packing)
-        , names_(std::size_t(program.registers)) {}
+        , kernels_(kernel_calls(program))
+        , names_(std::size_t(program.registers)) {
+        for (const Instruction& now : program.instructions) {
+            if (now.op != Op::constant || now.kind != Instruction::Kind::operation) continue;
+            names_[std::size_t(now.result)] = glsl_literal(now.value);
+        }
+    }
 
     std::string write() {
-        find_pairs();
         text_ = signature_.head + " {\n";
         for (std::size_t at = 0; at < program_.instructions.size(); ++at) {
             instruction(program_.instructions[at], at);
@@ -101,7 +72,6 @@ private:
         std::string& name = names_[std::size_t(now.result)];
         switch (now.op) { // leaves need no statement: their text stands where they are used
         case Op::constant:
-            name = glsl_literal(now.value);
             return;
         case Op::input:
             name = signature_.inputs.at(std::size_t(now.index));
@@ -117,17 +87,9 @@ private:
         default:
             break;
         }
-        if (const auto pair = pairs_.find(now.result); pair != pairs_.end()) {
-            const auto& [call, component] = pair->second;
-            // The first of the two to come makes the call.
-            const auto [known, first] = calls_.try_emplace(call, fmt::format("w{}", now.result));
-            if (first) {
-                line("vec2 {} = {};", known->second,
-                     call.sine_cosine ? fmt::format("im_sin_cos({})", text_of(call.a))
-                                      : fmt::format("im_pow_and_lower({}, {})", text_of(call.a),
-                                                    exponent(call.b)));
-            }
-            name = known->second + component;
+        if (const auto result = kernels_.results.find(now.result);
+            result != kernels_.results.end()) {
+            kernel_result(now.result, result->second);
             return;
         }
         const std::string value = expression(now);
@@ -159,12 +121,26 @@ private:
         case Op::select:
             return fmt::format("{} < {} ? {} : {}", a(), b(), operand(now, 2), operand(now, 3));
         default:
-            break;
+            assert(!"leaves and kernels are written elsewhere");
+            return {};
         }
-        const std::string_view function = kernel(now.op);
-        assert(!function.empty());
-        return now.arity == 1 ? fmt::format("im_{}({})", function, a())
-                              : fmt::format("im_{}({}, {})", function, a(), b());
+    }
+
+    // The first result to come makes the call.
+    void kernel_result(Register r, const KernelResult& result) {
+        const KernelCall& call = kernels_.calls[std::size_t(result.call)];
+        const bool single = call.results == 1;
+        auto [name, first] = call_names_.try_emplace(result.call);
+        if (first) {
+            name->second = fmt::format("{}{}", single ? "v" : "w", r);
+            std::string arguments;
+            for (const Register argument : call.arguments) {
+                arguments += (arguments.empty() ? "" : ", ") + text_of(argument);
+            }
+            line("{} {} = im_{}({});", single ? "float" : "vec2", name->second, call.kernel,
+                 arguments);
+        }
+        names_[std::size_t(r)] = name->second + (single ? "" : result.component == 0 ? ".x" : ".y");
     }
 
     std::string operand(const Instruction& now, std::size_t k) const {
@@ -173,61 +149,6 @@ private:
     std::string text_of(Register r) const {
         const std::string& name = names_[std::size_t(r)];
         return name.front() == '-' ? "(" + name + ")" : name;
-    }
-
-    // Values whose slope is a sibling: the sine and the cosine of a, a^b and a^(b-1). One kernel
-    // gives both for little more than one.
-    struct PairCall {
-        bool sine_cosine;
-        Register a, b;
-        auto operator<=>(const PairCall&) const = default;
-    };
-
-    void find_pairs() {
-        std::map<PairCall, Register> sines, cosines, powers;
-        for (const Instruction& now : program_.instructions) {
-            if (now.kind != Instruction::Kind::operation) continue;
-            definitions_[now.result] = &now;
-            const Register a = now.operands[0];
-            if (now.op == Op::sin) sines[{true, a, -1}] = now.result;
-            if (now.op == Op::cos) cosines[{true, a, -1}] = now.result;
-            if (now.op == Op::power) powers[{false, a, now.operands[1]}] = now.result;
-        }
-        for (const auto& [call, sine] : sines) {
-            const auto cosine = cosines.find(call);
-            if (cosine == cosines.end()) continue;
-            pairs_[sine] = {call, ".x"};
-            pairs_[cosine->second] = {call, ".y"};
-        }
-        for (const auto& [upper, result] : powers) {
-            for (auto lower = powers.lower_bound({false, upper.a, -1});
-                 lower != powers.end() && lower->first.a == upper.a; ++lower) {
-                if (!is_one_less(lower->first.b, upper.b)) {
-                    continue;
-                }
-                if (pairs_.count(result) > 0 || pairs_.count(lower->second) > 0) continue;
-                pairs_[result] = {upper, ".x"};
-                pairs_[lower->second] = {upper, ".y"};
-            }
-        }
-    }
-
-    // Whether register `lower` is register `upper` minus 1.
-    bool is_one_less(Register lower, Register upper) const {
-        const Instruction& of_lower = *definitions_.at(lower);
-        const Instruction& of_upper = *definitions_.at(upper);
-        if (of_lower.op == Op::constant && of_upper.op == Op::constant) {
-            return of_lower.value == of_upper.value - 1;
-        }
-        if (of_lower.op != Op::subtract || of_lower.operands[0] != upper) return false;
-        const Instruction& subtrahend = *definitions_.at(of_lower.operands[1]);
-        return subtrahend.op == Op::constant && subtrahend.value == 1;
-    }
-
-    // a^2.5 may be asked for, by its sibling a^1.5, before the literal 2.5 had its turn.
-    std::string exponent(Register r) const {
-        const Instruction& definition = *definitions_.at(r);
-        return definition.op == Op::constant ? glsl_literal(definition.value) : text_of(r);
     }
 
     const std::string& declare(Register r) {
@@ -261,10 +182,9 @@ private:
     const Program& program_;
     const GlslSignature& signature_;
     const ArrayPacking& packing_;
+    const KernelCalls kernels_;
     std::vector<std::string> names_;
-    std::map<Register, const Instruction*> definitions_;
-    std::map<Register, std::pair<PairCall, const char*>> pairs_; // by result: call and component
-    std::map<PairCall, std::string> calls_;                      // made so far, and their names
+    std::map<int, std::string> call_names_; // what the results of calls made so far are called
     std::string text_;
     int indent_ = 1;
 };
@@ -287,15 +207,6 @@ std::string glsl_literal(double value) {
 
 std::string glsl_parameter(int index) {
     return fmt::format("parameters[{}].{}", index / 4, components[std::size_t(index % 4)]);
-}
-
-std::set<std::string> kernels_used(const Program& program) {
-    std::set<std::string> kernels;
-    for (const Instruction& now : program.instructions) {
-        if (now.kind != Instruction::Kind::operation) continue;
-        if (const std::string_view k = kernel(now.op); !k.empty()) kernels.emplace(k);
-    }
-    return kernels;
 }
 
 } // namespace isomotion::formula

@@ -3,10 +3,9 @@
 // The text depends on the graph alone: values come through `parameters[]` (vec4s in a uniform
 // block) and, for arrays, through `vec4 array<k>_texel(int element, int texel)` and
 // `array<k>_count`, which the shader assembly declares. Functions of shaders/math/ are called by
-// their im_ names; kernels_used() says which files the text needs.
+// their im_ names, see kernel_calls.h.
 #pragma once
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -31,8 +30,5 @@ std::string emit_glsl(const Program& program, const GlslSignature& signature,
 std::string glsl_literal(double value);
 // "parameters[2].y" for index 9.
 std::string glsl_parameter(int index);
-
-// The kernels ("exp", "pow", ...) that a program calls; each is declared in shaders/math/.
-std::set<std::string> kernels_used(const Program& program);
 
 } // namespace isomotion::formula
