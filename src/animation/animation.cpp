@@ -64,8 +64,10 @@ Animation::Animation(std::vector<Track> tracks, std::vector<Array> arrays, std::
     for (std::size_t k = 0; k < tracks_.size(); ++k) {
         if (formula::is_identifier(tracks_[k].name)) nameable_ = k + 1;
     }
-    compile_tracks();
+    // Arrays first: a field that stands alone is also a track, but its mistakes are better told
+    // with the names that fields know.
     for (const Array& array : arrays_) compile_array(array);
+    compile_tracks();
 }
 
 Animation::Compiled Animation::compile(const std::string& owner, const std::string& text,
@@ -235,21 +237,16 @@ std::optional<int> Animation::find(std::string_view track) const {
     return std::nullopt;
 }
 
-bool varies_by_element(const Array& array, std::size_t field) {
-    std::vector<bool> visited(array.fields.size(), false);
-    const std::function<bool(std::size_t)> varies = [&](std::size_t f) {
-        if (visited[f]) return false;
-        visited[f] = true;
-        if (std::holds_alternative<std::vector<double>>(array.fields[f].source)) return true;
-        const auto* expression = std::get_if<Expression>(&array.fields[f].source);
-        if (!expression) return false;
-        if (mentions(expression->text, "i")) return true;
-        for (std::size_t other = 0; other < array.fields.size(); ++other) {
-            if (mentions(expression->text, array.fields[other].name) && varies(other)) return true;
-        }
+bool stands_alone(const Array& array, std::size_t field) {
+    const FieldSource& source = array.fields[field].source;
+    if (std::holds_alternative<double>(source)) return true;
+    const auto* expression = std::get_if<Expression>(&source);
+    if (!expression || mentions(expression->text, "i") || mentions(expression->text, "n")) {
         return false;
-    };
-    return varies(field);
+    }
+    return std::none_of(array.fields.begin(), array.fields.end(), [&](const ArrayField& sibling) {
+        return mentions(expression->text, sibling.name);
+    });
 }
 
 } // namespace isomotion::animation

@@ -110,8 +110,8 @@ private:
     std::vector<bool> referenced_;
 };
 
-// True if the field's value differs from element to element: it is a list, or an expression that
-// names i or a sibling for which this holds.
-bool varies_by_element(const Array& array, std::size_t field);
+// True if the field's source has a value without an element: a number, or an expression that names
+// neither i nor n nor a sibling field. All elements share that value.
+bool stands_alone(const Array& array, std::size_t field);
 
 } // namespace isomotion::animation

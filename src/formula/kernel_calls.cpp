@@ -7,31 +7,19 @@ namespace {
 std::string_view kernel(Op op) {
     switch (op) {
     case Op::sqrt:
-        return "sqrt";
     case Op::exp:
-        return "exp";
     case Op::log:
-        return "log";
     case Op::sin:
-        return "sin";
     case Op::cos:
-        return "cos";
     case Op::tan:
-        return "tan";
     case Op::sinh:
-        return "sinh";
     case Op::cosh:
-        return "cosh";
     case Op::tanh:
-        return "tanh";
     case Op::asin:
-        return "asin";
     case Op::acos:
-        return "acos";
     case Op::atan:
-        return "atan";
     case Op::divide:
-        return "divide";
+        return name(op);
     case Op::power:
         return "pow";
     default:

@@ -162,6 +162,12 @@ void read_arrays(Section& document, SurfaceParts& parts, TrackTable& tracks) {
     }
 }
 
+// Of a field that stands alone.
+animation::TrackSource as_track(const animation::FieldSource& source) {
+    if (const auto* number = std::get_if<double>(&source)) return *number;
+    return std::get<animation::Expression>(source);
+}
+
 // Fields with one value for all elements become parameters: read once, not once an element.
 void make_vocabulary(SurfaceParts& parts, TrackTable& tracks) {
     parts.vocabulary.parameters = parts.parameters;
@@ -170,11 +176,10 @@ void make_vocabulary(SurfaceParts& parts, TrackTable& tracks) {
         for (std::size_t f = 0; f < array.fields.size(); ++f) {
             const animation::ArrayField& field = array.fields[f];
             formula::FieldName name{field.name, {}};
-            // An expression that names `n` has no value outside the array, nor one that names a
-            // sibling; such a field stays with the elements.
-            if (const auto* number = std::get_if<double>(&field.source)) {
-                name.parameter = tracks.add(array.name + "." + field.name, *number, nullptr);
-                parts.vocabulary.parameters.push_back(array.name + "." + field.name);
+            if (animation::stands_alone(array, f)) {
+                const std::string track = array.name + "." + field.name;
+                name.parameter = tracks.add(track, as_track(field.source), nullptr);
+                parts.vocabulary.parameters.push_back(track);
             }
             names.fields.push_back(name);
         }

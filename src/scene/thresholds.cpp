@@ -43,7 +43,8 @@ Thresholds field_thresholds(const formula::Field& field, const SceneAt& scene, d
             found.push_back({std::abs(f) / slope, slope});
         }
     }
-    if (found.empty()) return {};
+    // A field without slope at any sample says nothing of its scale: base steps everywhere.
+    if (found.empty()) return {0, 1e30, 0};
     const auto nearest = std::ptrdiff_t(std::max<std::size_t>(1, found.size() / 8));
     std::partial_sort(found.begin(), found.begin() + nearest, found.end(),
                       [](const Sample& a, const Sample& b) { return a.distance < b.distance; });

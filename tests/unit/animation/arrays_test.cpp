@@ -91,50 +91,42 @@ TEST(Arrays, TracksCannotNameFields) {
     EXPECT_EQ(complaint({track("m", "r")}, {{"blobs", 2, {{"r", 1.0}}}}).owner, "m");
 }
 
-TEST(VariesByElement, ListsAndWhatNamesTheIndex) {
+// What names neither i nor n nor a sibling has one value, with or without an element.
+TEST(StandsAlone, IsReadOffTheSource) {
     const Array array{"blobs",
                       4,
-                      {{"number", 1.0},
-                       {"list", std::vector<double>{1, 1, 1, 1}},
-                       field("index", "sin(2*i)"),
-                       field("moving", "t + n"),
-                       field("words", "pi + sin(n)*index2"),
-                       field("random", "random(3, 1)")}};
-    const bool expected[] = {false, true, true, false, false, false};
-    for (std::size_t f = 0; f < std::size(expected); ++f) {
-        EXPECT_EQ(varies_by_element(array, f), expected[f]) << array.fields[f].name;
-    }
-}
-
-TEST(VariesByElement, FollowsSiblings) {
-    const Array array{"blobs",
-                      4,
-                      {field("a", "2*b"),
-                       field("b", "c + 1"),
-                       field("c", "i"),
-                       field("d", "e + t"),
-                       {"e", 1.0},
-                       field("f", "g"),
-                       field("g", "f")}};
-    const bool expected[] = {true, true, true, false, false, false, false};
-    for (std::size_t f = 0; f < std::size(expected); ++f) {
-        EXPECT_EQ(varies_by_element(array, f), expected[f]) << array.fields[f].name;
+                      {{"number", 2.0},
+                       {"list", std::vector<double>{1, 2, 3, 4}},
+                       field("time", "2*t"),
+                       field("track", "m + sin(pi)"),
+                       field("index", "2*i"),
+                       field("count", "1/n"),
+                       field("sibling", "2*number"),
+                       field("itself", "itself + 1"),
+                       field("noise", "random(3, 1)"),
+                       field("noise_index", "random(i, 1)"),
+                       field("word", "list1 + in + numbers")}};
+    const bool expected[] = {true,  false, true, true,  false, false,
+                             false, false, true, false, true};
+    ASSERT_EQ(std::size(expected), array.fields.size());
+    for (std::size_t f = 0; f < array.fields.size(); ++f) {
+        EXPECT_EQ(stands_alone(array, f), expected[f]) << array.fields[f].name;
     }
 }
 
 // What the words say is what the values do.
-TEST(VariesByElement, AgreesWithTheValues) {
+TEST(StandsAlone, AgreesWithTheValues) {
     const Array array{"blobs",
                       5,
-                      {field("a", "i*i - t"), field("b", "n*t"), field("c", "a + b"),
-                       field("d", "b + 1"), field("e", "random(i, 2)")}};
+                      {field("a", "i*i - t"), field("b", "3*t"), field("c", "random(2, 2)"),
+                       field("d", "random(i, 2)")}};
     const Values values = Animation({}, {array}).at(0.5);
     for (std::size_t f = 0; f < array.fields.size(); ++f) {
-        const auto& field = values.arrays[0].fields[f];
-        if (varies_by_element(array, f)) {
-            EXPECT_THAT(field, testing::Not(Each(field[0]))) << array.fields[f].name;
+        const auto& column = values.arrays[0].fields[f];
+        if (stands_alone(array, f)) {
+            EXPECT_THAT(column, Each(column[0])) << array.fields[f].name;
         } else {
-            EXPECT_THAT(field, Each(field[0])) << array.fields[f].name;
+            EXPECT_THAT(column, testing::Not(Each(column[0]))) << array.fields[f].name;
         }
     }
 }

@@ -7,6 +7,7 @@
 
 #include "formula/field.h"
 #include "testing.h"
+#include "unit/surface_formulas.h"
 
 namespace isomotion::formula {
 
@@ -18,11 +19,7 @@ enum class Kink {
     centres, // 1/r^2 has a pole
 };
 
-struct CatalogueSurface {
-    std::string name;
-    std::string text;
-    std::vector<std::pair<std::string, double>> parameters;
-    double reach; // coordinates of the picture lie in [-reach, reach]
+struct CatalogueSurface : SurfaceFormula {
     Kink kink = Kink::none;
 };
 

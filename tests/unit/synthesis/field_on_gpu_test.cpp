@@ -9,7 +9,7 @@
 
 #include "float_range.h"
 #include "scenes.h"
-#include "surface_formulas.h"
+#include "unit/surface_formulas.h"
 #include "unit/gpu/every_backend.h"
 
 namespace isomotion::synthesis {

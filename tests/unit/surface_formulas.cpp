@@ -1,6 +1,6 @@
-#include "surface_formulas.h"
+#include "unit/surface_formulas.h"
 
-namespace isomotion::synthesis {
+namespace isomotion {
 
 const std::vector<SurfaceFormula>& surface_formulas() {
     static const std::vector<SurfaceFormula> formulas{
@@ -180,4 +180,4 @@ const std::vector<SurfaceFormula>& surface_formulas() {
     return formulas;
 }
 
-} // namespace isomotion::synthesis
+} // namespace isomotion

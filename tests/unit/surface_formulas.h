@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace isomotion::synthesis {
+namespace isomotion {
 
 struct SurfaceFormula {
     std::string name;
@@ -16,4 +16,4 @@ struct SurfaceFormula {
 
 const std::vector<SurfaceFormula>& surface_formulas();
 
-} // namespace isomotion::synthesis
+} // namespace isomotion
