@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "scene/data_folder.h"
+#include "scene/space.h"
 #include "scene/surface.h"
 #include "scene/thresholds.h"
 

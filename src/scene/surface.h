@@ -21,9 +21,6 @@ struct SurfaceParts {
 // for all elements.
 std::unique_ptr<SurfaceParts> read_surface(Section& document, TrackTable& tracks);
 
-// Reads what the surface's bounds and placement are; the tracks of these come after the parameters.
-void read_space(Section& document, SurfaceParts& parts, TrackTable& tracks);
-
 // Parses the formula, and refuses parameters that nothing uses.
 void make_field(SurfaceParts& parts, const animation::Animation& animation,
                 const TrackTable& tracks);

@@ -122,18 +122,53 @@ void first_frame_of_blobby75(benchmark::State& state) {
 }
 BENCHMARK(first_frame_of_blobby75)->UseManualTime()->Iterations(3)->Unit(benchmark::kSecond);
 
-void first_frame_of_2000_nodes(benchmark::State& state) {
+// A formula of 2,000 nodes, as many of them calls of one kernel as can be.
+std::string formula_of(const std::string& kernel) {
+    std::string text = "x^2 + y^2 + z^2 - 1";
+    const int calls = kernel == "pow" ? 285 : 400; // with the 7 or 5 nodes each of them takes
+    for (int k = 1; k <= calls; ++k) {
+        text += kernel == "pow"
+                    ? fmt::format(" + 1e-5*pow(abs({0}*x + y), 1.5 + 0.{1:03}*z^2)", k, k)
+                    : fmt::format(" + 1e-5*{}(0.{:03}*x + y)", kernel, k);
+    }
+    return text;
+}
+
+void first_frame_of(benchmark::State& state, const std::string& formula) {
     const auto file =
         std::filesystem::temp_directory_path() / fmt::format("isomotion-long-{}.toml", getpid());
-    std::ofstream(file) << "[surface]\nformula = \"" << long_formula(2000, unsigned(state.range(0)))
+    std::ofstream(file) << "[surface]\nformula = \"" << formula
                         << "\"\nbounds = { sphere = 1.5 }\n[output]\nsize = [32, 32]\n";
     const scene::Scene scene = scene::load(file.string());
     std::filesystem::remove(file);
     first_frame(state, scene);
 }
+void first_frame_of_2000_nodes(benchmark::State& state) {
+    first_frame_of(state, long_formula(2000, unsigned(state.range(0))));
+}
 BENCHMARK(first_frame_of_2000_nodes)
     ->Arg(1)
     ->Arg(2)
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+
+void first_frame_of_2000_nodes_of_one_kernel(benchmark::State& state, const char* kernel) {
+    first_frame_of(state, formula_of(kernel));
+}
+BENCHMARK_CAPTURE(first_frame_of_2000_nodes_of_one_kernel, exp, "exp")
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(first_frame_of_2000_nodes_of_one_kernel, sin, "sin")
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(first_frame_of_2000_nodes_of_one_kernel, acos, "acos")
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(first_frame_of_2000_nodes_of_one_kernel, pow, "pow")
     ->UseManualTime()
     ->Iterations(1)
     ->Unit(benchmark::kSecond);

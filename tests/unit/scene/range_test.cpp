@@ -83,7 +83,8 @@ TEST_F(Range, NotANumber) {
         EXPECT_EQ(
             at_two(ball_and("[[lights]]\ndirection = [0, 0, 1]\ncolor = [1, 1, " + text + "]")),
             ": lights[0].color.z" + nan);
-        EXPECT_EQ(at_two(blobs("count = 3\nw = 1\ncx = " + text)), ": blobs.cx[0]" + nan);
+        // One value for all elements; below, one for each.
+        EXPECT_EQ(at_two(blobs("count = 3\nw = 1\ncx = " + text)), ": blobs.cx" + nan);
     }
     EXPECT_EQ(at_two(blobs("count = 3\nw = 1\ncx = \"log(3.5 - t - i)\"")), ": blobs.cx[2]" + nan);
 }
