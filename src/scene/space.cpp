@@ -1,7 +1,5 @@
 #include "scene/space.h"
 
-#include <fmt/format.h>
-
 namespace isomotion::scene {
 
 void read_space(Section& document, SurfaceParts& parts, TrackTable& tracks) {
