@@ -58,10 +58,6 @@ float im_cos(float x) {
 }
 
 float im_tan(float x) {
-    int quadrant;
-    float r = im_quarter_turns(x, quadrant);
-    float s = im_sin_reduced(r);
-    float c = im_cos_reduced(r);
-    bool turned = (quadrant & 1) != 0;
-    return im_divide(turned ? -c : s, turned ? s : c);
+    vec2 s = im_sin_cos(x);
+    return im_divide(s.x, s.y);
 }

@@ -9,8 +9,8 @@
 
 #include "float_range.h"
 #include "scenes.h"
-#include "unit/surface_formulas.h"
 #include "unit/gpu/every_backend.h"
+#include "unit/surface_formulas.h"
 
 namespace isomotion::synthesis {
 namespace {
