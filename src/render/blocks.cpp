@@ -1,6 +1,8 @@
 #include "render/blocks.h"
 
+#include <algorithm>
 #include <cstring>
+#include <span>
 
 namespace isomotion::render {
 namespace {
@@ -51,7 +53,8 @@ std::vector<std::byte> parameter_block(const synthesis::Shaders& shaders,
                                        const scene::SceneAt& now) {
     const std::size_t vectors = std::size_t(shaders.parameter_vectors);
     std::vector<std::byte> block((vectors + std::size_t(shaders.count_vectors)) * 16);
-    std::memcpy(block.data(), now.bindings.parameters.data(), now.bindings.parameters.size() * 4);
+    const auto values = std::as_bytes(std::span(now.bindings.parameters));
+    std::copy(values.begin(), values.end(), block.begin());
     for (std::size_t a = 0; a < shaders.arrays.size(); ++a) {
         const std::int32_t count = now.bindings.arrays[a].count;
         std::memcpy(block.data() + vectors * 16 + a * 4, &count, 4);

@@ -1,5 +1,6 @@
 #include "field_on_gpu.h"
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <span>
@@ -63,7 +64,8 @@ FieldValues::FieldValues(const FieldStorage& storage, const formula::ArrayPackin
                          const formula::Bindings<float>& bindings)
     : parameters_(block_bytes(storage)) {
     std::vector<std::byte> block(block_bytes(storage));
-    std::memcpy(block.data(), bindings.parameters.data(), bindings.parameters.size() * 4);
+    const auto values = std::as_bytes(std::span(bindings.parameters));
+    std::copy(values.begin(), values.end(), block.begin());
     std::byte* counts = block.data() + storage.parameter_vectors * 16;
     for (std::size_t a = 0; a < storage.arrays.size(); ++a) {
         const std::int32_t count = bindings.arrays[a].count;
