@@ -15,9 +15,12 @@ void main() {
     Hit hit = Hit(ray_point(ray, s.low), -ray.direction, s.low);
     int verdict = s.verdict;
     if (verdict == VERDICT_HIT) {
-        vec3 g = clamp(surface_gradient(s, hit.position), -IM_SATURATION, IM_SATURATION);
+        vec3 g = surface_gradient(s, hit.position);
+        // Before clamping, which turns NaN into a number on some drivers.
+        bool known = !(im_is_nan(g.x) || im_is_nan(g.y) || im_is_nan(g.z));
+        g = clamp(g, -IM_SATURATION, IM_SATURATION);
         float size = magnitude(g);
-        if (size > 0.0 && !im_is_nan(g.x + g.y + g.z)) {
+        if (known && size > 0.0) {
             hit.normal = normalize(g / size);
             if (dot(hit.normal, ray.direction) > 0.0) hit.normal = -hit.normal;
         } else {

@@ -4,8 +4,8 @@
 // the cosine of a, a^b and a^(b-1).
 //
 // Drivers put a kernel's text wherever it is called, so that hundreds of calls take seconds to
-// compile. Making calls of one kernel in a loop over arrays compiles ten times faster, and was
-// measured to run three to eight times slower on llvmpipe, which keeps such arrays in memory.
+// compile. Making calls of one kernel in a loop over arrays links several times faster, but was
+// measured to draw two to three times slower on llvmpipe, which keeps such arrays in memory.
 #pragma once
 
 #include <map>

@@ -64,6 +64,24 @@ TEST_P(Verdicts, ZeroGradientIsAHitWithAFiniteNormal) {
     }
 }
 
+// For y < 0 the surface is x = 0.2 by a term whose slope is infinity minus infinity though its
+// value is next to nothing: no normal may be made up there. For y > 0 it is the plane x + y = 0.2.
+TEST_P(Verdicts, ANaNGradientIsAZeroGradient) {
+    const std::string wild = "1e-30*(sin(b*sin(b*x)) - sin(b*sin(b*x + 1)))";
+    std::string padding; // long formulas take their gradient elsewhere
+    for (int k = 1; k <= 120; ++k) padding += " + 1e-9*sin(" + std::to_string(k) + "*y + z)*x*z";
+    for (const std::string& more : {std::string(), padding}) {
+        const Picture picture =
+            draw_formula("x - 0.2 + max(y, " + wild + ")" + more, "[parameters]\nb = 1e30\n");
+        EXPECT_EQ(count(picture, Verdict::nan), 0);
+        EXPECT_GT(count(picture, Verdict::zero_gradient), 20);
+        EXPECT_GT(count(picture, Verdict::hit), 20);
+        for (const char* name : {"N.X", "N.Y", "N.Z", "R", "G", "B"}) {
+            for (const float v : picture.frame.find(name)->samples) ASSERT_TRUE(std::isfinite(v));
+        }
+    }
+}
+
 // Formulas that are finite on paper, where float is not: no NaN, whatever the camera sees.
 TEST_P(Verdicts, FormulasThatAreFiniteOnPaperNeverGiveNaN) {
     for (const char* formula :
