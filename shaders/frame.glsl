@@ -2,7 +2,7 @@
 layout(std140) uniform Frame {
     // Rays, see src/scene/rays.h.
     vec4 ray_origin;
-    vec4 ray_axis;
+    vec4 ray_axis; // .w: 1, or 0 for parallel rays
     vec4 ray_right;
     vec4 ray_up;
     // Box: its corners. Sphere: centre in bounds_min.xyz, radius in bounds_min.w.

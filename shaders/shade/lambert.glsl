@@ -4,5 +4,5 @@ vec3 shade(Hit hit) {
     for (int k = 0; k < LIGHTS; ++k) {
         light += light_color[k].rgb * max(dot(hit.normal, light_direction[k].xyz), 0.0);
     }
-    return material_color.rgb * light;
+    return surface_color(hit) * light;
 }

@@ -12,7 +12,7 @@ void main() {
     Ray ray = pixel_ray();
     RayState s = load_state();
     color = background;
-    Hit hit = Hit(ray_point(ray, s.low), -ray.direction, s.low);
+    Hit hit = Hit(ray_point(ray, s.low), -ray.direction, s.low, false);
     int verdict = s.verdict;
     if (verdict == VERDICT_HIT) {
         vec3 g = surface_gradient(s, hit.position);
@@ -22,7 +22,8 @@ void main() {
         float size = magnitude(g);
         if (known && size > 0.0) {
             hit.normal = normalize(g / size);
-            if (dot(hit.normal, ray.direction) > 0.0) hit.normal = -hit.normal;
+            hit.inside = dot(hit.normal, ray.direction) > 0.0; // F rises along the ray
+            if (hit.inside) hit.normal = -hit.normal;
         } else {
             verdict = VERDICT_ZERO_GRADIENT; // a hit all the same: lit as if it faced the viewer
         }

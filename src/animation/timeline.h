@@ -28,6 +28,7 @@ struct Timeline {
     FrameRate fps;
     int frames = 1;
     Animation animation;
+    bool loops = false; // the frame after the last would be the first again
 
     double time(std::int64_t frame) const {
         return double((frame - 1) * fps.denominator) / double(fps.numerator);

@@ -28,8 +28,13 @@ image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& 
         {"isomotion:camera.position", components(now.camera.position)},
         {"isomotion:camera.target", components(now.camera.target)},
         {"isomotion:camera.up", components(now.camera.up)},
-        {"isomotion:camera.fov", now.camera.fov},
     };
+    if (now.camera.zoom != 1) metadata.push_back({"isomotion:camera.zoom", now.camera.zoom});
+    if (now.camera.projection == scene::Camera::Projection::orthographic) {
+        metadata.push_back({"isomotion:camera.height", now.camera.height});
+    } else {
+        metadata.push_back({"isomotion:camera.fov", now.camera.fov});
+    }
     for (int k = 0; k < scene.surface.parameters; ++k) {
         const auto index = std::size_t(k);
         metadata.push_back({"isomotion:parameter." + scene.timeline.animation.tracks()[index].name,

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -16,6 +18,15 @@ struct ShowArguments {
     std::vector<std::string> settings;
 };
 
+// What the surface says of a parameter's values.
+std::string range_text(const scene::Scene& scene, std::size_t track, double value) {
+    if (track >= scene.surface.ranges.size()) return "";
+    const scene::Range& range = scene.surface.ranges[track];
+    if (range.least == -HUGE_VAL && range.most == HUGE_VAL) return "";
+    return fmt::format("    {} {:g} to {:g}", range.contains(value) ? "of" : "BEYOND", range.least,
+                       range.most);
+}
+
 int show(const ShowArguments& arguments) {
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings);
     const synthesis::Shaders shaders = synthesis::assemble(scene);
@@ -28,15 +39,15 @@ int show(const ShowArguments& arguments) {
     const scene::Isolation& isolation = scene.isolation;
     fmt::print("{}\n", scene.title);
     fmt::print("formula   {}\n", scene.surface.field->text);
-    fmt::print("timeline  {} frames at {} a second\n", scene.timeline.frames,
-               animation::to_string(scene.timeline.fps));
+    fmt::print("timeline  {} frames at {} a second{}\n", scene.timeline.frames,
+               animation::to_string(scene.timeline.fps), scene.timeline.loops ? ", a loop" : "");
     fmt::print("method    {}, step {:g}, near {:g}, far {:g}, horizon {:g}, {} bisections\n",
                scene::name(isolation.method), isolation.step, isolation.near, isolation.far,
                isolation.horizon, isolation.bisections);
     fmt::print("frame     {} at t = {:g} s\n", arguments.frame, values.time);
     for (std::size_t k = 0; k < values.tracks.size(); ++k) {
-        fmt::print("    {:<28} {:g}\n", scene.timeline.animation.tracks()[k].name,
-                   values.tracks[k]);
+        fmt::print("    {:<28} {:g}{}\n", scene.timeline.animation.tracks()[k].name,
+                   values.tracks[k], range_text(scene, k, values.tracks[k]));
     }
     for (std::size_t a = 0; a < values.arrays.size(); ++a) {
         const auto& array = scene.timeline.animation.arrays()[a];

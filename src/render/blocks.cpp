@@ -18,7 +18,7 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     const bool box = now.bounds.shape == scene::Bounds::Shape::box;
     FrameBlock block;
     block.ray_origin = wide(rays.origin);
-    block.ray_axis = wide(rays.axis);
+    block.ray_axis = wide(rays.axis, rays.parallel ? 0 : 1);
     block.ray_right = wide(rays.right);
     block.ray_up = wide(rays.up);
     block.bounds_min = box ? wide(now.bounds.min) : wide(now.bounds.centre, now.bounds.radius);

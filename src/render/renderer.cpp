@@ -119,6 +119,7 @@ struct Renderer::Parts {
         parameters.update(parameter_block(shaders, now));
         const auto shades = shading_block(scene, now, options.width, options.height);
         shading.update(std::as_bytes(std::span(shades)));
+        if (scene.material.inside) shade.set("inside_color", glm::vec3(now.inside_color));
         frame.bind(binding_frame);
         parameters.bind(binding_parameters);
         shading.bind(binding_shading);
@@ -275,6 +276,7 @@ std::string Renderer::fingerprint(const scene::SceneAt& now) const {
     print.add(parameter_block(p.shaders, now));
     const auto shades = shading_block(p.scene, now, p.options.width, p.options.height);
     print.add_values(std::span<const glm::vec4>(shades));
+    print.add_values(std::span<const glm::dvec3>(&now.inside_color, 1));
     for (std::size_t a = 0; a < p.shaders.arrays.size(); ++a) {
         const auto texels = array_texels(p.scene, p.shaders, now, a);
         print.add_values(std::span<const glm::vec4>(texels));

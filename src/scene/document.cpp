@@ -167,6 +167,14 @@ std::optional<int> Section::integer(const std::string& name, int least, int most
     return int(*value);
 }
 
+std::optional<bool> Section::boolean(const std::string& name) {
+    const toml::node* node = find(name);
+    if (!node) return std::nullopt;
+    const auto value = node->value_exact<bool>();
+    if (!value) fail(*node, dotted(name), "must be true or false");
+    return value;
+}
+
 std::optional<animation::TrackSource> Section::track(const std::string& name) {
     const toml::node* node = find(name);
     if (!node) return std::nullopt;

@@ -40,6 +40,7 @@ public:
     std::optional<std::string> text(const std::string& name);
     std::optional<double> number(const std::string& name, double least, double most);
     std::optional<int> integer(const std::string& name, int least, int most);
+    std::optional<bool> boolean(const std::string& name);
     std::optional<animation::TrackSource> track(const std::string& name);
     std::optional<std::array<animation::TrackSource, 3>> vector(const std::string& name);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/camera.h"
 #include "scene/data_folder.h"
 #include "scene/space.h"
 #include "scene/surface.h"
@@ -84,30 +85,9 @@ void read_time(Section& document, Scene& scene, std::uint64_t& seed) {
         scene.timeline.fps = *rate;
     }
     scene.timeline.frames = section->integer("frames", 1, 10'000'000).value_or(1);
+    scene.timeline.loops = section->boolean("loop").value_or(false);
     seed = std::uint64_t(section->integer("seed", 0, 2'147'483'647).value_or(0));
     section->refuse_rest();
-}
-
-void read_camera(Section& document, Scene& scene, TrackTable& tracks) {
-    auto section = document.section("camera");
-    Camera& camera = scene.camera;
-    const auto vector = [&](const std::string& name, double x, double y, double z) {
-        const toml::node* node = section ? section->find(name) : nullptr;
-        return node ? tracks.add("camera." + name, *section->vector(name), node)
-                    : tracks.add("camera." + name, x, y, z);
-    };
-    camera.framed = !section || !section->has("position");
-    if (camera.framed && section && section->has("target")) {
-        fail(*section->find("target"), "camera.target",
-             "needs a position beside it; without one the camera looks at the bounds");
-    }
-    camera.position = vector("position", 3, 2, 1.5);
-    camera.target = vector("target", 0, 0, 0);
-    camera.up = vector("up", 0, 0, 1);
-    const toml::node* fov = section ? section->find("fov") : nullptr;
-    camera.fov =
-        tracks.add("camera.fov", fov ? *section->track("fov") : animation::TrackSource(40.0), fov);
-    if (section) section->refuse_rest();
 }
 
 void read_lights(Section& document, Scene& scene, TrackTable& tracks) {
@@ -142,12 +122,27 @@ void read_lights(Section& document, Scene& scene, TrackTable& tracks) {
     }
 }
 
-void read_material(Section& document, Scene& scene, TrackTable& tracks) {
-    auto section = document.section("material");
-    const toml::node* color = section ? section->find("color") : nullptr;
-    scene.material.color = color ? tracks.add("material.color", *section->vector("color"), color)
-                                 : tracks.add("material.color", 0.72, 0.32, 0.08);
-    if (section) section->refuse_rest();
+// The scene's colours, else the catalogue's.
+void read_material(Section& document, const SurfaceParts& parts, Scene& scene, TrackTable& tracks) {
+    auto own = document.section("material");
+    std::optional<Section> catalogue;
+    if (parts.catalogue) catalogue = Section(*parts.catalogue, "").section("material");
+    const auto color = [&](const std::string& name) -> std::optional<Vec3Track> {
+        std::optional<Vec3Track> found;
+        for (auto* section : {&own, &catalogue}) {
+            const toml::node* node = *section ? (*section)->find(name) : nullptr;
+            if (node && !found) {
+                found = tracks.add("material." + name, *(*section)->vector(name), node);
+            }
+        }
+        return found;
+    };
+    const auto outside = color("color");
+    scene.material.color = outside ? *outside : tracks.add("material.color", 0.72, 0.32, 0.08);
+    scene.material.inside = color("inside");
+    for (auto* section : {&own, &catalogue}) {
+        if (*section) (*section)->refuse_rest();
+    }
 }
 
 void read_output(Section& document, Scene& scene) {
@@ -233,9 +228,9 @@ Scene load(const std::string& name, const std::vector<Override>& overrides) {
     read_time(document, scene, seed);
     const auto parts = read_surface(document, tracks);
     read_space(document, *parts, tracks);
-    read_camera(document, scene, tracks);
+    scene.camera = read_camera(document, tracks);
     read_lights(document, scene, tracks);
-    read_material(document, scene, tracks);
+    read_material(document, *parts, scene, tracks);
     read_output(document, scene);
     GivenThresholds given;
     if (parts->catalogue) {

@@ -22,8 +22,11 @@ Rays rays(const SceneAt& scene, int width, int height) {
     // Bounds beside or behind the eye: any plane before the eye will do.
     const double depth =
         std::max(glm::dot(scene.bounds.centre - eye, forward), 0.5 * scene.bounds.radius);
-    const double half_height = depth * std::tan(glm::radians(scene.camera.fov) / 2);
     Rays rays;
+    rays.parallel = scene.camera.projection == Camera::Projection::orthographic;
+    const double shown = rays.parallel ? 0.5 * scene.camera.height / place.scale
+                                       : depth * std::tan(glm::radians(scene.camera.fov) / 2);
+    const double half_height = shown / scene.camera.zoom;
     rays.axis = depth * forward;
     rays.origin = eye + rays.axis;
     rays.up = half_height * up;

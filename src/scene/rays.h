@@ -15,12 +15,13 @@ namespace isomotion::scene {
 // Pixel centre (column + 0.5, row + 0.5), rows counted from the bottom, has the picture coordinates
 // (u, v) = 2 * (column + 0.5, row + 0.5) / (width, height) - 1. Its ray:
 //   anchor    = origin + u * right + v * up
-//   direction = normalize(axis + u * right + v * up)
-// The eye lies at anchor - direction * |axis + u * right + v * up|.
+//   direction = normalize(axis + u * right + v * up), or of parallel rays normalize(axis)
+// and begins at anchor - direction * |that vector|: at the eye, or on the plane through it.
 struct Rays {
     glm::dvec3 origin{0}; // where the axis meets the plane
     glm::dvec3 axis{0};   // from the eye to `origin`
     glm::dvec3 right{0}, up{0};
+    bool parallel = false; // of an orthographic camera
 };
 
 Rays rays(const SceneAt& scene, int width, int height);

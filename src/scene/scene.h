@@ -6,7 +6,9 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,11 +36,20 @@ struct Placement {
     TrackId scale = 0;
 };
 
+// What a parameter is meant to take, for those who set it by hand; nothing enforces it.
+struct Range {
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+
+    bool contains(double value) const { return least <= value && value <= most; }
+};
+
 struct Surface {
     std::string name; // of the catalogue, or empty
     // Shared: evaluators and shaders refer to its programs for as long as they live.
     std::shared_ptr<const formula::Field> field;
-    int parameters = 0; // the first tracks of the animation are the formula's parameters
+    int parameters = 0;        // the first tracks of the animation are the formula's parameters
+    std::vector<Range> ranges; // of those among them that a scene can name
     Bounds bounds;
     Placement placement;
 };
@@ -54,10 +65,20 @@ struct Isolation {
     int limit = 100'000; // evaluations after which a ray gives up with the verdict step limit
 };
 
+// Stands at `position`, or on an orbit about the target; what a scene leaves out follows from the
+// bounds, so that they fill the picture.
 struct Camera {
-    Vec3Track position{}, target{}, up{};
-    TrackId fov = 0;     // vertical, degrees
-    bool framed = false; // no camera given: looks at the bounds so that they fill the picture
+    enum class Projection { perspective, orthographic };
+    Projection projection = Projection::perspective;
+    std::optional<Vec3Track> position;
+    TrackId azimuth = 0;             // degrees about `up`, from the x axis
+    TrackId elevation = 0;           // degrees above the plane across `up`
+    std::optional<TrackId> distance; // from the target
+    std::optional<Vec3Track> target; // without one: the middle of the bounds
+    Vec3Track up{};
+    TrackId fov = 0;               // vertical, degrees
+    std::optional<TrackId> height; // of an orthographic picture, world units
+    TrackId zoom = 0;              // magnifies the picture about its middle
 };
 
 // A directional light; the direction points to the light, in world coordinates.
@@ -66,8 +87,10 @@ struct Light {
     bool headlight = false; // no light given: over the viewer's shoulder
 };
 
+// `color` is seen from where F > 0. Only a surface with `inside` tells the two sides apart.
 struct Material {
     Vec3Track color{};
+    std::optional<Vec3Track> inside; // seen from where F < 0
 };
 
 struct Output {

@@ -97,28 +97,52 @@ public:
     CameraAt camera(const BoundsAt& bounds, const PlacementAt& placement) const {
         const Camera& from = scene_.camera;
         CameraAt to;
+        to.projection = from.projection;
+        to.up = vector(from.up);
+        if (glm::length(to.up) == 0) fail(from.up[0], "`up` has no direction");
         to.fov = number(from.fov);
         if (!(to.fov > 0 && to.fov < 180)) {
             fail(from.fov, fmt::format("the field of view must be above 0 and below 180 degrees, "
                                        "not {}",
                                        to.fov));
         }
-        to.up = vector(from.up);
-        if (from.framed) {
-            const double aspect = double(scene_.output.width) / scene_.output.height;
-            const double half = glm::radians(to.fov) / 2;
-            const double narrow = aspect < 1 ? std::atan(std::tan(half) * aspect) : half;
-            const double distance = bounds.radius * placement.scale / std::sin(narrow);
-            to.target = placement.to_world(bounds.centre);
-            to.position = to.target + distance * glm::normalize(glm::dvec3(3, 2, 1.5));
+        to.zoom = number(from.zoom);
+        if (!(to.zoom > 0)) {
+            fail(from.zoom, fmt::format("the zoom must be above 0, not {}", to.zoom));
+        }
+        const double aspect = double(scene_.output.width) / scene_.output.height;
+        const double slope = std::tan(glm::radians(to.fov) / 2);
+
+        const glm::dvec3 middle = placement.to_world(bounds.centre);
+        to.target = from.target ? vector(*from.target) : middle;
+        // A sphere about the target that holds the bounds.
+        const double reach = bounds.radius * placement.scale + glm::length(middle - to.target);
+        if (from.position) {
+            to.position = vector(*from.position);
+            if (to.position == to.target) {
+                fail((*from.position)[0], "the camera stands at its target; move one of them");
+            }
         } else {
-            to.position = vector(from.position);
-            to.target = vector(from.target);
+            const double narrow = std::atan(slope * std::min(aspect, 1.0));
+            const double distance =
+                from.distance ? number(*from.distance) : reach / std::sin(narrow);
+            if (!(distance > 0)) {
+                fail(*from.distance, fmt::format("the distance must be above 0, not {}", distance));
+            }
+            to.position = to.target +
+                          distance * on_orbit(to.up, number(from.azimuth), number(from.elevation));
         }
-        if (to.position == to.target) {
-            fail(from.position[0], "the camera stands at its target; move one of them");
+        if (from.height) {
+            to.height = number(*from.height);
+            if (!(to.height > 0)) {
+                fail(*from.height, fmt::format("the height must be above 0, not {}", to.height));
+            }
+        } else if (from.position || from.distance) {
+            // As large as a perspective camera there would show what is at the target.
+            to.height = 2 * glm::length(to.position - to.target) * slope;
+        } else {
+            to.height = 2 * reach / std::min(aspect, 1.0);
         }
-        if (glm::length(to.up) == 0) fail(from.up[0], "`up` has no direction");
         return to;
     }
 
@@ -145,6 +169,17 @@ private:
              std::isnan(value)
                  ? "the value is not a number"
                  : fmt::format("the value {} is beyond the range of float ({:.2g})", value, most));
+    }
+
+    // The direction from the target to a camera on an orbit.
+    static glm::dvec3 on_orbit(const glm::dvec3& up, double azimuth, double elevation) {
+        const glm::dvec3 pole = glm::normalize(up);
+        glm::dvec3 zero = glm::dvec3(1, 0, 0) - pole.x * pole;
+        if (glm::length(zero) < 1e-6) zero = glm::dvec3(0, 1, 0) - pole.y * pole;
+        zero = glm::normalize(zero);
+        const double a = glm::radians(azimuth), e = glm::radians(elevation);
+        return std::cos(e) * (std::cos(a) * zero + std::sin(a) * glm::cross(pole, zero)) +
+               std::sin(e) * pole;
     }
 
     // From above the viewer's right shoulder.
@@ -180,6 +215,7 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     now.camera = read.camera(now.bounds, now.placement);
     now.lights = read.lights(now.camera);
     now.material_color = read.vector(scene.material.color);
+    if (scene.material.inside) now.inside_color = read.vector(*scene.material.inside);
     return now;
 }
 

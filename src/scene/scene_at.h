@@ -32,7 +32,10 @@ struct PlacementAt {
 
 struct CameraAt {
     glm::dvec3 position{0, 0, 3}, target{0}, up{0, 1, 0};
-    double fov = 40; // vertical, degrees
+    double fov = 40;   // of a perspective camera: vertical, degrees
+    double height = 0; // of an orthographic one: world units
+    double zoom = 1;   // magnifies the picture about its middle
+    Camera::Projection projection = Camera::Projection::perspective;
 };
 
 struct LightAt {
@@ -49,6 +52,7 @@ struct SceneAt {
     CameraAt camera;
     std::vector<LightAt> lights;
     glm::dvec3 material_color{1};
+    glm::dvec3 inside_color{1}; // of a surface that tells its sides apart
 };
 
 // Throws SceneError when a value has left its range at this time (a radius of 0, a field of view

@@ -29,27 +29,37 @@ void check_name(const std::string& name, const toml::node& at, const std::string
     }
 }
 
-// A surface file's parameter is { default = 6, min = 0.5, max = 20 }, or as in a scene.
-animation::TrackSource read_parameter(const toml::node& node, const std::string& key) {
+struct Parameter {
+    animation::TrackSource source;
+    const toml::node* node;
+    Range range;
+};
+
+// A surface file's parameter is { default = 6, min = 0.5, max = 20 }, or as in a scene, where it
+// keeps the surface's range.
+Parameter read_parameter(const toml::node& node, const std::string& key, const Range& known) {
     const toml::table* table = node.as_table();
-    if (!table || table->contains("keys")) return read_track(node, key);
+    if (!table || table->contains("keys")) return {read_track(node, key), &node, known};
     Section section(*table, key);
     const toml::node* value = section.find("default");
     if (!value) fail(node, key, "needs a default, or keys = [[t, value], ...]");
-    section.number("min", -1e30, 1e30);
-    section.number("max", -1e30, 1e30);
+    Range range = known;
+    range.least = section.number("min", -1e30, 1e30).value_or(range.least);
+    range.most = section.number("max", -1e30, 1e30).value_or(range.most);
     section.refuse_rest();
-    return read_track(*value, section.dotted("default"));
+    if (range.least > range.most) {
+        fail(node, key, fmt::format("min = {} is above max = {}", range.least, range.most));
+    }
+    if (value->is_number() && !range.contains(*value->value<double>())) {
+        fail(*value, section.dotted("default"),
+             fmt::format("must be from min = {} to max = {}", range.least, range.most));
+    }
+    return {read_track(*value, section.dotted("default")), &node, range};
 }
-
-struct Named {
-    animation::TrackSource source;
-    const toml::node* node;
-};
 
 // Parameters in the order of first mention: the catalogue's, then the scene's own.
 void read_parameters(Section& document, SurfaceParts& parts, TrackTable& tracks) {
-    std::map<std::string, Named> found;
+    std::map<std::string, Parameter> found;
     const auto read = [&](Section& from) {
         auto section = from.section("parameters");
         if (!section) return;
@@ -58,7 +68,7 @@ void read_parameters(Section& document, SurfaceParts& parts, TrackTable& tracks)
             const std::string name(name_key.str());
             check_name(name, node, section->dotted(name));
             if (!found.count(name)) parts.parameters.push_back(name);
-            found[name] = {read_parameter(node, section->dotted(name)), &node};
+            found[name] = read_parameter(node, section->dotted(name), found[name].range);
         }
     };
     if (parts.catalogue) {
@@ -69,6 +79,7 @@ void read_parameters(Section& document, SurfaceParts& parts, TrackTable& tracks)
     for (const std::string& name : parts.parameters) {
         tracks.add(name, found[name].source, found[name].node);
         tracks.place(name, "parameters." + name, found[name].node);
+        parts.surface.ranges.push_back(found[name].range);
     }
 }
 
@@ -254,7 +265,7 @@ std::unique_ptr<SurfaceParts> read_surface(Section& document, TrackTable& tracks
         parts->catalogue = read_catalogue(*use, parts->surface.name);
         Section catalogue(*parts->catalogue, "");
         for (const char* known :
-             {"title", "source", "bounds", "parameters", "arrays", "isolation"}) {
+             {"title", "source", "bounds", "parameters", "arrays", "isolation", "material"}) {
             catalogue.find(known);
         }
         parts->formula_node = catalogue.find("formula");

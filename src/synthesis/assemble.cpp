@@ -68,6 +68,7 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
     }
     add_ray(text, scene);
     text.file("shade/shading.glsl");
+    text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
     text.file("shade/lambert.glsl");
     text.file(shaders.march_takes_gradient ? "shade/gradient_from_state.glsl"
                                            : "shade/gradient_from_field.glsl");

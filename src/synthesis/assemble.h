@@ -1,7 +1,7 @@
 // Scene -> GLSL: the files of shaders/ that the scene calls for, and the generated field.
 //
-// The text depends on the formula's structure, the bounds' shape, the method, the number of lights
-// and the channels asked for. It depends on no value: a frame changes uniforms only.
+// The text depends on the formula's structure, the bounds' shape, the method, the effects named,
+// the number of lights and the channels asked for. It depends on no value: a frame changes uniforms only.
 #pragma once
 
 #include <string>

@@ -152,5 +152,77 @@ TEST_P(ClosedForms, TaylorTestFindsTheTouchingRootsThatTheSignTestMisses) {
     EXPECT_GE(count(taylor, Verdict::hit) + count(taylor, Verdict::zero_gradient), simple);
 }
 
+// Parallel rays: a sphere is a disc of its own size, with depth and normals in closed form.
+TEST_P(ClosedForms, OrthographicSphereIsADiscOfItsSize) {
+    const scene::Scene scene =
+        scene_of(sphere_scene, {"camera.projection=orthographic", "camera.height=3"});
+    const Picture picture = draw(*context, scene);
+    const image::Frame& f = picture.frame;
+    const auto at = [&](const char* name, int k) {
+        return double(f.find(name)->samples[std::size_t(k)]);
+    };
+    const double margin = scene.isolation.step * scene.isolation.step;
+    for (int row = 0; row < f.height; ++row) {
+        for (int column = 0; column < f.width; ++column) {
+            const int k = row * f.width + column;
+            const double y = ((column + 0.5) / f.width - 0.5) * 4; // 160 to 120 pixels
+            const double z = (0.5 - (row + 0.5) / f.height) * 3;
+            const double square = 1 - y * y - z * z;
+            const auto verdict = Verdict(int(at("verdict", k)));
+            if (square < -margin) {
+                ASSERT_EQ(verdict, Verdict::miss) << column << "," << row;
+            }
+            if (square < margin) continue;
+            ASSERT_EQ(verdict, Verdict::hit) << column << "," << row;
+            const double x = std::sqrt(square), tolerance = scene.isolation.step / 1024;
+            EXPECT_NEAR(at("Z", k), 5 - x, tolerance);
+            EXPECT_NEAR(at("P.Y", k), y, 1e-5);
+            EXPECT_NEAR(at("P.Z", k), z, 1e-5);
+            EXPECT_NEAR(at("N.X", k), at("P.X", k), 1e-4);
+        }
+    }
+}
+
+// A shell x^2 + y^2 + z^2 = 1 cut open by the bounds: F < 0 inside.
+TEST_P(ClosedForms, EachSideHasItsColour) {
+    const std::string shell = R"(
+[surface]
+formula = "x^2 + y^2 + z^2 - 1"
+bounds = { box = [[-1.1, -1.1, -1.1], [0.5, 1.1, 1.1]] }
+[camera]
+position = [5, 0, 0]
+projection = "orthographic"
+height = 2.4
+[material]
+color = [1, 0, 0]
+inside = [0, 0, 1]
+[output]
+size = [96, 96]
+)";
+    const Picture picture = draw(*context, scene_of(shell));
+    const image::Frame& f = picture.frame;
+    for (int k = 0; k < f.width * f.height; ++k) {
+        const auto at = [&](const char* name) { return f.find(name)->samples[std::size_t(k)]; };
+        if (Verdict(int(at("verdict"))) != Verdict::hit) continue;
+        const bool inside = at("P.X") < 0; // through the opening
+        const double radius = std::hypot(at("P.Y"), at("P.Z"));
+        const double opening = std::sqrt(0.75);
+        if (std::abs(radius - opening) > 0.03) {
+            EXPECT_EQ(inside, radius < opening) << radius;
+        }
+        EXPECT_EQ(at("B") > 0, inside);
+        EXPECT_EQ(at("R") > 0, !inside);
+    }
+    // Without a colour of its own the inside looks like the outside.
+    std::string plain = shell;
+    plain.erase(plain.find("inside"), std::string("inside = [0, 0, 1]\n").size());
+    const Picture one = draw(*context, scene_of(plain));
+    for (std::size_t k = 0; k < f.find("R")->samples.size(); ++k) {
+        if (one.frame.find("verdict")->samples[k] != float(Verdict::hit)) continue;
+        EXPECT_GT(one.frame.find("R")->samples[k], 0);
+        EXPECT_EQ(one.frame.find("B")->samples[k], 0);
+    }
+}
+
 } // namespace
 } // namespace isomotion::render

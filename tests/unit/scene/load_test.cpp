@@ -69,7 +69,7 @@ TEST_F(Load, EverySection) {
     EXPECT_EQ(scene.isolation.bisections, 12);
     EXPECT_EQ(scene.isolation.limit, 5000);
 
-    EXPECT_FALSE(scene.camera.framed);
+    EXPECT_TRUE(scene.camera.position);
     EXPECT_EQ(scene.lights.size(), 2u);
     EXPECT_FALSE(scene.lights[0].headlight);
     EXPECT_EQ(scene.output.width, 640);
@@ -133,7 +133,7 @@ TEST_F(Load, DefaultsOfTheSmallestScene) {
     EXPECT_GT(scene.isolation.near, 0);
     EXPECT_GT(scene.isolation.far, scene.isolation.near);
     EXPECT_GT(scene.isolation.horizon, 0);
-    EXPECT_TRUE(scene.camera.framed);
+    EXPECT_FALSE(scene.camera.position);
     ASSERT_EQ(scene.lights.size(), 1u);
     EXPECT_TRUE(scene.lights[0].headlight);
     EXPECT_EQ(scene.output.width, 512);

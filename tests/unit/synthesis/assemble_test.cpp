@@ -229,6 +229,9 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     }
     const Shaders of_long = assemble(scene_of(surface_text(long_formula())));
     used.insert(of_long.files.begin(), of_long.files.end());
+    const Shaders of_sides =
+        assemble(scene_of(surface_text("x") + "[material]\ninside = [1, 1, 1]\n"));
+    used.insert(of_sides.files.begin(), of_sides.files.end());
     EXPECT_EQ(used, shader_files());
 }
 
@@ -263,6 +266,19 @@ TEST_F(Assemble, NoFormulaTextBreaksTheShader) {
     }
     const Shaders lines = assemble(scene_of(surface_text("\n x^2\n\t+ y^2 \r\n - 1\n")));
     EXPECT_THAT(lines.march, HasSubstr("// generated from:"));
+}
+
+// Pay for what the scene calls for: no line of an effect that it does not name.
+TEST_F(Assemble, TwoSidesOnlyWhereTheSceneTellsThemApart) {
+    const std::string one = std::string(one_set_of_values);
+    const Shaders plain = assemble(scene_of(one));
+    const Shaders sided = assemble(scene_of(one + "inside = [0, 0, 1]\n"));
+    EXPECT_EQ(plain.march, sided.march);
+    EXPECT_THAT(plain.shade, Not(HasSubstr("inside_color")));
+    EXPECT_THAT(plain.files, Not(testing::Contains("shade/two_sided.glsl")));
+    EXPECT_THAT(sided.shade, HasSubstr("inside_color"));
+    EXPECT_THAT(sided.files, testing::Contains("shade/two_sided.glsl"));
+    EXPECT_THAT(sided.files, Not(testing::Contains("shade/one_sided.glsl")));
 }
 
 } // namespace
