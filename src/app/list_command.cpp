@@ -3,6 +3,7 @@
 
 #include "app/commands.h"
 #include "scene/data_folder.h"
+#include "scene/load.h"
 #include "scene/method.h"
 
 namespace isomotion::app {
@@ -15,8 +16,11 @@ int list(const std::string& what) {
         }
         return exit_done;
     }
-    const auto names = what == "surfaces" ? scene::surface_names() : scene::animation_names();
-    for (const auto& name : names) fmt::print("{}\n", name);
+    const bool surfaces = what == "surfaces";
+    for (const auto& name : surfaces ? scene::surface_names() : scene::animation_names()) {
+        const auto file = surfaces ? scene::surface_file(name) : scene::animation_file(name);
+        fmt::print("{:<26} {}\n", name, scene::title(file));
+    }
     return exit_done;
 }
 

@@ -101,6 +101,7 @@ private:
     }
 
     std::vector<int> parse_frames() const {
+        if (arguments_.frames == "poster") return {scene_.output.poster};
         if (!arguments_.frames.empty()) return animation::parse_frame_range(arguments_.frames);
         return animation::parse_frame_range(fmt::format("1-{}", scene_.timeline.frames));
     }

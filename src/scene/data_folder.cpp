@@ -53,4 +53,11 @@ std::vector<std::string> surface_names() {
     return toml_names(data_folder() / "animations" / "surfaces");
 }
 
+fs::path animation_file(const std::string& name) {
+    return data_folder() / "animations" / (name + ".toml");
+}
+fs::path surface_file(const std::string& name) {
+    return data_folder() / "animations" / "surfaces" / (name + ".toml");
+}
+
 } // namespace isomotion::scene

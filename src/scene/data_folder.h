@@ -16,4 +16,7 @@ std::filesystem::path data_folder();
 std::vector<std::string> animation_names();
 std::vector<std::string> surface_names();
 
+std::filesystem::path animation_file(const std::string& name);
+std::filesystem::path surface_file(const std::string& name);
+
 } // namespace isomotion::scene

@@ -22,7 +22,7 @@ fs::path locate(const std::string& scene) {
     const bool looks_like_path =
         scene.find('/') != scene.npos || fs::path(scene).extension() == ".toml";
     if (looks_like_path) throw SceneError(scene + ": no such file");
-    const fs::path installed = data_folder() / "animations" / (scene + ".toml");
+    const fs::path installed = animation_file(scene);
     if (fs::exists(installed)) return installed;
     const auto known = animation_names();
     const std::string near = formula::nearest_name(scene, known);
@@ -177,6 +177,7 @@ void read_output(Section& document, Scene& scene) {
             }
         }
     }
+    output.poster = section->integer("poster", 1, scene.timeline.frames).value_or(1);
     section->refuse_rest();
 }
 
@@ -214,6 +215,11 @@ void read_isolation(Section& document, Isolation& isolation, GivenThresholds& gi
 }
 
 } // namespace
+
+std::string title(const fs::path& file) {
+    const toml::table root = read_document(file);
+    return Section(root, "").text("title").value_or(file.stem().string());
+}
 
 Scene load(const std::string& name, const std::vector<Override>& overrides) {
     Scene scene;

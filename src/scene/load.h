@@ -1,6 +1,7 @@
 // Scene file (TOML) -> Scene.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,5 +16,8 @@ using Override = std::string;
 
 // `scene` is a path to a .toml file or the name of an animation of the gallery. Throws SceneError.
 Scene load(const std::string& scene, const std::vector<Override>& overrides = {});
+
+// What a scene or a surface of the catalogue calls itself.
+std::string title(const std::filesystem::path& file);
 
 } // namespace isomotion::scene

@@ -97,6 +97,7 @@ struct Output {
     int width = 512, height = 512;
     std::array<double, 3> background{};
     bool transparent = false;
+    int poster = 1; // the frame that stands for the whole
 };
 
 struct Scene {

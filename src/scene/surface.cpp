@@ -200,7 +200,7 @@ void make_vocabulary(SurfaceParts& parts, TrackTable& tracks) {
 }
 
 toml::table read_catalogue(const toml::node& use, const std::string& name) {
-    const auto file = data_folder() / "animations" / "surfaces" / (name + ".toml");
+    const auto file = surface_file(name);
     if (!std::filesystem::exists(file)) {
         const auto known = surface_names();
         const std::string near = formula::nearest_name(name, known);

@@ -1,0 +1,117 @@
+// What the posters show is the first root along each ray: the field, sampled densely in double on
+// the CPU, says where signs change. No proof, but an independent look at every pixel.
+#include <algorithm>
+
+#include "gallery/animations.h"
+#include "render/drawing.h"
+#include "scene/rays.h"
+
+namespace isomotion::render {
+namespace {
+
+class GalleryHits : public EveryAnimation {
+protected:
+    std::unique_ptr<gpu::Context> context = gpu::Context::create();
+};
+ISOMOTION_ON_EVERY_ANIMATION(GalleryHits);
+
+constexpr int side = 48;
+
+struct Segment {
+    glm::dvec3 anchor, direction;
+    double near = 1, far = 0;
+};
+
+// The part of a pixel's ray in the bounds, in double; rows from the top.
+Segment segment(const scene::SceneAt& now, const scene::Rays& rays, int column, int row) {
+    const double u = 2 * (column + 0.5) / side - 1, v = 1 - 2 * (row + 0.5) / side;
+    const glm::dvec3 across = u * rays.right + v * rays.up;
+    const glm::dvec3 from_eye = rays.parallel ? rays.axis : rays.axis + across;
+    Segment s{rays.origin + across, glm::normalize(from_eye)};
+    if (now.bounds.shape == scene::Bounds::Shape::sphere) {
+        const glm::dvec3 from = s.anchor - now.bounds.centre;
+        const double middle = -glm::dot(from, s.direction);
+        const double square =
+            now.bounds.radius * now.bounds.radius - glm::dot(from, from) + middle * middle;
+        if (square < 0) return s;
+        s.near = middle - std::sqrt(square);
+        s.far = middle + std::sqrt(square);
+    } else {
+        const glm::dvec3 a = (now.bounds.min - s.anchor) / s.direction;
+        const glm::dvec3 b = (now.bounds.max - s.anchor) / s.direction;
+        const glm::dvec3 enter = glm::min(a, b), leave = glm::max(a, b);
+        s.near = std::max({enter.x, enter.y, enter.z});
+        s.far = std::min({leave.x, leave.y, leave.z});
+    }
+    s.near = std::max(s.near, -glm::length(from_eye));
+    return s;
+}
+
+// F at `count` places from `begin` to `end` of a ray.
+std::vector<double> samples(const scene::Scene& scene, const formula::Bindings<double>& bindings,
+                            const Segment& s, double begin, double end, std::size_t count) {
+    std::array<std::vector<double>, 3> points;
+    for (int k = 0; k < 3; ++k) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const double t = begin + (end - begin) * double(i) / double(count - 1);
+            points[std::size_t(k)].push_back(s.anchor[k] + t * s.direction[k]);
+        }
+    }
+    std::vector<double> values(count);
+    const std::array<std::span<const double>, 3> inputs{points[0], points[1], points[2]};
+    const std::array<std::span<double>, 1> outputs{values};
+    formula::Evaluator<double>(scene.surface.field->value).points(bindings, inputs, outputs);
+    return values;
+}
+
+bool changes_sign(std::span<const double> values) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return *least <= 0 && *most >= 0;
+}
+
+TEST_P(GalleryHits, AreTheFirstRootsThatDenseSamplingFinds) {
+    for (const std::string& name : animations_of(GetParam())) {
+        SCOPED_TRACE(name);
+        const scene::Scene scene = scene::load(name, {"output.size=[48,48]"});
+        const int frame = scene.output.poster;
+        const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+        const Picture picture = draw(*context, scene, frame);
+        const auto bindings = formula::convert<double>(now.bindings);
+        const scene::Rays rays = scene::rays(now, side, side);
+        const auto channel = [&](const char* of, std::size_t k) {
+            return double(picture.frame.find(of)->samples[k]);
+        };
+        // Roots are told apart at this distance along a ray.
+        const double close = now.bounds.radius / 1000;
+        int checked = 0, false_hits = 0, missed = 0;
+        for (int row = 0; row < side; ++row) {
+            for (int column = 0; column < side; ++column) {
+                const auto k = std::size_t(row * side + column);
+                const Segment s = segment(now, rays, column, row);
+                if (!(s.near < s.far)) continue;
+                ++checked;
+                const auto verdict = Verdict(int(channel("verdict", k)));
+                double end = s.far;
+                if (verdict == Verdict::hit || verdict == Verdict::zero_gradient) {
+                    const glm::dvec3 p(channel("P.X", k), channel("P.Y", k), channel("P.Z", k));
+                    const double t = glm::dot(now.placement.to_local(p) - s.anchor, s.direction);
+                    if (!changes_sign(samples(scene, bindings, s, t - close, t + close, 33))) {
+                        ++false_hits;
+                    }
+                    end = t - close;
+                }
+                if (end > s.near && changes_sign(samples(scene, bindings, s, s.near, end, 768))) {
+                    ++missed;
+                }
+            }
+        }
+        EXPECT_GT(checked, side * side / 12);
+        std::printf("%-28s %5d rays, %3d hits without a root, %3d roots passed over\n",
+                    name.c_str(), checked, false_hits, missed);
+        EXPECT_LE(false_hits, checked / 200);
+        EXPECT_LE(missed, checked / 50);
+    }
+}
+
+} // namespace
+} // namespace isomotion::render
