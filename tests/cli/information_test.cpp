@@ -33,9 +33,9 @@ TEST_F(Information, HelpNamesEveryCommandAndOption) {
 TEST_F(Information, Version) { EXPECT_THAT(told({"--version"}), StartsWith("isomotion ")); }
 
 TEST_F(Information, ListsWhatThereIs) {
-    EXPECT_THAT(told({"list"}), ContainsRegex("twisting_superquadric +Twisting superquadric\n"));
+    EXPECT_THAT(told({"list"}), testing::ContainsRegex("twisting_superquadric +Twisting superquadric\n"));
     EXPECT_EQ(told({"list"}), told({"list", "animations"}));
-    EXPECT_THAT(told({"list", "surfaces"}), ContainsRegex("blinn_blobby +Blinn's blobby\n"));
+    EXPECT_THAT(told({"list", "surfaces"}), testing::ContainsRegex("blinn_blobby +Blinn's blobby\n"));
     const std::string methods = told({"list", "methods"});
     for (const char* method : {"marching", "amp-sign", "amp-taylor"}) {
         EXPECT_THAT(methods, HasSubstr(method));

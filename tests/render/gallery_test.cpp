@@ -60,27 +60,5 @@ TEST(Gallery, TheBlobbyFallsFrom75SpheresToOneBodyAndBack) {
     EXPECT_EQ(components(scene, 120, 110), 75);
 }
 
-TEST(Gallery, LoopsCloseWithoutAJump) {
-    for (const char* name : {"blobby75", "twisting_superquadric"}) {
-        const Scene scene = load(name);
-        const auto first = scene.timeline.values(1).tracks;
-        const auto after_last = scene.timeline.values(scene.timeline.frames + 1).tracks;
-        for (std::size_t k = 0; k < first.size(); ++k) {
-            EXPECT_NEAR(first[k], after_last[k], 1e-9)
-                << name << ": " << scene.timeline.animation.tracks()[k].name;
-        }
-    }
-}
-
-TEST(Gallery, EveryAnimationAndSurfaceLoadsAndStaysInItsBounds) {
-    for (const std::string& name : animation_names()) {
-        SCOPED_TRACE(name);
-        const Scene scene = load(name);
-        for (int frame = 1; frame <= scene.timeline.frames; ++frame) {
-            EXPECT_NO_THROW(at(scene, scene.timeline.values(frame)));
-        }
-    }
-}
-
 } // namespace
 } // namespace isomotion::scene
