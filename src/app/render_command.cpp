@@ -253,7 +253,8 @@ void add_render(CLI::App& app, Action& chosen) {
         ->required();
     command->add_option("-o,--output", a.output,
                         "files to write: out/name.####.png or .exr (#### is the frame's number)");
-    command->add_option("--frames", a.frames, "1-10, 1-10x2, 1,3,5-9 (default: all of the scene)");
+    command->add_option("--frames", a.frames,
+                        "1-10, 1-10x2, 1,3,5-9, poster (default: all of the scene)");
     command->add_option("--size", a.size, "WIDTHxHEIGHT");
     command
         ->add_option("--set", a.settings,

@@ -40,6 +40,17 @@ TEST_F(Sequence, MovieHasEveryFrame) {
     if (program("ffprobe").empty()) GTEST_SKIP() << "ffprobe is not installed: frames uncounted";
 }
 
+TEST_F(Sequence, PosterIsTheFrameThatTheSceneNames) {
+    render({"sphere.toml", "--set", "output.poster=7", "--frames", "poster", "-o", "a.##.png"});
+    render({"sphere.toml", "--set", "output.poster=3", "--frames", "7", "-o", "b.##.png"});
+    EXPECT_EQ(bytes("a.07.png"), bytes("b.07.png"));
+    EXPECT_EQ(names(), (std::set<std::string>{"sphere.toml", "a.07.png", "b.07.png"}));
+    const Ending beyond =
+        run({"render", "sphere.toml", "--set", "output.poster=61", "--frames", "poster"});
+    EXPECT_EQ(beyond.code, 2) << beyond;
+    EXPECT_THAT(beyond.err, HasSubstr("output.poster: must be from 1 to 60, not 61"));
+}
+
 TEST_F(Sequence, WithoutFfmpegTheFramesAreThere) {
     Circumstances circumstances = this->circumstances();
     circumstances.environment["PATH"] = folder().string();
