@@ -193,9 +193,11 @@ formula::ArrayColumns<double> Animation::columns(std::size_t a, const Values& va
     const Array& array = arrays_[a];
     const CompiledArray& compiled = compiled_arrays_[a];
     formula::ArrayColumns<double> columns;
-    columns.count = array.count;
+    formula::ArrayColumns<double> sampled;
+    if (array.samples) sampled = array.samples->at(values.time);
+    columns.count = array.samples ? sampled.count : array.count;
     columns.fields.resize(array.fields.size());
-    const auto count = std::size_t(array.count);
+    const auto count = std::size_t(columns.count);
     const std::size_t tracks = nameable_;
 
     formula::Bindings<double> bindings;
@@ -212,6 +214,8 @@ formula::ArrayColumns<double> Animation::columns(std::size_t a, const Values& va
                        std::get_if<std::vector<double>>(&array.fields[field].source)) {
             column = *list;
             column.resize(count);
+        } else if (const auto* data = std::get_if<Column>(&array.fields[field].source)) {
+            column = std::move(sampled.fields[data->index]);
         } else {
             const Compiled& expression = *compiled.fields[field];
             formula::Evaluator<double> evaluator(expression.program);

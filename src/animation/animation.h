@@ -2,15 +2,17 @@
 //
 // A track is a number, an expression in t (which may name other tracks) or keys. An array has
 // `count` elements with fields; a field is an expression in t, the element's index i and the number
-// of elements n, or a list of numbers, and may name tracks and sibling fields.
+// of elements n, a list of numbers or a column of samples, and may name tracks and sibling fields.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "animation/element_samples.h"
 #include "animation/keys.h"
 #include "formula/evaluate.h"
 #include "formula/vocabulary.h"
@@ -28,7 +30,12 @@ struct Track {
     TrackSource source;
 };
 
-using FieldSource = std::variant<double, Expression, std::vector<double>>;
+// A column of the array's samples.
+struct Column {
+    std::size_t index = 0;
+};
+
+using FieldSource = std::variant<double, Expression, std::vector<double>, Column>;
 
 struct ArrayField {
     std::string name;
@@ -37,8 +44,9 @@ struct ArrayField {
 
 struct Array {
     std::string name;
-    int count = 0;
+    int count = 0; // with samples the most there are: they say how many there are at a time
     std::vector<ArrayField> fields;
+    std::shared_ptr<const ElementSamples> samples{}; // null unless some field is a Column
 };
 
 // The values of all tracks and arrays at one time.

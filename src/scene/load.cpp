@@ -232,7 +232,7 @@ Scene load(const std::string& name, const std::vector<Override>& overrides) {
     TrackTable tracks;
     std::uint64_t seed = 0;
     read_time(document, scene, seed);
-    const auto parts = read_surface(document, tracks);
+    const auto parts = read_surface(document, scene.timeline, tracks);
     read_space(document, *parts, tracks);
     scene.camera = read_camera(document, tracks);
     read_lights(document, scene, tracks);

@@ -5,29 +5,12 @@
 #include <fmt/format.h>
 
 #include "formula/parser.h"
+#include "scene/arrays.h"
 #include "scene/data_folder.h"
+#include "scene/names.h"
 
 namespace isomotion::scene {
 namespace {
-
-constexpr int most_elements = 1'000'000;
-
-void check_name(const std::string& name, const toml::node& at, const std::string& key) {
-    if (!formula::is_identifier(name)) {
-        fail(at, key, "a name is letters, digits and _, and starts with a letter");
-    }
-    if (formula::is_reserved(name)) {
-        fail(at, key,
-             fmt::format("'{}' already has a meaning in formulas; choose another name", name));
-    }
-    if (name == "t" || name == "i" || name == "n") {
-        fail(at, key,
-             fmt::format("'{}' means the {} in expressions; choose another name", name,
-                         name == "t"   ? "time"
-                         : name == "i" ? "element's index"
-                                       : "number of elements"));
-    }
-}
 
 struct Parameter {
     animation::TrackSource source;
@@ -80,96 +63,6 @@ void read_parameters(Section& document, SurfaceParts& parts, TrackTable& tracks)
         tracks.add(name, found[name].source, found[name].node);
         tracks.place(name, "parameters." + name, found[name].node);
         parts.surface.ranges.push_back(found[name].range);
-    }
-}
-
-animation::FieldSource read_field(const toml::node& node, const std::string& key) {
-    if (node.is_number()) return read_finite(node, key);
-    if (const auto text = node.value<std::string>()) return animation::Expression{*text};
-    if (const toml::array* list = node.as_array()) {
-        std::vector<double> values;
-        for (std::size_t k = 0; k < list->size(); ++k) {
-            values.push_back(read_finite(*list->get(k), fmt::format("{}[{}]", key, k)));
-        }
-        return values;
-    }
-    fail(node, key, "must be a number, an expression in t, i and n, or a list of numbers");
-}
-
-struct ArrayNodes {
-    const toml::node* count = nullptr;
-    std::map<std::string, std::pair<const toml::node*, std::string>> fields;
-};
-
-void gather_array(const toml::table& table, const std::string& key, ArrayNodes& nodes,
-                  std::vector<std::string>& order) {
-    for (const auto& [name_key, node] : table) {
-        const std::string name(name_key.str());
-        if (name == "count") {
-            nodes.count = &node;
-            continue;
-        }
-        check_name(name, node, key + "." + name);
-        if (!nodes.fields.count(name)) order.push_back(name);
-        nodes.fields[name] = {&node, key + "." + name};
-    }
-}
-
-animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
-                            const std::vector<std::string>& order, const toml::node& at,
-                            TrackTable& tracks) {
-    animation::Array array;
-    array.name = name;
-    const std::string key = "arrays." + name;
-    if (!nodes.count) fail(at, key, "needs count, the number of elements");
-    const auto count = nodes.count->value_exact<std::int64_t>();
-    if (!count || *count < 0 || *count > most_elements) {
-        fail(*nodes.count, key + ".count",
-             fmt::format("must be an integer from 0 to {}", most_elements));
-    }
-    array.count = int(*count);
-    for (const std::string& field : order) {
-        const auto& [node, field_key] = nodes.fields.at(field);
-        array.fields.push_back({field, read_field(*node, field_key)});
-        tracks.place(name + "." + field, field_key, node);
-        const auto* list = std::get_if<std::vector<double>>(&array.fields.back().source);
-        if (list && list->size() != std::size_t(array.count)) {
-            fail(*node, field_key,
-                 fmt::format("has {} values for {} elements; give one for each", list->size(),
-                             array.count));
-        }
-    }
-    return array;
-}
-
-void read_arrays(Section& document, SurfaceParts& parts, TrackTable& tracks) {
-    std::vector<std::string> names;
-    std::map<std::string, ArrayNodes> nodes;
-    std::map<std::string, std::vector<std::string>> orders;
-    std::map<std::string, const toml::node*> places;
-    const auto read = [&](Section& from) {
-        auto section = from.section("arrays");
-        if (!section) return;
-        for (const auto& [name_key, node] : section->table()) {
-            const std::string name(name_key.str()), key = section->dotted(name);
-            check_name(name, node, key);
-            if (!node.is_table()) fail(node, key, fmt::format("must be a table: [{}]", key));
-            if (!places.count(name)) names.push_back(name);
-            places[name] = &node;
-            gather_array(*node.as_table(), key, nodes[name], orders[name]);
-        }
-    };
-    if (parts.catalogue) {
-        Section catalogue(*parts.catalogue, "");
-        read(catalogue);
-    }
-    read(document);
-    if (names.size() > std::size_t(formula::max_arrays)) {
-        fail(*places[names.back()], "arrays",
-             fmt::format("a scene has at most {} arrays", formula::max_arrays));
-    }
-    for (const std::string& name : names) {
-        parts.arrays.push_back(make_array(name, nodes[name], orders[name], *places[name], tracks));
     }
 }
 
@@ -236,6 +129,8 @@ void refuse_unused_fields(const SurfaceParts& parts, const std::vector<bool>& us
             continue;
         for (std::size_t f = 0; f < array.fields.size(); ++f) {
             if (in_formula[f] || animation.is_referenced(a, f)) continue;
+            // Simulations write more columns than a formula reads.
+            if (std::holds_alternative<animation::Column>(array.fields[f].source)) continue;
             std::vector<std::string> others = names;
             others.erase(others.begin() + std::ptrdiff_t(f));
             const std::string near = formula::nearest_name(names[f], others);
@@ -249,7 +144,8 @@ void refuse_unused_fields(const SurfaceParts& parts, const std::vector<bool>& us
 
 } // namespace
 
-std::unique_ptr<SurfaceParts> read_surface(Section& document, TrackTable& tracks) {
+std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
+                                           TrackTable& tracks) {
     auto parts = std::make_unique<SurfaceParts>();
     auto section = document.section("surface");
     if (!section) {
@@ -282,7 +178,12 @@ std::unique_ptr<SurfaceParts> read_surface(Section& document, TrackTable& tracks
     for (const char* later : {"bounds", "placement"}) section->find(later);
     section->refuse_rest();
     read_parameters(document, *parts, tracks);
-    read_arrays(document, *parts, tracks);
+    if (parts->catalogue) {
+        Section catalogue(*parts->catalogue, "");
+        parts->arrays = read_arrays(&catalogue, document, timeline, tracks);
+    } else {
+        parts->arrays = read_arrays(nullptr, document, timeline, tracks);
+    }
     make_vocabulary(*parts, tracks);
     return parts;
 }

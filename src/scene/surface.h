@@ -19,7 +19,8 @@ struct SurfaceParts {
 
 // Reads the three sections and adds their tracks: parameters first, then fields that have one value
 // for all elements.
-std::unique_ptr<SurfaceParts> read_surface(Section& document, TrackTable& tracks);
+std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
+                                           TrackTable& tracks);
 
 // Parses the formula, and refuses parameters that nothing uses.
 void make_field(SurfaceParts& parts, const animation::Animation& animation,

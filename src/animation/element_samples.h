@@ -1,0 +1,48 @@
+// The elements of an array at some times, as a simulation writes them, and in between.
+//
+// Elements of neighbouring samples that are the same one move from the one place to the other; one
+// that has no successor stays where it was until the next sample, one that has no predecessor is
+// there from its sample on. So the number of elements changes at samples only.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "formula/evaluate.h"
+
+namespace isomotion::animation {
+
+class ElementSamples {
+public:
+    enum class Interpolation { linear, hold };
+
+    // What was read, row by row; each row is one element at one time.
+    struct Rows {
+        std::vector<double> times;      // of the samples, ascending, at least one
+        std::vector<std::size_t> begin; // first row of each sample, and the end of the last
+        std::vector<std::vector<double>> values; // [column][row]
+        // Tells elements apart, no two alike in one sample. Without any, the k-th element of a
+        // sample is the k-th of the next.
+        std::vector<std::int64_t> ids;
+    };
+
+    ElementSamples(Rows rows, Interpolation interpolation);
+
+    // Before the first sample and after the last, these. Elements come in the order of the sample
+    // at or before `time`; at a sample's own time its values are exact.
+    formula::ArrayColumns<double> at(double time) const;
+
+    int most() const; // elements at one time
+    double first_time() const { return rows_.times.front(); }
+    double last_time() const { return rows_.times.back(); }
+
+private:
+    static constexpr std::size_t none = std::size_t(-1);
+
+    Rows rows_;
+    Interpolation interpolation_;
+    std::vector<std::size_t> successor_; // of each row: the row of the same element one sample on
+};
+
+} // namespace isomotion::animation

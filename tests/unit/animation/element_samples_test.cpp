@@ -1,0 +1,113 @@
+#include "animation/element_samples.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace isomotion::animation {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using Interpolation = ElementSamples::Interpolation;
+
+// Three times: elements 1 2 3, then 3 1 4, then none; the value of an element is 10 * id + time.
+ElementSamples three_times(Interpolation interpolation, bool with_ids = true) {
+    ElementSamples::Rows rows;
+    rows.times = {0, 2, 3};
+    rows.begin = {0, 3, 6, 6};
+    rows.values = {{10, 20, 30, 32, 12, 42}};
+    if (with_ids) rows.ids = {1, 2, 3, 3, 1, 4};
+    return ElementSamples(std::move(rows), interpolation);
+}
+
+TEST(ElementSamples, AreExactAtTheirTimes) {
+    for (const auto interpolation : {Interpolation::linear, Interpolation::hold}) {
+        const ElementSamples samples = three_times(interpolation);
+        EXPECT_THAT(samples.at(0).fields[0], ElementsAre(10, 20, 30));
+        EXPECT_THAT(samples.at(2).fields[0], ElementsAre(32, 12, 42));
+        EXPECT_EQ(samples.at(2).count, 3);
+        EXPECT_THAT(samples.at(3).fields[0], IsEmpty());
+        EXPECT_EQ(samples.at(3).count, 0);
+    }
+}
+
+TEST(ElementSamples, MoveToWhereTheirIdIsNext) {
+    const ElementSamples samples = three_times(Interpolation::linear);
+    // 1 and 3 go on; 2 has no successor and stays, 4 has no predecessor and is not yet there.
+    EXPECT_THAT(samples.at(1).fields[0], ElementsAre(11, 20, 31));
+    EXPECT_THAT(samples.at(0.5).fields[0], ElementsAre(10.5, 20, 30.5));
+    EXPECT_THAT(samples.at(std::nextafter(2, 0)).fields[0][1], 20);
+    EXPECT_EQ(samples.at(std::nextafter(2, 0)).count, 3);
+    // Nothing is left at 3: until then everything stays.
+    EXPECT_THAT(samples.at(2.9).fields[0], ElementsAre(32, 12, 42));
+}
+
+TEST(ElementSamples, WithoutIdsMoveToTheirPlaceInTheNextSample) {
+    const ElementSamples samples = three_times(Interpolation::linear, false);
+    EXPECT_THAT(samples.at(1).fields[0], ElementsAre(21, 16, 36));
+}
+
+TEST(ElementSamples, HoldUntilTheNextSample) {
+    const ElementSamples samples = three_times(Interpolation::hold);
+    EXPECT_THAT(samples.at(1.999).fields[0], ElementsAre(10, 20, 30));
+}
+
+TEST(ElementSamples, StayBeforeTheFirstSampleAndAfterTheLast) {
+    const ElementSamples samples = three_times(Interpolation::linear);
+    for (const double before : {-1.0, -1e300, -HUGE_VAL}) {
+        EXPECT_THAT(samples.at(before).fields[0], ElementsAre(10, 20, 30));
+    }
+    for (const double after : {3.5, 1e300, HUGE_VAL}) EXPECT_EQ(samples.at(after).count, 0);
+    EXPECT_EQ(samples.first_time(), 0);
+    EXPECT_EQ(samples.last_time(), 3);
+    EXPECT_EQ(samples.most(), 3);
+}
+
+TEST(ElementSamples, OneSampleStandsStill) {
+    ElementSamples::Rows rows;
+    rows.times = {5};
+    rows.begin = {0, 2};
+    rows.values = {{1, 2}, {3, 4}};
+    const ElementSamples samples(std::move(rows), Interpolation::linear);
+    for (const double time : {-1.0, 0.0, 5.0, 9.0}) {
+        EXPECT_THAT(samples.at(time).fields[0], ElementsAre(1, 2));
+        EXPECT_THAT(samples.at(time).fields[1], ElementsAre(3, 4));
+    }
+}
+
+// No jump but where elements come and go.
+TEST(ElementSamples, MoveContinuously) {
+    ElementSamples::Rows rows;
+    const int times = 20, elements = 7;
+    rows.begin = {0};
+    rows.values.resize(1);
+    for (int k = 0; k < times; ++k) {
+        rows.times.push_back(k * 0.1);
+        for (int e = 0; e < elements; ++e) {
+            rows.values[0].push_back(std::sin(3 * k + e));
+            rows.ids.push_back((e * 3 + k) % elements); // another order every time
+        }
+        rows.begin.push_back(std::size_t(elements * (k + 1)));
+    }
+    const auto of_id = [&](int k, int id) {
+        for (int e = 0; e < elements; ++e) {
+            if (rows.ids[std::size_t(k * elements + e)] == id)
+                return rows.values[0][std::size_t(k * elements + e)];
+        }
+        return HUGE_VAL;
+    };
+    std::vector<double> ends;
+    for (int id = 0; id < elements; ++id) ends.push_back(of_id(8, id));
+    const auto ids_of_7 =
+        std::vector(rows.ids.begin() + 7 * elements, rows.ids.begin() + 8 * elements);
+    const ElementSamples samples(std::move(rows), Interpolation::linear);
+    const auto just_before = samples.at(std::nextafter(8 * 0.1, 0)).fields[0];
+    for (int e = 0; e < elements; ++e) {
+        EXPECT_NEAR(just_before[std::size_t(e)], ends[std::size_t(ids_of_7[std::size_t(e)])],
+                    1e-12);
+    }
+}
+
+} // namespace
+} // namespace isomotion::animation
