@@ -3,9 +3,13 @@
 #include "scene/load.h"
 #include "scene/scene_at.h"
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <numeric>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace isomotion::scene {
 namespace {
@@ -58,6 +62,34 @@ TEST(Components, TheBlobbyFallsFrom75SpheresToOneBodyAndBack) {
     EXPECT_EQ(components(scene, 1, 110, 1), 75);
     EXPECT_EQ(components(scene, 61, 110, 1), 1);
     EXPECT_EQ(components(scene, 120, 110, 1), 75);
+}
+
+TEST(Components, DropsGatherInOnePool) {
+    const Scene scene = load("falling_drops");
+    EXPECT_EQ(scene.timeline.values(1).arrays[0].count, 60);
+    EXPECT_EQ(scene.timeline.values(61).arrays[0].count, 300);
+    const int at_first = components(scene, 1, 120, 1);
+    EXPECT_GT(at_first, 20);
+    EXPECT_LE(at_first, 60);
+    EXPECT_EQ(components(scene, 120, 120, 1), 1);
+}
+
+// The data is what the script beside it makes, to the byte.
+TEST(Components, DropsAreThoseOfTheirScript) {
+    if (std::system("python3 -c pass") != 0) GTEST_SKIP() << "python3 is not installed";
+    const std::string data = ISOMOTION_SOURCE_DIR "/animations/data/falling_drops.";
+    const std::string made = (std::filesystem::temp_directory_path() /
+                              ("isomotion-drops-" + std::to_string(getpid()) + ".csv"))
+                                 .string();
+    ASSERT_EQ(std::system(("python3 " + data + "py " + made).c_str()), 0);
+    const auto text = [](const std::string& file) {
+        std::ifstream stream(file, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    const std::string committed = text(data + "csv");
+    EXPECT_GT(committed.size(), 100'000u);
+    EXPECT_TRUE(text(made) == committed);
+    std::filesystem::remove(made);
 }
 
 struct Level {
