@@ -1,0 +1,34 @@
+// The truth about a picture: the first root of every pixel's ray, certified on the CPU without GL.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "scene/scene.h"
+#include "truth/first_root.h"
+
+namespace isomotion::truth {
+
+struct Truth {
+    int width = 0, height = 0;
+    std::vector<FirstRoot> roots; // rows from the top
+    std::int64_t evaluations = 0;
+
+    const FirstRoot& at(int column, int row) const {
+        return roots[std::size_t(row) * std::size_t(width) + std::size_t(column)];
+    }
+    std::array<std::int64_t, 4> counts() const; // by Answer
+};
+
+struct Certifying {
+    Budget budget;
+    int threads = 0;                           // 0: as many as the machine runs at once
+    std::function<void(double part)> progress; // called from one thread at a time, part in [0, 1]
+};
+
+// The same for any number of threads.
+Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+              const Certifying& how = {});
+
+} // namespace isomotion::truth

@@ -1,0 +1,331 @@
+#include "truth/first_root.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isomotion::truth {
+namespace {
+
+using formula::Interval;
+
+int sign_of(const Interval& f) { return f.lo > 0 ? 1 : f.hi < 0 ? -1 : 0; }
+
+// A lower bound of a function on a piece of length h that is at least `at_begin` and `at_end` at
+// its ends and whose slope stays in `slope`: where the two lines of steepest descent meet.
+double least_between(double at_begin, double at_end, const Interval& slope, double h) {
+    const double down = slope.lo, up = slope.hi;
+    if (!(down < 0)) return at_begin;
+    if (!(up > 0)) return at_end;
+    if (std::isinf(down) || std::isinf(up)) return -HUGE_VAL;
+    // Rounding of the quotient is far below the part of it that is given away here.
+    const double parts[] = {up * at_begin, -down * at_end, down * up * h};
+    const double size = std::abs(parts[0]) + std::abs(parts[1]) + std::abs(parts[2]);
+    return (parts[0] + parts[1] + parts[2] - 1e-14 * size) / (up - down);
+}
+
+Interval times(const Interval& f, int sign) { return sign < 0 ? Interval{-f.hi, -f.lo} : f; }
+
+float below(double value) {
+    const float rounded = float(value);
+    return double(rounded) <= value ? rounded : std::nextafter(rounded, -HUGE_VALF);
+}
+float above(double value) {
+    const float rounded = float(value);
+    return double(rounded) >= value ? rounded : std::nextafter(rounded, HUGE_VALF);
+}
+
+} // namespace
+
+// One ray on its way. Everything up to `a` is known: F has the sign `sign` there but in the runs
+// that were noted as touching.
+struct RootFinder::Lane {
+    enum class Phase { begin, march, refine, resume, done };
+
+    Tube tube;
+    FirstRoot* root = nullptr;
+    Phase phase = Phase::begin;
+    double a = 0, step = 0;
+    Interval at_a;
+    int sign = 0;
+    // Pieces that could not be told from zero, still being put together.
+    bool in_run = false;
+    double run_begin = 0;
+    double low = 0, high = 0; // of a crossing being narrowed down
+    int evaluations = 0;
+
+    double b() const { return std::min(a + step, tube.far); }
+
+    void touch(double from, double to) {
+        if (root->answer != Answer::touching) {
+            root->answer = Answer::touching;
+            root->touch_low = below(from);
+        }
+        root->touch_high = above(to);
+    }
+
+    void end(bool hit) {
+        if (root->answer == Answer::touching) {
+            root->after_is_hit = hit;
+        } else {
+            root->answer = hit ? Answer::hit : Answer::miss;
+        }
+        if (hit) {
+            root->low = below(low);
+            root->high = above(high);
+        }
+        phase = Phase::done;
+    }
+
+    void give_up() {
+        root->answer = Answer::undecided;
+        root->low = below(in_run ? run_begin : a);
+        phase = Phase::done;
+    }
+
+    // F crosses zero in [low, high], which is as narrow as it gets. Where the shader's interval may
+    // have ended already, the crossing may be seen or not.
+    void end_crossing() {
+        if (low >= tube.near_inside && high <= tube.far_inside) {
+            end(true);
+            return;
+        }
+        touch(low, high);
+        sign = -sign;
+        a = high;
+        phase = Phase::resume;
+    }
+};
+
+RootFinder::RootFinder(const formula::EnclosurePrograms& field, const scene::SceneAt& scene,
+                       Budget budget)
+    : value_(field.value)
+    , along_(field.along)
+    , gradient_(field.gradient)
+    , bindings_(formula::convert<Interval>(scene.bindings))
+    , budget_(budget) {}
+
+// Boxes to evaluate, one for each lane that asks.
+struct RootFinder::Request {
+    std::array<std::vector<Interval>, 6> inputs;
+    std::array<std::vector<Interval>, 3> outputs;
+
+    void clear() {
+        for (auto& input : inputs) input.clear();
+    }
+    // The part of the tube from t = a to b. Its radius leaves room for the rounding here.
+    void add(const Tube& tube, double a, double b, bool with_direction) {
+        for (int k = 0; k < 3; ++k) {
+            const double p = tube.anchor[k] + a * tube.direction[k];
+            const double q = tube.anchor[k] + b * tube.direction[k];
+            inputs[std::size_t(k)].push_back(
+                {std::min(p, q) - tube.radius, std::max(p, q) + tube.radius});
+            if (!with_direction) continue;
+            inputs[std::size_t(3 + k)].push_back({tube.direction[k] - tube.direction_radius,
+                                                  tube.direction[k] + tube.direction_radius});
+        }
+    }
+    void evaluate(formula::Evaluator<Interval>& program,
+                  const formula::Bindings<Interval>& bindings, std::size_t arguments,
+                  std::size_t results) {
+        std::vector<std::span<const Interval>> from;
+        std::vector<std::span<Interval>> to;
+        for (std::size_t k = 0; k < arguments; ++k) from.emplace_back(inputs[k]);
+        for (std::size_t k = 0; k < results; ++k) {
+            outputs[k].resize(inputs[0].size());
+            to.emplace_back(outputs[k]);
+        }
+        program.points(bindings, from, to);
+    }
+};
+
+void RootFinder::find(std::span<const Tube> tubes, std::span<FirstRoot> roots) {
+    std::vector<Lane> lanes(std::min<std::size_t>(tubes.size(), lanes_together));
+    std::size_t next = 0;
+    const auto refill = [&](Lane& lane) {
+        while (next < tubes.size()) {
+            const std::size_t ray = next++;
+            roots[ray] = {};
+            if (!(tubes[ray].near <= tubes[ray].far)) continue; // passes the bounds by
+            lane = {};
+            lane.tube = tubes[ray];
+            lane.root = &roots[ray];
+            lane.a = lane.tube.near;
+            return true;
+        }
+        return false;
+    };
+    std::erase_if(lanes, [&](Lane& lane) { return !refill(lane); });
+    Request points, pieces;
+    while (!lanes.empty()) {
+        points.clear();
+        pieces.clear();
+        for (const Lane& lane : lanes) {
+            const double at = lane.phase == Lane::Phase::refine  ? 0.5 * (lane.low + lane.high)
+                              : lane.phase == Lane::Phase::march ? lane.b()
+                                                                 : lane.a;
+            points.add(lane.tube, at, at, false);
+            if (lane.phase == Lane::Phase::march) pieces.add(lane.tube, lane.a, lane.b(), true);
+        }
+        points.evaluate(value_, bindings_, 3, 1);
+        pieces.evaluate(along_, bindings_, 6, 2);
+        sharpen(lanes, points);
+        std::size_t piece = 0;
+        for (std::size_t k = 0; k < lanes.size(); ++k) {
+            Lane& lane = lanes[k];
+            const Interval at_point = points.outputs[0][k];
+            lane.evaluations += 1;
+            switch (lane.phase) {
+            case Lane::Phase::begin:
+                begin(lane, at_point);
+                break;
+            case Lane::Phase::resume:
+                resume(lane, at_point);
+                break;
+            case Lane::Phase::refine:
+                refine(lane, at_point);
+                break;
+            case Lane::Phase::march:
+                lane.evaluations += 1;
+                march(lane, at_point, pieces.outputs[0][piece], pieces.outputs[1][piece]);
+                ++piece;
+                break;
+            case Lane::Phase::done:
+                break;
+            }
+            if (lane.phase != Lane::Phase::done && lane.evaluations > budget_.evaluations) {
+                lane.give_up();
+            }
+        }
+        std::erase_if(lanes, [&](Lane& lane) {
+            if (lane.phase != Lane::Phase::done) return false;
+            evaluations_ += lane.evaluations;
+            return !refill(lane);
+        });
+    }
+}
+
+// Where the tube's thickness alone makes a sign uncertain: F over the cross-section at a point is F
+// in its middle and at most the gradient times the radius more. Near nodes and where large terms
+// cancel that is far less than what the terms' own enclosures leave.
+void RootFinder::sharpen(std::vector<Lane>& lanes, Request& points) {
+    Request middles, sections;
+    std::vector<std::size_t> uncertain;
+    for (std::size_t k = 0; k < lanes.size(); ++k) {
+        if (sign_of(points.outputs[0][k]) != 0) continue;
+        uncertain.push_back(k);
+        lanes[k].evaluations += 1;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Interval box = points.inputs[axis][k];
+            sections.inputs[axis].push_back(box);
+            middles.inputs[axis].push_back(mid(box));
+        }
+    }
+    if (uncertain.empty()) return;
+    middles.evaluate(value_, bindings_, 3, 1);
+    sections.evaluate(gradient_, bindings_, 3, 3);
+    for (std::size_t u = 0; u < uncertain.size(); ++u) {
+        Interval f = middles.outputs[0][u];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            f = f +
+                sections.outputs[axis][u] * (sections.inputs[axis][u] - middles.inputs[axis][u]);
+        }
+        Interval& known = points.outputs[0][uncertain[u]];
+        known = intersect(known, f);
+    }
+}
+
+void RootFinder::begin(Lane& lane, const Interval& f) const {
+    lane.sign = sign_of(f);
+    lane.step = (lane.tube.far - lane.tube.near) / 8;
+    resume(lane, f);
+}
+
+// Marches on from `a`, where F is `f`.
+void RootFinder::resume(Lane& lane, const Interval& f) const {
+    lane.at_a = f;
+    lane.in_run = sign_of(f) == 0;
+    lane.run_begin = lane.a;
+    lane.phase = Lane::Phase::march;
+}
+
+void RootFinder::refine(Lane& lane, const Interval& f) const {
+    const double middle = 0.5 * (lane.low + lane.high);
+    const int sign = sign_of(f);
+    if (sign == lane.sign) {
+        lane.low = middle;
+    } else if (sign == -lane.sign) {
+        lane.high = middle;
+    }
+    // Too near zero to be told from it: the enclosure is as narrow as the tube allows.
+    if (sign == 0 || lane.high - lane.low <= budget_.bracket * lane.tube.footprint) {
+        lane.end_crossing();
+    }
+}
+
+void RootFinder::march(Lane& lane, const Interval& at_b, const Interval& f,
+                       const Interval& slope) const {
+    const double b = lane.b(), h = b - lane.a;
+    const int sign_a = sign_of(lane.at_a), sign_b = sign_of(at_b);
+    int piece_sign = sign_of(f);
+    if (piece_sign == 0 && sign_a != 0 && sign_a == sign_b) {
+        const double least = least_between(times(lane.at_a, sign_a).lo, times(at_b, sign_b).lo,
+                                           times(slope, sign_a), h);
+        if (least > 0) piece_sign = sign_a;
+    }
+    const auto go_on = [&] {
+        lane.a = b;
+        lane.at_a = at_b;
+        if (b >= lane.tube.far) finish(lane);
+    };
+    if (piece_sign != 0) {
+        if (lane.in_run) {
+            end_run(lane, piece_sign);
+            if (lane.phase != Lane::Phase::march) return;
+        }
+        lane.sign = piece_sign;
+        lane.step = 1.5 * h;
+        go_on();
+        return;
+    }
+    // One crossing and no more, if the slope has one sign.
+    const bool crosses = sign_a != 0 && sign_b == -sign_a;
+    if (crosses && sign_of(slope) != 0 && !lane.in_run) {
+        lane.low = lane.a;
+        lane.high = b;
+        lane.phase = Lane::Phase::refine;
+        return;
+    }
+    // Long runs, along a double line say, are passed in longer pieces.
+    double narrow = budget_.narrow * lane.tube.footprint;
+    if (lane.in_run) narrow = std::max(narrow, 0.25 * (lane.a - lane.run_begin));
+    if (h > narrow) {
+        lane.step = 0.5 * h;
+        return;
+    }
+    if (!lane.in_run) {
+        lane.in_run = true;
+        lane.run_begin = lane.a;
+    }
+    go_on();
+}
+
+// The sign is known again: a run between two signs is a crossing, of odd order or of several roots.
+void RootFinder::end_run(Lane& lane, int sign) const {
+    lane.in_run = false;
+    const bool crossed = lane.sign != 0 && sign == -lane.sign;
+    if (!crossed) {
+        lane.touch(lane.run_begin, lane.a);
+        return;
+    }
+    lane.low = lane.run_begin;
+    lane.high = lane.a;
+    lane.end_crossing();
+}
+
+void RootFinder::finish(Lane& lane) const {
+    if (lane.in_run) lane.touch(lane.run_begin, lane.tube.far);
+    lane.end(false);
+}
+
+} // namespace isomotion::truth

@@ -1,0 +1,66 @@
+// The first root of the field along a ray, enclosed by interval arithmetic (Moore 1966; Mitchell
+// 1990): every statement holds for all rays of the tube.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "formula/enclosure.h"
+#include "scene/scene_at.h"
+#include "truth/tube.h"
+
+namespace isomotion::truth {
+
+enum class Answer : std::uint8_t {
+    miss,      // no root
+    hit,       // the first root is in [low, high], a simple one, and nothing touches zero before
+    touching,  // before what `after` says there may be roots of even order in [touch_low,
+               // touch_high]
+    undecided, // the budget of evaluations ended at `low`; what is before it is certain
+};
+
+struct FirstRoot {
+    Answer answer = Answer::miss;
+    bool after_is_hit = false; // of a touching one: a certain root in [low, high], else a miss
+    float low = 0, high = 0;   // rounded outward
+    float touch_low = 0, touch_high = 0;
+};
+
+struct Budget {
+    int evaluations = 20'000; // of the field, for one ray
+    double narrow = 1.0 / 32; // shortest piece that is told from zero, in footprints
+    double bracket = 1e-3;    // width of a hit's enclosure, in footprints
+};
+
+// Finds roots for many rays, evaluating them together. One a thread.
+class RootFinder {
+public:
+    RootFinder(const formula::EnclosurePrograms& field, const scene::SceneAt& scene,
+               Budget budget = {});
+
+    void find(std::span<const Tube> tubes, std::span<FirstRoot> roots);
+
+    std::int64_t evaluations() const { return evaluations_; }
+
+private:
+    struct Lane;
+    struct Request;
+    static constexpr std::size_t lanes_together = 64;
+
+    void sharpen(std::vector<Lane>& lanes, Request& points);
+    void begin(Lane& lane, const formula::Interval& f) const;
+    void resume(Lane& lane, const formula::Interval& f) const;
+    void march(Lane& lane, const formula::Interval& at_b, const formula::Interval& f,
+               const formula::Interval& slope) const;
+    void refine(Lane& lane, const formula::Interval& f) const;
+    void end_run(Lane& lane, int sign) const;
+    void finish(Lane& lane) const;
+
+    formula::Evaluator<formula::Interval> value_, along_, gradient_;
+    formula::Bindings<formula::Interval> bindings_;
+    Budget budget_;
+    std::int64_t evaluations_ = 0;
+};
+
+} // namespace isomotion::truth
