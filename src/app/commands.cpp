@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
     add_render(app, chosen);
     add_show(app, chosen);
     add_list(app, chosen);
+    add_accuracy(app, chosen);
     add_doctor(app, chosen);
     try {
         app.parse(argc, argv);

@@ -25,6 +25,7 @@ using Action = std::function<int()>;
 void add_render(CLI::App& app, Action& chosen);
 void add_list(CLI::App& app, Action& chosen);
 void add_show(CLI::App& app, Action& chosen);
+void add_accuracy(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
 
 int run(int argc, char** argv);

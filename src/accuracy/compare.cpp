@@ -1,0 +1,110 @@
+#include "accuracy/compare.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "truth/tube.h"
+
+namespace isomotion::accuracy {
+namespace {
+
+glm::dvec3 vector_of(const image::Frame& frame, const char* x, const char* y, const char* z,
+                     std::size_t pixel) {
+    return {frame.find(x)->samples[pixel], frame.find(y)->samples[pixel],
+            frame.find(z)->samples[pixel]};
+}
+
+bool is_hit(render::Verdict verdict) {
+    return verdict == render::Verdict::hit || verdict == render::Verdict::zero_gradient;
+}
+
+// What a pixel shows against what is certain of its ray; `t` is where it was hit, and places a
+// pixel's width apart are one.
+Fault judge(const truth::FirstRoot& root, bool hit, double t, double footprint) {
+    using truth::Answer;
+    if (root.answer == Answer::undecided) return Fault::undecided;
+    if (root.answer == Answer::touching && hit && t >= double(root.touch_low) - footprint &&
+        t <= double(root.touch_high) + footprint) {
+        return Fault::none;
+    }
+    const bool is_there =
+        root.answer == Answer::hit || (root.answer == Answer::touching && root.after_is_hit);
+    if (!hit) return is_there ? Fault::missed : Fault::none;
+    if (!is_there || t < double(root.low) - footprint) return Fault::false_hit;
+    return t > double(root.high) + footprint ? Fault::wrong_root : Fault::none;
+}
+
+} // namespace
+
+void Errors::add(const Errors& other) {
+    pixels += other.pixels;
+    rays += other.rays;
+    missed += other.missed;
+    false_hits += other.false_hits;
+    wrong_roots += other.wrong_roots;
+    undecided += other.undecided;
+    nan += other.nan;
+    step_limit += other.step_limit;
+    for (const auto& [mine, theirs] : {std::pair{&depth, &other.depth}, {&normal, &other.normal}}) {
+        const auto middle = std::ptrdiff_t(mine->size());
+        mine->insert(mine->end(), theirs->begin(), theirs->end());
+        std::inplace_merge(mine->begin(), mine->begin() + middle, mine->end());
+    }
+}
+
+double quantile(const std::vector<float>& sorted, double part) {
+    if (sorted.empty()) return 0;
+    return double(sorted[std::size_t(part * double(sorted.size() - 1) + 0.5)]);
+}
+
+Errors compare(const scene::Scene& scene, const scene::SceneAt& now, const image::Frame& drawn,
+               const truth::Truth& truth) {
+    const truth::Tubes tubes(now, truth.width, truth.height);
+    formula::FieldEvaluator<double> field(*scene.surface.field);
+    const auto bindings = formula::convert<double>(now.bindings);
+    Errors errors;
+    errors.pixels = std::int64_t(truth.width) * truth.height;
+    errors.faults.resize(truth.roots.size());
+    for (std::size_t pixel = 0; pixel < truth.roots.size(); ++pixel) {
+        const truth::FirstRoot& root = truth.roots[pixel];
+        const truth::Tube tube =
+            tubes.at(int(pixel % std::size_t(truth.width)), int(pixel / std::size_t(truth.width)));
+        errors.rays += tube.near <= tube.far;
+        const auto verdict = render::Verdict(int(drawn.find("verdict")->samples[pixel]));
+        errors.nan += verdict == render::Verdict::nan;
+        errors.step_limit += verdict == render::Verdict::step_limit;
+        const bool hit = is_hit(verdict);
+        double t = 0;
+        if (hit) {
+            const glm::dvec3 p = vector_of(drawn, "P.X", "P.Y", "P.Z", pixel);
+            t = glm::dot(now.placement.to_local(p) - tube.anchor, tube.direction);
+        }
+        const Fault fault = judge(root, hit, t, tube.footprint);
+        errors.faults[pixel] = fault;
+        errors.missed += fault == Fault::missed;
+        errors.false_hits += fault == Fault::false_hit;
+        errors.wrong_roots += fault == Fault::wrong_root;
+        errors.undecided += fault == Fault::undecided;
+        if (!hit || fault != Fault::none || root.answer != truth::Answer::hit) continue;
+
+        const double certain = 0.5 * (double(root.low) + double(root.high));
+        errors.depth.push_back(float(std::abs(t - certain) / tube.footprint));
+        const glm::dvec3 at = tube.anchor + certain * tube.direction;
+        const auto g = field.gradient(bindings, {at.x, at.y, at.z});
+        glm::dvec3 gradient(g[0], g[1], g[2]);
+        const glm::dvec3 normal =
+            glm::transpose(now.placement.rotate) * vector_of(drawn, "N.X", "N.Y", "N.Z", pixel);
+        const double size = glm::length(gradient) * glm::length(normal);
+        if (!(size > 0) || !std::isfinite(size)) continue;
+        if (glm::dot(gradient, tube.direction) > 0) gradient = -gradient;
+        // The angle by its tangent: the cosine of a small one has lost it.
+        const double angle =
+            std::atan2(glm::length(glm::cross(gradient, normal)), glm::dot(gradient, normal));
+        errors.normal.push_back(float(glm::degrees(angle)));
+    }
+    std::sort(errors.depth.begin(), errors.depth.end());
+    std::sort(errors.normal.begin(), errors.normal.end());
+    return errors;
+}
+
+} // namespace isomotion::accuracy

@@ -1,0 +1,45 @@
+// A drawn picture held against the truth, pixel by pixel.
+//
+// A pixel is wrong only if it is wrong for every ray that float32 may have made of its ray: what
+// truth calls touching may be hit or not, and undecided pixels are counted and left alone.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/renderer.h"
+#include "scene/scene.h"
+#include "truth/certify.h"
+
+namespace isomotion::accuracy {
+
+enum class Fault : std::uint8_t {
+    none,
+    missed,     // a certain root, but no hit was drawn
+    false_hit,  // a hit where there certainly is no root
+    wrong_root, // a hit behind the first root
+    undecided,  // truth does not know
+};
+
+struct Errors {
+    std::vector<Fault> faults;         // rows from the top
+    std::int64_t pixels = 0, rays = 0; // rays: pixels that meet the bounds
+    std::int64_t missed = 0, false_hits = 0, wrong_roots = 0, undecided = 0;
+    std::int64_t nan = 0, step_limit = 0;
+    // Of hits on the certified root: distance along the ray in widths of the pixel, angle of the
+    // normal in degrees. Sorted.
+    std::vector<float> depth, normal;
+
+    std::int64_t wrong() const { return missed + false_hits + wrong_roots; }
+    double wrong_ppm() const { return 1e6 * double(wrong()) / double(pixels); }
+    void add(const Errors& other); // of another picture; faults stay as they are
+};
+
+// 0 for no values; `part` 0.5 is the median, 1 the largest.
+double quantile(const std::vector<float>& sorted, double part);
+
+// The picture must have the channels position, normal and verdict.
+Errors compare(const scene::Scene& scene, const scene::SceneAt& now, const image::Frame& drawn,
+               const truth::Truth& truth);
+
+} // namespace isomotion::accuracy

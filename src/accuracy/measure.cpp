@@ -1,0 +1,97 @@
+#include "accuracy/measure.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace isomotion::accuracy {
+namespace {
+
+const std::vector<synthesis::Channel> compared_channels{
+    synthesis::Channel::normal, synthesis::Channel::position, synthesis::Channel::verdict};
+
+Measurement measure_one(gpu::Context& context, const scene::Scene& scene, const Setting& setting,
+                        const std::vector<truth::Truth>& truths, const Measuring& how) {
+    Measurement found;
+    found.setting = setting;
+    const scene::Scene changed = apply(setting, scene);
+    // Errors from one renderer, times from another that writes no channels.
+    render::Renderer looked_at(context, changed, {how.width, how.height, compared_channels, {}});
+    render::Renderer timed(context, changed, {how.width, how.height, {}, {}});
+    Popping popping;
+    std::vector<double> ms;
+    for (std::size_t k = 0; k < how.frames.size(); ++k) {
+        const scene::SceneAt now = scene::at(changed, changed.timeline.values(how.frames[k]));
+        const render::Picture picture = looked_at.draw(now);
+        found.evaluations += double(picture.evaluations) / double(how.frames.size());
+        const Errors errors = compare(changed, now, picture.frame, truths[k]);
+        if (k == 0) found.errors.faults = errors.faults;
+        found.errors.add(errors);
+        popping.add(picture.frame, truths[k]);
+        if (k == 0) timed.draw(now); // drivers make their code at the first draw
+        for (int again = 0; again < how.repeat; ++again) {
+            ms.push_back(
+                std::chrono::duration<double, std::milli>(timed.draw(now).drawing).count());
+        }
+    }
+    std::sort(ms.begin(), ms.end());
+    found.ms = ms[ms.size() / 2];
+    found.spread = (ms.back() - ms.front()) / found.ms;
+    found.pops = popping.count();
+    return found;
+}
+
+} // namespace
+
+double Measurement::evaluations_a_ray() const {
+    const double frames = double(errors.pixels) / double(errors.faults.size());
+    return evaluations * frames / double(std::max<std::int64_t>(1, errors.rays));
+}
+
+std::vector<Measurement> measure(gpu::Context& context, const scene::Scene& scene,
+                                 const std::vector<Setting>& settings, const Measuring& how) {
+    const auto tell = [&](const std::string& what, double part) {
+        if (how.progress) how.progress(what, part);
+    };
+    scene::Scene sized = scene;
+    sized.output.width = how.width;
+    sized.output.height = how.height;
+    std::vector<truth::Truth> truths;
+    for (std::size_t k = 0; k < how.frames.size(); ++k) {
+        const scene::SceneAt now = scene::at(sized, sized.timeline.values(how.frames[k]));
+        truth::Certifying certifying;
+        certifying.progress = [&](double part) {
+            tell(fmt::format("truth of frame {}", how.frames[k]),
+                 (double(k) + part) / double(how.frames.size()));
+        };
+        truths.push_back(truth::certify(sized, now, how.width, how.height, certifying));
+    }
+    std::vector<Measurement> measurements;
+    for (const Setting& setting : settings) {
+        tell(name(setting, scene.isolation), double(measurements.size()) / double(settings.size()));
+        measurements.push_back(measure_one(context, sized, setting, truths, how));
+    }
+    tell("", 1);
+    return measurements;
+}
+
+std::vector<std::size_t> front(const std::vector<Measurement>& measurements) {
+    std::vector<std::size_t> order(measurements.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const Measurement &x = measurements[a], &y = measurements[b];
+        return std::pair(x.ms, x.errors.wrong()) < std::pair(y.ms, y.errors.wrong());
+    });
+    std::vector<std::size_t> best;
+    for (const std::size_t k : order) {
+        if (best.empty() ||
+            measurements[k].errors.wrong() < measurements[best.back()].errors.wrong()) {
+            best.push_back(k);
+        }
+    }
+    return best;
+}
+
+} // namespace isomotion::accuracy

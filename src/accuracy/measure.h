@@ -1,0 +1,39 @@
+// What a setting costs and what it gets wrong.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "accuracy/compare.h"
+#include "accuracy/popping.h"
+#include "accuracy/setting.h"
+
+namespace isomotion::accuracy {
+
+struct Measurement {
+    Setting setting;
+    double ms = 0;          // of a frame: the median over frames and repetitions
+    double spread = 0;      // their range over the median
+    double evaluations = 0; // of the field, a frame
+    Errors errors;          // of all frames; the faults are those of the first
+    std::int64_t pops = 0;  // see popping.h
+
+    double evaluations_a_ray() const;
+    double ns_an_evaluation() const { return 1e6 * ms / evaluations; }
+};
+
+struct Measuring {
+    std::vector<int> frames{1};
+    int width = 0, height = 0;
+    int repeat = 3;
+    std::function<void(const std::string& what, double part)> progress;
+};
+
+// Certifies the frames once, then draws them with every setting.
+std::vector<Measurement> measure(gpu::Context& context, const scene::Scene& scene,
+                                 const std::vector<Setting>& settings, const Measuring& how);
+
+// Those that no other beats in both time and wrong pixels, from the fastest to the rightest.
+std::vector<std::size_t> front(const std::vector<Measurement>& measurements);
+
+} // namespace isomotion::accuracy

@@ -1,0 +1,270 @@
+#include "accuracy/report.h"
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "image/encode.h"
+#include "image/file.h"
+
+namespace isomotion::accuracy {
+namespace fs = std::filesystem;
+namespace {
+
+std::string label(const Report& report, std::size_t k) {
+    return name(report.measurements[k].setting, report.isolation);
+}
+
+std::vector<bool> on_front(const Report& report) {
+    std::vector<bool> on(report.measurements.size(), false);
+    for (const std::size_t k : front(report.measurements)) on[k] = true;
+    return on;
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+    image::write_whole(file, std::as_bytes(std::span(text)));
+}
+
+// White misses, grey hits; red missed, blue false hits, orange wrong roots, violet undecided.
+std::vector<std::byte> wrong_picture(const Report& report, const Errors& errors) {
+    image::Frame frame;
+    frame.width = report.width;
+    frame.height = report.height;
+    const std::size_t area = errors.faults.size();
+    for (const char* channel : {"R", "G", "B", "A"}) {
+        frame.channels.push_back({channel, std::vector<float>(area, 1)});
+    }
+    constexpr float colours[][3] = {
+        {0.85f, 0.85f, 0.85f}, {0.8f, 0, 0}, {0, 0.1f, 0.9f}, {0.9f, 0.3f, 0}, {0.4f, 0, 0.5f}};
+    for (std::size_t k = 0; k < area; ++k) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            frame.channels[c].samples[k] = colours[std::size_t(errors.faults[k])][c];
+        }
+    }
+    return image::encode(frame, image::Format::png8);
+}
+
+// In a string of gnuplot's a quote is doubled.
+std::string in_quotes(const std::string& text) {
+    std::string safe;
+    for (const char c : text) safe += c == '\'' ? "\'\'" : std::string(1, c);
+    return safe;
+}
+
+// One line a point: time, wrong pixels in ppm (what is none at the foot of a logarithmic axis).
+void plot(const Report& report, const fs::path& folder) {
+    const double pixels = double(report.measurements.front().errors.pixels);
+    const double foot = 0.3e6 / pixels;
+    std::string script =
+        fmt::format("set logscale xy\nset format y '%g'\nset xlabel 'ms a frame'\n"
+                    "set ylabel 'wrong pixels, ppm ({:.3g}: none)'\nset yrange [{}:1e6]\nset grid\n"
+                    "set key outside right\nset offsets graph 0.02, graph 0.02, 0, 0\n",
+                    foot, foot / 1.5);
+    std::string curves;
+    const auto block = [&](const std::string& id, const std::vector<std::size_t>& points) {
+        script += "$" + id + " << E\n";
+        for (const std::size_t k : points) {
+            const Measurement& m = report.measurements[k];
+            script += fmt::format("{} {}\n", m.ms, std::max(m.errors.wrong_ppm(), foot));
+        }
+        script += "E\n";
+    };
+    int methods = 0;
+    for (const auto& entry : scene::method_names) {
+        std::vector<std::size_t> points;
+        for (std::size_t k = 0; k < report.measurements.size(); ++k) {
+            if (report.measurements[k].setting.method == entry.method) points.push_back(k);
+        }
+        if (points.empty()) continue;
+        const std::string id = fmt::format("m{}", methods++);
+        block(id, points);
+        curves += fmt::format("${} with points pt 7 ps 0.8 title '{}', ", id, entry.name);
+    }
+    block("front", front(report.measurements));
+    curves += "$front with lines lw 2 lc rgb '#404040' title 'front'";
+    script += fmt::format("set terminal svg size 760,460 dynamic background '#ffffff'\n"
+                          "set output '{1}.svg'\nplot {0}\n"
+                          "set terminal pngcairo size 760,460\nset output '{1}.png'\nreplot\n",
+                          curves, in_quotes((folder / "accuracy").string()));
+    FILE* pipe = popen("gnuplot", "w");
+    if (pipe) std::fputs(script.c_str(), pipe);
+    const int status = pipe ? pclose(pipe) : -1;
+    if (status != 0 || !fs::exists(folder / "accuracy.svg") ||
+        !fs::exists(folder / "accuracy.png")) {
+        throw PlotError("gnuplot could not plot the report; install it: gnuplot-nox");
+    }
+}
+
+std::string base64(std::span<const std::byte> bytes) {
+    constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t k = 0; k < bytes.size(); k += 3) {
+        unsigned word = 0;
+        for (std::size_t j = 0; j < 3; ++j) {
+            word = word << 8 | (k + j < bytes.size() ? unsigned(bytes[k + j]) : 0);
+        }
+        for (std::size_t j = 0; j < 4; ++j) {
+            text += k + j > bytes.size() ? '=' : digits[word >> (18 - 6 * j) & 63];
+        }
+    }
+    return text;
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string escaped(const std::string& text) {
+    std::string safe;
+    for (const char c : text) {
+        safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
+    }
+    return safe;
+}
+
+std::string page(const Report& report, const fs::path& folder,
+                 const std::vector<std::vector<std::byte>>& pictures) {
+    std::string svg = text_of(folder / "accuracy.svg");
+    svg = svg.substr(svg.find("<svg"));
+    std::string html = fmt::format(
+        "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>{0}</title>\n<style>"
+        "body{{font:15px sans-serif;max-width:1100px;margin:2em auto}}table{{border-collapse:"
+        "collapse}}td,th{{padding:.2em .6em;text-align:right;border-bottom:1px solid #ddd}}"
+        "td:first-child,th:first-child{{text-align:left}}.front{{font-weight:bold}}figure{{display:"
+        "inline-block;margin:.5em}}figcaption{{font-size:12px}}</style>\n<h1>{0}</h1>\n<p>{1}x{2}, "
+        "{3} frame{4} from {5}; {6}. Bold: nothing is faster and as right.</p>\n{7}\n",
+        escaped(report.title), report.width, report.height, report.frames.size(),
+        report.frames.size() == 1 ? "" : "s", report.frames.front(), escaped(report.machine), svg);
+    html +=
+        "<table><tr><th>setting<th>ms<th>spread<th>evaluations a ray<th>ns<th>wrong ppm<th>"
+        "missed<th>false<th>wrong root<th>depth p50, p99, max<th>normal p50, p99, max<th>NaN<th>"
+        "limit<th>undecided<th>pops</tr>\n";
+    const std::vector<bool> best = on_front(report);
+    for (std::size_t k = 0; k < report.measurements.size(); ++k) {
+        const Measurement& m = report.measurements[k];
+        const Errors& e = m.errors;
+        html += fmt::format(
+            "<tr{}><td>{}<td>{:.2f}<td>{:.0f}%<td>{:.1f}<td>{:.1f}<td>{:.1f}<td>{}<td>{}<td>{}<td>"
+            "{:.2g}, {:.2g}, {:.2g}<td>{:.2g}, {:.2g}, {:.2g}<td>{}<td>{}<td>{}<td>{}</tr>\n",
+            best[k] ? " class=\"front\"" : "", label(report, k), m.ms, 100 * m.spread,
+            m.evaluations_a_ray(), m.ns_an_evaluation(), e.wrong_ppm(), e.missed, e.false_hits,
+            e.wrong_roots, quantile(e.depth, 0.5), quantile(e.depth, 0.99), quantile(e.depth, 1),
+            quantile(e.normal, 0.5), quantile(e.normal, 0.99), quantile(e.normal, 1), e.nan,
+            e.step_limit, e.undecided, m.pops);
+    }
+    html +=
+        "</table>\n<p>Depth in widths of a pixel along the ray, normals in degrees. Below, wrong "
+        "pixels of the first frame: red missed, blue false hits, orange behind the first root, "
+        "violet undecided.</p>\n";
+    for (std::size_t k = 0; k < pictures.size(); ++k) {
+        html +=
+            fmt::format("<figure><img width=\"256\" src=\"data:image/png;base64,{}\"><figcaption>"
+                        "{}</figcaption></figure>\n",
+                        base64(pictures[k]), label(report, k));
+    }
+    return html + "</html>\n";
+}
+
+} // namespace
+
+std::string table(const Report& report) {
+    std::string text = fmt::format(
+        "  {:<34} {:>8} {:>5} {:>7} {:>6} {:>9} {:>7} {:>7} {:>7} {:>8} {:>7} {:>5} {:>5} {:>6} "
+        "{:>5}\n",
+        "setting", "ms", "+-", "evals", "ns", "wrong ppm", "missed", "false", "root", "depth99",
+        "norm99", "NaN", "limit", "undec", "pops");
+    const std::vector<bool> best = on_front(report);
+    for (std::size_t k = 0; k < report.measurements.size(); ++k) {
+        const Measurement& m = report.measurements[k];
+        const Errors& e = m.errors;
+        text += fmt::format("{} {:<34} {:>8.2f} {:>4.0f}% {:>7.1f} {:>6.1f} {:>9.1f} {:>7} {:>7} "
+                            "{:>7} {:>8.2g} {:>7.2g} {:>5} {:>5} {:>6} {:>5}\n",
+                            best[k] ? '*' : ' ', label(report, k), m.ms, 100 * m.spread,
+                            m.evaluations_a_ray(), m.ns_an_evaluation(), e.wrong_ppm(), e.missed,
+                            e.false_hits, e.wrong_roots, quantile(e.depth, 0.99),
+                            quantile(e.normal, 0.99), e.nan, e.step_limit, e.undecided, m.pops);
+    }
+    return text;
+}
+
+std::string csv(const Report& report) {
+    std::string text =
+        "method,step,thresholds,bisections,ms,spread,evaluations_per_ray,ns_per_evaluation,pixels,"
+        "rays,missed,false_hits,wrong_roots,wrong_ppm,depth_p50,depth_p99,depth_max,normal_p50,"
+        "normal_p99,normal_max,nan,step_limit,undecided,pops\n";
+    for (const Measurement& m : report.measurements) {
+        const Errors& e = m.errors;
+        text += fmt::format("{},{:g},{:g},{},{:.4f},{:.4f},{:.3f},{:.3f},{},{},{},{},{},{:.3f},",
+                            scene::name(m.setting.method), m.setting.step, m.setting.thresholds,
+                            m.setting.bisections, m.ms, m.spread, m.evaluations_a_ray(),
+                            m.ns_an_evaluation(), e.pixels, e.rays, e.missed, e.false_hits,
+                            e.wrong_roots, e.wrong_ppm());
+        for (const auto* values : {&e.depth, &e.normal}) {
+            for (const double part : {0.5, 0.99, 1.0}) {
+                text += fmt::format("{:.4g},", quantile(*values, part));
+            }
+        }
+        text += fmt::format("{},{},{},{}\n", e.nan, e.step_limit, e.undecided, m.pops);
+    }
+    return text;
+}
+
+std::string json(const Report& report) {
+    nlohmann::ordered_json root{{"version", 1},
+                                {"scene", report.title},
+                                {"machine", report.machine},
+                                {"frames", report.frames},
+                                {"width", report.width},
+                                {"height", report.height}};
+    const std::vector<bool> best = on_front(report);
+    for (std::size_t k = 0; k < report.measurements.size(); ++k) {
+        const Measurement& m = report.measurements[k];
+        const Errors& e = m.errors;
+        const auto quantiles = [](const std::vector<float>& values) {
+            return nlohmann::ordered_json{{"p50", quantile(values, 0.5)},
+                                          {"p99", quantile(values, 0.99)},
+                                          {"max", quantile(values, 1)}};
+        };
+        root["measurements"].push_back({{"method", scene::name(m.setting.method)},
+                                        {"step", m.setting.step},
+                                        {"thresholds", m.setting.thresholds},
+                                        {"bisections", m.setting.bisections},
+                                        {"ms", m.ms},
+                                        {"spread", m.spread},
+                                        {"evaluations_per_ray", m.evaluations_a_ray()},
+                                        {"ns_per_evaluation", m.ns_an_evaluation()},
+                                        {"pixels", e.pixels},
+                                        {"rays", e.rays},
+                                        {"missed", e.missed},
+                                        {"false_hits", e.false_hits},
+                                        {"wrong_roots", e.wrong_roots},
+                                        {"wrong_ppm", e.wrong_ppm()},
+                                        {"depth", quantiles(e.depth)},
+                                        {"normal", quantiles(e.normal)},
+                                        {"nan", e.nan},
+                                        {"step_limit", e.step_limit},
+                                        {"undecided", e.undecided},
+                                        {"pops", m.pops},
+                                        {"front", bool(best[k])}});
+    }
+    return root.dump(2) + "\n";
+}
+
+void write(const Report& report, const fs::path& folder) {
+    fs::create_directories(folder);
+    write_text(folder / "accuracy.csv", csv(report));
+    write_text(folder / "accuracy.json", json(report));
+    std::vector<std::vector<std::byte>> pictures;
+    for (std::size_t k = 0; k < report.measurements.size(); ++k) {
+        pictures.push_back(wrong_picture(report, report.measurements[k].errors));
+        image::write_whole(folder / fmt::format("wrong-{:02}.png", k + 1), pictures.back());
+    }
+    plot(report, folder);
+    write_text(folder / "index.html", page(report, folder, pictures));
+}
+
+} // namespace isomotion::accuracy

@@ -1,0 +1,37 @@
+// A sweep's measurements as tables, pictures and a page.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "accuracy/measure.h"
+
+namespace isomotion::accuracy {
+
+struct Report {
+    std::string title, machine; // of the scene; who drew
+    scene::Isolation isolation; // the scene's own
+    std::vector<int> frames;
+    int width = 0, height = 0;
+    std::vector<Measurement> measurements;
+};
+
+// No program to plot with. The message says what to install.
+class PlotError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// For the terminal: a line a setting, the front marked.
+std::string table(const Report& report);
+
+std::string csv(const Report& report);
+std::string json(const Report& report);
+
+// accuracy.csv, accuracy.json, wrong-NN.png for each setting, accuracy.svg and accuracy.png (wrong
+// pixels against time, by gnuplot) and index.html, which holds all of it. The folder is made.
+// Throws PlotError, image::FileError.
+void write(const Report& report, const std::filesystem::path& folder);
+
+} // namespace isomotion::accuracy

@@ -1,0 +1,53 @@
+#include "accuracy/setting.h"
+
+#include <fmt/format.h>
+
+namespace isomotion::accuracy {
+
+std::string name(const Setting& setting, const scene::Isolation& scene) {
+    std::string text = fmt::format("{} step={:g}", scene::name(setting.method), setting.step);
+    if (setting.thresholds != 1) text += fmt::format(" thresholds*{:g}", setting.thresholds);
+    if (setting.bisections != scene.bisections) {
+        text += fmt::format(" bisections={}", setting.bisections);
+    }
+    return text;
+}
+
+scene::Scene apply(const Setting& setting, scene::Scene scene) {
+    scene::Isolation& isolation = scene.isolation;
+    isolation.method = setting.method;
+    isolation.step = setting.step;
+    isolation.near *= setting.thresholds;
+    isolation.far *= setting.thresholds;
+    isolation.horizon *= setting.thresholds;
+    isolation.bisections = setting.bisections;
+    return scene;
+}
+
+std::vector<Setting> sweep(const scene::Scene& scene, std::vector<scene::Method> methods,
+                           std::vector<double> steps) {
+    const scene::Isolation& own = scene.isolation;
+    const bool narrowed = !methods.empty() || !steps.empty();
+    if (methods.empty()) {
+        for (const auto& entry : scene::method_names) methods.push_back(entry.method);
+    }
+    if (steps.empty()) {
+        for (const double factor : {4.0, 2.0, 1.0, 0.5, 0.25, 0.125}) {
+            steps.push_back(factor * own.step);
+        }
+    }
+    std::vector<Setting> settings;
+    for (const scene::Method method : methods) {
+        for (const double step : steps) settings.push_back({method, step, 1, own.bisections});
+    }
+    if (narrowed) return settings;
+    for (const double factor : {0.25, 4.0}) {
+        settings.push_back({own.method, own.step, factor, own.bisections});
+    }
+    for (const int bisections : {4, 16}) {
+        settings.push_back({own.method, own.step, 1, bisections});
+    }
+    return settings;
+}
+
+} // namespace isomotion::accuracy

@@ -1,0 +1,170 @@
+#include <chrono>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "accuracy/report.h"
+#include "animation/frame_range.h"
+#include "app/commands.h"
+#include "app/progress.h"
+#include "app/render_arguments.h"
+
+namespace isomotion::app {
+namespace {
+
+struct AccuracyArguments {
+    std::string scene, frames, size = "256x256", methods, steps, backend = "auto", output;
+    std::vector<std::string> settings;
+    std::optional<double> max_wrong, budget_ms;
+    int repeat = 3;
+    bool quiet = false;
+};
+
+std::vector<std::string> listed(const std::string& text) {
+    std::vector<std::string> items;
+    std::istringstream stream(text);
+    for (std::string item; std::getline(stream, item, ',');) items.push_back(item);
+    return items;
+}
+
+std::vector<scene::Method> parse_methods(const std::string& text) {
+    std::vector<scene::Method> methods;
+    for (const std::string& item : listed(text)) {
+        const auto method = scene::parse_method(item);
+        if (!method) {
+            throw std::invalid_argument(fmt::format(
+                "--methods {}: there is no method '{}'; see isomotion list methods", text, item));
+        }
+        methods.push_back(*method);
+    }
+    return methods;
+}
+
+std::vector<double> parse_steps(const std::string& text) {
+    std::vector<double> steps;
+    for (const std::string& item : listed(text)) {
+        std::size_t used = 0;
+        double step = 0;
+        try {
+            step = std::stod(item, &used);
+        } catch (const std::exception&) {
+            used = 0;
+        }
+        if (used == 0 || used != item.size() || !(step > 0) || !(step < 1e30)) {
+            throw std::invalid_argument(fmt::format(
+                "--steps {}: '{}' is no step; write numbers above 0: 0.04,0.02", text, item));
+        }
+        steps.push_back(step);
+    }
+    return steps;
+}
+
+accuracy::Report measured(const AccuracyArguments& arguments) {
+    RenderArguments as_render;
+    as_render.scene = arguments.scene;
+    as_render.size = arguments.size;
+    as_render.settings = arguments.settings;
+    const scene::Scene scene = scene::load(arguments.scene, overrides(as_render));
+    accuracy::Measuring measuring;
+    measuring.frames = arguments.frames.empty() ? std::vector{scene.output.poster}
+                                                : animation::parse_frame_range(arguments.frames);
+    for (const int frame : measuring.frames) scene::at(scene, scene.timeline.values(frame));
+    measuring.width = scene.output.width;
+    measuring.height = scene.output.height;
+    measuring.repeat = arguments.repeat;
+    const auto settings =
+        accuracy::sweep(scene, parse_methods(arguments.methods), parse_steps(arguments.steps));
+    const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+    Progress progress("measuring", 1000, arguments.quiet);
+    measuring.progress = [&](const std::string& what, double part) {
+        progress.show(int(1000 * part), what);
+    };
+    accuracy::Report report{scene.title,
+                            context->info().renderer + ", " + context->info().version,
+                            scene.isolation,
+                            measuring.frames,
+                            measuring.width,
+                            measuring.height,
+                            {}};
+    report.measurements = accuracy::measure(*context, scene, settings, measuring);
+    return report;
+}
+
+// The cheapest setting with few enough wrong pixels; the rightest that is fast enough.
+int judge(const AccuracyArguments& arguments, const accuracy::Report& report) {
+    const auto best = accuracy::front(report.measurements);
+    const auto tell = [&](const char* what, std::size_t k) {
+        const accuracy::Measurement& m = report.measurements[k];
+        fmt::print("{}: {} ({:.2f} ms, {:.1f} ppm wrong)\n", what,
+                   accuracy::name(m.setting, report.isolation), m.ms, m.errors.wrong_ppm());
+    };
+    int code = exit_done;
+    if (arguments.max_wrong) {
+        const auto it = std::find_if(best.begin(), best.end(), [&](std::size_t k) {
+            return report.measurements[k].errors.wrong_ppm() <= *arguments.max_wrong;
+        });
+        if (it != best.end()) tell("cheapest", *it);
+        if (it == best.end()) {
+            fmt::print(stderr, "no setting has at most {:g} ppm of wrong pixels\n",
+                       *arguments.max_wrong);
+            code = exit_check_failed;
+        }
+    }
+    if (arguments.budget_ms) {
+        const auto it = std::find_if(best.rbegin(), best.rend(), [&](std::size_t k) {
+            return report.measurements[k].ms <= *arguments.budget_ms;
+        });
+        if (it != best.rend()) tell("most accurate", *it);
+        if (it == best.rend()) {
+            fmt::print(stderr, "no setting takes at most {:g} ms a frame\n", *arguments.budget_ms);
+            code = exit_check_failed;
+        }
+    }
+    return code;
+}
+
+int accuracy_of(const AccuracyArguments& arguments) {
+    const accuracy::Report report = measured(arguments);
+    if (!arguments.quiet) {
+        fmt::print("{}: {}x{}, {} frame{} from {}; {}\n{}", report.title, report.width,
+                   report.height, report.frames.size(), report.frames.size() == 1 ? "" : "s",
+                   report.frames.front(), report.machine, accuracy::table(report));
+    }
+    if (!arguments.output.empty()) {
+        accuracy::write(report, arguments.output);
+        if (!arguments.quiet) fmt::print("report: {}/index.html\n", arguments.output);
+    }
+    return judge(arguments, report);
+}
+
+} // namespace
+
+void add_accuracy(CLI::App& app, Action& chosen) {
+    const auto arguments = std::make_shared<AccuracyArguments>();
+    AccuracyArguments& a = *arguments;
+    CLI::App* command = app.add_subcommand(
+        "accuracy", "what each method and setting costs, and what it gets wrong");
+    command->add_option("scene", a.scene, "a scene file or the name of an animation")->required();
+    command->add_option("--frames,--frame", a.frames,
+                        "1-10, 1-10x2, 1,3,5-9 (default: the scene's poster)");
+    command->add_option("--size", a.size, "WIDTHxHEIGHT (default: 256x256)");
+    command->add_option("--methods", a.methods, "a,b (default: all)");
+    command->add_option("--steps", a.steps, "0.04,0.02 (default: about the scene's)");
+    command->add_option("--max-wrong", a.max_wrong,
+                        "tell the cheapest setting with at most so many wrong pixels in a million; "
+                        "exit code 1 if there is none");
+    command->add_option("--budget-ms", a.budget_ms,
+                        "tell the most accurate setting that takes at most so long a frame; exit "
+                        "code 1 if there is none");
+    command->add_option("-o,--output", a.output, "folder for a report");
+    command->add_option("--repeat", a.repeat, "drawings that a time is the median of")
+        ->check(CLI::Range(1, 1000));
+    command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
+    command->add_option("--backend", a.backend, "auto, egl or osmesa");
+    command->add_flag("--quiet", a.quiet, "no table, no progress");
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return accuracy_of(*arguments); }; });
+}
+
+} // namespace isomotion::app
