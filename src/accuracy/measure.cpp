@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "accuracy/truth_cache.h"
+
 namespace isomotion::accuracy {
 namespace {
 
@@ -66,7 +68,8 @@ std::vector<Measurement> measure(gpu::Context& context, const scene::Scene& scen
             tell(fmt::format("truth of frame {}", how.frames[k]),
                  (double(k) + part) / double(how.frames.size()));
         };
-        truths.push_back(truth::certify(sized, now, how.width, how.height, certifying));
+        truths.push_back(
+            remembered_truth(sized, now, how.width, how.height, certifying, how.cache));
     }
     std::vector<Measurement> measurements;
     for (const Setting& setting : settings) {
@@ -90,6 +93,22 @@ std::vector<std::size_t> front(const std::vector<Measurement>& measurements) {
             measurements[k].errors.wrong() < measurements[best.back()].errors.wrong()) {
             best.push_back(k);
         }
+    }
+    return best;
+}
+
+std::optional<std::size_t> cheapest(const std::vector<Measurement>& measurements,
+                                    double most_wrong_ppm) {
+    for (const std::size_t k : front(measurements)) {
+        if (measurements[k].errors.wrong_ppm() <= most_wrong_ppm) return k;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::size_t> rightest(const std::vector<Measurement>& measurements, double most_ms) {
+    std::optional<std::size_t> best;
+    for (const std::size_t k : front(measurements)) {
+        if (measurements[k].ms <= most_ms) best = k;
     }
     return best;
 }

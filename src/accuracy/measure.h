@@ -1,7 +1,9 @@
 // What a setting costs and what it gets wrong.
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "accuracy/compare.h"
@@ -26,6 +28,7 @@ struct Measuring {
     std::vector<int> frames{1};
     int width = 0, height = 0;
     int repeat = 3;
+    std::filesystem::path cache; // of truth, see truth_cache.h; empty for none
     std::function<void(const std::string& what, double part)> progress;
 };
 
@@ -35,5 +38,11 @@ std::vector<Measurement> measure(gpu::Context& context, const scene::Scene& scen
 
 // Those that no other beats in both time and wrong pixels, from the fastest to the rightest.
 std::vector<std::size_t> front(const std::vector<Measurement>& measurements);
+
+// The cheapest of the front with at most so many wrong pixels in a million; the rightest that takes
+// at most so long a frame. Empty if there is none.
+std::optional<std::size_t> cheapest(const std::vector<Measurement>& measurements,
+                                    double most_wrong_ppm);
+std::optional<std::size_t> rightest(const std::vector<Measurement>& measurements, double most_ms);
 
 } // namespace isomotion::accuracy

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "accuracy/report.h"
+#include "accuracy/truth_cache.h"
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/progress.h"
@@ -73,6 +74,7 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
     measuring.width = scene.output.width;
     measuring.height = scene.output.height;
     measuring.repeat = arguments.repeat;
+    measuring.cache = accuracy::truth_cache_folder();
     const auto settings =
         accuracy::sweep(scene, parse_methods(arguments.methods), parse_steps(arguments.steps));
     const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
@@ -93,7 +95,6 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
 
 // The cheapest setting with few enough wrong pixels; the rightest that is fast enough.
 int judge(const AccuracyArguments& arguments, const accuracy::Report& report) {
-    const auto best = accuracy::front(report.measurements);
     const auto tell = [&](const char* what, std::size_t k) {
         const accuracy::Measurement& m = report.measurements[k];
         fmt::print("{}: {} ({:.2f} ms, {:.1f} ppm wrong)\n", what,
@@ -101,22 +102,18 @@ int judge(const AccuracyArguments& arguments, const accuracy::Report& report) {
     };
     int code = exit_done;
     if (arguments.max_wrong) {
-        const auto it = std::find_if(best.begin(), best.end(), [&](std::size_t k) {
-            return report.measurements[k].errors.wrong_ppm() <= *arguments.max_wrong;
-        });
-        if (it != best.end()) tell("cheapest", *it);
-        if (it == best.end()) {
+        if (const auto k = accuracy::cheapest(report.measurements, *arguments.max_wrong)) {
+            tell("cheapest", *k);
+        } else {
             fmt::print(stderr, "no setting has at most {:g} ppm of wrong pixels\n",
                        *arguments.max_wrong);
             code = exit_check_failed;
         }
     }
     if (arguments.budget_ms) {
-        const auto it = std::find_if(best.rbegin(), best.rend(), [&](std::size_t k) {
-            return report.measurements[k].ms <= *arguments.budget_ms;
-        });
-        if (it != best.rend()) tell("most accurate", *it);
-        if (it == best.rend()) {
+        if (const auto k = accuracy::rightest(report.measurements, *arguments.budget_ms)) {
+            tell("most accurate", *k);
+        } else {
             fmt::print(stderr, "no setting takes at most {:g} ms a frame\n", *arguments.budget_ms);
             code = exit_check_failed;
         }

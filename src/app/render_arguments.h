@@ -1,6 +1,7 @@
 // What is asked of `render`, and how its words become settings.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct RenderArguments {
     std::string scene, output, frames, size, method, backend = "auto", channels, movie;
     std::string step;
     std::vector<std::string> settings;
+    std::optional<double> max_wrong; // ppm
     int bits = 8;
     bool resume = false, quiet = false;
 };

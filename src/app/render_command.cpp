@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "accuracy/measure.h"
+#include "accuracy/truth_cache.h"
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/frame_metadata.h"
@@ -77,6 +79,7 @@ public:
         make_folder(name_.path(frames_.front()));
         if (!arguments_.movie.empty()) make_folder(arguments_.movie);
         const auto context = gpu::Context::create(backend_);
+        if (arguments_.max_wrong && !choose_setting(*context)) return exit_check_failed;
         say("{}: {} frame{}, {}x{}, {}, step {:g}; {} ({})\n", scene_.title, frames_.size(),
             frames_.size() == 1 ? "" : "s", scene_.output.width, scene_.output.height,
             scene::name(scene_.isolation.method), scene_.isolation.step, context->info().renderer,
@@ -132,6 +135,42 @@ private:
 
     image::Rational movie_rate() const {
         return {scene_.timeline.fps.numerator, scene_.timeline.fps.denominator};
+    }
+
+    // --max-wrong: the cheapest setting that is right enough, measured on up to three of the frames
+    // in a smaller picture. False if there is none.
+    bool choose_setting(gpu::Context& context) {
+        accuracy::Measuring measuring;
+        measuring.frames = {frames_.front()};
+        for (const int frame : {frames_[frames_.size() / 2], frames_.back()}) {
+            if (frame != measuring.frames.back()) measuring.frames.push_back(frame);
+        }
+        const double shrink =
+            std::min(1.0, 256.0 / std::max(scene_.output.width, scene_.output.height));
+        measuring.width = std::max(1, int(shrink * scene_.output.width + 0.5));
+        measuring.height = std::max(1, int(shrink * scene_.output.height + 0.5));
+        measuring.cache = accuracy::truth_cache_folder();
+        std::vector<scene::Method> methods;
+        if (!arguments_.method.empty()) methods.push_back(scene_.isolation.method);
+        Progress progress("measuring", 1000, arguments_.quiet);
+        measuring.progress = [&](const std::string& what, double part) {
+            progress.show(int(1000 * part), what);
+        };
+        const auto measurements =
+            accuracy::measure(context, scene_, accuracy::sweep(scene_, methods, {}), measuring);
+        const auto found = accuracy::cheapest(measurements, *arguments_.max_wrong);
+        if (!found) {
+            fmt::print(stderr,
+                       "--max-wrong {:g}: no setting is that accurate; isomotion accuracy {} tells "
+                       "what there is\n",
+                       *arguments_.max_wrong, arguments_.scene);
+            return false;
+        }
+        const accuracy::Measurement& best = measurements[*found];
+        say("{}: {:.1f} ppm wrong\n", accuracy::name(best.setting, scene_.isolation),
+            best.errors.wrong_ppm());
+        scene_ = accuracy::apply(best.setting, std::move(scene_));
+        return true;
     }
 
     void render_frames(gpu::Context& context, const StopOnSignal& stop) {
@@ -262,6 +301,11 @@ void add_render(CLI::App& app, Action& chosen) {
         ->allow_extra_args(false);
     command->add_option("--method", a.method, "marching, amp-sign or amp-taylor");
     command->add_option("--step", a.step, "base step of the method, in formula coordinates");
+    command
+        ->add_option("--max-wrong", a.max_wrong,
+                     "choose the cheapest method and step with at most so many wrong pixels in a "
+                     "million, against certified truth; exit code 1 if there is none")
+        ->check(CLI::NonNegativeNumber);
     command->add_option("--backend", a.backend, "auto, egl or osmesa");
     command->add_option("--channels", a.channels, "EXR only: z,n,p,verdict,evaluations");
     command->add_option("--bits", a.bits, "of a PNG: 8 or 16")->check(CLI::IsMember({8, 16}));

@@ -1,0 +1,104 @@
+#include "accuracy/truth_cache.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <optional>
+
+#include "image/file.h"
+#include "render/fingerprint.h"
+
+namespace isomotion::accuracy {
+namespace fs = std::filesystem;
+namespace {
+
+// Changes with the certifying itself: what older programs wrote is not read.
+constexpr std::string_view version = "isomotion truth 1";
+
+static_assert(std::is_trivially_copyable_v<truth::FirstRoot>);
+
+std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+                        const truth::Budget& budget) {
+    render::Fingerprint print;
+    print.add(version).add(scene.surface.field->text);
+    const auto add_values = [&](std::initializer_list<double> values) {
+        print.add_values(std::span(values.begin(), values.size()));
+    };
+    print.add_values(std::span(now.bindings.parameters));
+    for (const auto& array : now.bindings.arrays) {
+        add_values({double(array.count)});
+        for (const auto& field : array.fields) print.add_values(std::span(field));
+    }
+    const scene::CameraAt& camera = now.camera;
+    const scene::PlacementAt& place = now.placement;
+    for (const glm::dvec3& v :
+         {now.bounds.min, now.bounds.max, now.bounds.centre, place.translate, place.rotate[0],
+          place.rotate[1], place.rotate[2], camera.position, camera.target, camera.up}) {
+        add_values({v.x, v.y, v.z});
+    }
+    add_values({double(now.bounds.shape == scene::Bounds::Shape::box), now.bounds.radius,
+                place.scale, camera.fov, camera.height, camera.zoom,
+                double(camera.projection == scene::Camera::Projection::orthographic), double(width),
+                double(height), double(budget.evaluations), budget.narrow, budget.bracket});
+    return print.text();
+}
+
+// After the version: evaluations, then the roots, then the fingerprint of both.
+struct Contents {
+    std::string bytes;
+    std::string sum() const { return render::Fingerprint().add(bytes).text(); }
+};
+
+std::optional<truth::Truth> read(const fs::path& file, int width, int height) {
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    truth::Truth truth{width, height, {}, 0};
+    truth.roots.resize(std::size_t(width) * std::size_t(height));
+    const std::size_t size =
+        sizeof(truth.evaluations) + truth.roots.size() * sizeof(truth::FirstRoot);
+    if (text.size() < version.size() + size || !text.starts_with(version)) return std::nullopt;
+    const Contents contents{text.substr(version.size(), size)};
+    if (text.substr(version.size() + size) != contents.sum()) return std::nullopt;
+    std::memcpy(&truth.evaluations, contents.bytes.data(), sizeof(truth.evaluations));
+    std::memcpy(truth.roots.data(), contents.bytes.data() + sizeof(truth.evaluations),
+                truth.roots.size() * sizeof(truth::FirstRoot));
+    return truth;
+}
+
+void write(const fs::path& file, const truth::Truth& truth) {
+    Contents contents;
+    contents.bytes.append(reinterpret_cast<const char*>(&truth.evaluations),
+                          sizeof(truth.evaluations));
+    contents.bytes.append(reinterpret_cast<const char*>(truth.roots.data()),
+                          truth.roots.size() * sizeof(truth::FirstRoot));
+    const std::string text = std::string(version) + contents.bytes + contents.sum();
+    std::error_code ignored;
+    fs::create_directories(file.parent_path(), ignored);
+    try {
+        image::write_whole(file, std::as_bytes(std::span(text)));
+    } catch (const image::FileError&) {
+        // A disk that is full or read-only: certified again next time.
+    }
+}
+
+} // namespace
+
+fs::path truth_cache_folder() {
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    if (cache && *cache == '/') return fs::path(cache) / "isomotion" / "truth";
+    const char* home = std::getenv("HOME");
+    if (home && *home == '/') return fs::path(home) / ".cache" / "isomotion" / "truth";
+    return {};
+}
+
+truth::Truth remembered_truth(const scene::Scene& scene, const scene::SceneAt& now, int width,
+                              int height, const truth::Certifying& how, const fs::path& folder) {
+    if (folder.empty()) return truth::certify(scene, now, width, height, how);
+    const fs::path file = folder / (fingerprint(scene, now, width, height, how.budget) + ".bin");
+    if (auto known = read(file, width, height)) return *std::move(known);
+    truth::Truth truth = truth::certify(scene, now, width, height, how);
+    write(file, truth);
+    return truth;
+}
+
+} // namespace isomotion::accuracy
