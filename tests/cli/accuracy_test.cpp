@@ -1,0 +1,90 @@
+// The command `accuracy`, and `render --max-wrong`.
+#include "cli.h"
+
+namespace isomotion::cli {
+namespace {
+
+class Accuracy : public Cli {
+protected:
+    // Truth is remembered below the test's own folder.
+    Ending run_here(const Words& arguments) const {
+        Circumstances circumstances = this->circumstances();
+        circumstances.environment["XDG_CACHE_HOME"] = (*this / "cache").string();
+        return run(arguments, circumstances);
+    }
+};
+
+TEST_F(Accuracy, PrintsALineForEachSetting) {
+    const Ending ending = run_here({"accuracy", "sphere.toml", "--size", "32x32", "--methods",
+                                    "marching,amp-sign", "--steps", "0.2,0.1", "--repeat", "1"});
+    EXPECT_EQ(ending.code, 0) << ending;
+    for (const char* setting : {"marching step=0.2", "marching step=0.1", "amp-sign step=0.2",
+                                "amp-sign step=0.1", "wrong ppm"}) {
+        EXPECT_THAT(ending.out, HasSubstr(setting));
+    }
+    EXPECT_THAT(ending.out, Not(HasSubstr("amp-taylor")));
+    EXPECT_TRUE(std::filesystem::exists(*this / "cache/isomotion/truth"));
+}
+
+TEST_F(Accuracy, WritesAReport) {
+    const Ending ending = run_here({"accuracy", "sphere.toml", "--size", "32x32", "--steps", "0.1",
+                                    "--repeat", "1", "--quiet", "-o", "r"});
+    if (ending.code == 3) {
+        EXPECT_THAT(ending.err, HasSubstr("gnuplot-nox"));
+        GTEST_SKIP() << "gnuplot is not installed";
+    }
+    EXPECT_EQ(ending.code, 0) << ending;
+    EXPECT_EQ(ending.out, "");
+    for (const char* file : {"r/index.html", "r/accuracy.csv", "r/accuracy.svg"}) {
+        EXPECT_TRUE(std::filesystem::exists(*this / file)) << file;
+    }
+}
+
+TEST_F(Accuracy, ChecksEndWithTheirCode) {
+    const Words sweep{"accuracy", "sphere.toml", "--size",   "32x32", "--methods", "marching",
+                      "--steps",  "0.5,0.01",    "--repeat", "1",     "--quiet"};
+    const auto with = [&](std::initializer_list<const char*> more) {
+        Words all = sweep;
+        all.insert(all.end(), more.begin(), more.end());
+        return run_here(all);
+    };
+    const Ending right = with({"--max-wrong", "2000"});
+    EXPECT_EQ(right.code, 0) << right;
+    EXPECT_THAT(right.out, StartsWith("cheapest: marching step=0.01 ("));
+    EXPECT_EQ(with({"--budget-ms", "1e9"}).code, 0);
+    const Ending slow = with({"--budget-ms", "1e-9"});
+    EXPECT_EQ(slow.code, 1) << slow;
+    EXPECT_THAT(slow.err, HasSubstr("no setting takes at most 1e-09 ms a frame"));
+}
+
+TEST_F(Accuracy, RenderTakesTheCheapestThatIsRightEnough) {
+    const Ending ending = run_here(
+        {"render", "sphere.toml", "--frames", "1-2", "--max-wrong", "5000", "-o", "a.##.png"});
+    EXPECT_EQ(ending.code, 0) << ending;
+    EXPECT_THAT(ending.out, HasSubstr(" ppm wrong\n"));
+    EXPECT_EQ(names().count("a.02.png"), 1u);
+    // A plate so thin that every step of the sweep passes over it.
+    write("plate.toml", "[surface]\nformula = \"x^2 - 1e-8\"\nbounds = { sphere = 1 }\n"
+                        "[camera]\nposition = [5, 0.3, 0.2]\n[output]\nsize = [48, 48]\n");
+    const Ending none = run_here({"render", "plate.toml", "--max-wrong", "0", "-o", "n.png"});
+    EXPECT_EQ(none.code, 1) << none;
+    EXPECT_THAT(none.err, HasSubstr("--max-wrong 0: no setting is that accurate"));
+}
+
+TEST_F(Accuracy, MistakesNameTheOption) {
+    for (const auto& [arguments, message] : std::vector<std::pair<Words, std::string>>{
+             {{"--methods", "newton"}, "--methods newton: there is no method 'newton'"},
+             {{"--steps", "0.1,x"}, "--steps 0.1,x: 'x' is no step"},
+             {{"--steps", "0"}, "--steps 0: '0' is no step"},
+             {{"--frames", "0"}, "frame"},
+             {{"--size", "0x1"}, "--size"}}) {
+        Words all{"accuracy", "sphere.toml"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        const Ending ending = run_here(all);
+        EXPECT_EQ(ending.code, 2) << ending;
+        EXPECT_THAT(ending.err, HasSubstr(message));
+    }
+}
+
+} // namespace
+} // namespace isomotion::cli
