@@ -66,7 +66,7 @@ TEST_F(Accuracy, RenderTakesTheCheapestThatIsRightEnough) {
     // A plate so thin that every step of the sweep passes over it.
     write("plate.toml", "[surface]\nformula = \"x^2 - 1e-8\"\nbounds = { sphere = 1 }\n"
                         "[camera]\nposition = [5, 0.3, 0.2]\n[output]\nsize = [48, 48]\n");
-    const Ending none = run_here({"render", "plate.toml", "--max-wrong", "0", "-o", "n.png"});
+    const Ending none = run_here({"render", "plate.toml", "--max-wrong", "0", "--method", "marching", "-o", "n.png"});
     EXPECT_EQ(none.code, 1) << none;
     EXPECT_THAT(none.err, HasSubstr("--max-wrong 0: no setting is that accurate"));
 }
