@@ -1,5 +1,6 @@
 #include "formula/derivative.h"
 
+#include <limits>
 #include <unordered_map>
 
 namespace isomotion::formula {
@@ -7,9 +8,10 @@ namespace {
 
 class Differentiation {
 public:
-    Differentiation(Graph& graph, const LeafDerivative& leaf)
+    Differentiation(Graph& graph, const LeafDerivative& leaf, Slopes slopes)
         : g_(graph)
-        , leaf_(leaf) {}
+        , leaf_(leaf)
+        , slopes_(slopes) {}
 
     NodeId of(NodeId root) {
         // Children have smaller ids, so one pass in id order needs no recursion, however deep the
@@ -39,8 +41,6 @@ private:
         case Op::parameter:
         case Op::element:
             return leaf_(g_, id);
-        case Op::sign:
-        case Op::floor:
         case Op::random:
             return zero();
         case Op::select:
@@ -79,8 +79,11 @@ private:
         switch (node.op) {
         case Op::abs:
             return g_.unary(Op::sign, a);
+        case Op::sign:
+        case Op::floor:
+            return jumps(id);
         case Op::sqrt:
-            return g_.divide(g_.constant(0.5), id);
+            return where_rooted(a, g_.divide(g_.constant(0.5), id));
         case Op::exp:
             return id;
         case Op::log:
@@ -98,9 +101,9 @@ private:
         case Op::tanh:
             return g_.subtract(one, g_.multiply(id, id));
         case Op::asin:
-            return g_.divide(one, root_of_one_minus_square(a));
+            return within_unit(a, g_.divide(one, root_of_one_minus_square(a)));
         case Op::acos:
-            return g_.divide(g_.constant(-1), root_of_one_minus_square(a));
+            return within_unit(a, g_.divide(g_.constant(-1), root_of_one_minus_square(a)));
         case Op::atan:
             return g_.divide(one, g_.add(one, g_.multiply(a, a)));
         case Op::chebyshev:
@@ -108,6 +111,22 @@ private:
         default:
             return zero();
         }
+    }
+
+    // 0 where the step function `id` is constant, from 0 to infinity where it may jump: an interval
+    // that isn't a point is neither less than itself nor not.
+    NodeId jumps(NodeId id) {
+        if (slopes_ == Slopes::pointwise) return zero();
+        return g_.select(id, id, g_.constant(std::numeric_limits<double>::infinity()), zero());
+    }
+
+    // sqrt is constant below 0, asin and acos beyond -1 and 1.
+    NodeId where_rooted(NodeId a, NodeId slope) {
+        return slopes_ == Slopes::pointwise ? slope : g_.select(a, zero(), zero(), slope);
+    }
+    NodeId within_unit(NodeId a, NodeId slope) {
+        if (slopes_ == Slopes::pointwise) return slope;
+        return g_.select(g_.constant(1), g_.unary(Op::abs, a), zero(), slope);
     }
 
     // b a^(b-1) a' + a^b log(a) b', the second half only where the exponent moves.
@@ -130,21 +149,24 @@ private:
 
     Graph& g_;
     const LeafDerivative& leaf_;
+    Slopes slopes_;
     std::unordered_map<NodeId, NodeId> derivatives_;
 };
 
 } // namespace
 
-NodeId differentiate(Graph& graph, NodeId root, const LeafDerivative& leaf) {
-    return Differentiation(graph, leaf).of(root);
+NodeId differentiate(Graph& graph, NodeId root, const LeafDerivative& leaf, Slopes slopes) {
+    return Differentiation(graph, leaf, slopes).of(root);
 }
 
-NodeId differentiate_inputs(Graph& graph, NodeId root, const std::vector<NodeId>& directions) {
-    return differentiate(graph, root, [&directions](Graph& g, NodeId leaf) {
+NodeId differentiate_inputs(Graph& graph, NodeId root, const std::vector<NodeId>& directions,
+                            Slopes slopes) {
+    const auto moves = [&directions](Graph& g, NodeId leaf) {
         const Node& node = g[leaf];
-        const bool moves = node.op == Op::input && std::size_t(node.index) < directions.size();
-        return moves ? directions[std::size_t(node.index)] : g.constant(0);
-    });
+        const bool input = node.op == Op::input && std::size_t(node.index) < directions.size();
+        return input ? directions[std::size_t(node.index)] : g.constant(0);
+    };
+    return differentiate(graph, root, moves, slopes);
 }
 
 } // namespace isomotion::formula

@@ -13,11 +13,22 @@ namespace isomotion::formula {
 // The derivative of a leaf (input, parameter or element): another node, or constant 0.
 using LeafDerivative = std::function<NodeId(Graph&, NodeId leaf)>;
 
-// d root, when the leaves move as `leaf` says. At kinks the rules choose: abs and sqrt(0) have
-// slope 0 for a resting argument, min and max take the side they return.
-NodeId differentiate(Graph& graph, NodeId root, const LeafDerivative& leaf);
+// Where a function has a kink, a jump or an end.
+enum class Slopes {
+    // One number a point, for numbers: abs and sqrt(0) have slope 0 for a resting argument, min and
+    // max take the side they return, sign and floor have slope 0.
+    pointwise,
+    // For intervals: over one, all difference quotients between its points. sign and floor go up
+    // without bound where they jump; what sqrt, asin and acos hold constant has slope 0.
+    generalized,
+};
+
+// d root, when the leaves move as `leaf` says.
+NodeId differentiate(Graph& graph, NodeId root, const LeafDerivative& leaf,
+                     Slopes slopes = Slopes::pointwise);
 
 // Input k has derivative `directions[k]`; parameters and elements are constant.
-NodeId differentiate_inputs(Graph& graph, NodeId root, const std::vector<NodeId>& directions);
+NodeId differentiate_inputs(Graph& graph, NodeId root, const std::vector<NodeId>& directions,
+                            Slopes slopes = Slopes::pointwise);
 
 } // namespace isomotion::formula

@@ -4,7 +4,9 @@
 #include <bit>
 #include <cassert>
 #include <limits>
+#include <type_traits>
 
+#include "formula/interval_operations.h"
 #include "formula/operations.h"
 
 namespace isomotion::formula {
@@ -22,18 +24,52 @@ double random_unit(std::uint64_t seed, double i, double k) {
     return double(h >> 11) * 0x1p-53;
 }
 
+namespace {
+
+template<class T> constexpr bool is_interval = std::is_same_v<T, Interval>;
+
+// As in a shader: folded in double, a constant may be more than a float holds.
+template<class T> T constant(double value) {
+    if constexpr (is_interval<T>) {
+        return value;
+    } else {
+        return T(std::clamp(value, double(std::numeric_limits<T>::lowest()),
+                            double(std::numeric_limits<T>::max())));
+    }
+}
+
+template<class T> T random(std::uint64_t seed, T i, T k) {
+    if constexpr (is_interval<T>) {
+        return is_point(i) && is_point(k) ? Interval(random_unit(seed, i.lo, k.lo))
+                                          : Interval(0, 1);
+    } else {
+        return T(random_unit(seed, double(i), double(k)));
+    }
+}
+
+} // namespace
+
 template<class T>
 Evaluator<T>::Evaluator(const Program& program)
     : program_(&program)
-    , registers_(std::size_t(program.registers) * block) {
+    , registers_(std::size_t(program.registers) * Lanes<T>::parts * block) {
     int inputs = 0, depth = 0, deepest = 0;
     for (const Instruction& instruction : program.instructions) {
         if (instruction.kind == Instruction::Kind::loop_begin) deepest = std::max(deepest, ++depth);
         if (instruction.kind == Instruction::Kind::loop_end) --depth;
         if (instruction.op == Op::input) inputs = std::max(inputs, instruction.index + 1);
+        if (instruction.op == Op::chebyshev) {
+            const std::pair which{instruction.index, instruction.second};
+            if (!chebyshev_.contains(which))
+                chebyshev_.emplace(which, ChebyshevEnclosure(which.first, which.second));
+        }
     }
     inputs_.resize(std::size_t(inputs) * block);
     loops_.reserve(std::size_t(deepest));
+}
+
+template<class T> template<int Count> Lanes<T> Evaluator<T>::lanes(Register r) {
+    return {registers_.data() + std::size_t(r) * Lanes<T>::parts * Count, Count};
 }
 
 template<class T>
@@ -41,7 +77,7 @@ void Evaluator<T>::point(const Bindings<T>& bindings, std::span<const T> inputs,
                          std::span<T> outputs) {
     run<1>(bindings, inputs);
     for (std::size_t o = 0; o < outputs.size(); ++o) {
-        outputs[o] = registers_[std::size_t(program_->outputs[o])];
+        outputs[o] = lanes<1>(program_->outputs[o])[0];
     }
 }
 
@@ -59,21 +95,21 @@ void Evaluator<T>::points(const Bindings<T>& bindings, std::span<const std::span
         }
         run<block>(bindings, inputs_);
         for (std::size_t o = 0; o < outputs.size(); ++o) {
-            const T* from = &registers_[std::size_t(program_->outputs[o]) * block];
-            std::copy_n(from, count, outputs[o].begin() + std::ptrdiff_t(first));
+            const Lanes<T> from = lanes<block>(program_->outputs[o]);
+            for (std::size_t lane = 0; lane < count; ++lane)
+                outputs[o][first + lane] = from[int(lane)];
         }
     }
 }
 
 template<class T>
-template<int Lanes>
+template<int Count>
 void Evaluator<T>::run(const Bindings<T>& bindings, std::span<const T> inputs) {
     using Do = Operations<T>;
     const auto& code = program_->instructions;
     loops_.clear();
     for (std::size_t at = 0; at < code.size(); ++at) {
         const Instruction& now = code[at];
-        const auto reg = [&](Register r) { return registers_.data() + std::size_t(r) * Lanes; };
         if (now.kind == Instruction::Kind::loop_begin) {
             if (bindings.arrays[std::size_t(now.index)].count > 0) {
                 loops_.push_back({at, now.index, 0});
@@ -95,41 +131,40 @@ void Evaluator<T>::run(const Bindings<T>& bindings, std::span<const T> inputs) {
             }
             continue;
         }
-        T* const to = reg(now.result);
+        const Lanes<T> to = lanes<Count>(now.result);
+        const Lanes<T> a = lanes<Count>(now.kind == Instruction::Kind::accumulate || now.arity > 0
+                                            ? now.operands[0]
+                                            : now.result);
+        const Lanes<T> b = lanes<Count>(now.arity > 1 ? now.operands[1] : now.result);
+        const auto each = [&](auto&& value) {
+            for (int lane = 0; lane < Count; ++lane) to.set(lane, value(lane));
+        };
+        const auto all = [&](T value) {
+            for (int lane = 0; lane < Count; ++lane) to.set(lane, value);
+        };
         if (now.kind == Instruction::Kind::zero) {
-            std::fill_n(to, Lanes, T(0));
+            all(T(0));
             continue;
         }
-        const T* const a =
-            reg(now.kind == Instruction::Kind::accumulate || now.arity > 0 ? now.operands[0]
-                                                                           : now.result);
-        const T* const b = reg(now.arity > 1 ? now.operands[1] : now.result);
-        const auto each = [&](auto&& value) {
-            for (int lane = 0; lane < Lanes; ++lane) to[lane] = value(lane);
-        };
         if (now.kind == Instruction::Kind::accumulate) {
-            each([&](int lane) { return to[lane] + a[lane]; });
+            each([&](int l) { return Do::add(to[l], a[l]); });
             continue;
         }
         switch (now.op) {
         case Op::constant:
-            // As in a shader: folded in double, a constant may be more than a float holds.
-            std::fill_n(to, Lanes,
-                        T(std::clamp(now.value, double(std::numeric_limits<T>::lowest()),
-                                     double(std::numeric_limits<T>::max()))));
+            all(constant<T>(now.value));
             break;
         case Op::input:
-            each([&](int lane) { return inputs[std::size_t(now.index * Lanes + lane)]; });
+            each([&](int lane) { return inputs[std::size_t(now.index * Count + lane)]; });
             break;
         case Op::parameter:
-            std::fill_n(to, Lanes, bindings.parameters[std::size_t(now.index)]);
+            all(bindings.parameters[std::size_t(now.index)]);
             break;
         case Op::element: {
             const auto loop = std::find_if(loops_.begin(), loops_.end(),
                                            [&](const OpenLoop& l) { return l.array == now.index; });
             const auto& array = bindings.arrays[std::size_t(now.index)];
-            std::fill_n(to, Lanes,
-                        array.fields[std::size_t(now.second)][std::size_t(loop->element)]);
+            all(array.fields[std::size_t(now.second)][std::size_t(loop->element)]);
             break;
         }
         case Op::negate:
@@ -187,6 +222,12 @@ void Evaluator<T>::run(const Bindings<T>& bindings, std::span<const T> inputs) {
             each([&](int l) { return Do::subtract(a[l], b[l]); });
             break;
         case Op::multiply:
+            if constexpr (is_interval<T>) {
+                if (now.operands[0] == now.operands[1]) {
+                    each([&](int l) { return Do::square(a[l]); });
+                    break;
+                }
+            }
             each([&](int l) { return Do::multiply(a[l], b[l]); });
             break;
         case Op::divide:
@@ -202,17 +243,23 @@ void Evaluator<T>::run(const Bindings<T>& bindings, std::span<const T> inputs) {
             each([&](int l) { return Do::power(a[l], b[l]); });
             break;
         case Op::random:
-            each([&](int l) { return T(random_unit(bindings.seed, double(a[l]), double(b[l]))); });
+            each([&](int l) { return random(bindings.seed, a[l], b[l]); });
             break;
         case Op::select: {
-            const T* const c = reg(now.operands[2]);
-            const T* const d = reg(now.operands[3]);
+            const Lanes<T> c = lanes<Count>(now.operands[2]), d = lanes<Count>(now.operands[3]);
             each([&](int l) { return Do::select(a[l], b[l], c[l], d[l]); });
             break;
         }
         case Op::chebyshev:
+            if constexpr (is_interval<T>) {
+                const ChebyshevEnclosure& enclose = chebyshev_.at({now.index, now.second});
+                each([&](int l) { return enclose(a[l]); });
+            } else {
+                assert(!"lowered before scheduling");
+            }
+            break;
         case Op::sum:
-            assert(!"lowered before scheduling, or turned into a loop");
+            assert(!"turned into a loop");
             break;
         }
     }
@@ -220,5 +267,6 @@ void Evaluator<T>::run(const Bindings<T>& bindings, std::span<const T> inputs) {
 
 template class Evaluator<float>;
 template class Evaluator<double>;
+template class Evaluator<Interval>;
 
 } // namespace isomotion::formula

@@ -3,9 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "formula/chebyshev_enclosure.h"
+#include "formula/lanes.h"
 #include "formula/program.h"
 
 namespace isomotion::formula {
@@ -37,7 +41,8 @@ template<class To, class From> Bindings<To> convert(const Bindings<From>& from) 
 }
 
 // Holds the registers, so that evaluating allocates nothing. One evaluator a thread.
-// Instantiated for float and double.
+// Instantiated for float, double and Interval. Programs for numbers are lowered; those for Interval
+// may hold chebyshev, and should (see enclosure.h).
 template<class T> class Evaluator {
 public:
     static constexpr int block = 32; // points evaluated together
@@ -51,11 +56,13 @@ public:
                 std::span<const std::span<T>> outputs);
 
 private:
-    template<int Lanes> void run(const Bindings<T>& bindings, std::span<const T> inputs);
+    template<int Count> void run(const Bindings<T>& bindings, std::span<const T> inputs);
+    template<int Count> Lanes<T> lanes(Register r);
 
     const Program* program_;
-    std::vector<T> registers_; // [register][lane]
-    std::vector<T> inputs_;    // [input][lane]
+    std::vector<typename Lanes<T>::Part> registers_;              // [register][part][lane]
+    std::vector<T> inputs_;                                       // [input][lane]
+    std::map<std::pair<int, int>, ChebyshevEnclosure> chebyshev_; // by degree and derivative
     struct OpenLoop {
         std::size_t begin;
         int array;
@@ -66,6 +73,7 @@ private:
 
 extern template class Evaluator<float>;
 extern template class Evaluator<double>;
+extern template class Evaluator<Interval>;
 
 // random(i, k) of animation expressions: a hash of the seed and both arguments, in [0, 1).
 double random_unit(std::uint64_t seed, double i, double k);

@@ -9,8 +9,6 @@
 namespace isomotion::formula {
 namespace {
 
-constexpr int first_direction = 3; // inputs 3, 4, 5: the ray's direction
-
 // All fields that any program reads. They are packed in the order of declaration, so that the
 // storage of an array doesn't depend on which derivative reads what.
 ArrayPacking packing_of(const Vocabulary& vocabulary, std::span<const Program* const> programs) {

@@ -13,6 +13,8 @@
 
 namespace isomotion::formula {
 
+inline constexpr int first_direction = 3; // inputs 3, 4, 5: the ray's direction
+
 struct Field {
     std::string text; // as the user wrote it
 

@@ -1,0 +1,29 @@
+// What a field's formula and its derivatives can be over a box: the programs for intervals.
+//
+// They differ from Field's own programs, which numbers run, in two ways. chebyshev stays whole, for
+// its enclosure is exact where that of its products is useless. And slopes are generalized
+// (derivative.h): over a box, `along` and `gradient` enclose not only the derivatives but all
+// difference quotients between points of the box, also across kinks, jumps and ends of roots. So
+// where dF/dt doesn't hold 0 a ray has at most one root, whatever the formula.
+//
+//     const EnclosurePrograms programs = enclosure_programs(field);
+//     Evaluator<Interval> along(programs.along);
+//     const std::array<Interval, 6> ray{Interval(0, 0.1), y, z, dx, dy, dz};
+//     std::array<Interval, 2> f; // F and dF/dt
+//     along.point(convert<Interval>(bindings), ray, f);
+#pragma once
+
+#include "formula/field.h"
+
+namespace isomotion::formula {
+
+// Inputs and outputs as in Field.
+struct EnclosurePrograms {
+    Program value;
+    Program along;
+    Program gradient;
+};
+
+EnclosurePrograms enclosure_programs(const Field& field);
+
+} // namespace isomotion::formula
