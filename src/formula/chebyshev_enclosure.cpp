@@ -4,65 +4,63 @@
 #include <array>
 #include <numbers>
 
-#include "formula/twofold.h"
-
 namespace isomotion::formula {
 namespace {
 
 constexpr int highest_order = 7;
 
 // c[j] = f^(j)(x) / j!
-template<int Order> using Series = std::array<Twofold, Order + 1>;
+template<class V, int Order> using Series = std::array<Twofold<V>, Order + 1>;
 
 // 2 a b - c
-template<int Order>
-Series<Order> twice_product_minus(const Series<Order>& a, const Series<Order>& b,
-                                  const Series<Order>& c) {
-    Series<Order> result;
-    for (std::size_t m = 0; m <= Order; ++m) {
-        Twofold sum = a[0] * b[m];
+template<class V, std::size_t Size>
+std::array<Twofold<V>, Size> twice_product_minus(const std::array<Twofold<V>, Size>& a,
+                                                 const std::array<Twofold<V>, Size>& b,
+                                                 const std::array<Twofold<V>, Size>& c) {
+    std::array<Twofold<V>, Size> result;
+    for (std::size_t m = 0; m < Size; ++m) {
+        Twofold<V> sum = a[0] * b[m];
         for (std::size_t i = 1; i <= m; ++i) sum = sum + a[i] * b[m - i];
-        result[m] = scaled(sum, 2) - c[m];
+        result[m] = twice(sum) - c[m];
     }
     return result;
 }
 
 // T_n about x, n >= 1.
-template<int Order> Series<Order> chebyshev_series(int n, double x) {
-    Series<Order> one, identity;
-    one[0] = 1;
-    identity[0] = x;
-    if constexpr (Order > 0) identity[1] = 1;
+template<class V, int Order> Series<V, Order> chebyshev_series(int n, V x) {
+    Series<V, Order> one{exactly(V{} + 1)}, identity{exactly(x)};
+    if constexpr (Order > 0) identity[1] = exactly(V{} + 1);
     int bit = 1;
     while (2 * bit <= n) bit *= 2;
     // T_m and T_m+1, m being the leading bits of n.
-    Series<Order> now = identity, next;
-    if (n != bit) next = twice_product_minus<Order>(identity, identity, one);
+    Series<V, Order> now = identity, next{};
+    if (n != bit) next = twice_product_minus(identity, identity, one);
     while (bit /= 2) {
-        const bool odd = n & bit, more = n & (bit - 1);
-        const Series<Order> doubled = odd ? next : now;
-        if (odd || more) {
-            const Series<Order> between = twice_product_minus<Order>(now, next, identity);
-            (odd ? now : next) = between;
+        const bool more = n & (bit - 1); // else T_m+1 isn't needed any longer
+        if (n & bit) {
+            now = twice_product_minus(now, next, identity);
+            if (more) next = twice_product_minus(next, next, one);
+        } else {
+            if (more) next = twice_product_minus(now, next, identity);
+            now = twice_product_minus(now, now, one);
         }
-        if (!odd || more) (odd ? next : now) = twice_product_minus<Order>(doubled, doubled, one);
     }
     return now;
 }
 
-template<int Order> Twofold chebyshev_derivative(int n, double x) {
+template<class V, int Order> Twofold<V> chebyshev_derivative(int n, V x) {
     double factorial = 1;
     for (int j = 2; j <= Order; ++j) factorial *= j;
-    const Twofold coefficient = chebyshev_series<Order>(n, x)[Order];
-    return Order < 2 ? coefficient : coefficient * Twofold(factorial);
+    const Twofold<V> coefficient = chebyshev_series<V, Order>(n, x)[Order];
+    return Order < 2 ? coefficient : coefficient * exactly(V{} + factorial);
 }
 
-// T_n^(k)(x), k up to highest_order
-Twofold chebyshev(int n, int k, double x) {
-    constexpr std::array derivatives{chebyshev_derivative<0>, chebyshev_derivative<1>,
-                                     chebyshev_derivative<2>, chebyshev_derivative<3>,
-                                     chebyshev_derivative<4>, chebyshev_derivative<5>,
-                                     chebyshev_derivative<6>, chebyshev_derivative<7>};
+// T_n^(k)(x), k up to highest_order.
+template<class V> Twofold<V> chebyshev(int n, int k, V x) {
+    constexpr std::array derivatives{chebyshev_derivative<V, 0>, chebyshev_derivative<V, 1>,
+                                     chebyshev_derivative<V, 2>, chebyshev_derivative<V, 3>,
+                                     chebyshev_derivative<V, 4>, chebyshev_derivative<V, 5>,
+                                     chebyshev_derivative<V, 6>, chebyshev_derivative<V, 7>};
     static_assert(derivatives.size() == highest_order + 1);
     return derivatives[std::size_t(k)](n, x);
 }
@@ -123,7 +121,8 @@ Interval extreme_value(int n, int k, Interval where) {
 ChebyshevEnclosure::ChebyshevEnclosure(int degree, int derivative)
     : degree_(degree)
     , derivative_(derivative)
-    , value_at_one_(chebyshev_at_one(degree, derivative))
+    , at_one_(chebyshev_at_one(degree, derivative))
+    , bound_(-at_one_.hi, at_one_.hi)
     , reach_(std::cosh(500.0 / degree)) {
     if (derivative >= degree || derivative >= highest_order) return;
     std::vector<Interval> roots = roots_of_slope(degree);
@@ -142,24 +141,32 @@ ChebyshevEnclosure::ChebyshevEnclosure(int degree, int derivative)
 }
 
 Interval ChebyshevEnclosure::at(double x) const {
-    if (std::abs(x) <= reach_) return enclosure(chebyshev(degree_, derivative_, x));
+    if (std::abs(x) <= reach_) return bounded(x, chebyshev(degree_, derivative_, x));
     // Beyond 1 values grow without end.
     const Interval far{enclosure(chebyshev(degree_, derivative_, reach_)).lo, infinity};
     return x > 0 || (degree_ - derivative_) % 2 == 0 ? far : -far;
 }
 
+Interval ChebyshevEnclosure::at_ends(Interval a) const {
+    if (is_point(a)) return at(a.lo);
+    if (magnitude(a) > reach_) return hull(at(a.lo), at(a.hi));
+    const Twofold<Ends> values = chebyshev(degree_, derivative_, Ends{a.lo, a.hi});
+    return hull(bounded(a.lo, one_of(values, 0)), bounded(a.hi, one_of(values, 1)));
+}
+
+Interval ChebyshevEnclosure::bounded(double x, Twofold<double> value) const {
+    return std::abs(x) <= 1 ? intersect(enclosure(value), bound_) : enclosure(value);
+}
+
 Interval ChebyshevEnclosure::operator()(Interval a) const {
-    if (derivative_ >= degree_) return value_at_one_; // constant
-    const bool inside = magnitude(a) <= 1;
-    const Interval bound{-value_at_one_.hi, value_at_one_.hi};
-    if (derivative_ >= highest_order) return inside ? bound : Interval::entire();
-    Interval range = at(a.lo);
-    if (!is_point(a)) range = hull(range, at(a.hi));
+    if (derivative_ >= degree_) return at_one_; // constant
+    if (derivative_ >= highest_order) return magnitude(a) <= 1 ? bound_ : Interval::entire();
+    Interval range = at_ends(a);
     auto extremum = std::lower_bound(extrema_.begin(), extrema_.end(), a.lo,
                                      [](const Extremum& e, double x) { return e.where.hi < x; });
     for (; extremum != extrema_.end() && extremum->where.lo <= a.hi; ++extremum)
         range = hull(range, extremum->value);
-    return inside ? intersect(range, bound) : range;
+    return range;
 }
 
 } // namespace isomotion::formula

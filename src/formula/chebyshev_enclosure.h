@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "formula/interval.h"
+#include "formula/twofold.h"
 
 namespace isomotion::formula {
 
@@ -31,10 +32,12 @@ private:
     };
 
     Interval at(double x) const;
+    Interval at_ends(Interval a) const; // the hull of both values
+    Interval bounded(double x, Twofold<double> value) const;
 
     int degree_, derivative_;
-    Interval value_at_one_;          // and the largest on [-1, 1]
-    double reach_;                   // where values come near the end of doubles
+    Interval at_one_, bound_;       // the value at 1, and what it bounds on [-1, 1]
+    double reach_;                  // where values come near the end of doubles
     std::vector<Extremum> extrema_; // ascending
 };
 

@@ -68,6 +68,10 @@ Evaluator<T>::Evaluator(const Program& program)
     loops_.reserve(std::size_t(deepest));
 }
 
+template<class T> template<int Count> Lanes<T> Evaluator<T>::lanes(Register r) {
+    return {registers_.data() + std::size_t(r) * Lanes<T>::parts * Count, Count};
+}
+
 template<class T>
 template<int Count>
 Lanes<T> Evaluator<T>::lanes(Register r) {
@@ -134,9 +138,9 @@ void Evaluator<T>::run(const Bindings<T>& bindings, std::span<const T> inputs) {
             continue;
         }
         const Lanes<T> to = lanes<Count>(now.result);
-        const Lanes<T> a = lanes<Count>(
-            now.kind == Instruction::Kind::accumulate || now.arity > 0 ? now.operands[0]
-                                                                       : now.result);
+        const Lanes<T> a = lanes<Count>(now.kind == Instruction::Kind::accumulate || now.arity > 0
+                                            ? now.operands[0]
+                                            : now.result);
         const Lanes<T> b = lanes<Count>(now.arity > 1 ? now.operands[1] : now.result);
         const auto each = [&](auto&& value) {
             for (int lane = 0; lane < Count; ++lane) to.set(lane, value(lane));

@@ -60,8 +60,8 @@ private:
     template<int Count> Lanes<T> lanes(Register r);
 
     const Program* program_;
-    std::vector<typename Lanes<T>::Part> registers_; // [register][part][lane]
-    std::vector<T> inputs_;                          // [input][lane]
+    std::vector<typename Lanes<T>::Part> registers_;              // [register][part][lane]
+    std::vector<T> inputs_;                                       // [input][lane]
     std::map<std::pair<int, int>, ChebyshevEnclosure> chebyshev_; // by degree and derivative
     struct OpenLoop {
         std::size_t begin;

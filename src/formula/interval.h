@@ -63,7 +63,8 @@ constexpr double mignitude(Interval a) { return larger(larger(a.lo, -a.hi), 0.0)
 
 // A finite member in the middle, of unbounded intervals too.
 constexpr double mid(Interval a) {
-    return larger(a.lo, -largest_finite) / 2 + smaller(a.hi, largest_finite) / 2;
+    const double middle = larger(a.lo, -largest_finite) / 2 + smaller(a.hi, largest_finite) / 2;
+    return smaller(larger(middle, a.lo), a.hi); // halves of subnormal ends are rounded
 }
 
 // Rounding outwards. r is the double nearest to the exact value of one operation, which therefore
@@ -74,20 +75,21 @@ constexpr double mid(Interval a) {
 // there sums and square roots are exact; products and quotients are not, and take one
 // smallest_positive more as `underflow`. A lower end that overflows becomes finite: what is
 // rounded to infinity is larger than largest_finite.
+inline double rounding(double r) { return std::abs(r) * 0x1.8p-53; }
 inline double round_down(double r, double underflow = 0) {
     r = smaller(r, largest_finite);
-    return r - (std::abs(r) * 0x1.8p-53 + underflow);
+    return r - (rounding(r) + underflow);
 }
 inline double round_up(double r, double underflow = 0) {
     r = larger(r, -largest_finite);
-    return r + (std::abs(r) * 0x1.8p-53 + underflow);
+    return r + (rounding(r) + underflow);
 }
 
 // At least hi - lo; infinite for unbounded intervals.
 inline double width(Interval a) { return is_point(a) ? 0 : round_up(a.hi - a.lo); }
 
-// The arithmetic below has no branches, so that loops over it vectorise; that is also why
-// conditions are written as minima of numbers.
+// The arithmetic below has no branches, and conditions of one comparison, so that loops over it
+// vectorise.
 
 inline Interval operator-(Interval a) { return {-a.hi, -a.lo}; }
 
@@ -104,19 +106,22 @@ inline Interval operator*(Interval a, Interval b) {
     const double p = a.lo * b.lo, q = a.lo * b.hi, r = a.hi * b.lo, s = a.hi * b.hi;
     const double lo = smaller(s, smaller(r, smaller(q, smaller(p, member))));
     const double hi = larger(s, larger(r, larger(q, larger(p, member))));
-    // Underflow doesn't carry a product across 0: what is not negative may be divided by and have
-    // a root. Not below 0: both factors >= 0 or both <= 0.
-    const double alike = larger(smaller(a.lo, b.lo), smaller(-a.hi, -b.hi));
-    const double opposite = larger(smaller(a.lo, -b.hi), smaller(-a.hi, b.lo));
-    return {larger(alike >= 0 ? 0.0 : -infinity, round_down(lo, smallest_positive)),
-            smaller(opposite >= 0 ? 0.0 : infinity, round_up(hi, smallest_positive))};
+    // Underflow carries no product across 0, for what isn't negative may be divided by and have a
+    // root: not below 0 if both factors are positive or both negative, not above if they differ.
+    const double both_positive = smaller(a.lo, b.lo) >= 0 ? 0.0 : -infinity;
+    const double floor = larger(a.hi, b.hi) <= 0 ? 0.0 : both_positive;
+    const double negative_b = larger(-a.lo, b.hi) <= 0 ? 0.0 : infinity;
+    const double ceiling = larger(a.hi, -b.lo) <= 0 ? 0.0 : negative_b;
+    // What overflows inwards, to infinity - infinity, leaves that bound.
+    return {larger(lo - (rounding(lo) + smallest_positive), floor),
+            smaller(hi + (rounding(hi) + smallest_positive), ceiling)};
 }
 
 // a * a for one a, which a * b for two that happen to be equal is not.
 inline Interval square(Interval a) {
-    const double least = mignitude(a), most = magnitude(a);
-    return {larger(0.0, round_down(least * least, smallest_positive)),
-            round_up(most * most, smallest_positive)};
+    const double lo = mignitude(a) * mignitude(a), hi = magnitude(a) * magnitude(a);
+    return {larger(lo - (rounding(lo) + smallest_positive), 0.0), // as above
+            hi + (rounding(hi) + smallest_positive)};
 }
 
 // Divisors down to 0 from above are divided by as far as possible, 0 itself giving what positive

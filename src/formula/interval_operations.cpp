@@ -1,5 +1,6 @@
 #include "formula/interval_operations.h"
 
+#include <numbers>
 #include <utility>
 
 namespace isomotion::formula {
@@ -20,27 +21,33 @@ double above(double result) {
     return larger(result, -largest_finite) + error_of(larger(result, -largest_finite));
 }
 
-// Of functions that return 0 only where they are 0.
-Interval exact_at_zero(double low, double high) {
-    return {low == 0 ? 0 : below(low), high == 0 ? 0 : above(high)};
+// Of functions that return 0 only where they are 0: their sign is right.
+Interval around(double low, double high) {
+    return {low >= 0 ? larger(below(low), 0.0) : below(low),
+            high <= 0 ? smaller(above(high), 0.0) : above(high)};
 }
 
-// 1/pi, between two doubles.
-constexpr Interval inverse_pi{0x1.45f306dc9c882p-2, 0x1.45f306dc9c883p-2};
-
-// May a hold a point (first + j period) pi for some integer j? In doubt yes.
-bool may_hold(Interval a, double first, double period) {
-    const Interval j = (a * inverse_pi - first) / period;
-    return std::floor(j.hi) >= j.lo;
+// a / pi. Its rounding, and those of may_hold(), are below 2^-51 |a / pi| + 2^-51; twice that is
+// counted.
+Interval half_turns(Interval a) {
+    const double lo = a.lo * std::numbers::inv_pi, hi = a.hi * std::numbers::inv_pi;
+    return {lo - (std::abs(lo) * 0x1p-50 + 0x1p-50), hi + (std::abs(hi) * 0x1p-50 + 0x1p-50)};
 }
 
-// sin or cos, which is largest at (crest + 2j) pi. Doubt about a crest that is just outside costs
+// May there be an integer j with first + j / frequency in `turns`? In doubt yes.
+bool may_hold(Interval turns, double first, double frequency) {
+    return std::floor((turns.hi - first) * frequency) >= (turns.lo - first) * frequency;
+}
+
+// sin or cos, which has its crests at (crest + 2j) pi. Doubt about one that is just outside costs
 // the square of the doubt.
 Interval wave(double (*f)(double), double crest, Interval a) {
-    const bool has_crest = may_hold(a, crest, 2), has_trough = may_hold(a, crest + 1, 2);
+    const Interval turns = half_turns(a);
+    const bool has_crest = may_hold(turns, crest, 0.5);
+    const bool has_trough = may_hold(turns, crest + 1, 0.5);
     if (has_crest && has_trough) return {-1, 1};
     const double low = f(a.lo), high = f(a.hi);
-    const Interval between = exact_at_zero(smaller(low, high), larger(low, high));
+    const Interval between = around(smaller(low, high), larger(low, high));
     return {has_trough ? -1.0 : larger(between.lo, -1.0),
             has_crest ? 1.0 : smaller(between.hi, 1.0)};
 }
@@ -74,7 +81,7 @@ Interval Do::exp(Interval a) {
 
 Interval Do::log(Interval a) {
     if (a.lo < 0) return Interval::entire();
-    return saturate(exact_at_zero(std::log(a.lo), std::log(a.hi)));
+    return saturate(around(std::log(a.lo), std::log(a.hi)));
 }
 
 Interval Do::sin(Interval a) {
@@ -86,31 +93,30 @@ Interval Do::cos(Interval a) {
 }
 
 Interval Do::tan(Interval a) {
-    if (may_hold(a, 0.5, 1)) return Interval::entire();
-    return exact_at_zero(std::tan(a.lo), std::tan(a.hi));
+    if (may_hold(half_turns(a), 0.5, 1)) return Interval::entire();
+    return around(std::tan(a.lo), std::tan(a.hi));
 }
 
-Interval Do::sinh(Interval a) { return saturate(exact_at_zero(std::sinh(a.lo), std::sinh(a.hi))); }
+Interval Do::sinh(Interval a) { return saturate(around(std::sinh(a.lo), std::sinh(a.hi))); }
 
 Interval Do::cosh(Interval a) {
-    return saturate(
-        {larger(below(std::cosh(mignitude(a))), 1.0), above(std::cosh(magnitude(a)))});
+    return saturate({larger(below(std::cosh(mignitude(a))), 1.0), above(std::cosh(magnitude(a)))});
 }
 
 Interval Do::tanh(Interval a) {
-    const Interval t = exact_at_zero(std::tanh(a.lo), std::tanh(a.hi));
+    const Interval t = around(std::tanh(a.lo), std::tanh(a.hi));
     return {larger(t.lo, -1.0), smaller(t.hi, 1.0)};
 }
 
 Interval Do::asin(Interval a) {
-    return exact_at_zero(std::asin(clamp_unit(a.lo)), std::asin(clamp_unit(a.hi)));
+    return around(std::asin(clamp_unit(a.lo)), std::asin(clamp_unit(a.hi)));
 }
 
 Interval Do::acos(Interval a) {
-    return exact_at_zero(std::acos(clamp_unit(a.hi)), std::acos(clamp_unit(a.lo)));
+    return around(std::acos(clamp_unit(a.hi)), std::acos(clamp_unit(a.lo)));
 }
 
-Interval Do::atan(Interval a) { return exact_at_zero(std::atan(a.lo), std::atan(a.hi)); }
+Interval Do::atan(Interval a) { return around(std::atan(a.lo), std::atan(a.hi)); }
 
 Interval Do::power(Interval a, Interval b) {
     if (b == Interval(0.0)) return 1.0;
