@@ -73,12 +73,6 @@ template<class T> template<int Count> Lanes<T> Evaluator<T>::lanes(Register r) {
 }
 
 template<class T>
-template<int Count>
-Lanes<T> Evaluator<T>::lanes(Register r) {
-    return {registers_.data() + std::size_t(r) * Lanes<T>::parts * Count, Count};
-}
-
-template<class T>
 void Evaluator<T>::point(const Bindings<T>& bindings, std::span<const T> inputs,
                          std::span<T> outputs) {
     run<1>(bindings, inputs);
