@@ -14,6 +14,11 @@ namespace {
 const std::vector<synthesis::Channel> compared_channels{
     synthesis::Channel::normal, synthesis::Channel::position, synthesis::Channel::verdict};
 
+// Hits are compared by their positions, which float can't tell apart far from the origin.
+scene::SceneAt picture_of(const scene::Scene& scene, int frame) {
+    return scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(frame)));
+}
+
 Measurement measure_one(gpu::Context& context, const scene::Scene& scene, const Setting& setting,
                         const std::vector<truth::Truth>& truths, const Measuring& how) {
     Measurement found;
@@ -25,7 +30,7 @@ Measurement measure_one(gpu::Context& context, const scene::Scene& scene, const 
     Popping popping;
     std::vector<double> ms;
     for (std::size_t k = 0; k < how.frames.size(); ++k) {
-        const scene::SceneAt now = scene::at(changed, changed.timeline.values(how.frames[k]));
+        const scene::SceneAt now = picture_of(changed, how.frames[k]);
         const render::Picture picture = looked_at.draw(now);
         found.evaluations += double(picture.evaluations) / double(how.frames.size());
         const Errors errors = compare(changed, now, picture.frame, truths[k]);
@@ -62,7 +67,7 @@ std::vector<Measurement> measure(gpu::Context& context, const scene::Scene& scen
     sized.output.height = how.height;
     std::vector<truth::Truth> truths;
     for (std::size_t k = 0; k < how.frames.size(); ++k) {
-        const scene::SceneAt now = scene::at(sized, sized.timeline.values(how.frames[k]));
+        const scene::SceneAt now = picture_of(sized, how.frames[k]);
         truth::Certifying certifying;
         certifying.progress = [&](double part) {
             tell(fmt::format("truth of frame {}", how.frames[k]),

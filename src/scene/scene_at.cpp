@@ -200,6 +200,17 @@ private:
 
 } // namespace
 
+SceneAt in_formula_coordinates(SceneAt scene) {
+    const glm::dmat3 to_local = glm::transpose(scene.placement.rotate);
+    scene.camera.position = scene.placement.to_local(scene.camera.position);
+    scene.camera.target = scene.placement.to_local(scene.camera.target);
+    scene.camera.up = to_local * scene.camera.up;
+    scene.camera.height /= scene.placement.scale;
+    for (LightAt& light : scene.lights) light.direction = to_local * light.direction;
+    scene.placement = {};
+    return scene;
+}
+
 SceneAt at(const Scene& scene, const animation::Values& values) {
     const Reader read(scene, values);
     SceneAt now;

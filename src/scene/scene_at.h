@@ -55,6 +55,11 @@ struct SceneAt {
     glm::dvec3 inside_color{1}; // of a surface that tells its sides apart
 };
 
+// The same scene with the surface where its formula has it and the camera moved instead. Rays and
+// verdicts are the same; positions are written in formula coordinates, where float has all its
+// digits for them.
+SceneAt in_formula_coordinates(SceneAt scene);
+
 // Throws SceneError when a value has left its range at this time (a radius of 0, a field of view
 // of 200 degrees, a camera at its own target).
 SceneAt at(const Scene& scene, const animation::Values& values);

@@ -1,0 +1,58 @@
+// A hard case: a scene that breaks renderers, drawn and held against certified truth.
+//
+// Each case has a bound on what a method may get wrong, a little above what it gets wrong now: a
+// change that makes a method worse breaks it, and one that makes it better earns a tighter bound.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "accuracy/compare.h"
+#include "render/drawing.h"
+
+namespace isomotion::stability {
+
+// The most pixels in a million that the method may get wrong.
+struct Bound {
+    scene::Method method;
+    double wrong_ppm = 0;
+};
+
+struct HardCase {
+    std::string name;
+    std::string scene; // TOML
+    std::vector<Bound> bounds;
+    // The same points by a formula that is easier to certify, as G for G^2; empty for `scene`.
+    std::string truth = {};
+};
+
+inline void PrintTo(const HardCase& a_case, std::ostream* out) { *out << a_case.name; }
+
+// What was drawn with a method and what of it is wrong. `crooked` counts the hits whose position or
+// normal is not a number or whose normal has no unit length.
+struct Looked {
+    accuracy::Errors errors;
+    render::Picture picture;
+    std::int64_t hits = 0, zero_gradients = 0, crooked = 0;
+    std::int64_t certain_hits = 0; // of truth
+};
+
+// Draws frame 1; a case without a size is drawn at 96 x 96. Adds a row to the table that the suite
+// prints at its end.
+Looked look(const HardCase& a_case, scene::Method method);
+
+// Looks with each method that has a bound and expects it to hold: no NaN, no ray out of steps,
+// nothing crooked either.
+void expect_bounds(const HardCase& a_case);
+
+// The scene text of a surface of the catalogue, with lines for further sections.
+std::string surface(const std::string& name, const std::string& more = {});
+
+class Stability : public testing::TestWithParam<HardCase> {};
+
+std::string test_name(const testing::TestParamInfo<HardCase>& info);
+
+} // namespace isomotion::stability

@@ -1,0 +1,62 @@
+// Surfaces with creases and corners, where the gradient jumps or is infinite.
+#include "stability/hard_case.h"
+
+#include <fmt/format.h>
+
+namespace isomotion::stability {
+namespace {
+
+using scene::Method;
+
+class NonSmooth : public Stability {};
+
+TEST_P(NonSmooth, KeepWithinTheirBounds) { expect_bounds(GetParam()); }
+
+HardCase superquadric(double m, double sign, double taylor) {
+    return {fmt::format("superquadric m = {}", m),
+            surface("superquadric", fmt::format("[parameters]\nm = {}\n", m)),
+            {{Method::amp_sign, sign}, {Method::amp_taylor, taylor}}};
+}
+
+INSTANTIATE_TEST_SUITE_P(Superquadric, NonSmooth,
+                         testing::Values(superquadric(0.3, 0, 0), superquadric(0.5, 0, 0),
+                                         superquadric(0.7, 0, 0), superquadric(1, 0, 0),
+                                         superquadric(2, 0, 0), superquadric(4, 0, 0),
+                                         superquadric(40, 0, 0), superquadric(200, 0, 0)),
+                         test_name);
+
+// Seen along the x axis, so that the middle ray meets a corner and two columns run along edges.
+HardCase along_the_axis(const std::string& name, const std::string& formula, double sign,
+                        double taylor) {
+    return {name,
+            fmt::format(R"(
+[surface]
+formula = "{}"
+bounds = {{ sphere = 1.8 }}
+[camera]
+position = [5, 0, 0]
+target = [0, 0, 0]
+up = [0, 0, 1]
+[isolation]
+step = 0.02
+[output]
+size = [97, 97]
+)",
+                        formula),
+            {{Method::amp_sign, sign}, {Method::amp_taylor, taylor}}};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Corners, NonSmooth,
+    testing::Values(along_the_axis("octahedron at its corner", "abs(x) + abs(y) + abs(z) - 1", 0, 0),
+                    along_the_axis("cube at its face", "max(max(abs(x), abs(y)), abs(z)) - 1", 0, 0),
+                    along_the_axis("cube at its corner",
+                                   "max(max(abs(x + y + z), abs(x - y)), abs(x + y - 2*z)) - 1", 0,
+                                   0),
+                    along_the_axis("wedge", "abs(y) - 0.3*(1 - x)", 0, 0),
+                    along_the_axis("star of square roots",
+                                   "sqrt(abs(x)) + sqrt(abs(y)) + sqrt(abs(z)) - 1", 0, 0)),
+    test_name);
+
+} // namespace
+} // namespace isomotion::stability

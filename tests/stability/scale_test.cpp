@@ -1,0 +1,109 @@
+// Size and place of a scene change nothing: neither by its placement nor by its formula.
+#include "stability/hard_case.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "scene/load.h"
+
+namespace isomotion::stability {
+namespace {
+
+using scene::Method;
+
+int different(const render::Picture& a, const render::Picture& b) {
+    const auto& x = a.frame.find("verdict")->samples;
+    const auto& y = b.frame.find("verdict")->samples;
+    int count = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) count += x[k] != y[k];
+    return count;
+}
+
+// The scene scaled and moved, and its camera with it.
+scene::SceneAt moved(scene::SceneAt now, double scale, const glm::dvec3& by) {
+    const auto place = [&](const glm::dvec3& p) { return by + scale * p; };
+    now.placement.translate = place(now.placement.translate);
+    now.placement.scale *= scale;
+    now.camera.position = place(now.camera.position);
+    now.camera.target = place(now.camera.target);
+    now.camera.height *= scale;
+    return now;
+}
+
+class Placed : public testing::TestWithParam<std::string> {};
+
+TEST_P(Placed, GivesTheSameVerdicts) {
+    const scene::Scene scene = scene::load(
+        ISOMOTION_SOURCE_DIR "/animations/" + GetParam() + ".toml", {"output.size=[64, 64]"});
+    const auto context = gpu::Context::create();
+    render::Renderer renderer(*context, scene, {64, 64, {synthesis::Channel::verdict}, {}});
+    const scene::SceneAt now = scene::at(scene, scene.timeline.values(scene.output.poster));
+    const render::Picture unit = renderer.draw(now);
+    EXPECT_GT(render::count(unit, render::Verdict::hit), 200);
+    for (const double scale : {1e-3, 1.0, 1e3, 1e6}) {
+        for (const double offset : {0.0, 1e6}) {
+            SCOPED_TRACE(fmt::format("scale {}, moved by {}", scale, offset));
+            // At 10^6 a thousandth of a unit still has seven digits of double.
+            const glm::dvec3 by = offset * glm::dvec3(1, -1, 0.5);
+            EXPECT_LE(different(unit, renderer.draw(moved(now, scale, by))), 2);
+        }
+    }
+}
+
+std::vector<std::string> animations() {
+    std::vector<std::string> names;
+    for (const auto& file :
+         std::filesystem::directory_iterator(ISOMOTION_SOURCE_DIR "/animations")) {
+        if (file.path().extension() == ".toml") names.push_back(file.path().stem());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Stability, Placed, testing::ValuesIn(animations()),
+                         [](const auto& tested) { return tested.param; });
+
+// The same shape in another unit of length: nothing but the formula and its bounds says so.
+struct Shape {
+    std::string name, formula; // of r
+};
+void PrintTo(const Shape& shape, std::ostream* out) { *out << shape.name; }
+
+class OfAnySize : public testing::TestWithParam<Shape> {};
+
+HardCase sized(const Shape& shape, double r) {
+    return {fmt::format("{} of {:g}", shape.name, r),
+            fmt::format("[surface]\nformula = \"{}\"\nbounds = {{ sphere = {} }}\n"
+                        "[parameters]\nr = {}\n[camera]\nazimuth = 34\nelevation = 23\n",
+                        shape.formula, 1.8 * r, r),
+            {}};
+}
+
+TEST_P(OfAnySize, IsDrawnLikeTheUnitOne) {
+    for (const Method method : {Method::amp_sign, Method::amp_taylor}) {
+        SCOPED_TRACE(std::string(scene::name(method)));
+        const Looked unit = look(sized(GetParam(), 1), method);
+        EXPECT_GT(unit.hits, 1000);
+        for (const double r : {1e-8, 1e-4, 1e5, 1e8}) {
+            SCOPED_TRACE(fmt::format("r = {}", r));
+            const Looked other = look(sized(GetParam(), r), method);
+            EXPECT_LE(different(unit.picture, other.picture), 4);
+            EXPECT_LE(other.errors.wrong_ppm(), unit.errors.wrong_ppm() + 200);
+            EXPECT_EQ(other.crooked, 0);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Stability, OfAnySize,
+    testing::Values(Shape{"sphere", "x^2 + y^2 + z^2 - r^2"},
+                    Shape{"torus", "(x^2 + y^2 + z^2 + 0.75*r^2)^2 - 4*r^2*(x^2 + y^2)"},
+                    Shape{"octahedron", "abs(x) + abs(y) + abs(z) - r"},
+                    Shape{"Gaussians",
+                          "exp(-((x - r/2)^2 + y^2 + z^2)/r^2) + exp(-((x + r/2)^2 + y^2 + "
+                          "z^2)/r^2) - 0.7"}),
+    [](const auto& tested) { return tested.param.name; });
+
+} // namespace
+} // namespace isomotion::stability
