@@ -24,7 +24,7 @@ inline scene::Scene scene_of(const std::string& text) {
     return scene;
 }
 
-// A scene's first frame, with the tube and the first root of each pixel.
+// A frame of a scene, with the tube and the first root of each pixel.
 struct View {
     scene::Scene scene;
     scene::SceneAt now;
@@ -32,9 +32,9 @@ struct View {
     std::vector<Tube> tubes;
     std::vector<FirstRoot> roots;
 
-    View(scene::Scene of, int columns, int rows, Budget budget = {})
+    View(scene::Scene of, int columns, int rows, Budget budget = {}, int frame = 1)
         : scene(std::move(of))
-        , now(scene::at(scene, scene.timeline.values(1)))
+        , now(scene::at(scene, scene.timeline.values(frame)))
         , width(columns)
         , height(rows) {
         const Tubes all(now, width, height);
