@@ -78,8 +78,11 @@ struct RootFinder::Lane {
     }
 
     void give_up() {
+        const float known =
+            root->answer == Answer::touching ? root->touch_low : below(in_run ? run_begin : a);
+        *root = {};
         root->answer = Answer::undecided;
-        root->low = below(in_run ? run_begin : a);
+        root->low = known;
         phase = Phase::done;
     }
 
