@@ -1,6 +1,8 @@
 // Scenes written as text, seen by the certified ray caster.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -121,6 +123,26 @@ height = {}
 )",
                              formula, ray.bounds, ray.x, ray.y, side, ray.x, ray.y, ray.pixel)),
         1, 1);
+}
+
+// The surface at rest, square, before this camera.
+inline View picture(const std::string& formula, const std::string& camera, int side = 32,
+                    const std::string& bounds = "{ sphere = 1.5 }") {
+    return View(scene_of(fmt::format("[surface]\nformula = '''{}'''\nbounds = {}\n[camera]\n{}\n",
+                                     formula, bounds, camera)),
+                side, side);
+}
+
+inline constexpr const char* from_aside =
+    "position = [2.1, -1.7, 3.3]\ntarget = [0.1, 0, 0]\nfov = 40";
+
+// Roots on the sphere about the origin.
+inline std::vector<double> on_sphere(const Tube& tube, double radius) {
+    const double middle = -glm::dot(tube.anchor, tube.direction);
+    const glm::dvec3 foot = tube.anchor + middle * tube.direction;
+    const double square = radius * radius - glm::dot(foot, foot);
+    if (square < 0) return {};
+    return {middle - std::sqrt(square), middle + std::sqrt(square)};
 }
 
 } // namespace isomotion::truth
