@@ -78,8 +78,11 @@ struct RootFinder::Lane {
     }
 
     void give_up() {
+        const float known =
+            root->answer == Answer::touching ? root->touch_low : below(in_run ? run_begin : a);
+        *root = {};
         root->answer = Answer::undecided;
-        root->low = below(in_run ? run_begin : a);
+        root->low = known;
         phase = Phase::done;
     }
 
@@ -296,9 +299,10 @@ void RootFinder::march(Lane& lane, const Interval& at_b, const Interval& f,
         lane.phase = Lane::Phase::refine;
         return;
     }
-    // Long runs, along a double line say, are passed in longer pieces.
+    // Long runs, along a double line say, are passed in longer pieces while they last.
+    const bool lasts = lane.in_run && sign_b == 0;
     double narrow = budget_.narrow * lane.tube.footprint;
-    if (lane.in_run) narrow = std::max(narrow, 0.25 * (lane.a - lane.run_begin));
+    if (lasts) narrow = std::max(narrow, 0.25 * (lane.a - lane.run_begin));
     if (h > narrow) {
         lane.step = 0.5 * h;
         return;
@@ -307,6 +311,7 @@ void RootFinder::march(Lane& lane, const Interval& at_b, const Interval& f,
         lane.in_run = true;
         lane.run_begin = lane.a;
     }
+    if (lasts) lane.step = std::max(h, 0.25 * (b - lane.run_begin));
     go_on();
 }
 

@@ -17,7 +17,7 @@ enum class Answer : std::uint8_t {
     hit,       // the first root is in [low, high], a simple one, and nothing touches zero before
     touching,  // before what `after` says there may be roots of even order in [touch_low,
                // touch_high]
-    undecided, // the budget of evaluations ended at `low`; what is before it is certain
+    undecided, // the budget of evaluations ended; no root before `low`
 };
 
 struct FirstRoot {

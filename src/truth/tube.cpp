@@ -36,6 +36,7 @@ Span clip(const scene::BoundsAt& bounds, const glm::dvec3& anchor, const glm::dv
     for (int k = 0; k < 3; ++k) {
         const double low = bounds.min[k] - margin - anchor[k];
         const double high = bounds.max[k] + margin - anchor[k];
+        if (low > high) return {}; // thinner than the margin
         if (std::abs(direction[k]) < 1e-12) {
             if (low > 0 || high < 0) return {};
             continue;
@@ -87,6 +88,7 @@ Tube Tubes::at(int column, int row) const {
     if (outer.empty()) return tube;
     tube.near = std::max(outer.near, -to_eye - margin);
     tube.far = outer.far;
+    if (!(tube.near <= tube.far)) return tube; // behind the eye
     tube.near_inside = inner.empty() ? tube.far : std::max(inner.near, -to_eye + margin);
     tube.far_inside = inner.empty() ? tube.near : inner.far;
     return tube;
