@@ -146,6 +146,35 @@ TEST_P(EverySurface, SlopesHoldDifferenceQuotients) {
     }
 }
 
+// The ball over a box holds those of points in it, F and dF/dt: what searches for roots rest on.
+TEST_P(EverySurface, WideBallsHoldTheirMembers) {
+    const formula::EnclosurePrograms programs = formula::enclosure_programs(surface.field());
+    BallProgram along(programs.along);
+    int bounded = 0;
+    for (int k = 0; k < points; ++k) {
+        const double reach = std::exp2(-random.below(20));
+        const glm::dvec3 p = somewhere(), d = glm::normalize(somewhere() - p);
+        std::array<Ball, 6> box, member;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double low = p[int(axis)] - reach, high = p[int(axis)] + reach;
+            box[axis] = Ball(low, high);
+            member[axis] = Ball(std::clamp(low + 2 * reach * random.in(0, 1), low, high));
+            box[axis + 3] = member[axis + 3] = Ball(d[int(axis)]);
+        }
+        std::array<Ball, 2> wide, exact;
+        along.evaluate(bindings, box, wide, 64);
+        along.evaluate(bindings, member, exact, precision);
+        for (std::size_t o = 0; o < 2; ++o) {
+            if (!wide[o].is_finite() || !exact[o].is_finite()) continue;
+            ++bounded;
+            EXPECT_TRUE(arb_contains(wide[o].get(), exact[o].get()))
+                << text(wide[o]) << " and " << text(exact[o]) << ", output " << o << ", seed "
+                << seed << ", point " << k;
+        }
+    }
+    EXPECT_GT(bounded, points / 2);
+}
+
 INSTANTIATE_TEST_SUITE_P(Balls, EverySurface, testing::ValuesIn(every_surface()),
                          [](const auto& surface) { return surface.param; });
 
