@@ -11,8 +11,9 @@ namespace isomotion::truth_arb {
 namespace {
 
 Search along_x(std::string_view formula, double y = 0, double from = -2.5, double to = 2.5) {
-    const formula::Field field =
-        formula::make_field(formula, {.inputs = formula::coordinate_names});
+    formula::Vocabulary names;
+    names.inputs = formula::coordinate_names;
+    const formula::Field field = formula::make_field(formula, names);
     const formula::EnclosurePrograms programs = formula::enclosure_programs(field);
     ThinRays rays(programs, {});
     return rays.search({{0, y, 0}, {1, 0, 0}}, from, to, 3000);

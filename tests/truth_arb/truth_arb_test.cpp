@@ -32,15 +32,16 @@ enum class Count {
     as_hit,
     as_miss,
     still_open,
-    // Those it decides, by what is enough for truth to decide in doubles.
-    ends,      // that the shader's interval ends where the tube's middle leaves the bounds
-    thickness, // that the tube is thin besides
-    balls,     // neither: doubles, or their intervals, are the limit
+    // Those it decides, by what lets truth decide too, each added to what is before it.
+    ends,      // the shader's interval ends where the tube's middle leaves the bounds
+    shorter,   // shorter pieces are told from zero
+    thickness, // the tube is thin
+    balls,     // nothing: doubles, and how their intervals widen, are the limit
     contradiction,
     count
 };
-constexpr std::array titles{"hit",  "miss",  "touch", "undec", "bracket", "free",  "open",
-                            "=hit", "=miss", "=?",    "ends",  "thick",   "balls", "against"};
+constexpr std::array titles{"hit",   "miss", "touch", "undec", "bracket", "free",  "open",   "=hit",
+                            "=miss", "=?",   "ends",  "short", "thin",    "balls", "against"};
 static_assert(titles.size() == std::size_t(Count::count));
 
 struct Tally {
@@ -75,7 +76,8 @@ protected:
         : scene(scene_named(GetParam()))
         , programs(formula::enclosure_programs(scene.field()))
         , rays(programs, scene.at.bindings)
-        , finder(programs, scene.at) {}
+        , finder(programs, scene.at)
+        , patient_finder(programs, scene.at, {.narrow = 0x1p-30}) {}
 
     void check(const truth::Tube& tube, const FirstRoot& root) {
         bool proven = true;
@@ -138,18 +140,22 @@ protected:
         truth::Tube easier = tube;
         easier.near_inside = tube.near;
         easier.far_inside = tube.far;
-        if (is_decided(find(easier))) {
-            ++tally[Count::ends];
-            return;
-        }
+        truth::Tube thin = easier;
         // Room for the rounding of doubles, whose unit is 2^-29 of float's, in place of float's.
-        easier.radius *= 0x1p-26;
-        easier.direction_radius *= 0x1p-26;
-        const FirstRoot thin = find(easier);
-        ++tally[is_decided(thin) ? Count::thickness : Count::balls];
-        if (!is_decided(thin)) return;
-        if ((thin.answer == Answer::hit) != search.crosses) {
-            contradicts("truth decides otherwise on a thin tube");
+        thin.radius *= 0x1p-26;
+        thin.direction_radius *= 0x1p-26;
+        if (is_decided(find(finder, easier))) {
+            ++tally[Count::ends];
+        } else if (is_decided(find(patient_finder, easier))) {
+            ++tally[Count::shorter];
+        } else if (const FirstRoot in_doubles = find(patient_finder, thin);
+                   is_decided(in_doubles)) {
+            ++tally[Count::thickness];
+            if ((in_doubles.answer == Answer::hit) != search.crosses) {
+                contradicts("truth decides otherwise on a thin tube");
+            }
+        } else {
+            ++tally[Count::balls];
         }
     }
 
@@ -171,9 +177,9 @@ protected:
         ADD_FAILURE() << why;
     }
 
-    FirstRoot find(const truth::Tube& tube) {
+    static FirstRoot find(truth::RootFinder& with, const truth::Tube& tube) {
         FirstRoot root;
-        finder.find({&tube, 1}, {&root, 1});
+        with.find({&tube, 1}, {&root, 1});
         return root;
     }
     static Ray middle(const truth::Tube& tube) { return {tube.anchor, tube.direction}; }
@@ -181,7 +187,7 @@ protected:
     catalogue::Used scene;
     formula::EnclosurePrograms programs;
     ThinRays rays;
-    truth::RootFinder finder;
+    truth::RootFinder finder, patient_finder;
     Tally tally;
     static inline Tally total;
 };
