@@ -19,6 +19,7 @@ using truth::FirstRoot;
 
 constexpr int side = 24;
 constexpr int pieces_a_ray = 3000;
+constexpr int causes_a_scene = 40; // about so many open answers are asked for their cause
 
 enum class Count {
     hit, // answers of truth
@@ -32,7 +33,7 @@ enum class Count {
     as_hit,
     as_miss,
     still_open,
-    // Those it decides, by what lets truth decide too, each added to what is before it.
+    // A sample of those it decides, by what lets truth decide too, each added to what is before it.
     ends,      // the shader's interval ends where the tube's middle leaves the bounds
     shorter,   // shorter pieces are told from zero
     thickness, // the tube is thin
@@ -137,6 +138,10 @@ protected:
         ++tally[search.crosses ? Count::as_hit : Count::as_miss];
         check_place(root, search);
 
+        if (open_answers++ % open_answers_a_cause == 0) count_cause(tube, search);
+    }
+
+    void count_cause(const truth::Tube& tube, const Search& search) {
         truth::Tube easier = tube;
         easier.near_inside = tube.near;
         easier.far_inside = tube.far;
@@ -188,12 +193,17 @@ protected:
     formula::EnclosurePrograms programs;
     ThinRays rays;
     truth::RootFinder finder, patient_finder;
+    int open_answers = 0, open_answers_a_cause = 1;
     Tally tally;
     static inline Tally total;
 };
 
 TEST_P(CertifiedRays, AreAsBallsSay) {
     const truth::Truth truth = truth::certify(scene.scene, scene.at, side, side);
+    const auto counts = truth.counts();
+    const auto open =
+        counts[std::size_t(Answer::touching)] + counts[std::size_t(Answer::undecided)];
+    open_answers_a_cause = 1 + int(open) / causes_a_scene;
     const truth::Tubes tubes(scene.at, side, side);
     for (int row = 0; row < side; ++row) {
         for (int column = 0; column < side; ++column) {
