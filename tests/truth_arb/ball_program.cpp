@@ -21,7 +21,6 @@ private:
     arf_t value_;
 };
 
-// The hull of [low, high] of Arf.
 void set_interval(Ball& to, Arf& low, Arf& high, slong precision) {
     arb_set_interval_arf(to.get(), low.get(), high.get(), precision);
 }

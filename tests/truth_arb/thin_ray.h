@@ -5,6 +5,8 @@
 // has one sign at both ends, or if the slope is too small to reach 0 from both ends (Piyavskii
 // 1972). Other pieces are halved. F at a point has `precision` bits; t is a double, so nothing is
 // said of pieces narrower than some doubles.
+// dF/dt is the program that truth runs too; ball_program_test holds it against difference
+// quotients.
 #pragma once
 
 #include <glm/glm.hpp>

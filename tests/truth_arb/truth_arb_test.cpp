@@ -19,7 +19,7 @@ using truth::FirstRoot;
 
 constexpr int side = 24;
 constexpr int pieces_a_ray = 3000;
-constexpr int causes_a_scene = 40; // about so many open answers are asked for their cause
+constexpr int causes_a_scene = 20; // about so many open answers are asked for their cause
 
 enum class Count {
     hit, // answers of truth
