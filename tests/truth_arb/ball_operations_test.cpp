@@ -1,0 +1,80 @@
+// Every operation of the language in balls, against its meaning on doubles: at points, and a ball
+// against its members. Arguments reach past the ends of what has a value.
+#include "ball_program.h"
+
+#include "unit/formula/testing.h"
+
+namespace isomotion::truth_arb {
+namespace {
+
+constexpr unsigned seed = 31;
+
+class EveryOperation : public testing::TestWithParam<const char*> {
+protected:
+    EveryOperation() {
+        const formula::NodeId root = formula::parse(graph, GetParam());
+        whole = formula::schedule(graph, std::array{root});
+        lowered = formula::schedule_lowered(graph, root);
+        RecordProperty("seed", int(seed));
+    }
+    Ball run(const formula::Program& program, const std::array<Ball, 3>& p, slong precision) const {
+        Ball f;
+        BallProgram(program).evaluate(formula::test_bindings(), p, {&f, 1}, precision);
+        return f;
+    }
+
+    formula::Graph graph;
+    formula::Program whole, lowered;
+    formula::Random random{seed};
+};
+
+TEST_P(EveryOperation, IsThatOfDoublesAtPoints) {
+    int bounded = 0;
+    for (int k = 0; k < 400; ++k) {
+        // Every fourth point has small integers, where rules have exceptions.
+        formula::Point p = random.point(3);
+        if (k % 4 == 0) {
+            for (double& c : p) c = std::round(c);
+        }
+        const double f = formula::run(lowered, p);
+        const Ball ball = run(lowered, {Ball(p[0]), Ball(p[1]), Ball(p[2])}, 48);
+        if (!ball.is_finite()) continue;
+        ++bounded;
+        EXPECT_TRUE(arb_contains(ball.get(), Ball(f).get()))
+            << f << " at " << p[0] << " " << p[1] << " " << p[2] << ", seed " << seed;
+    }
+    EXPECT_GT(bounded, 100);
+}
+
+TEST_P(EveryOperation, HoldsItsMembers) {
+    int bounded = 0;
+    for (int k = 0; k < 400; ++k) {
+        const double reach = std::exp2(-random.below(12));
+        const formula::Point p = random.point(3);
+        std::array<Ball, 3> box, member;
+        for (std::size_t c = 0; c < 3; ++c) {
+            box[c] = Ball(p[c] - reach, p[c] + reach);
+            member[c] =
+                Ball(std::clamp(p[c] + reach * random.in(-1, 1), p[c] - reach, p[c] + reach));
+        }
+        const Ball wide = run(whole, box, 64), exact = run(whole, member, 200);
+        if (!wide.is_finite() || !exact.is_finite()) continue;
+        ++bounded;
+        EXPECT_TRUE(arb_contains(wide.get(), exact.get()))
+            << "at " << p[0] << " " << p[1] << " " << p[2] << " +- " << reach << ", seed " << seed;
+    }
+    EXPECT_GT(bounded, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Balls, EveryOperation,
+                         testing::Values("-x", "abs(x - y)", "sign(x)", "sqrt(x)", "exp(x*y)",
+                                         "log(x)", "sin(3*x)", "cos(3*x)", "tan(x/4)", "sinh(x)",
+                                         "cosh(x)", "tanh(x)", "asin(x)", "acos(x)", "atan(x)",
+                                         "floor(x)", "x + y - z", "x*y", "x^2", "x^7", "x/y",
+                                         "min(x, y)", "max(x, y)", "abs(x)^2.5", "abs(x)^y",
+                                         "pow(x, 3)", "chebyshev(9, x/2)", "chebyshev(24, x/3)",
+                                         "a*x + b*y + c", "sum(blobs, weight*exp(-(x - cx)^2))",
+                                         "sum(blobs, cx*sum(links, px*abs(y - py)))"));
+
+} // namespace
+} // namespace isomotion::truth_arb
