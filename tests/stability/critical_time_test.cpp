@@ -52,17 +52,20 @@ TEST_P(CriticalTime, AndOneFloatBeforeAndAfter) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Stability, CriticalTime,
-    testing::Values(Change{"barth_sextic", "alpha", 1, 0}, Change{"barth_decic", "alpha", 1, 0},
-                    Change{"steiner", "c", 0, 0}, Change{"cassini", "a", 1, 0},
-                    Change{"torus", "c", 0.4, 0}, Change{"chmutov_8", "c", 1, 0},
-                    Change{"chmutov_12", "c", -1, 0}, Change{"kummer", "c", 0, 0},
-                    Change{"cayley", "c", 0, 0}, Change{"tangle", "c", 12.5, 0}),
-    [](const auto& tested) {
-        return tested.param.surface + (tested.param.critical < 0 ? "_minus" : "") + "_" +
-               tested.param.parameter;
-    });
+INSTANTIATE_TEST_SUITE_P(Stability, CriticalTime,
+                         testing::Values(Change{"barth_sextic", "alpha", 1, 520},
+                                         Change{"barth_decic", "alpha", 1, 1900},
+                                         Change{"steiner", "c", 0, 1100},
+                                         Change{"cassini", "a", 1, 0}, Change{"torus", "c", 0.4, 0},
+                                         Change{"chmutov_8", "c", 1, 650},
+                                         Change{"chmutov_12", "c", -1, 0},
+                                         Change{"kummer", "c", 0, 0}, Change{"cayley", "c", 0, 390},
+                                         Change{"tangle", "c", 12.5, 0}),
+                         [](const auto& tested) {
+                             return tested.param.surface +
+                                    (tested.param.critical < 0 ? "_minus" : "") + "_" +
+                                    tested.param.parameter;
+                         });
 
 } // namespace
 } // namespace isomotion::stability

@@ -39,19 +39,22 @@ public:
 private:
     static constexpr const char* preamble =
         "# Hard cases\n\n"
-        "What each method gets wrong of 96 x 96 pixels (of a million), against certified truth:\n"
-        "roots missed, hits where nothing is, hits behind the first root; then pixels that ended in "
-        "a NaN\nor out of steps, and hits where the gradient is zero. `tests/stability` holds a "
-        "bound for each row;\nthe table is written by\n\n"
+        "What each method gets wrong of 96 x 96 pixels or so, in pixels of a million, against\n"
+        "certified truth: roots missed, hits where nothing is, hits behind the first root; then "
+        "the\n"
+        "pixels that ended in a NaN or out of steps, and the hits where the gradient is zero.\n"
+        "`tests/stability` holds a bound for each row; this page is written by\n\n"
         "    ISOMOTION_BLESS=1 build/release/tests/stability/stability_test\n\n";
 
     void print(FILE* out) const {
-        fmt::print(out, "| {:<34} | {:<10} | {:>6} | {:>8} | {:>8} | {:>8} | {:>8} | {:>4} | {:>5} "
-                        "| {:>9} |\n",
+        fmt::print(out,
+                   "| {:<36} | {:<10} | {:>6} | {:>8} | {:>8} | {:>8} | {:>8} | {:>4} | {:>5} "
+                   "| {:>9} |\n",
                    "case", "method", "hits", "wrong", "missed", "false", "behind", "NaN", "limit",
                    "zero grad");
-        fmt::print(out, "|{:-<36}|{:-<12}|{:->7}:|{:->9}:|{:->9}:|{:->9}:|{:->9}:|{:->5}:|{:->6}:|"
-                        "{:->10}:|\n",
+        fmt::print(out,
+                   "|{:-<38}|{:-<12}|{:->7}:|{:->9}:|{:->9}:|{:->9}:|{:->9}:|{:->5}:|{:->6}:|"
+                   "{:->10}:|\n",
                    "", "", "", "", "", "", "", "", "", "");
         for (const std::string& row : rows_) fmt::print(out, "{}\n", row);
     }
@@ -60,8 +63,7 @@ private:
 };
 
 Table& table() {
-    static auto* const it =
-        static_cast<Table*>(testing::AddGlobalTestEnvironment(new Table));
+    static auto* const it = static_cast<Table*>(testing::AddGlobalTestEnvironment(new Table));
     return *it;
 }
 [[maybe_unused]] const Table& registered_before_main = table();
@@ -113,7 +115,7 @@ Looked look(const HardCase& a_case, scene::Method method) {
 
     const accuracy::Errors& e = looked.errors;
     const auto ppm = [&](std::int64_t pixels) { return 1e6 * double(pixels) / double(e.pixels); };
-    table().add(fmt::format("| {:<34} | {:<10} | {:>6} | {:>8.0f} | {:>8.0f} | {:>8.0f} | {:>8.0f} "
+    table().add(fmt::format("| {:<36} | {:<10} | {:>6} | {:>8.0f} | {:>8.0f} | {:>8.0f} | {:>8.0f} "
                             "| {:>4} | {:>5} | {:>9} |",
                             a_case.name, scene::name(method), looked.hits, e.wrong_ppm(),
                             ppm(e.missed), ppm(e.false_hits), ppm(e.wrong_roots), e.nan,

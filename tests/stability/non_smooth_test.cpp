@@ -19,10 +19,11 @@ HardCase superquadric(double m, double sign, double taylor) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Superquadric, NonSmooth,
-                         testing::Values(superquadric(0.3, 0, 0), superquadric(0.5, 0, 0),
-                                         superquadric(0.7, 0, 0), superquadric(1, 0, 0),
+                         testing::Values(superquadric(0.3, 2000, 32000),
+                                         superquadric(0.5, 5200, 12000),
+                                         superquadric(0.7, 2000, 3300), superquadric(1, 910, 520),
                                          superquadric(2, 0, 0), superquadric(4, 0, 0),
-                                         superquadric(40, 0, 0), superquadric(200, 0, 0)),
+                                         superquadric(40, 390, 0), superquadric(200, 3200, 530000)),
                          test_name);
 
 // Seen along the x axis, so that the middle ray meets a corner and two columns run along edges.
@@ -48,14 +49,14 @@ size = [97, 97]
 
 INSTANTIATE_TEST_SUITE_P(
     Corners, NonSmooth,
-    testing::Values(along_the_axis("octahedron at its corner", "abs(x) + abs(y) + abs(z) - 1", 0, 0),
-                    along_the_axis("cube at its face", "max(max(abs(x), abs(y)), abs(z)) - 1", 0, 0),
-                    along_the_axis("cube at its corner",
-                                   "max(max(abs(x + y + z), abs(x - y)), abs(x + y - 2*z)) - 1", 0,
-                                   0),
-                    along_the_axis("wedge", "abs(y) - 0.3*(1 - x)", 0, 0),
-                    along_the_axis("star of square roots",
-                                   "sqrt(abs(x)) + sqrt(abs(y)) + sqrt(abs(z)) - 1", 0, 0)),
+    testing::Values(
+        along_the_axis("octahedron at its corner", "abs(x) + abs(y) + abs(z) - 1", 0, 0),
+        along_the_axis("cube at its face", "max(max(abs(x), abs(y)), abs(z)) - 1", 0, 0),
+        along_the_axis("cube at its corner",
+                       "max(max(abs(x + y + z), abs(x - y)), abs(x + y - 2*z)) - 1", 1400, 380),
+        along_the_axis("wedge", "abs(y) - 0.3*(1 - x)", 0, 0),
+        along_the_axis("star of square roots", "sqrt(abs(x)) + sqrt(abs(y)) + sqrt(abs(z)) - 1",
+                       4400, 16000)),
     test_name);
 
 } // namespace

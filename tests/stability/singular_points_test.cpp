@@ -17,15 +17,16 @@ HardCase both(const std::string& name, const std::string& file, double sign, dou
     return {name, surface(file), {{Method::amp_sign, sign}, {Method::amp_taylor, taylor}}};
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Surfaces, SingularPoints,
-    testing::Values(both("Barth sextic", "barth_sextic", 0, 0),
-                    both("Barth decic", "barth_decic", 0, 0),
-                    both("Endrass octic", "endrass_octic", 0, 0),
-                    both("Labs septic", "labs_septic", 0, 0),
-                    both("Sarti dodecic", "sarti_dodecic", 0, 0), both("dervish", "dervish", 0, 0),
-                    both("ding-dong", "ding_dong", 0, 0), both("teardrop", "teardrop", 0, 0)),
-    test_name);
+INSTANTIATE_TEST_SUITE_P(Surfaces, SingularPoints,
+                         testing::Values(both("Barth sextic", "barth_sextic", 520, 0),
+                                         both("Barth decic", "barth_decic", 1900, 7700),
+                                         both("Endrass octic", "endrass_octic", 0, 390),
+                                         both("Labs septic", "labs_septic", 0, 0),
+                                         both("Sarti dodecic", "sarti_dodecic", 0, 0),
+                                         both("dervish", "dervish", 0, 0),
+                                         both("ding-dong", "ding_dong", 0, 0),
+                                         both("teardrop", "teardrop", 0, 0)),
+                         test_name);
 
 // The middle ray of an odd number of pixels runs exactly into the singular point at the origin.
 struct Point {

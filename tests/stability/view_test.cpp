@@ -42,8 +42,8 @@ INSTANTIATE_TEST_SUITE_P(
              "position = [6e4, 4.8e4, 6.4e4]\ntarget = [0, 0, 0]\nfov = 0.0018", 0, 0),
         view("torus, 10^8 away", torus, wide,
              "position = [6e7, 4.8e7, 6.4e7]\ntarget = [0, 0, 0]\nfov = 1.8e-6", 0, 0),
-        view("torus, fov 0.1", torus, wide,
-             "position = [0, 0, 4]\ntarget = [1, 0.3, 0]\nfov = 0.1", 0, 0),
+        view("torus, fov 0.1", torus, wide, "position = [0, 0, 4]\ntarget = [1, 0.3, 0]\nfov = 0.1",
+             0, 0),
         view("torus, fov 170", torus, wide,
              "position = [0.2, 0.1, 0.6]\ntarget = [1, 0.3, 0]\nfov = 170", 0, 0),
         // From the horizon down to a slope of 10^-3 (10^-5), where the plane is a step deep in z.
