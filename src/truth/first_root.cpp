@@ -301,7 +301,10 @@ void RootFinder::march(Lane& lane, const Interval& at_b, const Interval& f,
     }
     // Long runs, along a double line say, are passed in longer pieces while they last.
     const bool lasts = lane.in_run && sign_b == 0;
-    double narrow = budget_.narrow * lane.tube.footprint;
+    // Where the signs at both ends are known, the tube's thickness is not what hides the piece's:
+    // shorter pieces will tell.
+    const bool told = sign_a != 0 && sign_b != 0;
+    double narrow = (told ? budget_.narrowest : budget_.narrow) * lane.tube.footprint;
     if (lasts) narrow = std::max(narrow, 0.25 * (lane.a - lane.run_begin));
     if (h > narrow) {
         lane.step = 0.5 * h;

@@ -29,8 +29,10 @@ struct FirstRoot {
 
 struct Budget {
     int evaluations = 20'000; // of the field, for one ray
-    double narrow = 1.0 / 32; // shortest piece that is told from zero, in footprints
-    double bracket = 1e-3;    // width of a hit's enclosure, in footprints
+    // The shortest pieces that are told from zero, in footprints: where the sign is unknown at an
+    // end of them, and where it is known at both.
+    double narrow = 0x1p-5, narrowest = 0x1p-20;
+    double bracket = 1e-3; // width of a hit's enclosure, in footprints
 };
 
 // Finds roots for many rays, evaluating them together. One a thread.

@@ -102,5 +102,44 @@ r = "1 + t/10"
     EXPECT_EQ(found[1].pops, 0);
 }
 
+// Far from the origin float can't tell hits apart by their place in the world; errors are those of
+// the scene at home.
+TEST(Measure, PlacementChangesNoError) {
+    const auto context = gpu::Context::create();
+    const std::string at_home = R"(
+[surface]
+formula = "x^4 + y^4 + z^4 - x^2 - y^2 - z^2 + 0.3"
+bounds = { sphere = 1.6 }
+placement = { rotate = [20, 30, 40] }
+[camera]
+position = [4, 2, 1.5]
+target = [0, 0, 0]
+)";
+    const std::string moved = R"(
+[surface]
+formula = "x^4 + y^4 + z^4 - x^2 - y^2 - z^2 + 0.3"
+bounds = { sphere = 1.6 }
+placement = { rotate = [20, 30, 40], translate = [1e6, -1e6, 1e6], scale = 1000 }
+[camera]
+position = [1004e3, -998e3, 1001.5e3]
+target = [1e6, -1e6, 1e6]
+)";
+    Measuring how;
+    how.width = how.height = 64;
+    how.repeat = 1;
+    std::vector<Errors> errors;
+    for (const std::string& text : {at_home, moved}) {
+        const scene::Scene scene = render::scene_of(text);
+        errors.push_back(
+            measure(*context, scene, sweep(scene, {scene::Method::amp_sign}, {0.02}), how)
+                .front()
+                .errors);
+    }
+    EXPECT_GT(errors[0].depth.size(), 500u);
+    EXPECT_EQ(errors[0].wrong(), errors[1].wrong());
+    EXPECT_NEAR(double(errors[0].depth.size()), double(errors[1].depth.size()), 4);
+    EXPECT_LT(quantile(errors[1].depth, 0.99), 0.01);
+}
+
 } // namespace
 } // namespace isomotion::accuracy

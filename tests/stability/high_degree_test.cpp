@@ -85,7 +85,7 @@ TEST_P(Degree, OfTheThreeFormsTheRecurrenceHolds) {
 INSTANTIATE_TEST_SUITE_P(Stability, Degree,
                          testing::Values(HighDegree{12, 0, 0, 0}, HighDegree{14, 0, 0, 0},
                                          HighDegree{18, 0, 0, 6000}, HighDegree{22, 0, 0, 110000},
-                                         HighDegree{50, 0, 0, 77000}),
+                                         HighDegree{50, 390, 390, 78000}),
                          testing::PrintToStringParamName());
 
 } // namespace

@@ -19,8 +19,8 @@ HardCase superquadric(double m, double sign, double taylor) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Superquadric, NonSmooth,
-                         testing::Values(superquadric(0.3, 2000, 32000),
-                                         superquadric(0.5, 5200, 12000),
+                         testing::Values(superquadric(0.3, 3600, 32000),
+                                         superquadric(0.5, 7700, 13000),
                                          superquadric(0.7, 2000, 3300), superquadric(1, 910, 520),
                                          superquadric(2, 0, 0), superquadric(4, 0, 0),
                                          superquadric(40, 390, 0), superquadric(200, 3200, 530000)),
