@@ -38,8 +38,13 @@ std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::Sce
     block.push_back(glm::dvec4(background[0], background[1], background[2],
                                scene.output.transparent ? 0.0 : 1.0));
     const glm::dmat3 to_local = glm::transpose(place.rotate);
-    for (const auto& light : now.lights) block.push_back(wide(to_local * light.direction));
-    for (const auto& light : now.lights) block.push_back(wide(light.color));
+    for (const auto& light : now.lights) {
+        block.push_back(light.is_point ? wide(place.to_local(light.direction), 1)
+                                       : wide(to_local * light.direction));
+    }
+    for (const auto& light : now.lights) {
+        block.push_back(wide(light.color, light.falloff / place.scale));
+    }
     const glm::dmat3 axes = place.scale * place.rotate;
     for (int k = 0; k < 3; ++k) block.push_back(wide(axes[k]));
     block.push_back(wide(place.translate, 1));

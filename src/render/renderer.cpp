@@ -8,7 +8,9 @@
 #include "gpu/query.h"
 #include "gpu/target.h"
 #include "render/blocks.h"
+#include "render/effect_uniforms.h"
 #include "render/fingerprint.h"
+#include "render/secondary_rays.h"
 
 namespace isomotion::render {
 namespace {
@@ -68,14 +70,18 @@ struct Renderer::Parts {
         , march(shaders.vertex, shaders.march, "march")
         , active(shaders.vertex, shaders.active, "active")
         , shade(shaders.vertex, shaders.shade, "shade")
-        , rays_even(plan.tile_width, plan.tile_height, 2)
-        , rays_odd(plan.tile_width, plan.tile_height, 2)
+        , eye_rays(plan.tile_width, plan.tile_height)
         , result(plan.tile_width, plan.tile_height, 2 + int(shaders.attachments.size()))
         , frame(sizeof(FrameBlock))
         , parameters(std::size_t(shaders.parameter_vectors + shaders.count_vectors) * 16)
         , shading((7 + 2 * scene.lights.size()) * sizeof(glm::vec4)) {
         for (const auto& storage : shaders.arrays) arrays.emplace_back(storage);
-        for (const gpu::Program* program : {&march, &active, &shade}) connect(*program);
+        if (!shaders.surface.empty()) {
+            secondary.emplace(shaders, plan.tile_width, plan.tile_height,
+                              unit_arrays + int(shaders.arrays.size()));
+            secondary->connect(shade);
+        }
+        for_each_program([&](const gpu::Program& program) { connect(program); });
         pixels.resize(std::size_t(plan.tile_width) * std::size_t(plan.tile_height) * 4);
     }
 
@@ -95,6 +101,11 @@ struct Renderer::Parts {
             plan_march(cost, options.width, options.height,
                        std::min(largest_tile, context.info().max_texture_size));
         return options.plan.value_or(fitting);
+    }
+
+    void for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
+        for (const gpu::Program* program : {&march, &active, &shade}) visit(*program);
+        if (secondary) secondary->for_each_program(visit);
     }
 
     void connect(const gpu::Program& program) const {
@@ -119,7 +130,11 @@ struct Renderer::Parts {
         parameters.update(parameter_block(shaders, now));
         const auto shades = shading_block(scene, now, options.width, options.height);
         shading.update(std::as_bytes(std::span(shades)));
-        if (scene.material.inside) shade.set("inside_color", glm::vec3(now.inside_color));
+        for (const auto& [name, value] : effect_uniforms(scene, now)) {
+            for_each_program([&, &name = name, &value = value](const gpu::Program& program) {
+                program.set(name, value);
+            });
+        }
         frame.bind(binding_frame);
         parameters.bind(binding_parameters);
         shading.bind(binding_shading);
@@ -130,19 +145,19 @@ struct Renderer::Parts {
     }
 
     // Marches the rays of a tile to their ends; returns the target that holds them.
-    const gpu::Target& march_tile(const gpu::Rectangle& tile, int& passes) {
+    const gpu::Target& march_rays(const gpu::Rectangle& tile, const gpu::Program& program,
+                                  const RayTargets& targets, int& passes) {
         const gpu::Rectangle viewport{0, 0, tile.width, tile.height};
-        const glm::ivec2 corner(tile.x, tile.y);
-        march.set("tile_origin", corner);
-        march.set("evaluations_per_pass", plan.evaluations_per_pass);
-        const gpu::Target *from = &rays_odd, *to = &rays_even;
+        program.set("tile_origin", glm::ivec2(tile.x, tile.y));
+        program.set("evaluations_per_pass", plan.evaluations_per_pass);
+        const gpu::Target *from = &targets.odd, *to = &targets.even;
         for (bool first = true;; first = false) {
             to->bind();
             gpu::set_viewport(viewport);
             from->texture(0).bind(unit_state_0);
             from->texture(1).bind(unit_state_1);
-            march.set("first_pass", first ? 1 : 0);
-            march.use();
+            program.set("first_pass", first ? 1 : 0);
+            program.use();
             triangle.draw();
             ++passes;
 
@@ -157,6 +172,19 @@ struct Renderer::Parts {
             if (!still_active.any_passed()) return *to;
             std::swap(from, to);
         }
+    }
+
+    // The rays of a tile and what starts where they end.
+    void draw_tile(const gpu::Rectangle& tile, int& passes) {
+        const gpu::Target& rays = march_rays(tile, march, eye_rays, passes);
+        if (secondary) {
+            secondary->trace(tile, rays,
+                             [&](const gpu::Program& program,
+                                 const RayTargets& targets) -> const gpu::Target& {
+                                 return march_rays(tile, program, targets, passes);
+                             });
+        }
+        shade_tile(tile, rays);
     }
 
     void shade_tile(const gpu::Rectangle& tile, const gpu::Target& rays) {
@@ -212,7 +240,7 @@ struct Renderer::Parts {
     void count_tile(const gpu::Rectangle& tile, Picture& picture) const {
         for (std::size_t k = 0; k < std::size_t(tile.width) * std::size_t(tile.height); ++k) {
             ++picture.verdicts[std::size_t(pixels[4 * k])];
-            picture.evaluations += std::int64_t(pixels[4 * k + 1]);
+            picture.evaluations += std::int64_t(pixels[4 * k + 1]) + std::int64_t(pixels[4 * k + 2]);
         }
     }
 
@@ -222,9 +250,11 @@ struct Renderer::Parts {
     synthesis::Shaders shaders;
     MarchPlan plan;
     gpu::Program march, active, shade;
-    gpu::Target rays_even, rays_odd, result;
+    RayTargets eye_rays;
+    gpu::Target result;
     gpu::UniformBuffer frame, parameters, shading;
     std::vector<ArrayBuffer> arrays;
+    std::optional<SecondaryRays> secondary;
     gpu::Fullscreen triangle;
     gpu::SamplesQuery still_active;
     std::vector<float> pixels; // of one attachment of a tile
@@ -254,7 +284,7 @@ Picture Renderer::draw(const scene::SceneAt& now) {
         for (int x = 0; x < p.options.width; x += p.plan.tile_width) {
             const gpu::Rectangle tile{x, y, std::min(p.plan.tile_width, p.options.width - x),
                                       std::min(p.plan.tile_height, p.options.height - y)};
-            p.shade_tile(tile, p.march_tile(tile, picture.passes));
+            p.draw_tile(tile, picture.passes);
             p.read_tile(tile, 0, {channel(0), channel(1), channel(2), channel(3)});
             p.read_tile(tile, 1, record);
             p.count_tile(tile, picture);
@@ -270,13 +300,18 @@ Picture Renderer::draw(const scene::SceneAt& now) {
 std::string Renderer::fingerprint(const scene::SceneAt& now) const {
     const Parts& p = *parts_;
     Fingerprint print;
-    print.add(p.shaders.march).add(p.shaders.shade);
+    for (const std::string* text :
+         {&p.shaders.march, &p.shaders.surface, &p.shaders.shadow, &p.shaders.shade}) {
+        print.add(*text);
+    }
     const FrameBlock block = frame_block(p.scene, now, p.options.width, p.options.height);
     print.add_values(std::span<const FrameBlock>(&block, 1));
     print.add(parameter_block(p.shaders, now));
     const auto shades = shading_block(p.scene, now, p.options.width, p.options.height);
     print.add_values(std::span<const glm::vec4>(shades));
-    print.add_values(std::span<const glm::dvec3>(&now.inside_color, 1));
+    for (const auto& [name, value] : effect_uniforms(p.scene, now)) {
+        print.add(name).add_values(std::span<const glm::vec4>(&value, 1));
+    }
     for (std::size_t a = 0; a < p.shaders.arrays.size(); ++a) {
         const auto texels = array_texels(p.scene, p.shaders, now, a);
         print.add_values(std::span<const glm::vec4>(texels));

@@ -4,6 +4,7 @@
 
 #include "scene/camera.h"
 #include "scene/data_folder.h"
+#include "scene/lights.h"
 #include "scene/space.h"
 #include "scene/surface.h"
 #include "scene/thresholds.h"
@@ -90,38 +91,6 @@ void read_time(Section& document, Scene& scene, std::uint64_t& seed) {
     section->refuse_rest();
 }
 
-void read_lights(Section& document, Scene& scene, TrackTable& tracks) {
-    constexpr std::size_t most = 8;
-    const toml::node* node = document.find("lights");
-    const toml::array* list = node ? node->as_array() : nullptr;
-    if (node && (!list || list->empty() || !list->is_array_of_tables())) {
-        fail(*node, "lights", "must be written as [[lights]], one such table a light");
-    }
-    if (list && list->size() > most) fail(*node, "lights", fmt::format("at most {}", most));
-    for (std::size_t k = 0; k < (list ? list->size() : 1); ++k) {
-        const std::string key = fmt::format("lights[{}]", k);
-        Light light;
-        light.headlight = !list;
-        std::array<animation::TrackSource, 3> direction{0.0, 0.0, 1.0}, color{1.0, 1.0, 1.0};
-        const toml::node *direction_at = nullptr, *color_at = nullptr;
-        if (list) {
-            const toml::node* at = list->get(k);
-            Section section(*at->as_table(), key);
-            color_at = section.find("color");
-            direction_at = section.find("direction");
-            if (color_at) color = *section.vector("color");
-            if (!direction_at) {
-                fail(*at, key, "needs direction = [x, y, z], pointing to the light");
-            }
-            direction = *section.vector("direction");
-            section.refuse_rest();
-        }
-        light.direction = tracks.add(key + ".direction", direction, direction_at);
-        light.color = tracks.add(key + ".color", color, color_at);
-        scene.lights.push_back(light);
-    }
-}
-
 // The scene's colours, else the catalogue's.
 void read_material(Section& document, const SurfaceParts& parts, Scene& scene, TrackTable& tracks) {
     auto own = document.section("material");
@@ -140,6 +109,14 @@ void read_material(Section& document, const SurfaceParts& parts, Scene& scene, T
     const auto outside = color("color");
     scene.material.color = outside ? *outside : tracks.add("material.color", 0.72, 0.32, 0.08);
     scene.material.inside = color("inside");
+    if (const auto text = own ? own->text("reflection") : std::nullopt) {
+        using Reflection = Material::Reflection;
+        if (*text != "sky" && *text != "self") {
+            fail(*own->find("reflection"), "material.reflection",
+                 fmt::format("there is no reflection '{}'; known: sky, self", *text));
+        }
+        scene.material.reflection = *text == "sky" ? Reflection::sky : Reflection::self;
+    }
     for (auto* section : {&own, &catalogue}) {
         if (*section) (*section)->refuse_rest();
     }
@@ -238,6 +215,7 @@ Scene load(const std::string& name, const std::vector<Override>& overrides) {
     read_lights(document, scene, tracks);
     read_material(document, *parts, scene, tracks);
     read_output(document, scene);
+    read_surroundings(document, scene, tracks);
     GivenThresholds given;
     if (parts->catalogue) {
         Section catalogue(*parts->catalogue, "");

@@ -81,15 +81,39 @@ struct Camera {
     TrackId zoom = 0;              // magnifies the picture about its middle
 };
 
-// A directional light; the direction points to the light, in world coordinates.
+// A light far away, or at a place.
 struct Light {
-    Vec3Track direction{}, color{};
+    Vec3Track direction{}; // to the light; of a point light its position; world coordinates
+    Vec3Track color{};
+    bool is_point = false;
+    std::optional<TrackId> falloff; // distance at which a point light has its colour; else all have
+    bool shadow = false;
     bool headlight = false; // no light given: over the viewer's shoulder
+};
+
+// A plane across the world's z axis.
+struct Ground {
+    TrackId height = 0;
+    Vec3Track color{};
+};
+
+// What is farther than `start` from the eye fades into the colour: by 1 - 1/e in 1/density.
+struct Fog {
+    TrackId density = 0, start = 0; // world units
+    Vec3Track color{};
+};
+
+// Of the light from everywhere, by what is near along the normal.
+struct Occlusion {
+    std::optional<TrackId> reach; // world units; else a fifth of the bounds' radius
+    TrackId strength = 0;         // 0: none, 1: full
 };
 
 // `color` is seen from where F > 0. Only a surface with `inside` tells the two sides apart.
 struct Material {
+    enum class Reflection { none, sky, self };
     Vec3Track color{};
+    Reflection reflection = Reflection::none; // of what is around, and of the surface itself
     std::optional<Vec3Track> inside; // seen from where F < 0
 };
 
@@ -109,6 +133,9 @@ struct Scene {
     Camera camera;
     std::vector<Light> lights; // at least one
     Material material;
+    std::optional<Ground> ground;
+    std::optional<Fog> fog;
+    std::optional<Occlusion> occlusion;
     Output output;
 };
 

@@ -152,15 +152,47 @@ public:
             LightAt light;
             light.color = vector(from.color);
             light.direction = from.headlight ? shoulder(camera) : vector(from.direction);
+            light.is_point = from.is_point;
+            if (from.falloff) light.falloff = positive(*from.falloff, "the distance");
+            lights.push_back(light);
+            if (light.is_point) continue;
             const double length = glm::length(light.direction);
             if (!(length > 0)) fail(from.direction[0], "the direction to the light has length 0");
-            light.direction /= length;
-            lights.push_back(light);
+            lights.back().direction /= length;
         }
         return lights;
     }
 
+    GroundAt ground(const Ground& from) const { return {number(from.height), vector(from.color)}; }
+
+    FogAt fog(const Fog& from) const {
+        return {not_negative(from.density, "the density"), not_negative(from.start, "the start"),
+                vector(from.color)};
+    }
+
+    OcclusionAt occlusion(const Occlusion& from, double size) const {
+        OcclusionAt to;
+        to.reach = from.reach ? positive(*from.reach, "the reach") : 0.2 * size;
+        to.strength = not_negative(from.strength, "the strength");
+        if (to.strength > 1) {
+            fail(from.strength, fmt::format("the strength must be from 0 to 1, not {}",
+                                            to.strength));
+        }
+        return to;
+    }
+
 private:
+    double positive(TrackId track, const char* what) const {
+        const double value = number(track);
+        if (!(value > 0)) fail(track, fmt::format("{} must be above 0, not {}", what, value));
+        return value;
+    }
+    double not_negative(TrackId track, const char* what) const {
+        const double value = number(track);
+        if (value < 0) fail(track, fmt::format("{} must not be below 0, as {} is", what, value));
+        return value;
+    }
+
     template<class Name> void check(double value, Name&& name) const {
         // Everything ends as a float on the GPU.
         constexpr double most = std::numeric_limits<float>::max();
@@ -206,7 +238,14 @@ SceneAt in_formula_coordinates(SceneAt scene) {
     scene.camera.target = scene.placement.to_local(scene.camera.target);
     scene.camera.up = to_local * scene.camera.up;
     scene.camera.height /= scene.placement.scale;
-    for (LightAt& light : scene.lights) light.direction = to_local * light.direction;
+    for (LightAt& light : scene.lights) {
+        light.direction = light.is_point ? scene.placement.to_local(light.direction)
+                                         : to_local * light.direction;
+        light.falloff /= scene.placement.scale;
+    }
+    scene.fog.density *= scene.placement.scale;
+    scene.fog.start /= scene.placement.scale;
+    scene.occlusion.reach /= scene.placement.scale;
     scene.placement = {};
     return scene;
 }
@@ -227,6 +266,12 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     now.lights = read.lights(now.camera);
     now.material_color = read.vector(scene.material.color);
     if (scene.material.inside) now.inside_color = read.vector(*scene.material.inside);
+    if (scene.ground) now.ground = read.ground(*scene.ground);
+    if (scene.fog) now.fog = read.fog(*scene.fog);
+    if (scene.occlusion) {
+        now.occlusion =
+            read.occlusion(*scene.occlusion, now.bounds.radius * now.placement.scale);
+    }
     return now;
 }
 

@@ -39,8 +39,24 @@ struct CameraAt {
 };
 
 struct LightAt {
-    glm::dvec3 direction{0, 0, 1}; // to the light, unit length, world
+    glm::dvec3 direction{0, 0, 1}; // to the light, unit length; of a point light its place; world
     glm::dvec3 color{1};
+    bool is_point = false;
+    double falloff = 0; // distance at which a point light has its colour; 0: everywhere
+};
+
+struct GroundAt {
+    double height = 0;
+    glm::dvec3 color{0};
+};
+
+struct FogAt {
+    double density = 0, start = 0;
+    glm::dvec3 color{0};
+};
+
+struct OcclusionAt {
+    double reach = 1, strength = 1;
 };
 
 struct SceneAt {
@@ -53,11 +69,14 @@ struct SceneAt {
     std::vector<LightAt> lights;
     glm::dvec3 material_color{1};
     glm::dvec3 inside_color{1}; // of a surface that tells its sides apart
+    GroundAt ground;            // these where the scene has them
+    FogAt fog;
+    OcclusionAt occlusion;
 };
 
 // The same scene with the surface where its formula has it and the camera moved instead. Rays and
 // verdicts are the same; positions are written in formula coordinates, where float has all its
-// digits for them.
+// digits for them. The ground stays behind: it is no part of the surface.
 SceneAt in_formula_coordinates(SceneAt scene);
 
 // Throws SceneError when a value has left its range at this time (a radius of 0, a field of view

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "synthesis/effect_text.h"
 #include "synthesis/shader_files.h"
 
 namespace isomotion::synthesis {
@@ -15,32 +16,86 @@ FieldStorage storage_of(const scene::Scene& scene) {
     return field_storage(*scene.surface.field, scene.surface.parameters, counts);
 }
 
-void add_ray(ShaderText& text, const scene::Scene& scene) {
+enum class Origin { eye, mirror };
+
+void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin = Origin::eye) {
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     text.file("frame.glsl");
     text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
-    text.file("march/ray.glsl");
+    if (origin == Origin::eye) {
+        text.file("march/ray.glsl");
+    } else {
+        text.generated("the eye's ray by another name", "#define pixel_ray eye_ray\n");
+        text.file("march/ray.glsl");
+        text.generated("and the mirrored one by its", "#undef pixel_ray\n");
+        text.file("effects/surface_point.glsl");
+        text.file("effects/load_surface.glsl");
+        text.file("effects/mirror_ray.glsl");
+    }
     text.file("march/state.glsl");
 }
 
-// So long that compiling it shows: some 0.2 s on a software renderer, and growing with its length.
-bool is_long(const formula::Program& gradient) { return gradient.instructions.size() > 1000; }
-
-std::string march_text(const scene::Scene& scene, Shaders& shaders) {
+void add_isolation(ShaderText& text, const scene::Scene& scene, const Shaders& shaders) {
     const scene::Method method = scene.isolation.method;
-    ShaderText text(shaders.files);
-    add_field(text, *scene.surface.field, shaders,
-              {shaders.samples_derivative ? FieldFunction::along : FieldFunction::value});
-    add_ray(text, scene);
     text.file("march/store_state.glsl");
     text.file(shaders.samples_derivative ? "march/sample_along.glsl" : "march/sample_value.glsl");
     text.file(method == scene::Method::marching ? "march/uniform_step.glsl"
                                                 : "march/adaptive_step.glsl");
     text.file(method == scene::Method::amp_taylor ? "march/taylor_test.glsl"
                                                   : "march/sign_test.glsl");
+}
+
+// So long that compiling it shows: some 0.2 s on a software renderer, and growing with its length.
+bool is_long(const formula::Program& gradient) { return gradient.instructions.size() > 1000; }
+
+std::string march_text(const scene::Scene& scene, Shaders& shaders, Origin origin) {
+    ShaderText text(shaders.files);
+    add_field(text, *scene.surface.field, shaders,
+              {shaders.samples_derivative ? FieldFunction::along : FieldFunction::value});
+    add_ray(text, scene, origin);
+    add_isolation(text, scene, shaders);
     text.file(shaders.march_takes_gradient ? "march/gradient_at_root.glsl"
                                            : "march/end_at_root.glsl");
     text.file("march/march.frag");
+    return text.take();
+}
+
+std::string surface_text(const scene::Scene& scene, Shaders& shaders, Origin origin) {
+    ShaderText text(shaders.files);
+    std::vector<FieldFunction> functions{FieldFunction::value};
+    if (!shaders.march_takes_gradient) functions.push_back(FieldFunction::gradient);
+    add_field(text, *scene.surface.field, shaders, functions);
+    add_ray(text, scene, origin);
+    if (origin == Origin::eye) {
+        text.file("effects/eye_begin.glsl");
+        text.file("effects/surface_point.glsl");
+    }
+    text.file(shaders.march_takes_gradient ? "shade/gradient_from_state.glsl"
+                                           : "shade/gradient_from_field.glsl");
+    text.file("effects/end_of_ray.glsl");
+    text.file("effects/store_surface.glsl");
+    if (scene.ground) text.file("effects/ground.glsl");
+    text.generated("generated: the first of what there is",
+                   fmt::format("void main() {{\n    Ray ray = pixel_ray();\n"
+                               "    SurfacePoint p = end_of_ray(ray, load_state());\n{}"
+                               "    store_surface(p);\n}}\n",
+                               scene.ground ? "    p = before_ground(ray, p);\n" : ""));
+    return text.take();
+}
+
+std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
+    ShaderText text(shaders.files);
+    text.define("LIGHTS", int(scene.lights.size()));
+    text.define("SHADOWS", shadow_mask(scene));
+    add_field(text, *scene.surface.field, shaders,
+              {shaders.samples_derivative ? FieldFunction::along : FieldFunction::value});
+    add_ray(text, scene);
+    add_isolation(text, scene, shaders);
+    text.file("shade/shading.glsl");
+    add_lights(text, scene);
+    text.file("effects/surface_point.glsl");
+    text.file("effects/load_surface.glsl");
+    text.file("effects/shadow.frag");
     return text.take();
 }
 
@@ -61,17 +116,27 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
                        Shaders& shaders) {
     ShaderText text(shaders.files);
     text.define("LIGHTS", int(scene.lights.size()));
-    if (!shaders.march_takes_gradient) {
-        add_field(text, *scene.surface.field, shaders, {FieldFunction::gradient});
-    } else {
+    const bool from_surface = keeps_surfaces(scene);
+    if (from_surface && scene.occlusion) {
+        add_field(text, *scene.surface.field, shaders, {FieldFunction::value});
+    } else if (from_surface || shaders.march_takes_gradient) {
         text.file("math/bits.glsl");
+    } else {
+        add_field(text, *scene.surface.field, shaders, {FieldFunction::gradient});
     }
     add_ray(text, scene);
     text.file("shade/shading.glsl");
     text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
-    text.file("shade/lambert.glsl");
-    text.file(shaders.march_takes_gradient ? "shade/gradient_from_state.glsl"
-                                           : "shade/gradient_from_field.glsl");
+    if (from_surface) {
+        text.file("effects/eye_begin.glsl");
+        text.file("effects/surface_point.glsl");
+        text.file("effects/load_surface.glsl");
+        add_shading(text, scene);
+    } else {
+        text.file("shade/lambert.glsl");
+        text.file(shaders.march_takes_gradient ? "shade/gradient_from_state.glsl"
+                                               : "shade/gradient_from_field.glsl");
+    }
     std::string calls;
     for (const ChannelShader& shader : channel_shaders) {
         if (std::find(channels.begin(), channels.end(), shader.channel) == channels.end()) continue;
@@ -82,7 +147,7 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
     }
     text.generated("generated: the channels asked for",
                    "void write_channels(Ray ray, Hit hit, bool on_surface) {\n" + calls + "}\n");
-    text.file("shade/shade.frag");
+    text.file(from_surface ? "effects/shade.frag" : "shade/shade.frag");
     return text.take();
 }
 
@@ -96,11 +161,17 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     shaders.march_takes_gradient = is_long(scene.surface.field->gradient);
     shaders.samples_derivative =
         shaders.march_takes_gradient || scene.isolation.method != scene::Method::marching;
-    shaders.march = march_text(scene, shaders);
+    shaders.march = march_text(scene, shaders, Origin::eye);
     ShaderText active(shaders.files);
     active.file("march/state.glsl");
     active.file("march/active.frag");
     shaders.active = active.take();
+    if (keeps_surfaces(scene)) shaders.surface = surface_text(scene, shaders, Origin::eye);
+    if (shadow_mask(scene) != 0) shaders.shadow = shadow_text(scene, shaders);
+    if (scene.material.reflection == scene::Material::Reflection::self) {
+        shaders.mirror = march_text(scene, shaders, Origin::mirror);
+        shaders.mirror_surface = surface_text(scene, shaders, Origin::mirror);
+    }
     shaders.shade = shade_text(scene, channels, shaders);
     return shaders;
 }

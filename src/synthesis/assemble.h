@@ -19,6 +19,12 @@ struct Shaders : FieldStorage {
     std::string active; // asks whether rays still march
     std::string shade;  // the picture from finished rays
 
+    // Of scenes that call for them (see effect_text.h), else empty.
+    std::string surface;         // keeps where the rays ended
+    std::string shadow;          // one pass of the shadow rays
+    std::string mirror;          // one pass of the mirrored rays
+    std::string mirror_surface;  // keeps where those ended
+
     // Whether a march samples F and dF/dt, or F alone; and whether, the formula being long, it also
     // samples the gradient at the root, which else the shade pass does.
     bool samples_derivative = true;

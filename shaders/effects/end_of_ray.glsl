@@ -1,0 +1,54 @@
+// The place that a ray ended on, and how far off it the rays that start there have to begin. Needs
+// surface_point.glsl.
+
+// |g| may leave float's range long before its direction does: scaled by its largest component.
+float magnitude(vec3 g) {
+    return max(max(abs(g.x), abs(g.y)), abs(g.z));
+}
+
+// The width of a pixel where it sees `position`.
+float footprint_at(vec3 position) {
+    vec3 eye = ray_origin.xyz - ray_axis.xyz;
+    float along = dot(position - eye, ray_axis.xyz) / dot(ray_axis.xyz, ray_axis.xyz);
+    float width = picture.y * length(ray_up.xyz);
+    return ray_axis.w > 0.0 ? width * max(abs(along), 1.0e-6) : width;
+}
+
+// The root is known to |F| / |grad F|: twice that along the normal F has its sign for certain, but
+// for rounding, which a part of a pixel covers or the loop finds out.
+float offset_from(SurfacePoint p) {
+    float pixel = footprint_at(p.position);
+    float offset = 0.0;
+    for (int k = 0; k < 8; ++k) {
+        float f = field(p.position + offset * p.normal);
+        if (k == 0) {
+            offset = clamp(2.0 * abs(f) / max(p.slope, 1.0e-30), 0.05 * pixel, pixel);
+        } else {
+            if (p.inside ? f < 0.0 : f > 0.0) break;
+            offset *= 2.0;
+        }
+    }
+    return offset;
+}
+
+SurfacePoint end_of_ray(Ray ray, RayState s) {
+    vec3 position = ray_point(ray, s.low);
+    SurfacePoint p =
+        SurfacePoint(position, 0.0, -ray.direction, s.verdict, false, false, 0.0, s.low);
+    if (s.verdict != VERDICT_HIT) return p;
+    vec3 g = surface_gradient(s, position);
+    // Before clamping, which turns NaN into a number on some drivers.
+    bool known = !(im_is_nan(g.x) || im_is_nan(g.y) || im_is_nan(g.z));
+    g = clamp(g, -IM_SATURATION, IM_SATURATION);
+    float scale = magnitude(g);
+    if (known && scale > 0.0) {
+        p.slope = scale * length(g / scale);
+        p.normal = normalize(g / scale);
+        p.inside = dot(p.normal, ray.direction) > 0.0; // F rises along the ray
+        if (p.inside) p.normal = -p.normal;
+    } else {
+        p.verdict = VERDICT_ZERO_GRADIENT; // a hit all the same: lit as if it faced the viewer
+    }
+    p.offset = offset_from(p);
+    return p;
+}

@@ -1,0 +1,17 @@
+// Ambient occlusion after Evans 2006: along the normal of a free plane the distance grows as fast as
+// the way; where |F| / |grad F| stays behind, something is near.
+uniform vec4 occlusion; // reach in formula units, strength
+
+float openness(SurfacePoint p) {
+    const int samples = 5;
+    float missing = 0.0, most = 0.0;
+    for (int k = 1; k <= samples; ++k) {
+        float way = occlusion.x * float(k) / float(samples);
+        float f = field(p.position + way * p.normal) * (p.inside ? -1.0 : 1.0);
+        float distance = clamp(f / max(p.slope, 1.0e-30), 0.0, way);
+        float weight = exp2(-float(k));
+        if (!im_is_nan(f)) missing += weight * (way - distance) / way;
+        most += weight;
+    }
+    return p.on_ground ? 1.0 : 1.0 - occlusion.y * missing / most;
+}

@@ -1,0 +1,23 @@
+// The picture from what the rays ended on, where a scene calls for more than a plain light.
+
+layout(location = 0) out vec4 color;
+layout(location = 1) out vec4 record; // verdict, evaluations; those of shadow and mirrored rays
+
+void main() {
+    Ray ray = pixel_ray();
+    RayState s = load_state();
+    SurfacePoint p = load_surface();
+    Hit hit = Hit(p.position, p.normal, p.t, p.inside);
+    bool on_surface = is_on_surface(p);
+    if (on_surface || p.on_ground) {
+        color = vec4(shade(ray, p, hit), 1.0);
+    } else if (p.verdict == VERDICT_NAN) {
+        color = vec4(1.0, 0.0, 1.0, 1.0); // no pixel lies silently: magenta,
+    } else if (p.verdict == VERDICT_STEP_LIMIT) {
+        color = vec4(1.0, 0.8, 0.0, 1.0); // amber
+    } else {
+        color = sky(ray.direction);
+    }
+    record = vec4(float(p.verdict), float(s.evaluations), further_evaluations(), 0.0);
+    write_channels(ray, hit, on_surface);
+}

@@ -1,0 +1,3 @@
+vec4 sky(vec3 direction) {
+    return background;
+}

@@ -1,0 +1,11 @@
+// Needs surface_point.glsl.
+layout(location = 0) out vec4 surface_0;
+layout(location = 1) out vec4 surface_1;
+layout(location = 2) out vec4 surface_2;
+
+void store_surface(SurfacePoint p) {
+    int code = p.verdict + (p.inside ? 8 : 0) + (p.on_ground ? 16 : 0);
+    surface_0 = vec4(p.position, p.offset);
+    surface_1 = vec4(p.normal, float(code));
+    surface_2 = vec4(p.slope, p.t, 0.0, 0.0);
+}

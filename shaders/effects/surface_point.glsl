@@ -1,0 +1,21 @@
+// What a finished ray ended on, kept for the rays that start there.
+
+struct SurfacePoint {
+    vec3 position;    // formula coordinates
+    float offset;     // along the normal: from there the surface is on the other side
+    vec3 normal;      // unit length, towards where the ray came from
+    int verdict;      // of the ray; a miss may still have met the ground
+    bool inside;      // seen from where F < 0
+    bool on_ground;
+    float slope;      // |grad F|
+    float t;          // on its ray
+};
+
+bool is_on_surface(SurfacePoint p) {
+    return p.verdict == VERDICT_HIT || p.verdict == VERDICT_ZERO_GRADIENT;
+}
+
+SurfacePoint unpack_surface(vec4 a, vec4 b, vec4 c) {
+    int code = int(b.w);
+    return SurfacePoint(a.xyz, a.w, b.xyz, code & 7, (code & 8) != 0, (code & 16) != 0, c.x, c.y);
+}

@@ -1,0 +1,96 @@
+#include "synthesis/effect_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace isomotion::synthesis {
+namespace {
+
+using Reflection = scene::Material::Reflection;
+
+// vec3 name(...): the light of everything that shines on p, as it goes to the viewer.
+std::string lit(const scene::Scene& scene, const char* name, bool with_shadows) {
+    const bool occluded = scene.occlusion && with_shadows;
+    std::string text = fmt::format("vec3 {}(SurfacePoint p, Hit hit, vec3 to_viewer) {{\n", name);
+    text += scene.ground
+                ? "    vec3 albedo = p.on_ground ? ground_color.rgb : surface_color(hit);\n"
+                : "    vec3 albedo = surface_color(hit);\n";
+    text += fmt::format("    vec3 sum = 0.12 * albedo{};\n", occluded ? " * openness(p)" : "");
+    text += "    for (int k = 0; k < LIGHTS; ++k) {\n"
+            "        LightRay light = light_at(k, p.position);\n";
+    text += scene.ground ? "        vec3 share = p.on_ground\n"
+                           "            ? albedo * max(dot(p.normal, light.direction), 0.0)\n"
+                           "            : reflected(albedo, p.normal, to_viewer, light.direction);\n"
+                         : "        vec3 share = reflected(albedo, p.normal, to_viewer, "
+                           "light.direction);\n";
+    text += fmt::format("        sum += light.strength * share{};\n",
+                        shadow_mask(scene) != 0 && with_shadows ? " * visibility(k)" : "");
+    return text + "    }\n    return sum;\n}\n";
+}
+
+std::string mirrored(const scene::Scene& scene) {
+    std::string text = "vec3 mirrored(vec3 color, Ray ray, SurfacePoint p, Hit hit) {\n";
+    if (scene.ground) text += "    if (p.on_ground) return color;\n";
+    text += "    vec3 direction = reflect(ray.direction, p.normal);\n"
+            "    vec3 seen = sky(direction).rgb;\n";
+    if (scene.material.reflection == Reflection::self) {
+        text += "    SurfacePoint q = load_mirrored();\n"
+                "    if (is_on_surface(q) || q.on_ground) {\n"
+                "        seen = lit_again(q, Hit(q.position, q.normal, q.t, q.inside), "
+                "-direction);\n"
+                "    }\n";
+    }
+    return text + "    vec3 weight = mirror_weight(surface_color(hit), p.normal, -ray.direction);\n"
+                  "    return color * (1.0 - weight) + weight * seen;\n}\n";
+}
+
+} // namespace
+
+bool keeps_surfaces(const scene::Scene& scene) {
+    const bool more_light = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                        [](const auto& l) { return l.is_point || l.shadow; });
+    return more_light || scene.ground || scene.fog || scene.occlusion ||
+           scene.material.reflection != Reflection::none;
+}
+
+int shadow_mask(const scene::Scene& scene) {
+    int mask = 0;
+    for (std::size_t k = 0; k < scene.lights.size(); ++k) mask |= int(scene.lights[k].shadow) << k;
+    return mask;
+}
+
+void add_lights(ShaderText& text, const scene::Scene& scene) {
+    const bool near = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                  [](const auto& light) { return light.is_point; });
+    text.file("effects/light.glsl");
+    text.file(near ? "effects/near_lights.glsl" : "effects/far_lights.glsl");
+}
+
+void add_shading(ShaderText& text, const scene::Scene& scene) {
+    const Reflection reflection = scene.material.reflection;
+    const bool has_shadows = shadow_mask(scene) != 0;
+    add_lights(text, scene);
+    text.file("effects/brdf_lambert.glsl");
+    text.file("effects/sky_flat.glsl");
+    if (has_shadows) text.file("effects/shadow_mask.glsl");
+    if (scene.occlusion) text.file("effects/occlusion.glsl");
+    if (scene.fog) text.file("effects/fog.glsl");
+    if (reflection == Reflection::self) text.file("effects/load_mirrored.glsl");
+
+    std::string glue = scene.ground ? "uniform vec4 ground_color;\n" : "";
+    glue += lit(scene, "lit", true);
+    if (reflection == Reflection::self) glue += lit(scene, "lit_again", false);
+    if (reflection != Reflection::none) glue += mirrored(scene);
+    glue += "vec3 shade(Ray ray, SurfacePoint p, Hit hit) {\n"
+            "    vec3 color = lit(p, hit, -ray.direction);\n";
+    if (reflection != Reflection::none) glue += "    color = mirrored(color, ray, p, hit);\n";
+    if (scene.fog) glue += "    color = in_fog(color, p.t - ray_begin(ray));\n";
+    glue += "    return color;\n}\n";
+    glue += fmt::format("float further_evaluations() {{\n    return {};\n}}\n",
+                        has_shadows ? "texelFetch(shadow_texture, ivec2(gl_FragCoord.xy), 0).z"
+                                    : "0.0");
+    text.generated("generated: what shines and what it passes through", glue);
+}
+
+} // namespace isomotion::synthesis
