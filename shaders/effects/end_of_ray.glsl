@@ -17,12 +17,11 @@ float footprint_at(vec3 position) {
 // The root is known to |F| / |grad F|: twice that along the normal F has its sign for certain, but
 // for rounding, which a part of a pixel covers or the loop finds out.
 float offset_from(SurfacePoint p) {
-    float pixel = footprint_at(p.position);
     float offset = 0.0;
     for (int k = 0; k < 8; ++k) {
         float f = field(p.position + offset * p.normal);
         if (k == 0) {
-            offset = clamp(2.0 * abs(f) / max(p.slope, 1.0e-30), 0.05 * pixel, pixel);
+            offset = clamp(2.0 * abs(f) / max(p.slope, 1.0e-30), 0.05 * p.pixel, p.pixel);
         } else {
             if (p.inside ? f < 0.0 : f > 0.0) break;
             offset *= 2.0;
@@ -33,8 +32,8 @@ float offset_from(SurfacePoint p) {
 
 SurfacePoint end_of_ray(Ray ray, RayState s) {
     vec3 position = ray_point(ray, s.low);
-    SurfacePoint p =
-        SurfacePoint(position, 0.0, -ray.direction, s.verdict, false, false, 0.0, s.low);
+    SurfacePoint p = SurfacePoint(position, 0.0, -ray.direction, s.verdict, false, false, 0.0, s.low,
+                                  footprint_at(position));
     if (s.verdict != VERDICT_HIT) return p;
     vec3 g = surface_gradient(s, position);
     // Before clamping, which turns NaN into a number on some drivers.

@@ -9,6 +9,6 @@ SurfacePoint before_ground(Ray ray, SurfacePoint p) {
     if (!is_first || t <= ray_begin(ray)) return p;
     vec3 position = ray_point(ray, t);
     vec3 normal = slope > 0.0 ? -ground_plane.xyz : ground_plane.xyz;
-    return SurfacePoint(position, 0.05 * footprint_at(position), normal, VERDICT_MISS, false, true,
-                        1.0, t);
+    float pixel = footprint_at(position);
+    return SurfacePoint(position, 0.05 * pixel, normal, VERDICT_MISS, false, true, 1.0, t, pixel);
 }

@@ -1,6 +1,8 @@
 // Shadow rays: from every place to every light that casts shadows, one light after the other. Any
-// root will do, so there is no refinement (Singh & Narayanan 2010, IV-B). Of the ray's state
-// `bisections` counts the lights and `verdict` holds a bit for each that is hidden.
+// root will do, so there is no refinement (Singh & Narayanan 2010, IV-B); but a root that a test only
+// suspects, the sign being the same at both ends, must still be there in half the step, down to the
+// offset. Of the ray's state `bisections` counts the lights and `verdict` holds a bit for
+// each that is hidden.
 
 uniform bool first_pass;
 uniform int evaluations_per_pass;
@@ -46,6 +48,11 @@ void main() {
         if (im_is_nan(f.y)) f.y = 0.0;
         s.evaluations += 1;
         bool hidden = s.phase == PHASE_MARCH && root_exists(s.low, s.f_low, s.high, f);
+        bool suspected = hidden && (f.x < 0.0) == (s.f_low.x < 0.0);
+        if (suspected && s.high - s.low > p.offset) {
+            s.high = 0.5 * (s.low + s.high);
+            continue;
+        }
         bool ended = hidden || im_is_nan(f.x) || s.high >= ray.t_far ||
                      s.evaluations >= int(refinement.y);
         s.low = s.high;

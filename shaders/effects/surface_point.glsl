@@ -9,6 +9,7 @@ struct SurfacePoint {
     bool on_ground;
     float slope;      // |grad F|
     float t;          // on its ray
+    float pixel;      // width of the pixel that sees it
 };
 
 bool is_on_surface(SurfacePoint p) {
@@ -17,5 +18,5 @@ bool is_on_surface(SurfacePoint p) {
 
 SurfacePoint unpack_surface(vec4 a, vec4 b, vec4 c) {
     int code = int(b.w);
-    return SurfacePoint(a.xyz, a.w, b.xyz, code & 7, (code & 8) != 0, (code & 16) != 0, c.x, c.y);
+    return SurfacePoint(a.xyz, a.w, b.xyz, code & 7, (code & 8) != 0, (code & 16) != 0, c.x, c.y, c.z);
 }

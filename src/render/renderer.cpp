@@ -178,11 +178,11 @@ struct Renderer::Parts {
     void draw_tile(const gpu::Rectangle& tile, int& passes) {
         const gpu::Target& rays = march_rays(tile, march, eye_rays, passes);
         if (secondary) {
-            secondary->trace(tile, rays,
-                             [&](const gpu::Program& program,
-                                 const RayTargets& targets) -> const gpu::Target& {
-                                 return march_rays(tile, program, targets, passes);
-                             });
+            secondary->trace(
+                tile, rays,
+                [&](const gpu::Program& program, const RayTargets& targets) -> const gpu::Target& {
+                    return march_rays(tile, program, targets, passes);
+                });
         }
         shade_tile(tile, rays);
     }
@@ -240,7 +240,8 @@ struct Renderer::Parts {
     void count_tile(const gpu::Rectangle& tile, Picture& picture) const {
         for (std::size_t k = 0; k < std::size_t(tile.width) * std::size_t(tile.height); ++k) {
             ++picture.verdicts[std::size_t(pixels[4 * k])];
-            picture.evaluations += std::int64_t(pixels[4 * k + 1]) + std::int64_t(pixels[4 * k + 2]);
+            picture.evaluations +=
+                std::int64_t(pixels[4 * k + 1]) + std::int64_t(pixels[4 * k + 2]);
         }
     }
 

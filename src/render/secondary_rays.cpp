@@ -26,8 +26,7 @@ SecondaryRays::SecondaryRays(const synthesis::Shaders& shaders, int width, int h
     for_each_program([&](const gpu::Program& program) { connect(program); });
 }
 
-void SecondaryRays::for_each_program(
-    const std::function<void(const gpu::Program&)>& visit) const {
+void SecondaryRays::for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
     visit(surface_);
     if (mirror_) {
         visit(mirror_->march);

@@ -49,8 +49,8 @@ private:
         RayTargets rays;
     };
 
-    void keep_ends(const gpu::Program& program, const gpu::Rectangle& tile,
-                   const gpu::Target& rays, const gpu::Target& into) const;
+    void keep_ends(const gpu::Program& program, const gpu::Rectangle& tile, const gpu::Target& rays,
+                   const gpu::Target& into) const;
 
     int first_unit_;
     gpu::Program surface_;

@@ -175,8 +175,8 @@ public:
         to.reach = from.reach ? positive(*from.reach, "the reach") : 0.2 * size;
         to.strength = not_negative(from.strength, "the strength");
         if (to.strength > 1) {
-            fail(from.strength, fmt::format("the strength must be from 0 to 1, not {}",
-                                            to.strength));
+            fail(from.strength,
+                 fmt::format("the strength must be from 0 to 1, not {}", to.strength));
         }
         return to;
     }
@@ -239,8 +239,8 @@ SceneAt in_formula_coordinates(SceneAt scene) {
     scene.camera.up = to_local * scene.camera.up;
     scene.camera.height /= scene.placement.scale;
     for (LightAt& light : scene.lights) {
-        light.direction = light.is_point ? scene.placement.to_local(light.direction)
-                                         : to_local * light.direction;
+        light.direction =
+            light.is_point ? scene.placement.to_local(light.direction) : to_local * light.direction;
         light.falloff /= scene.placement.scale;
     }
     scene.fog.density *= scene.placement.scale;
@@ -269,8 +269,7 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     if (scene.ground) now.ground = read.ground(*scene.ground);
     if (scene.fog) now.fog = read.fog(*scene.fog);
     if (scene.occlusion) {
-        now.occlusion =
-            read.occlusion(*scene.occlusion, now.bounds.radius * now.placement.scale);
+        now.occlusion = read.occlusion(*scene.occlusion, now.bounds.radius * now.placement.scale);
     }
     return now;
 }

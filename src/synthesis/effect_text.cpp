@@ -19,11 +19,12 @@ std::string lit(const scene::Scene& scene, const char* name, bool with_shadows) 
     text += fmt::format("    vec3 sum = 0.12 * albedo{};\n", occluded ? " * openness(p)" : "");
     text += "    for (int k = 0; k < LIGHTS; ++k) {\n"
             "        LightRay light = light_at(k, p.position);\n";
-    text += scene.ground ? "        vec3 share = p.on_ground\n"
-                           "            ? albedo * max(dot(p.normal, light.direction), 0.0)\n"
-                           "            : reflected(albedo, p.normal, to_viewer, light.direction);\n"
-                         : "        vec3 share = reflected(albedo, p.normal, to_viewer, "
-                           "light.direction);\n";
+    text += scene.ground
+                ? "        vec3 share = p.on_ground\n"
+                  "            ? albedo * max(dot(p.normal, light.direction), 0.0)\n"
+                  "            : reflected(albedo, p.normal, to_viewer, light.direction);\n"
+                : "        vec3 share = reflected(albedo, p.normal, to_viewer, "
+                  "light.direction);\n";
     text += fmt::format("        sum += light.strength * share{};\n",
                         shadow_mask(scene) != 0 && with_shadows ? " * visibility(k)" : "");
     return text + "    }\n    return sum;\n}\n";

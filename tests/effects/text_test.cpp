@@ -1,0 +1,77 @@
+// A scene pays for what it names: the text of its shaders holds that and nothing else.
+#include <algorithm>
+
+#include <gmock/gmock.h>
+
+#include "render/drawing.h"
+#include "synthesis/assemble.h"
+
+namespace isomotion::synthesis {
+namespace {
+
+Shaders shaders_of(const std::string& more) {
+    return assemble(render::scene_of("[surface]\nformula = \"x^2 + y^2 + z^2 - 1\"\n"
+                                     "bounds = { sphere = 1.5 }\n" +
+                                     more));
+}
+
+std::string all_of(const Shaders& s) {
+    return s.march + s.active + s.shade + s.surface + s.shadow + s.mirror + s.mirror_surface;
+}
+
+bool has_effects(const Shaders& shaders) {
+    return std::any_of(shaders.files.begin(), shaders.files.end(),
+                       [](const std::string& file) { return file.starts_with("effects/"); });
+}
+
+TEST(EffectText, APlainSceneHasNone) {
+    for (const char* scene : {"", "[[lights]]\ndirection = [1, 0, 0]\n",
+                              "[[lights]]\ndirection = [1, 0, 0]\nshadow = false\n",
+                              "[material]\ncolor = [1, 0, 0]\n"}) {
+        const Shaders plain = shaders_of(scene);
+        EXPECT_FALSE(has_effects(plain)) << scene;
+        EXPECT_TRUE((plain.surface + plain.shadow + plain.mirror + plain.mirror_surface).empty());
+        EXPECT_THAT(all_of(plain), testing::Not(testing::HasSubstr("effects/")));
+    }
+}
+
+struct Named {
+    std::string scene, file, word; // what a scene says, the file it calls for, a word of that
+};
+void PrintTo(const Named& named, std::ostream* out) { *out << named.file; }
+
+class EffectText : public testing::TestWithParam<Named> {};
+
+const std::vector<Named> every_effect{
+    {"[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n", "effects/shadow.frag", "shadow_ray"},
+    {"[[lights]]\nposition = [2, 0, 0]\n", "effects/near_lights.glsl", "fade"},
+    {"[ground]\nheight = -1\n", "effects/ground.glsl", "ground_plane"},
+    {"[fog]\ndensity = 0.1\n", "effects/fog.glsl", "in_fog"},
+    {"[occlusion]\n", "effects/occlusion.glsl", "openness"},
+    {"[material]\nreflection = \"sky\"\n", "effects/sky_flat.glsl", "mirrored("},
+    {"[material]\nreflection = \"self\"\n", "effects/mirror_ray.glsl", "load_mirrored"},
+};
+
+TEST_P(EffectText, IsThereWhereItIsNamedAndOnlyThere) {
+    const Shaders named = shaders_of(GetParam().scene);
+    EXPECT_THAT(named.files, testing::Contains(GetParam().file));
+    EXPECT_THAT(all_of(named), testing::HasSubstr(GetParam().word));
+    for (const Named& other : every_effect) {
+        if (other.word == GetParam().word || other.word == "mirrored(") continue;
+        EXPECT_THAT(all_of(named), testing::Not(testing::HasSubstr(other.word)))
+            << "of " << other.file;
+    }
+    // What every ray runs through stays the same.
+    EXPECT_EQ(named.march, shaders_of("").march);
+}
+
+TEST_P(EffectText, DependsOnNoValue) {
+    std::string moved = GetParam().scene;
+    std::replace(moved.begin(), moved.end(), '1', '3');
+    EXPECT_EQ(all_of(shaders_of(GetParam().scene)), all_of(shaders_of(moved)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Effects, EffectText, testing::ValuesIn(every_effect));
+
+} // namespace
+} // namespace isomotion::synthesis
