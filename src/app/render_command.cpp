@@ -185,7 +185,8 @@ private:
             const int frame = frames_[k];
             const animation::Values values = scene_.timeline.values(frame);
             const scene::SceneAt now = scene::at(scene_, values);
-            const std::string pixels = renderer.fingerprint(now);
+            const auto motion = motion_of(frame);
+            const std::string pixels = renderer.fingerprint(now, motion ? &*motion : nullptr);
             image::Metadata metadata = frame_metadata(scene_, now, values, frame, "");
             metadata.back().value = file_fingerprint(pixels, machine, metadata);
             progress.show(int(k), fs::path(name_.path(frame)).filename().string());
@@ -195,7 +196,7 @@ private:
             }
             // A scene that stands still is drawn once.
             if (!last || pixels != last_pixels) {
-                last = renderer.draw(now);
+                last = renderer.draw(now, motion ? &*motion : nullptr);
                 last_pixels = pixels;
                 totals_.add(*last);
                 warn(frame, *last);
@@ -207,6 +208,13 @@ private:
             writer.submit(frame, std::move(image));
         }
         writer.finish();
+    }
+
+    // What the channel velocity needs, if it is asked for.
+    std::optional<render::Motion> motion_of(int frame) const {
+        const auto wanted = synthesis::Channel::velocity;
+        if (std::find(channels_.begin(), channels_.end(), wanted) == channels_.end()) return {};
+        return render::motion_about(scene_, frame);
     }
 
     // Pixels, file format and everything else that the file records.

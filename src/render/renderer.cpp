@@ -81,6 +81,10 @@ struct Renderer::Parts {
                               unit_arrays + int(shaders.arrays.size()));
             secondary->connect(shade);
         }
+        if (!shaders.motion.empty()) {
+            moved.emplace(gpu::Program(shaders.vertex, shaders.motion, "motion"),
+                          gpu::Target(plan.tile_width, plan.tile_height));
+        }
         for_each_program([&](const gpu::Program& program) { connect(program); });
         pixels.resize(std::size_t(plan.tile_width) * std::size_t(plan.tile_height) * 4);
     }
@@ -106,6 +110,7 @@ struct Renderer::Parts {
     void for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
         for (const gpu::Program* program : {&march, &active, &shade}) visit(*program);
         if (secondary) secondary->for_each_program(visit);
+        if (moved) visit(moved->program);
     }
 
     void connect(const gpu::Program& program) const {
@@ -127,7 +132,7 @@ struct Renderer::Parts {
     void upload(const scene::SceneAt& now) {
         const FrameBlock block = frame_block(scene, now, options.width, options.height);
         frame.update(std::as_bytes(std::span(&block, 1)));
-        parameters.update(parameter_block(shaders, now));
+        upload_field(now);
         const auto shades = shading_block(scene, now, options.width, options.height);
         shading.update(std::as_bytes(std::span(shades)));
         for (const auto& [name, value] : effect_uniforms(scene, now)) {
@@ -136,10 +141,14 @@ struct Renderer::Parts {
             });
         }
         frame.bind(binding_frame);
-        parameters.bind(binding_parameters);
         shading.bind(binding_shading);
+    }
+
+    void upload_field(const scene::SceneAt& at) {
+        parameters.update(parameter_block(shaders, at));
+        parameters.bind(binding_parameters);
         for (std::size_t a = 0; a < arrays.size(); ++a) {
-            arrays[a].update(array_texels(scene, shaders, now, a));
+            arrays[a].update(array_texels(scene, shaders, at, a));
             arrays[a].bind(a);
         }
     }
@@ -174,8 +183,8 @@ struct Renderer::Parts {
         }
     }
 
-    // The rays of a tile and what starts where they end.
-    void draw_tile(const gpu::Rectangle& tile, int& passes) {
+    // The rays of a tile, which it returns, and what starts where they end.
+    const gpu::Target& draw_tile(const gpu::Rectangle& tile, int& passes) {
         const gpu::Target& rays = march_rays(tile, march, eye_rays, passes);
         if (secondary) {
             secondary->trace(
@@ -185,6 +194,7 @@ struct Renderer::Parts {
                 });
         }
         shade_tile(tile, rays);
+        return rays;
     }
 
     void shade_tile(const gpu::Rectangle& tile, const gpu::Target& rays) {
@@ -195,6 +205,59 @@ struct Renderer::Parts {
         shade.set("tile_origin", glm::ivec2(tile.x, tile.y));
         shade.use();
         triangle.draw();
+    }
+
+    // F and its gradient at another time, where the rays that are bound ended.
+    std::vector<float> field_at(const gpu::Rectangle& tile, const scene::SceneAt& now,
+                                const scene::SceneAt& other) {
+        upload_field(other);
+        const auto rows = change_of_place(now.placement, other.placement);
+        moved->program.set("move_x", rows[0]);
+        moved->program.set("move_y", rows[1]);
+        moved->program.set("move_z", rows[2]);
+        moved->program.set("tile_origin", glm::ivec2(tile.x, tile.y));
+        moved->field.bind();
+        gpu::set_viewport({0, 0, tile.width, tile.height});
+        moved->program.use();
+        triangle.draw();
+        return moved->field.read(0, 0, 0, tile.width, tile.height);
+    }
+
+    // The channel velocity of a tile whose rays and record are there: `pixels` holds the latter.
+    void draw_velocity(const gpu::Rectangle& tile, const gpu::Target& rays,
+                       const scene::SceneAt& now, const Motion& motion, image::Frame& drawn) {
+        rays.texture(0).bind(unit_state_0);
+        rays.texture(1).bind(unit_state_1);
+        const std::vector<float> before = field_at(tile, now, motion.before);
+        const std::vector<float> after = field_at(tile, now, motion.after);
+        upload_field(now);
+        const std::vector<float> ends = rays.read(0, 0, 0, tile.width, tile.height);
+        const scene::Rays from = scene::rays(now, options.width, options.height);
+        const auto channels = targets_of(drawn, synthesis::Channel::velocity);
+        for (int y = 0; y < tile.height; ++y) {
+            for (int x = 0; x < tile.width; ++x) {
+                const auto at = std::size_t(y * tile.width + x);
+                if (Verdict(int(pixels[4 * at])) != Verdict::hit) continue;
+                const double u = 2 * (tile.x + x + 0.5) / options.width - 1;
+                const double v = 2 * (tile.y + y + 0.5) / options.height - 1;
+                const glm::dvec3 across = u * from.right + v * from.up;
+                const glm::dvec3 way =
+                    glm::normalize(from.parallel ? from.axis : from.axis + across);
+                const auto texel = [&](const std::vector<float>& texels) {
+                    const float* t = texels.data() + 4 * at;
+                    return glm::dvec4(t[0], t[1], t[2], t[3]);
+                };
+                const glm::dvec3 found = velocity(motion, now, options.width, options.height,
+                                                  from.origin + across + double(ends[4 * at]) * way,
+                                                  texel(before), texel(after));
+                const auto pixel =
+                    std::size_t(options.height - 1 - (tile.y + y)) * std::size_t(options.width) +
+                    std::size_t(tile.x + x);
+                for (int k = 0; k < 3; ++k) {
+                    channels[std::size_t(k)]->samples[pixel] = float(found[k]);
+                }
+            }
+        }
     }
 
     // Copies components of one attachment into channels, rows from the top.
@@ -256,6 +319,11 @@ struct Renderer::Parts {
     gpu::UniformBuffer frame, parameters, shading;
     std::vector<ArrayBuffer> arrays;
     std::optional<SecondaryRays> secondary;
+    struct Moved {
+        gpu::Program program;
+        gpu::Target field;
+    };
+    std::optional<Moved> moved; // of the channel velocity
     gpu::Fullscreen triangle;
     gpu::SamplesQuery still_active;
     std::vector<float> pixels; // of one attachment of a tile
@@ -269,7 +337,7 @@ Renderer::~Renderer() = default;
 
 const MarchPlan& Renderer::plan() const { return parts_->plan; }
 
-Picture Renderer::draw(const scene::SceneAt& now) {
+Picture Renderer::draw(const scene::SceneAt& now, const Motion* motion) {
     Parts& p = *parts_;
     const auto begin = std::chrono::steady_clock::now();
     p.context.make_current();
@@ -285,10 +353,11 @@ Picture Renderer::draw(const scene::SceneAt& now) {
         for (int x = 0; x < p.options.width; x += p.plan.tile_width) {
             const gpu::Rectangle tile{x, y, std::min(p.plan.tile_width, p.options.width - x),
                                       std::min(p.plan.tile_height, p.options.height - y)};
-            p.draw_tile(tile, picture.passes);
+            const gpu::Target& rays = p.draw_tile(tile, picture.passes);
             p.read_tile(tile, 0, {channel(0), channel(1), channel(2), channel(3)});
             p.read_tile(tile, 1, record);
             p.count_tile(tile, picture);
+            if (p.moved && motion) p.draw_velocity(tile, rays, now, *motion, picture.frame);
             for (std::size_t a = 0; a < p.shaders.attachments.size(); ++a) {
                 p.read_tile(tile, 2 + int(a), targets_of(picture.frame, p.shaders.attachments[a]));
             }
@@ -298,24 +367,32 @@ Picture Renderer::draw(const scene::SceneAt& now) {
     return picture;
 }
 
-std::string Renderer::fingerprint(const scene::SceneAt& now) const {
+std::string Renderer::fingerprint(const scene::SceneAt& now, const Motion* motion) const {
     const Parts& p = *parts_;
     Fingerprint print;
+    const synthesis::Shaders& shaders = p.shaders;
     for (const std::string* text :
-         {&p.shaders.march, &p.shaders.surface, &p.shaders.shadow, &p.shaders.shade}) {
+         {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.shade}) {
         print.add(*text);
     }
-    const FrameBlock block = frame_block(p.scene, now, p.options.width, p.options.height);
-    print.add_values(std::span<const FrameBlock>(&block, 1));
-    print.add(parameter_block(p.shaders, now));
+    const auto add_field = [&](const scene::SceneAt& at) {
+        const FrameBlock block = frame_block(p.scene, at, p.options.width, p.options.height);
+        print.add_values(std::span<const FrameBlock>(&block, 1));
+        print.add(parameter_block(shaders, at));
+        for (std::size_t a = 0; a < shaders.arrays.size(); ++a) {
+            const auto texels = array_texels(p.scene, shaders, at, a);
+            print.add_values(std::span<const glm::vec4>(texels));
+        }
+    };
+    add_field(now);
     const auto shades = shading_block(p.scene, now, p.options.width, p.options.height);
     print.add_values(std::span<const glm::vec4>(shades));
     for (const auto& [name, value] : effect_uniforms(p.scene, now)) {
         print.add(name).add_values(std::span<const glm::vec4>(&value, 1));
     }
-    for (std::size_t a = 0; a < p.shaders.arrays.size(); ++a) {
-        const auto texels = array_texels(p.scene, p.shaders, now, a);
-        print.add_values(std::span<const glm::vec4>(texels));
+    if (motion) {
+        add_field(motion->before);
+        add_field(motion->after);
     }
     const std::array size{p.options.width, p.options.height};
     print.add_values(std::span<const int>(size));

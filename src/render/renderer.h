@@ -10,6 +10,7 @@
 #include "gpu/context.h"
 #include "image/frame.h"
 #include "render/march_plan.h"
+#include "render/motion.h"
 #include "scene/scene_at.h"
 #include "synthesis/channel.h"
 
@@ -41,11 +42,12 @@ public:
     Renderer(gpu::Context& context, const scene::Scene& scene, RenderOptions options);
     ~Renderer();
 
-    Picture draw(const scene::SceneAt& now);
+    // The channel velocity needs `motion`.
+    Picture draw(const scene::SceneAt& now, const Motion* motion = nullptr);
 
     // Everything that decides the pixels of a frame beside the driver: shader text, uniform values,
     // size and channels. Equal fingerprints, equal pictures.
-    std::string fingerprint(const scene::SceneAt& now) const;
+    std::string fingerprint(const scene::SceneAt& now, const Motion* motion = nullptr) const;
 
     const MarchPlan& plan() const;
 

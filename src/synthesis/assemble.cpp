@@ -99,6 +99,14 @@ std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
     return text.take();
 }
 
+std::string motion_text(const scene::Scene& scene, Shaders& shaders) {
+    ShaderText text(shaders.files);
+    add_field(text, *scene.surface.field, shaders, {FieldFunction::value, FieldFunction::gradient});
+    add_ray(text, scene);
+    text.file("channels/motion.frag");
+    return text.take();
+}
+
 struct ChannelShader {
     Channel channel;
     const char* file;
@@ -171,6 +179,9 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     if (scene.material.reflection == scene::Material::Reflection::self) {
         shaders.mirror = march_text(scene, shaders, Origin::mirror);
         shaders.mirror_surface = surface_text(scene, shaders, Origin::mirror);
+    }
+    if (std::find(channels.begin(), channels.end(), Channel::velocity) != channels.end()) {
+        shaders.motion = motion_text(scene, shaders);
     }
     shaders.shade = shade_text(scene, channels, shaders);
     return shaders;

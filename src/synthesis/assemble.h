@@ -24,6 +24,7 @@ struct Shaders : FieldStorage {
     std::string shadow;          // one pass of the shadow rays
     std::string mirror;          // one pass of the mirrored rays
     std::string mirror_surface;  // keeps where those ended
+    std::string motion;          // of the channel velocity: F at another time
 
     // Whether a march samples F and dF/dt, or F alone; and whether, the formula being long, it also
     // samples the gradient at the root, which else the shade pass does.

@@ -7,7 +7,7 @@
 
 namespace isomotion::synthesis {
 
-enum class Channel { depth, normal, position, verdict, evaluations };
+enum class Channel { depth, normal, position, verdict, evaluations, velocity };
 
 struct ChannelName {
     Channel channel;
@@ -22,6 +22,7 @@ inline const std::vector<ChannelName>& channel_names() {
         {Channel::position, "p", {"P.X", "P.Y", "P.Z"}},
         {Channel::verdict, "verdict", {"verdict"}},
         {Channel::evaluations, "evaluations", {"evaluations"}},
+        {Channel::velocity, "velocity", {"velocity.N", "velocity.X", "velocity.Y"}},
     };
     return names;
 }

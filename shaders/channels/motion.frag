@@ -1,0 +1,18 @@
+// F and its gradient at another time, where this time's rays ended: drawn a little before and a
+// little after, these tell how the surface moves (src/render/motion.h).
+layout(location = 0) out vec4 field_there;
+
+// The place in formula coordinates of the other time: they move if the surface's placement does.
+uniform vec4 move_x;
+uniform vec4 move_y;
+uniform vec4 move_z;
+
+void main() {
+    Ray ray = pixel_ray();
+    RayState s = load_state();
+    field_there = vec4(0.0);
+    if (s.verdict != VERDICT_HIT) return;
+    vec4 p = vec4(ray_point(ray, s.low), 1.0);
+    vec3 q = vec3(dot(move_x, p), dot(move_y, p), dot(move_z, p));
+    field_there = vec4(field_gradient(q), field(q));
+}

@@ -1,0 +1,38 @@
+// The channel velocity: how fast the surface moves where a pixel sees it.
+//
+// A surface F(p, t) = 0 has no velocity but the one along its normal, -(dF/dt) / |grad F|. dF/dt is
+// the difference of F over a short time about the frame's, at the same place in the world, so it
+// holds for whatever moves: parameters, elements of arrays, the placement.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "image/frame.h"
+#include "scene/rays.h"
+#include "scene/scene.h"
+#include "scene/scene_at.h"
+
+namespace isomotion::render {
+
+struct Motion {
+    scene::SceneAt before, after;
+    double seconds = 0; // from `before` to `after`
+};
+
+// A tenth of a frame about the time of the frame; one-sided where an animation that is no loop
+// begins or ends. Throws as scene::at does.
+Motion motion_about(const scene::Scene& scene, int frame);
+
+// Formula coordinates of `from` to those of `to` by way of the world, as three rows.
+std::array<glm::vec4, 3> change_of_place(const scene::PlacementAt& from,
+                                         const scene::PlacementAt& to);
+
+// Of one hit: along the normal in world units a second, towards where F > 0; and of the place on
+// the surface in the picture, in pixels a second to the right and down, the camera's own motion
+// included. `position` is of the hit, formula coordinates; `before` and `after` hold the gradient
+// and the value of F there.
+glm::dvec3 velocity(const Motion& motion, const scene::SceneAt& now, int width, int height,
+                    const glm::dvec3& position, const glm::dvec4& before, const glm::dvec4& after);
+
+} // namespace isomotion::render
