@@ -160,6 +160,20 @@ public:
         return lights;
     }
 
+    EnvironmentAt environment(const Environment& from) const {
+        EnvironmentAt to;
+        // Whole turns are taken off before the conversion, which rounds them.
+        const double angle = glm::radians(std::remainder(number(from.rotation), 360.0));
+        to.ahead = {std::cos(angle), std::sin(angle), 0};
+        to.left = {-std::sin(angle), std::cos(angle), 0};
+        to.intensity = number(from.intensity);
+        if (!(to.intensity >= 0)) {
+            fail(from.intensity,
+                 fmt::format("the intensity must be 0 or more, not {}", to.intensity));
+        }
+        return to;
+    }
+
 private:
     template<class Name> void check(double value, Name&& name) const {
         // Everything ends as a float on the GPU.
@@ -207,6 +221,11 @@ SceneAt in_formula_coordinates(SceneAt scene) {
     scene.camera.up = to_local * scene.camera.up;
     scene.camera.height /= scene.placement.scale;
     for (LightAt& light : scene.lights) light.direction = to_local * light.direction;
+    if (scene.environment) {
+        for (auto axis : {&EnvironmentAt::ahead, &EnvironmentAt::left, &EnvironmentAt::top}) {
+            (*scene.environment).*axis = to_local * (*scene.environment).*axis;
+        }
+    }
     scene.placement = {};
     return scene;
 }
@@ -227,6 +246,7 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     now.lights = read.lights(now.camera);
     now.material_color = read.vector(scene.material.color);
     if (scene.material.inside) now.inside_color = read.vector(*scene.material.inside);
+    if (scene.environment) now.environment = read.environment(*scene.environment);
     return now;
 }
 

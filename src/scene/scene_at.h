@@ -1,6 +1,7 @@
 // A scene at one time, as plain numbers.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -43,6 +44,12 @@ struct LightAt {
     glm::dvec3 color{1};
 };
 
+struct EnvironmentAt {
+    // To where the map has its middle, its left quarter and its top: unit length, world.
+    glm::dvec3 ahead{1, 0, 0}, left{0, 1, 0}, top{0, 0, 1};
+    double intensity = 1;
+};
+
 struct SceneAt {
     double time = 0;
     // What the formula's names stand for, rounded to float: GPU, CPU and truth see the same values.
@@ -53,6 +60,7 @@ struct SceneAt {
     std::vector<LightAt> lights;
     glm::dvec3 material_color{1};
     glm::dvec3 inside_color{1}; // of a surface that tells its sides apart
+    std::optional<EnvironmentAt> environment;
 };
 
 // The same scene with the surface where its formula has it and the camera moved instead. Rays and
