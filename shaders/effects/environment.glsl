@@ -10,8 +10,8 @@ uniform vec3 environment_left;
 uniform vec3 environment_top;
 uniform float environment_intensity;
 
-// The angle of v in turns, -1/2 to 1/2; 0 for no direction. GLSL lets atan(y, x) be off by 4096 ulp,
-// a texel of a large map.
+// The angle of v in turns, -1/2 to 1/2; 0 for no direction. GLSL lets atan(y, x) be off by 4096
+// ulp, a texel of a large map.
 float turns(vec2 v) {
     vec2 size = abs(v);
     float low = min(size.x, size.y);

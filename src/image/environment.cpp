@@ -61,11 +61,24 @@ Colour colour_of(const std::filesystem::path& file, Frame& frame) {
                            fmt::join(names, ", ")));
 }
 
-/// Colour of integers is meant for a screen unless the file says otherwise. decode() has done what
-/// the file calls sRGB.
-bool is_unsaid_srgb(const OIIO::ImageSpec& spec) {
-    return !spec.format.is_floating_point() && spec.get_string_attribute("oiio:ColorSpace").empty();
-}
+/// From the samples that decode() gives to light; what a file calls sRGB it has done already.
+/// Colour of integers is meant for a screen unless the file says otherwise.
+class Decoding {
+public:
+    explicit Decoding(const OIIO::ImageSpec& spec) {
+        const std::string space = spec.get_string_attribute("oiio:ColorSpace");
+        srgb_ = space.empty() && !spec.format.is_floating_point();
+        if (space.starts_with("Gamma")) gamma_ = spec.get_float_attribute("oiio:Gamma", 1.0f);
+    }
+    float operator()(float sample) const {
+        if (srgb_) return linear_from_srgb(sample);
+        return gamma_ == 1.0f ? sample : std::pow(sample, gamma_);
+    }
+
+private:
+    bool srgb_;
+    float gamma_ = 1.0f;
+};
 
 float mended(float light, float largest) {
     if (!(light > 0.0f)) return 0.0f; // of NaN too
@@ -104,12 +117,9 @@ EnvironmentMap read_environment(const std::filesystem::path& file) {
     EnvironmentMap map{frame.width, frame.height, {}, 0};
     const auto area = std::size_t(map.width) * std::size_t(map.height);
     map.texels.assign(4 * area, 1.0f);
-    const bool srgb = is_unsaid_srgb(spec);
+    const Decoding light(spec);
     for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t i = 0; i < area; ++i) {
-            const float sample = colour[c]->samples[i];
-            map.texels[4 * i + c] = srgb ? linear_from_srgb(sample) : sample;
-        }
+        for (std::size_t i = 0; i < area; ++i) map.texels[4 * i + c] = light(colour[c]->samples[i]);
     map.mended = mend(map.texels);
     return map;
 }

@@ -95,6 +95,21 @@ std::string radiance(int width, int height, const std::string& rgbe) {
     return bytes;
 }
 
+/// A PNG of the gray samples 128 and 255, with one more chunk before them.
+std::string png(const std::vector<unsigned char>& chunk) {
+    static constexpr unsigned char head[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00,
+                                             0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00,
+                                             0x00, 0x02, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00,
+                                             0x00, 0x00, 0xd1, 0x49, 0x20, 0x56};
+    static constexpr unsigned char rest[] = {0x00, 0x00, 0x00, 0x0b, 0x49, 0x44, 0x41, 0x54, 0x78,
+                                             0x9c, 0x63, 0x68, 0xf8, 0x0f, 0x00, 0x02, 0x02, 0x01,
+                                             0x80, 0x6e, 0x56, 0x8b, 0x13, 0x00, 0x00, 0x00, 0x00,
+                                             0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+    std::string bytes(std::begin(head), std::end(head));
+    bytes.append(chunk.begin(), chunk.end());
+    return bytes.append(std::begin(rest), std::end(rest));
+}
+
 TEST_F(EnvironmentFile, RowsComeFromTheTop) {
     Frame frame = plain(4, 2, 0, 0, 0);
     for (std::size_t i = 0; i < 8; ++i)
@@ -144,6 +159,19 @@ TEST_F(EnvironmentFile, IntegersThatNameNoColourSpaceAreScreenColours) {
         for (std::size_t i = 0; i < 32; ++i)
             EXPECT_NEAR(map.texels[i], i % 4 == 3 ? 1.0 : linear, 1e-6) << channels << " " << i;
     }
+}
+
+TEST_F(EnvironmentFile, AGammaIsUndone) {
+    const auto read = [&](const std::vector<unsigned char>& gamma_chunk) {
+        return read_environment(write("a.png", png(gamma_chunk)));
+    };
+    const EnvironmentMap screen = read({0x00, 0x00, 0x00, 0x04, 0x67, 0x41, 0x4d, 0x41, 0x00, 0x00,
+                                        0xb1, 0x8f, 0x0b, 0xfc, 0x61, 0x05}); // 1/2.2
+    EXPECT_NEAR(screen.texels[0], std::pow(128 / 255.0, 2.2), 1e-6);
+    EXPECT_EQ(screen.texels[4], 1.0f);
+    const EnvironmentMap linear = read({0x00, 0x00, 0x00, 0x04, 0x67, 0x41, 0x4d, 0x41, 0x00, 0x01,
+                                        0x86, 0xa0, 0x31, 0xe8, 0x96, 0x5f}); // 1
+    EXPECT_NEAR(linear.texels[0], 128 / 255.0, 1e-6);
 }
 
 TEST_F(EnvironmentFile, RadianceIsLinear) {
