@@ -1,3 +1,4 @@
+// One colour behind the surface. Needs shade/shading.glsl.
 vec4 sky(vec3 direction) {
     return background;
 }

@@ -68,13 +68,6 @@ int read_count(const toml::node& node, const std::string& key) {
     return int(*count);
 }
 
-// Files are named from where the scene is; on the command line from the current folder.
-std::filesystem::path beside(const toml::node& node, const std::string& name) {
-    const auto& document = node.source().path;
-    if (!document) return name;
-    return std::filesystem::path(*document).parent_path() / name;
-}
-
 TableReading read_data(const toml::table& table, const std::string& key) {
     Section section(table, key);
     TableReading reading;

@@ -59,5 +59,6 @@ fs::path animation_file(const std::string& name) {
 fs::path surface_file(const std::string& name) {
     return data_folder() / "animations" / "surfaces" / (name + ".toml");
 }
+fs::path media_file(const std::string& name) { return data_folder() / "media" / name; }
 
 } // namespace isomotion::scene

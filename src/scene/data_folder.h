@@ -1,4 +1,5 @@
-// Where the program's own files are: shaders/, animations/, installed or in the source tree.
+// Where the program's own files are: shaders/, animations/, media/, installed or in the source
+// tree.
 #pragma once
 
 #include <filesystem>
@@ -18,5 +19,7 @@ std::vector<std::string> surface_names();
 
 std::filesystem::path animation_file(const std::string& name);
 std::filesystem::path surface_file(const std::string& name);
+// `name` with its extension.
+std::filesystem::path media_file(const std::string& name);
 
 } // namespace isomotion::scene

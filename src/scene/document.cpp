@@ -84,6 +84,12 @@ double read_finite(const toml::node& node, const std::string& key) {
     return *value;
 }
 
+std::filesystem::path beside(const toml::node& node, const std::string& name) {
+    const auto& document = node.source().path;
+    if (!document) return name;
+    return std::filesystem::path(*document).parent_path() / name;
+}
+
 animation::TrackSource read_track(const toml::node& node, const std::string& key) {
     if (node.is_number()) return read_finite(node, key);
     if (const auto text = node.value<std::string>()) return animation::Expression{*text};

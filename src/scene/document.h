@@ -57,5 +57,7 @@ animation::TrackSource read_track(const toml::node& node, const std::string& key
 // [x, y, z] of such, or { keys = [[t, [x, y, z]], ...], ease = "linear" }.
 std::array<animation::TrackSource, 3> read_vector(const toml::node& node, const std::string& key);
 double read_finite(const toml::node& node, const std::string& key);
+// A file that a value names: from where the scene is, on the command line from the current folder.
+std::filesystem::path beside(const toml::node& node, const std::string& name);
 
 } // namespace isomotion::scene

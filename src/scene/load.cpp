@@ -4,6 +4,7 @@
 
 #include "scene/camera.h"
 #include "scene/data_folder.h"
+#include "scene/environment.h"
 #include "scene/lights.h"
 #include "scene/space.h"
 #include "scene/surface.h"
@@ -122,6 +123,26 @@ void read_material(Section& document, const SurfaceParts& parts, Scene& scene, T
     }
 }
 
+std::array<double, 3> read_still_color(const toml::node& node, const std::string& key,
+                                       const char* right) {
+    const toml::array* list = node.as_array();
+    if (!list || list->size() != 3) fail(node, key, right);
+    std::array<double, 3> color;
+    for (std::size_t k = 0; k < 3; ++k) color[k] = read_finite(*list->get(k), key);
+    return color;
+}
+
+SkyGradient read_gradient(Section section) {
+    const auto color = [&](const std::string& name) {
+        const toml::node* node = section.find(name);
+        if (!node) fail(section.table(), section.dotted(name), "is missing; give [r, g, b]");
+        return read_still_color(*node, section.dotted(name), "must be [r, g, b] (linear)");
+    };
+    const SkyGradient gradient{color("top"), color("bottom")};
+    section.refuse_rest();
+    return gradient;
+}
+
 void read_output(Section& document, Scene& scene) {
     constexpr int most = 16384;
     Output& output = scene.output;
@@ -144,14 +165,13 @@ void read_output(Section& document, Scene& scene) {
         if (node->value_exact<std::string>() == "transparent") {
             output.transparent = true;
             output.background = {0, 0, 0};
+        } else if (node->is_table()) {
+            output.gradient = read_gradient(*section->section("background"));
         } else {
-            const toml::array* color = node->as_array();
-            if (!color || color->size() != 3) {
-                fail(*node, "output.background", "must be [r, g, b] (linear) or \"transparent\"");
-            }
-            for (std::size_t k = 0; k < 3; ++k) {
-                output.background[k] = read_finite(*color->get(k), "output.background");
-            }
+            output.background =
+                read_still_color(*node, "output.background",
+                                 "must be [r, g, b] (linear), { top = [r, g, b], bottom = "
+                                 "[r, g, b] } or \"transparent\"");
         }
     }
     output.poster = section->integer("poster", 1, scene.timeline.frames).value_or(1);
@@ -216,6 +236,7 @@ Scene load(const std::string& name, const std::vector<Override>& overrides) {
     read_material(document, *parts, scene, tracks);
     read_output(document, scene);
     read_surroundings(document, scene, tracks);
+    scene.environment = read_environment(document, tracks);
     GivenThresholds given;
     if (parts->catalogue) {
         Section catalogue(*parts->catalogue, "");

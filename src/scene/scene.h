@@ -117,9 +117,24 @@ struct Material {
     std::optional<Vec3Track> inside; // seen from where F < 0
 };
 
+// What is far away in every direction, as a latitude-longitude map. The top of the map is where
+// the world's z axis points to, its middle where the x axis does, its left quarter the y axis.
+struct Environment {
+    std::filesystem::path map;
+    TrackId rotation = 0;   // of the surroundings about the z axis, degrees
+    TrackId intensity = 0;  // multiplies the map
+    bool background = true; // seen behind the surface
+};
+
+// Colours at the ends of the world's z axis.
+struct SkyGradient {
+    std::array<double, 3> top{}, bottom{};
+};
+
 struct Output {
     int width = 512, height = 512;
     std::array<double, 3> background{};
+    std::optional<SkyGradient> gradient; // in place of `background`
     bool transparent = false;
     int poster = 1; // the frame that stands for the whole
 };
@@ -136,6 +151,7 @@ struct Scene {
     std::optional<Ground> ground;
     std::optional<Fog> fog;
     std::optional<Occlusion> occlusion;
+    std::optional<Environment> environment;
     Output output;
 };
 

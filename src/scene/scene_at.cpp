@@ -181,6 +181,20 @@ public:
         return to;
     }
 
+    EnvironmentAt environment(const Environment& from) const {
+        EnvironmentAt to;
+        // Whole turns are taken off before the conversion, which rounds them.
+        const double angle = glm::radians(std::remainder(number(from.rotation), 360.0));
+        to.ahead = {std::cos(angle), std::sin(angle), 0};
+        to.left = {-std::sin(angle), std::cos(angle), 0};
+        to.intensity = number(from.intensity);
+        if (!(to.intensity >= 0)) {
+            fail(from.intensity,
+                 fmt::format("the intensity must be 0 or more, not {}", to.intensity));
+        }
+        return to;
+    }
+
 private:
     double positive(TrackId track, const char* what) const {
         const double value = number(track);
@@ -246,6 +260,11 @@ SceneAt in_formula_coordinates(SceneAt scene) {
     scene.fog.density *= scene.placement.scale;
     scene.fog.start /= scene.placement.scale;
     scene.occlusion.reach /= scene.placement.scale;
+    if (scene.environment) {
+        for (auto axis : {&EnvironmentAt::ahead, &EnvironmentAt::left, &EnvironmentAt::top}) {
+            (*scene.environment).*axis = to_local * (*scene.environment).*axis;
+        }
+    }
     scene.placement = {};
     return scene;
 }
@@ -271,6 +290,7 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     if (scene.occlusion) {
         now.occlusion = read.occlusion(*scene.occlusion, now.bounds.radius * now.placement.scale);
     }
+    if (scene.environment) now.environment = read.environment(*scene.environment);
     return now;
 }
 

@@ -1,6 +1,7 @@
 // A scene at one time, as plain numbers.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -59,6 +60,12 @@ struct OcclusionAt {
     double reach = 1, strength = 1;
 };
 
+struct EnvironmentAt {
+    // To where the map has its middle, its left quarter and its top: unit length, world.
+    glm::dvec3 ahead{1, 0, 0}, left{0, 1, 0}, top{0, 0, 1};
+    double intensity = 1;
+};
+
 struct SceneAt {
     double time = 0;
     // What the formula's names stand for, rounded to float: GPU, CPU and truth see the same values.
@@ -72,6 +79,7 @@ struct SceneAt {
     GroundAt ground;            // these where the scene has them
     FogAt fog;
     OcclusionAt occlusion;
+    std::optional<EnvironmentAt> environment;
 };
 
 // The same scene with the surface where its formula has it and the camera moved instead. Rays and

@@ -48,8 +48,8 @@ TEST_F(KeyMistakes, UnknownKeysFarFromAnyAreToldWhatThereIs) {
          "scene.toml:12: camera.zoom_level: unknown key; known here: azimuth, distance, elevation, "
          "fov, height, position, projection, target, up, zoom"},
         {ball_and("[fog]\ndensity = 1"), "scene.toml:15: fog: unknown key; known here: arrays, "
-                                         "camera, isolation, lights, material, "
-                                         "output, parameters, surface, time, title"},
+                                         "camera, environment, isolation, lights, "
+                                         "material, output, parameters, surface, time, title"},
     });
 }
 

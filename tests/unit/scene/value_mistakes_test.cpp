@@ -9,6 +9,10 @@ constexpr const char* moving_number =
     "\"smooth\" }";
 constexpr const char* moving_vector = "must be [x, y, z] or { keys = [[t, [x, y, z]], ...] }";
 
+constexpr const char* background =
+    "output.background: must be [r, g, b] (linear), { top = [r, g, b], bottom = [r, g, b] } or "
+    "\"transparent\"";
+
 class ValueMistakes : public Scenes {
 protected:
     // Line `number` of the ball becomes `line`; the rest of the message follows the place.
@@ -47,10 +51,8 @@ TEST_F(ValueMistakes, WrongTypes) {
     expect_in("isolation", "step = \"small\"", "step: must be a number");
     expect_in("isolation", "bisections = 2.0", "bisections: must be an integer");
     expect_in("material", "color = \"red\"", "color: " + std::string(moving_vector));
-    expect(14, "background = \"white\"",
-           "output.background: must be [r, g, b] (linear) or \"transparent\"");
-    expect(14, "background = [1, 2]",
-           "output.background: must be [r, g, b] (linear) or \"transparent\"");
+    expect(14, "background = \"white\"", background);
+    expect(14, "background = [1, 2]", background);
     expect(14, "background = [1, 1, \"t\"]", "output.background: must be a number");
 }
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace isomotion::image {
+
+/// Light from every direction: a picture of the whole sphere, longitude across and latitude down.
+struct EnvironmentMap {
+    int width = 0;
+    int height = 0;            ///< half the width
+    std::vector<float> texels; ///< linear R, G, B and 1; row by row, the top row first; all finite
+    int mended = 0;            ///< texels that were not light, see read_environment()
+};
+
+inline constexpr int widest_environment = 8192;
+
+/// Reads a map from any file that OpenImageIO knows. Colour in sRGB or with a gamma becomes linear;
+/// a file of integers that names no colour space, as most TIFF, counts as sRGB. Gray is widened to
+/// three channels, coverage counts as over black, and other channels are left out.
+///
+/// No texel spoils what it is filtered with: NaN and what is below 0 become 0, and infinity becomes
+/// the largest finite value of the map, or of half if that is 0. `mended` counts such texels.
+///
+/// Throws a FileError if the file cannot be read, and an ImageError if it is no whole picture, has
+/// no colour, is wider than `widest_environment` (checked before its pixels are read) or is not
+/// twice as wide as high: any other shape is another projection, and would show a wrong world.
+EnvironmentMap read_environment(const std::filesystem::path& file);
+
+/// What to tell about a map with mended texels: `environment FILE: 12 texels were ...`.
+std::string mending(const std::filesystem::path& file, int mended);
+
+} // namespace isomotion::image

@@ -1,0 +1,288 @@
+#include "image/environment.h"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+
+#include "image/encode.h"
+#include "image/file.h"
+#include "places.h"
+
+namespace isomotion::image {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+class EnvironmentFile : public testing::Test {
+protected:
+    std::filesystem::path write(const std::string& name, const Frame& frame,
+                                Format format = Format::exr) const {
+        write_whole(folder_ / name, encode(frame, format));
+        return folder_ / name;
+    }
+    std::filesystem::path write(const std::string& name, const std::string& bytes) const {
+        std::ofstream(folder_ / name, std::ios::binary) << bytes;
+        return folder_ / name;
+    }
+    /// What is wrong with a file that is there.
+    std::string mistake(const std::filesystem::path& file) const {
+        try {
+            read_environment(file);
+        } catch (const ImageError& error) {
+            return error.what();
+        }
+        return "nothing is wrong";
+    }
+
+    TemporaryFolder folder_;
+};
+
+std::array<float, 4> texel(const EnvironmentMap& map, int column, int row) {
+    const float* at = &map.texels[std::size_t(4 * (row * map.width + column))];
+    return {at[0], at[1], at[2], at[3]};
+}
+
+/// An uncompressed TIFF of 8-bit samples which names no colour space.
+std::string tiff(std::uint16_t width, std::uint16_t height, std::uint16_t channels,
+                 std::uint8_t value) {
+    std::string bytes("II*\0", 4);
+    const auto put = [&](std::uint32_t number, int size) {
+        for (int k = 0; k < size; ++k) bytes += char(number >> 8 * k & 0xff);
+    };
+    const auto short_entry = [&](std::uint32_t tag, std::uint32_t number) {
+        put(tag, 2), put(3, 2), put(1, 4), put(number, 4);
+    };
+    const auto long_entry = [&](std::uint32_t tag, std::uint32_t number) {
+        put(tag, 2), put(4, 2), put(1, 4), put(number, 4);
+    };
+    constexpr std::uint32_t entries = 9, bits_at = 8 + 2 + entries * 12 + 4,
+                            pixels_at = bits_at + 6;
+    const std::uint32_t size = std::uint32_t(width) * height * channels;
+    put(8, 4);
+    put(entries, 2);
+    short_entry(256, width);
+    short_entry(257, height);
+    put(258, 2), put(3, 2), put(channels, 4); // bits of a sample
+    if (channels == 1)
+        put(8, 4);
+    else
+        put(bits_at, 4);
+    short_entry(259, 1);                     // not compressed
+    short_entry(262, channels == 1 ? 1 : 2); // gray or RGB
+    long_entry(273, pixels_at);
+    short_entry(277, channels);
+    short_entry(278, height);
+    long_entry(279, size);
+    put(0, 4);
+    for (int k = 0; k < 3; ++k) put(8, 2);
+    return bytes + std::string(size, char(value));
+}
+
+std::string radiance_header(int width, int height) {
+    return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
+           std::to_string(width) + "\n";
+}
+
+/// A Radiance picture of one colour: three mantissas over 256 and an exponent above 128.
+std::string radiance(int width, int height, const std::string& rgbe) {
+    std::string bytes = radiance_header(width, height);
+    for (int k = 0; k < width * height; ++k) bytes += rgbe;
+    return bytes;
+}
+
+/// A PNG of the gray samples 128 and 255, with one more chunk before them.
+std::string png(const std::vector<unsigned char>& chunk) {
+    static constexpr unsigned char head[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00,
+                                             0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00,
+                                             0x00, 0x02, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00,
+                                             0x00, 0x00, 0xd1, 0x49, 0x20, 0x56};
+    static constexpr unsigned char rest[] = {0x00, 0x00, 0x00, 0x0b, 0x49, 0x44, 0x41, 0x54, 0x78,
+                                             0x9c, 0x63, 0x68, 0xf8, 0x0f, 0x00, 0x02, 0x02, 0x01,
+                                             0x80, 0x6e, 0x56, 0x8b, 0x13, 0x00, 0x00, 0x00, 0x00,
+                                             0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+    std::string bytes(std::begin(head), std::end(head));
+    bytes.append(chunk.begin(), chunk.end());
+    return bytes.append(std::begin(rest), std::end(rest));
+}
+
+TEST_F(EnvironmentFile, RowsComeFromTheTop) {
+    Frame frame = plain(4, 2, 0, 0, 0);
+    for (std::size_t i = 0; i < 8; ++i)
+        for (std::size_t c = 0; c < 3; ++c) frame.channels[c].samples[i] = float(10 * i + c);
+    const EnvironmentMap map = read_environment(write("a.exr", frame));
+    ASSERT_EQ(map.width, 4);
+    ASSERT_EQ(map.height, 2);
+    ASSERT_EQ(map.texels.size(), 32u);
+    for (int i = 0; i < 8; ++i)
+        EXPECT_EQ(texel(map, i % 4, i / 4),
+                  (std::array{10.0f * float(i), 10.0f * float(i) + 1, 10.0f * float(i) + 2, 1.0f}));
+    EXPECT_EQ(map.mended, 0);
+}
+
+TEST_F(EnvironmentFile, GrayIsWidened) {
+    Frame frame{2, 1, {{"Y", {0.25f, 4.0f}}}, {}};
+    const EnvironmentMap map = read_environment(write("a.exr", frame));
+    EXPECT_EQ(map.texels, (std::vector{0.25f, 0.25f, 0.25f, 1.0f, 4.0f, 4.0f, 4.0f, 1.0f}));
+}
+
+TEST_F(EnvironmentFile, OtherChannelsAreLeftOut) {
+    Frame frame = plain(2, 1, 1, 2, 3);
+    frame.channels.push_back({"Z", {nan, infinity}});
+    frame.channels.push_back({"Y", {9, 9}});
+    frame.channels.push_back({"A", {0, 0.5f}});
+    const EnvironmentMap map = read_environment(write("a.exr", frame));
+    EXPECT_EQ(map.texels, (std::vector<float>{1, 2, 3, 1, 1, 2, 3, 1}));
+    EXPECT_EQ(map.mended, 0);
+}
+
+TEST_F(EnvironmentFile, ScreenColoursBecomeLinear) {
+    const Frame frame = plain(2, 1, 0.5f, 0.002f, 1.0f);
+    for (const Format format : {Format::png8, Format::png16}) {
+        const EnvironmentMap map = read_environment(write("a.png", frame, format));
+        const double half_code = format == Format::png8 ? 0.0045 : 0.00002;
+        EXPECT_NEAR(map.texels[0], 0.5f, half_code);
+        EXPECT_NEAR(map.texels[1], 0.002f, half_code);
+        EXPECT_EQ(map.texels[2], 1.0f);
+    }
+}
+
+TEST_F(EnvironmentFile, IntegersThatNameNoColourSpaceAreScreenColours) {
+    const double linear = std::pow((188 / 255.0 + 0.055) / 1.055, 2.4);
+    for (const std::uint16_t channels : {1, 3}) {
+        const EnvironmentMap map = read_environment(write("a.tif", tiff(4, 2, channels, 188)));
+        ASSERT_EQ(map.texels.size(), 32u);
+        for (std::size_t i = 0; i < 32; ++i)
+            EXPECT_NEAR(map.texels[i], i % 4 == 3 ? 1.0 : linear, 1e-6) << channels << " " << i;
+    }
+}
+
+TEST_F(EnvironmentFile, AGammaIsUndone) {
+    const auto read = [&](const std::vector<unsigned char>& gamma_chunk) {
+        return read_environment(write("a.png", png(gamma_chunk)));
+    };
+    const EnvironmentMap screen = read({0x00, 0x00, 0x00, 0x04, 0x67, 0x41, 0x4d, 0x41, 0x00, 0x00,
+                                        0xb1, 0x8f, 0x0b, 0xfc, 0x61, 0x05}); // 1/2.2
+    EXPECT_NEAR(screen.texels[0], std::pow(128 / 255.0, 2.2), 1e-6);
+    EXPECT_EQ(screen.texels[4], 1.0f);
+    const EnvironmentMap linear = read({0x00, 0x00, 0x00, 0x04, 0x67, 0x41, 0x4d, 0x41, 0x00, 0x01,
+                                        0x86, 0xa0, 0x31, 0xe8, 0x96, 0x5f}); // 1
+    EXPECT_NEAR(linear.texels[0], 128 / 255.0, 1e-6);
+}
+
+TEST_F(EnvironmentFile, RadianceIsLinear) {
+    const EnvironmentMap map =
+        read_environment(write("a.hdr", radiance(4, 2, "\x80\x40\x20\x84"))); // 2^4
+    EXPECT_EQ(texel(map, 3, 1), (std::array{8.0f, 4.0f, 2.0f, 1.0f}));
+}
+
+TEST_F(EnvironmentFile, WhatIsNotLightIsMendedAndCounted) {
+    Frame frame = plain(4, 2, 1, 1, 1);
+    const auto set = [&](std::size_t texel, float red, float green, float blue) {
+        frame.channels[0].samples[texel] = red;
+        frame.channels[1].samples[texel] = green;
+        frame.channels[2].samples[texel] = blue;
+    };
+    set(0, nan, 1, 1);
+    set(1, nan, -1, infinity); // one texel, however many of its samples
+    set(2, 1, 1, infinity);
+    set(3, -infinity, 1, 1);
+    set(4, 1, -0.0f, 100);
+    set(5, -nan, -nan, -nan);
+    const EnvironmentMap map = read_environment(write("a.exr", frame));
+    EXPECT_EQ(map.mended, 5);
+    EXPECT_EQ(texel(map, 0, 0), (std::array{0.0f, 1.0f, 1.0f, 1.0f}));
+    EXPECT_EQ(texel(map, 1, 0), (std::array{0.0f, 0.0f, 100.0f, 1.0f}));
+    EXPECT_EQ(texel(map, 2, 0), (std::array{1.0f, 1.0f, 100.0f, 1.0f}));
+    EXPECT_EQ(texel(map, 3, 0), (std::array{0.0f, 1.0f, 1.0f, 1.0f}));
+    EXPECT_EQ(texel(map, 0, 1), (std::array{1.0f, 0.0f, 100.0f, 1.0f}));
+    EXPECT_EQ(texel(map, 1, 1), (std::array{0.0f, 0.0f, 0.0f, 1.0f}));
+    EXPECT_EQ(texel(map, 2, 1), (std::array{1.0f, 1.0f, 1.0f, 1.0f}));
+}
+
+TEST_F(EnvironmentFile, InfinityAloneBecomesTheLargestHalf) {
+    for (const float other : {0.0f, -3.0f, nan}) {
+        Frame frame = plain(2, 1, other, other, other);
+        frame.channels[1].samples[0] = infinity;
+        const EnvironmentMap map = read_environment(write("a.exr", frame));
+        EXPECT_EQ(map.texels, (std::vector{0.0f, 65504.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f}));
+        EXPECT_EQ(map.mended, other == 0.0f ? 1 : 2);
+    }
+}
+
+TEST_F(EnvironmentFile, MendingTellsHowMany) {
+    EXPECT_THAT(mending("a.exr", 12), StartsWith("environment a.exr: 12 texels were not finite"));
+    EXPECT_THAT(mending("a.exr", 1), StartsWith("environment a.exr: 1 texel was not finite"));
+}
+
+TEST_F(EnvironmentFile, MissingFilesAndFoldersAreTheFileSystems) {
+    EXPECT_THROW(read_environment(folder_ / "none.exr"), FileError);
+    EXPECT_THROW(read_environment(folder_.path()), FileError);
+}
+
+TEST_F(EnvironmentFile, WhatIsNoPictureIsRefused) {
+    for (const char* name : {"a.exr", "a.hdr", "a.png", "a.jpg", "a.tif", "a", "a.xyz"}) {
+        for (const char* text : {"", "this is text\n"}) {
+            const auto file = write(name, std::string(text));
+            EXPECT_THAT(mistake(file),
+                        AllOf(StartsWith("environment " + file.string() + ": not a picture"),
+                              HasSubstr("EXR, HDR, TIFF, PNG or JPEG")))
+                << name;
+        }
+    }
+}
+
+TEST_F(EnvironmentFile, EveryCutIsNoticed) {
+    const std::vector<std::byte> whole = encode(plain(8, 4, 1, 2, 3), Format::exr);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        write_whole(folder_ / "a.exr", std::span(whole).first(size));
+        EXPECT_THROW(read_environment(folder_ / "a.exr"), ImageError) << size;
+    }
+}
+
+TEST_F(EnvironmentFile, NoColour) {
+    const auto file = write("a.exr", Frame{2, 1, {{"R", {0, 0}}, {"Z", {0, 0}}}, {}});
+    EXPECT_THAT(mistake(file), AllOf(StartsWith("environment " + file.string() + ": no colour"),
+                                     HasSubstr("and has R, Z")));
+}
+
+TEST_F(EnvironmentFile, OtherShapesAreOtherProjections) {
+    for (const auto& [width, height] :
+         {std::pair{2, 2}, {3, 1}, {1, 1}, {1, 2}, {5, 2}, {4, 1}, {16, 12}, {8193, 1}}) {
+        const auto file = write("a.exr", plain(width, height, 0, 0, 0));
+        EXPECT_THAT(mistake(file),
+                    HasSubstr(std::to_string(width) + " x " + std::to_string(height) + " pixels; "))
+            << width << " x " << height;
+    }
+    EXPECT_THAT(mistake(write("a.exr", plain(9, 4, 0, 0, 0))), HasSubstr("--resize 8x4"));
+    EXPECT_THAT(mistake(write("a.exr", plain(1, 1, 0, 0, 0))), HasSubstr("--resize 2x1"));
+}
+
+/// A header alone: a map of this size is refused before its pixels are looked for.
+TEST_F(EnvironmentFile, TooWide) {
+    const auto file = write("a.hdr", radiance_header(16384, 8192));
+    EXPECT_THAT(mistake(file),
+                AllOf(HasSubstr("16384 pixels wide; at most 8192"),
+                      HasSubstr("oiiotool " + file.string() + " --resize 8192x4096 smaller.hdr")));
+}
+
+/// The map that comes with the program.
+TEST(Studio, IsAMapWithBrightLights) {
+    const EnvironmentMap map = read_environment(ISOMOTION_SOURCE_DIR "/media/studio.exr");
+    EXPECT_EQ(map.width, 256);
+    EXPECT_EQ(map.mended, 0);
+    const float brightest = *std::ranges::max_element(map.texels);
+    EXPECT_GT(brightest, 15.0f);
+    EXPECT_LT(brightest, 25.0f);
+    EXPECT_LT(std::filesystem::file_size(ISOMOTION_SOURCE_DIR "/media/studio.exr"), 150'000u);
+    const auto floor = texel(map, 10, 120), ceiling = texel(map, 10, 5);
+    EXPECT_GT(floor[0], floor[2]);
+    EXPECT_LT(ceiling[0], ceiling[2]);
+}
+
+} // namespace
+} // namespace isomotion::image
