@@ -174,8 +174,11 @@ private:
     }
 
     void render_frames(gpu::Context& context, const StopOnSignal& stop) {
-        render::Renderer renderer(context, scene_,
-                                  {scene_.output.width, scene_.output.height, channels_, {}});
+        render::Renderer renderer(
+            context, scene_,
+            {scene_.output.width, scene_.output.height, channels_, {}, [](const std::string& text) {
+                 fmt::print(stderr, "warning: {}\n", text);
+             }});
         const std::string machine = context.info().renderer + context.info().version;
         image::SequenceWriter writer(name_, format_);
         Progress progress("rendering", int(frames_.size()), arguments_.quiet);

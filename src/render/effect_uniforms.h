@@ -4,6 +4,7 @@
 
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -12,7 +13,8 @@
 
 namespace isomotion::render {
 
-using EffectUniforms = std::vector<std::pair<std::string, glm::vec4>>;
+using EffectUniform = std::variant<float, glm::vec3, glm::vec4>;
+using EffectUniforms = std::vector<std::pair<std::string, EffectUniform>>;
 
 EffectUniforms effect_uniforms(const scene::Scene& scene, const scene::SceneAt& now);
 

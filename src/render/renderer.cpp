@@ -7,6 +7,7 @@
 #include "gpu/program.h"
 #include "gpu/query.h"
 #include "gpu/target.h"
+#include "image/environment.h"
 #include "render/blocks.h"
 #include "render/effect_uniforms.h"
 #include "render/fingerprint.h"
@@ -81,12 +82,25 @@ struct Renderer::Parts {
                               unit_arrays + int(shaders.arrays.size()));
             secondary->connect(shade);
         }
+        if (scene.environment) load_environment();
         if (!shaders.motion.empty()) {
             moved.emplace(gpu::Program(shaders.vertex, shaders.motion, "motion"),
                           gpu::Target(plan.tile_width, plan.tile_height));
         }
         for_each_program([&](const gpu::Program& program) { connect(program); });
         pixels.resize(std::size_t(plan.tile_width) * std::size_t(plan.tile_height) * 4);
+    }
+
+    void load_environment() {
+        const image::EnvironmentMap map = image::read_environment(scene.environment->map);
+        if (map.mended > 0 && options.warn) {
+            options.warn(image::mending(scene.environment->map, map.mended));
+        }
+        environment.emplace(gpu::Format::rgba32f, map.width, map.height, map.texels);
+        environment_print = Fingerprint().add_values(std::span<const float>(map.texels)).text();
+        const int unit = unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units;
+        shade.bind_sampler("environment_map", unit);
+        environment->bind(unit);
     }
 
     MarchPlan make_plan() const {
@@ -137,8 +151,11 @@ struct Renderer::Parts {
         shading.update(std::as_bytes(std::span(shades)));
         for (const auto& [name, value] : effect_uniforms(scene, now)) {
             for_each_program([&, &name = name, &value = value](const gpu::Program& program) {
-                program.set(name, value);
+                std::visit([&](const auto& v) { program.set(name, v); }, value);
             });
+        }
+        if (environment) {
+            environment->bind(unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units);
         }
         frame.bind(binding_frame);
         shading.bind(binding_shading);
@@ -319,6 +336,8 @@ struct Renderer::Parts {
     gpu::UniformBuffer frame, parameters, shading;
     std::vector<ArrayBuffer> arrays;
     std::optional<SecondaryRays> secondary;
+    std::optional<gpu::Texture> environment;
+    std::string environment_print; // of its texels
     struct Moved {
         gpu::Program program;
         gpu::Target field;
@@ -388,8 +407,10 @@ std::string Renderer::fingerprint(const scene::SceneAt& now, const Motion* motio
     const auto shades = shading_block(p.scene, now, p.options.width, p.options.height);
     print.add_values(std::span<const glm::vec4>(shades));
     for (const auto& [name, value] : effect_uniforms(p.scene, now)) {
-        print.add(name).add_values(std::span<const glm::vec4>(&value, 1));
+        print.add(name);
+        std::visit([&](const auto& v) { print.add_values(std::span(&v, 1)); }, value);
     }
+    print.add(p.environment_print);
     if (motion) {
         add_field(motion->before);
         add_field(motion->after);

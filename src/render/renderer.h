@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -33,6 +34,8 @@ struct RenderOptions {
     std::vector<synthesis::Channel> channels;
     // Instead of the plan made from the formula's cost; tests show that it changes no pixel.
     std::optional<MarchPlan> plan;
+    // Told what was mended of the files that the scene names.
+    std::function<void(const std::string&)> warn = {};
 };
 
 class Renderer {

@@ -26,7 +26,8 @@ using MarchRays = std::function<const gpu::Target&(const gpu::Program&, const Ra
 // Of scenes that keep where rays ended (Shaders::surface is not empty).
 class SecondaryRays {
 public:
-    // Texture units from `first_unit` on are its own.
+    static constexpr int units = 7;
+    // So many texture units from `first_unit` on are its own.
     SecondaryRays(const synthesis::Shaders& shaders, int width, int height, int first_unit);
 
     // Each program that samples the field, for its uniforms and blocks.

@@ -33,8 +33,9 @@ std::string lit(const scene::Scene& scene, const char* name, bool with_shadows) 
 std::string mirrored(const scene::Scene& scene) {
     std::string text = "vec3 mirrored(vec3 color, Ray ray, SurfacePoint p, Hit hit) {\n";
     if (scene.ground) text += "    if (p.on_ground) return color;\n";
-    text += "    vec3 direction = reflect(ray.direction, p.normal);\n"
-            "    vec3 seen = sky(direction).rgb;\n";
+    text += "    vec3 direction = reflect(ray.direction, p.normal);\n";
+    text += fmt::format("    vec3 seen = {};\n",
+                        scene.environment ? "environment(direction)" : "sky(direction).rgb");
     if (scene.material.reflection == Reflection::self) {
         text += "    SurfacePoint q = load_mirrored();\n"
                 "    if (is_on_surface(q) || q.on_ground) {\n"
@@ -51,8 +52,8 @@ std::string mirrored(const scene::Scene& scene) {
 bool keeps_surfaces(const scene::Scene& scene) {
     const bool more_light = std::any_of(scene.lights.begin(), scene.lights.end(),
                                         [](const auto& l) { return l.is_point || l.shadow; });
-    return more_light || scene.ground || scene.fog || scene.occlusion ||
-           scene.material.reflection != Reflection::none;
+    return more_light || scene.environment || scene.output.gradient || scene.ground || scene.fog ||
+           scene.occlusion || scene.material.reflection != Reflection::none;
 }
 
 int shadow_mask(const scene::Scene& scene) {
@@ -73,7 +74,13 @@ void add_shading(ShaderText& text, const scene::Scene& scene) {
     const bool has_shadows = shadow_mask(scene) != 0;
     add_lights(text, scene);
     text.file("effects/brdf_lambert.glsl");
-    text.file("effects/sky_flat.glsl");
+    if (scene.environment) {
+        text.file("math/inverse_trig.glsl");
+        text.file("effects/environment.glsl");
+    }
+    text.file(scene.environment && scene.environment->background ? "effects/sky_environment.glsl"
+              : scene.output.gradient                            ? "effects/sky_gradient.glsl"
+                                                                 : "effects/sky_flat.glsl");
     if (has_shadows) text.file("effects/shadow_mask.glsl");
     if (scene.occlusion) text.file("effects/occlusion.glsl");
     if (scene.fog) text.file("effects/fog.glsl");
