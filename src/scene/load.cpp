@@ -4,6 +4,7 @@
 
 #include "scene/camera.h"
 #include "scene/data_folder.h"
+#include "scene/material.h"
 #include "scene/space.h"
 #include "scene/surface.h"
 #include "scene/thresholds.h"
@@ -122,29 +123,6 @@ void read_lights(Section& document, Scene& scene, TrackTable& tracks) {
     }
 }
 
-// The scene's colours, else the catalogue's.
-void read_material(Section& document, const SurfaceParts& parts, Scene& scene, TrackTable& tracks) {
-    auto own = document.section("material");
-    std::optional<Section> catalogue;
-    if (parts.catalogue) catalogue = Section(*parts.catalogue, "").section("material");
-    const auto color = [&](const std::string& name) -> std::optional<Vec3Track> {
-        std::optional<Vec3Track> found;
-        for (auto* section : {&own, &catalogue}) {
-            const toml::node* node = *section ? (*section)->find(name) : nullptr;
-            if (node && !found) {
-                found = tracks.add("material." + name, *(*section)->vector(name), node);
-            }
-        }
-        return found;
-    };
-    const auto outside = color("color");
-    scene.material.color = outside ? *outside : tracks.add("material.color", 0.72, 0.32, 0.08);
-    scene.material.inside = color("inside");
-    for (auto* section : {&own, &catalogue}) {
-        if (*section) (*section)->refuse_rest();
-    }
-}
-
 void read_output(Section& document, Scene& scene) {
     constexpr int most = 16384;
     Output& output = scene.output;
@@ -236,7 +214,7 @@ Scene load(const std::string& name, const std::vector<Override>& overrides) {
     read_space(document, *parts, tracks);
     scene.camera = read_camera(document, tracks);
     read_lights(document, scene, tracks);
-    read_material(document, *parts, scene, tracks);
+    scene.material = read_material(document, *parts, tracks);
     read_output(document, scene);
     GivenThresholds given;
     if (parts->catalogue) {

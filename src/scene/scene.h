@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "animation/timeline.h"
@@ -89,9 +90,46 @@ struct Light {
 
 // `color` is seen from where F > 0. Only a surface with `inside` tells the two sides apart.
 struct Material {
+    enum class Model {
+        lambert,     // matt
+        blinn_phong, // a highlight of a given shininess
+        ggx,         // microfacets: from plastic to metal
+    };
+    Model model = Model::lambert;
     Vec3Track color{};
     std::optional<Vec3Track> inside; // seen from where F < 0
+    // Each where the model has it.
+    std::optional<TrackId> shininess;           // exponent, 0 to max_shininess
+    std::optional<TrackId> roughness, metallic; // 0..1
+    std::optional<TrackId> specular;            // reflectance straight on, 0..1
 };
+
+inline constexpr double max_shininess = 10'000;
+
+struct ModelName {
+    Material::Model model;
+    std::string_view name;
+};
+
+inline constexpr ModelName model_names[] = {
+    {Material::Model::lambert, "lambert"},
+    {Material::Model::blinn_phong, "blinn-phong"},
+    {Material::Model::ggx, "ggx"},
+};
+
+constexpr std::string_view name(Material::Model model) {
+    for (const auto& entry : model_names) {
+        if (entry.model == model) return entry.name;
+    }
+    return "?";
+}
+
+constexpr std::optional<Material::Model> parse_model(std::string_view text) {
+    for (const auto& entry : model_names) {
+        if (entry.name == text) return entry.model;
+    }
+    return std::nullopt;
+}
 
 struct Output {
     int width = 512, height = 512;

@@ -160,7 +160,30 @@ public:
         return lights;
     }
 
+    // The numbers of the material's model, in the order of the `gloss` of its shader.
+    glm::dvec4 gloss() const {
+        const Material& from = scene_.material;
+        switch (from.model) {
+        case Material::Model::lambert:
+            break;
+        case Material::Model::blinn_phong:
+            return {within(*from.shininess, max_shininess), within(*from.specular, 1), 0, 0};
+        case Material::Model::ggx:
+            return {within(*from.roughness, 1), within(*from.metallic, 1),
+                    within(*from.specular, 1), 0};
+        }
+        return glm::dvec4(0);
+    }
+
 private:
+    double within(TrackId track, double most) const {
+        const double value = number(track);
+        if (!(0 <= value && value <= most)) {
+            fail(track, fmt::format("must be from 0 to {}, not {}", most, value));
+        }
+        return value;
+    }
+
     template<class Name> void check(double value, Name&& name) const {
         // Everything ends as a float on the GPU.
         constexpr double most = std::numeric_limits<float>::max();
@@ -227,6 +250,7 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     now.lights = read.lights(now.camera);
     now.material_color = read.vector(scene.material.color);
     if (scene.material.inside) now.inside_color = read.vector(*scene.material.inside);
+    now.gloss = read.gloss();
     return now;
 }
 

@@ -53,6 +53,8 @@ struct SceneAt {
     std::vector<LightAt> lights;
     glm::dvec3 material_color{1};
     glm::dvec3 inside_color{1}; // of a surface that tells its sides apart
+    // Blinn-Phong: shininess, specular. GGX: roughness, metallic, specular. The rest is 0.
+    glm::dvec4 gloss{0};
 };
 
 // The same scene with the surface where its formula has it and the camera moved instead. Rays and
