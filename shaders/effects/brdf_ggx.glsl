@@ -55,16 +55,16 @@ vec2 lost_and_rim(float cosine) {
     return clamp(vec2(lost, rim), 0.0, 1.0);
 }
 
-// Their means over all directions, weighted by the cosine; the first at most 9 % above.
+// Their means over all directions, weighted by the cosine. The first leans up, by 1 % and more the
+// smaller it is: less comes back than was lost.
 vec2 mean_lost_and_rim() {
     float r = roughness();
-    float lost = 18.56495;
-    lost = lost * r - 47.02579;
-    lost = lost * r + 43.42698;
-    lost = lost * r - 20.79525;
-    lost = lost * r + 6.85881;
-    lost = lost * r - 0.431018;
-    lost = lost * r + 0.00990610;
+    float lost = 3.52232;
+    lost = lost * r - 6.2589;
+    lost = lost * r + 0.627395;
+    lost = lost * r + 2.81021;
+    lost = lost * r - 0.112021;
+    lost = lost * r + 0.00176403;
     float rim = -0.304607;
     rim = rim * r + 0.698527;
     rim = rim * r - 0.5187;
@@ -79,8 +79,7 @@ vec2 mean_lost_and_rim() {
 Specular specular_of(vec3 straight, float mean_lost) {
     vec3 along = vec3(min(50.0 * max(max(straight.r, straight.g), straight.b), 1.0));
     vec3 mean = mix(straight, along, 1.0 / 21.0);
-    return Specular(straight, along,
-                    mean * mean * (1.0 - mean_lost) / (1.0 - mean * mean_lost));
+    return Specular(straight, along, mean * mean * (1.0 - mean_lost) / (1.0 - mean * mean_lost));
 }
 
 // What lies on the matt part, of no colour.
@@ -141,8 +140,7 @@ vec3 reflected(vec3 albedo, vec3 normal, vec3 to_viewer, vec3 to_light) {
 // the surface is rough.
 vec3 mirror_weight(vec3 albedo, vec3 normal, vec3 to_viewer) {
     float mean_lost = mean_lost_and_rim().x;
-    Specular highlight =
-        highlight_of(clamp(albedo, 0.0, 1.0), coat_of(mean_lost), mean_lost);
+    Specular highlight = highlight_of(clamp(albedo, 0.0, 1.0), coat_of(mean_lost), mean_lost);
     float nv = clamp(dot(normal, to_viewer), 0.0, 1.0);
     return clamp(share(highlight, lost_and_rim(nv)), 0.0, 1.0);
 }

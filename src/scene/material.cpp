@@ -76,7 +76,8 @@ void read_gloss(Section& section, Material& material, TrackTable& tracks) {
             if (other.track == key.track) owners.push_back(name(other.model));
         }
         fail(*node, section.dotted(key.name),
-             fmt::format("{} is of model {}; this one is {}", key.name, fmt::join(owners, " and "),
+             fmt::format("{} is of model{} {}; this one is {}", key.name,
+                         owners.size() > 1 ? "s" : "", fmt::join(owners, " and "),
                          name(material.model)));
     }
 }

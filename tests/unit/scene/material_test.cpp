@@ -20,7 +20,7 @@ TEST_F(Materials, TheWrongModelsKeys) {
         EXPECT_EQ(mistake(with(std::string(lambert) + "roughness = 0.5")),
                   place + "material.roughness: roughness is of model ggx; this one is lambert");
         EXPECT_EQ(mistake(with(std::string(lambert) + "specular = 0.5")),
-                  place + "material.specular: specular is of model blinn-phong and ggx; this one "
+                  place + "material.specular: specular is of models blinn-phong and ggx; this one "
                           "is lambert");
     }
     EXPECT_EQ(mistake(with("model = \"blinn-phong\"\nmetallic = 1")),
