@@ -38,6 +38,9 @@ EffectUniforms effect_uniforms(const scene::Scene& scene, const scene::SceneAt& 
         add_vector("sky_top", color(scene.output.gradient->top));
         add_vector("sky_bottom", color(scene.output.gradient->bottom));
     }
+    if (scene.material.model != scene::Material::Model::lambert) {
+        uniforms.emplace_back("gloss", glm::vec4(now.gloss));
+    }
     if (scene.material.inside) add("inside_color", now.inside_color);
     return uniforms;
 }

@@ -6,6 +6,7 @@
 #include "scene/data_folder.h"
 #include "scene/environment.h"
 #include "scene/lights.h"
+#include "scene/material.h"
 #include "scene/space.h"
 #include "scene/surface.h"
 #include "scene/thresholds.h"
@@ -90,37 +91,6 @@ void read_time(Section& document, Scene& scene, std::uint64_t& seed) {
     scene.timeline.loops = section->boolean("loop").value_or(false);
     seed = std::uint64_t(section->integer("seed", 0, 2'147'483'647).value_or(0));
     section->refuse_rest();
-}
-
-// The scene's colours, else the catalogue's.
-void read_material(Section& document, const SurfaceParts& parts, Scene& scene, TrackTable& tracks) {
-    auto own = document.section("material");
-    std::optional<Section> catalogue;
-    if (parts.catalogue) catalogue = Section(*parts.catalogue, "").section("material");
-    const auto color = [&](const std::string& name) -> std::optional<Vec3Track> {
-        std::optional<Vec3Track> found;
-        for (auto* section : {&own, &catalogue}) {
-            const toml::node* node = *section ? (*section)->find(name) : nullptr;
-            if (node && !found) {
-                found = tracks.add("material." + name, *(*section)->vector(name), node);
-            }
-        }
-        return found;
-    };
-    const auto outside = color("color");
-    scene.material.color = outside ? *outside : tracks.add("material.color", 0.72, 0.32, 0.08);
-    scene.material.inside = color("inside");
-    if (const auto text = own ? own->text("reflection") : std::nullopt) {
-        using Reflection = Material::Reflection;
-        if (*text != "sky" && *text != "self") {
-            fail(*own->find("reflection"), "material.reflection",
-                 fmt::format("there is no reflection '{}'; known: sky, self", *text));
-        }
-        scene.material.reflection = *text == "sky" ? Reflection::sky : Reflection::self;
-    }
-    for (auto* section : {&own, &catalogue}) {
-        if (*section) (*section)->refuse_rest();
-    }
 }
 
 std::array<double, 3> read_still_color(const toml::node& node, const std::string& key,
@@ -233,7 +203,7 @@ Scene load(const std::string& name, const std::vector<Override>& overrides) {
     read_space(document, *parts, tracks);
     scene.camera = read_camera(document, tracks);
     read_lights(document, scene, tracks);
-    read_material(document, *parts, scene, tracks);
+    scene.material = read_material(document, *parts, tracks);
     read_output(document, scene);
     read_surroundings(document, scene, tracks);
     scene.environment = read_environment(document, tracks);

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "animation/timeline.h"
@@ -112,10 +113,47 @@ struct Occlusion {
 // `color` is seen from where F > 0. Only a surface with `inside` tells the two sides apart.
 struct Material {
     enum class Reflection { none, sky, self };
+    enum class Model {
+        lambert,     // matt
+        blinn_phong, // a highlight of a given shininess
+        ggx,         // microfacets: from plastic to metal
+    };
+    Model model = Model::lambert;
     Vec3Track color{};
     Reflection reflection = Reflection::none; // of what is around, and of the surface itself
-    std::optional<Vec3Track> inside; // seen from where F < 0
+    std::optional<Vec3Track> inside;          // seen from where F < 0
+    // Each where the model has it.
+    std::optional<TrackId> shininess;           // exponent, 0 to max_shininess
+    std::optional<TrackId> roughness, metallic; // 0..1
+    std::optional<TrackId> specular;            // reflectance straight on, 0..1
 };
+
+inline constexpr double max_shininess = 10'000;
+
+struct ModelName {
+    Material::Model model;
+    std::string_view name;
+};
+
+inline constexpr ModelName model_names[] = {
+    {Material::Model::lambert, "lambert"},
+    {Material::Model::blinn_phong, "blinn-phong"},
+    {Material::Model::ggx, "ggx"},
+};
+
+constexpr std::string_view name(Material::Model model) {
+    for (const auto& entry : model_names) {
+        if (entry.model == model) return entry.name;
+    }
+    return "?";
+}
+
+constexpr std::optional<Material::Model> parse_model(std::string_view text) {
+    for (const auto& entry : model_names) {
+        if (entry.name == text) return entry.model;
+    }
+    return std::nullopt;
+}
 
 // What is far away in every direction, as a latitude-longitude map. The top of the map is where
 // the world's z axis points to, its middle where the x axis does, its left quarter the y axis.

@@ -163,6 +163,21 @@ public:
         return lights;
     }
 
+    // The numbers of the material's model, in the order of the `gloss` of its shader.
+    glm::dvec4 gloss() const {
+        const Material& from = scene_.material;
+        switch (from.model) {
+        case Material::Model::lambert:
+            break;
+        case Material::Model::blinn_phong:
+            return {within(*from.shininess, max_shininess), within(*from.specular, 1), 0, 0};
+        case Material::Model::ggx:
+            return {within(*from.roughness, 1), within(*from.metallic, 1),
+                    within(*from.specular, 1), 0};
+        }
+        return glm::dvec4(0);
+    }
+
     GroundAt ground(const Ground& from) const { return {number(from.height), vector(from.color)}; }
 
     FogAt fog(const Fog& from) const {
@@ -173,11 +188,7 @@ public:
     OcclusionAt occlusion(const Occlusion& from, double size) const {
         OcclusionAt to;
         to.reach = from.reach ? positive(*from.reach, "the reach") : 0.2 * size;
-        to.strength = not_negative(from.strength, "the strength");
-        if (to.strength > 1) {
-            fail(from.strength,
-                 fmt::format("the strength must be from 0 to 1, not {}", to.strength));
-        }
+        to.strength = within(from.strength, 1);
         return to;
     }
 
@@ -204,6 +215,13 @@ private:
     double not_negative(TrackId track, const char* what) const {
         const double value = number(track);
         if (value < 0) fail(track, fmt::format("{} must not be below 0, as {} is", what, value));
+        return value;
+    }
+    double within(TrackId track, double most) const {
+        const double value = number(track);
+        if (!(0 <= value && value <= most)) {
+            fail(track, fmt::format("must be from 0 to {}, not {}", most, value));
+        }
         return value;
     }
 
@@ -291,6 +309,7 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
         now.occlusion = read.occlusion(*scene.occlusion, now.bounds.radius * now.placement.scale);
     }
     if (scene.environment) now.environment = read.environment(*scene.environment);
+    now.gloss = read.gloss();
     return now;
 }
 

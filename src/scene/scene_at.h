@@ -80,6 +80,8 @@ struct SceneAt {
     FogAt fog;
     OcclusionAt occlusion;
     std::optional<EnvironmentAt> environment;
+    // Blinn-Phong: shininess, specular. GGX: roughness, metallic, specular. The rest is 0.
+    glm::dvec4 gloss{0};
 };
 
 // The same scene with the surface where its formula has it and the camera moved instead. Rays and

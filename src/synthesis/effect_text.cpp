@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "synthesis/shader_files.h"
+
 namespace isomotion::synthesis {
 namespace {
 
@@ -43,8 +45,11 @@ std::string mirrored(const scene::Scene& scene) {
                 "-direction);\n"
                 "    }\n";
     }
-    return text + "    vec3 weight = mirror_weight(surface_color(hit), p.normal, -ray.direction);\n"
-                  "    return color * (1.0 - weight) + weight * seen;\n}\n";
+    text += "    vec3 weight = mirror_weight(surface_color(hit), p.normal, -ray.direction);\n";
+    // The other materials' matt part is what their highlight leaves; a matt one gets a clear coat.
+    const bool matt = scene.material.model == scene::Material::Model::lambert;
+    return text + (matt ? "    return color * (1.0 - weight) + weight * seen;\n}\n"
+                        : "    return color + weight * seen;\n}\n");
 }
 
 } // namespace
@@ -52,7 +57,8 @@ std::string mirrored(const scene::Scene& scene) {
 bool keeps_surfaces(const scene::Scene& scene) {
     const bool more_light = std::any_of(scene.lights.begin(), scene.lights.end(),
                                         [](const auto& l) { return l.is_point || l.shadow; });
-    return more_light || scene.environment || scene.output.gradient || scene.ground || scene.fog ||
+    return more_light || scene.material.model != scene::Material::Model::lambert ||
+           scene.environment || scene.output.gradient || scene.ground || scene.fog ||
            scene.occlusion || scene.material.reflection != Reflection::none;
 }
 
@@ -73,9 +79,20 @@ void add_shading(ShaderText& text, const scene::Scene& scene) {
     const Reflection reflection = scene.material.reflection;
     const bool has_shadows = shadow_mask(scene) != 0;
     add_lights(text, scene);
-    text.file("effects/brdf_lambert.glsl");
+    switch (scene.material.model) {
+    case scene::Material::Model::lambert:
+        text.file("effects/brdf_lambert.glsl");
+        break;
+    case scene::Material::Model::blinn_phong:
+        for (const auto& kernel : kernel_files({"pow"})) text.file(kernel);
+        text.file("effects/brdf_blinn_phong.glsl");
+        break;
+    case scene::Material::Model::ggx:
+        text.file("effects/brdf_ggx.glsl");
+        break;
+    }
     if (scene.environment) {
-        text.file("math/inverse_trig.glsl");
+        for (const auto& kernel : kernel_files({"atan"})) text.file(kernel);
         text.file("effects/environment.glsl");
     }
     text.file(scene.environment && scene.environment->background ? "effects/sky_environment.glsl"

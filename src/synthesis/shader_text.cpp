@@ -15,6 +15,7 @@ ShaderText::ShaderText(std::vector<std::string>& files)
 }
 
 void ShaderText::file(const std::string& name) {
+    if (!added_.insert(name).second) return;
     text_ += fmt::format("\n// shaders/{}\n{}", name, read_shader(name));
     record(name);
 }

@@ -1,6 +1,7 @@
 // One shader, put together from files and generated parts.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@ public:
     // Begins with the prelude; `files` collects the names of the files of shaders/ that are used.
     explicit ShaderText(std::vector<std::string>& files);
 
+    // Adds a file, once.
     void file(const std::string& name);
     void define(std::string_view name, int value);
     void generated(std::string_view what, const std::string& text);
@@ -23,6 +25,7 @@ private:
 
     std::vector<std::string>& files_;
     std::string text_;
+    std::set<std::string> added_;
 };
 
 } // namespace isomotion::synthesis

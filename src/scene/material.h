@@ -1,0 +1,12 @@
+// The [material] of a scene: how its surface reflects light.
+#pragma once
+
+#include "scene/surface.h"
+
+namespace isomotion::scene {
+
+// Reads the section and adds its tracks. Colours that the scene leaves out are the catalogue's;
+// a model and its numbers are the scene's alone.
+Material read_material(Section& document, const SurfaceParts& parts, TrackTable& tracks);
+
+} // namespace isomotion::scene
