@@ -85,16 +85,26 @@ struct Renderer::Parts {
         const formula::Field& field = *scene.surface.field;
         formula::Cost cost =
             formula::cost(shaders.samples_derivative ? field.along : field.value, counts);
-        if (!shaders.march_takes_gradient) {
-            // The shade pass evaluates the gradient once; it too must fit the loop limit.
-            cost.iterations =
-                std::max(cost.iterations, formula::cost(field.gradient, counts).iterations);
-        }
+        // The shade pass must fit the loop limit too.
+        cost.iterations = std::max(cost.iterations, shade_iterations(counts));
         constexpr int largest_tile = 2048;
         const MarchPlan fitting =
             plan_march(cost, options.width, options.height,
                        std::min(largest_tile, context.info().max_texture_size));
         return options.plan.value_or(fitting);
+    }
+
+    // What the loops of one shaded pixel add up to.
+    double shade_iterations(const std::vector<int>& counts) const {
+        const auto of = [&](const formula::Program& program) {
+            return formula::cost(program, counts).iterations;
+        };
+        const double gradient =
+            shaders.march_takes_gradient ? 0.0 : of(scene.surface.field->gradient);
+        if (!scene.material.paint) return gradient;
+        const formula::Paint& paint = *scene.material.paint->value;
+        const double curvature = paint.hessian ? gradient + of(*paint.hessian) : 0.0;
+        return gradient + curvature + of(paint.value);
     }
 
     void connect(const gpu::Program& program) const {
@@ -119,6 +129,10 @@ struct Renderer::Parts {
         parameters.update(parameter_block(shaders, now));
         const auto shades = shading_block(scene, now, options.width, options.height);
         shading.update(std::as_bytes(std::span(shades)));
+        if (scene.material.paint) {
+            shade.set("paint_range", glm::vec2(now.paint_range));
+            shade.set("paint_time", float(now.time));
+        }
         if (scene.material.inside) shade.set("inside_color", glm::vec3(now.inside_color));
         frame.bind(binding_frame);
         parameters.bind(binding_parameters);
@@ -277,6 +291,10 @@ std::string Renderer::fingerprint(const scene::SceneAt& now) const {
     const auto shades = shading_block(p.scene, now, p.options.width, p.options.height);
     print.add_values(std::span<const glm::vec4>(shades));
     print.add_values(std::span<const glm::dvec3>(&now.inside_color, 1));
+    if (const auto& paint = p.scene.material.paint) {
+        print.add_values(std::span<const glm::dvec2>(&now.paint_range, 1));
+        if (paint->value->uses("t")) print.add_values(std::span<const double>(&now.time, 1));
+    }
     for (std::size_t a = 0; a < p.shaders.arrays.size(); ++a) {
         const auto texels = array_texels(p.scene, p.shaders, now, a);
         print.add_values(std::span<const glm::vec4>(texels));

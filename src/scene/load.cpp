@@ -4,6 +4,7 @@
 
 #include "scene/camera.h"
 #include "scene/data_folder.h"
+#include "scene/paint.h"
 #include "scene/space.h"
 #include "scene/surface.h"
 #include "scene/thresholds.h"
@@ -122,8 +123,9 @@ void read_lights(Section& document, Scene& scene, TrackTable& tracks) {
     }
 }
 
-// The scene's colours, else the catalogue's.
-void read_material(Section& document, const SurfaceParts& parts, Scene& scene, TrackTable& tracks) {
+// The scene's colours, else the catalogue's; paint is a scene's own.
+std::optional<PaintParts> read_material(Section& document, const SurfaceParts& parts, Scene& scene,
+                                        TrackTable& tracks) {
     auto own = document.section("material");
     std::optional<Section> catalogue;
     if (parts.catalogue) catalogue = Section(*parts.catalogue, "").section("material");
@@ -140,9 +142,14 @@ void read_material(Section& document, const SurfaceParts& parts, Scene& scene, T
     const auto outside = color("color");
     scene.material.color = outside ? *outside : tracks.add("material.color", 0.72, 0.32, 0.08);
     scene.material.inside = color("inside");
+    std::optional<PaintParts> painted;
+    if (auto paint = own ? own->section("paint") : std::nullopt) {
+        painted = read_paint(*paint, tracks);
+    }
     for (auto* section : {&own, &catalogue}) {
         if (*section) (*section)->refuse_rest();
     }
+    return painted;
 }
 
 void read_output(Section& document, Scene& scene) {
@@ -236,7 +243,7 @@ Scene load(const std::string& name, const std::vector<Override>& overrides) {
     read_space(document, *parts, tracks);
     scene.camera = read_camera(document, tracks);
     read_lights(document, scene, tracks);
-    read_material(document, *parts, scene, tracks);
+    const auto painted = read_material(document, *parts, scene, tracks);
     read_output(document, scene);
     GivenThresholds given;
     if (parts->catalogue) {
@@ -247,7 +254,10 @@ Scene load(const std::string& name, const std::vector<Override>& overrides) {
     document.refuse_rest();
 
     scene.timeline.animation = tracks.animate(parts->arrays, seed);
-    make_field(*parts, scene.timeline.animation, tracks);
+    make_field(*parts);
+    if (painted) scene.material.paint = make_paint(*painted, *parts);
+    refuse_unused(*parts, painted ? scene.material.paint->value.get() : nullptr,
+                  scene.timeline.animation, tracks);
     scene.surface = parts->surface;
 
     // Settings are chosen once, at the first frame: every frame is marched alike.

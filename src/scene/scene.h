@@ -14,6 +14,8 @@
 
 #include "animation/timeline.h"
 #include "formula/field.h"
+#include "formula/paint.h"
+#include "scene/color_map.h"
 #include "scene/method.h"
 
 namespace isomotion::scene {
@@ -87,10 +89,18 @@ struct Light {
     bool headlight = false; // no light given: over the viewer's shoulder
 };
 
+// Colours the surface by a number: `low` is at the beginning of the map and `high` at its end.
+struct Paint {
+    std::shared_ptr<const formula::Paint> value;
+    TrackId low = 0, high = 0;
+    ColorMap map = ColorMap::blue_yellow;
+};
+
 // `color` is seen from where F > 0. Only a surface with `inside` tells the two sides apart.
 struct Material {
     Vec3Track color{};
     std::optional<Vec3Track> inside; // seen from where F < 0
+    std::optional<Paint> paint;      // instead of both
 };
 
 struct Output {

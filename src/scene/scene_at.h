@@ -52,7 +52,8 @@ struct SceneAt {
     CameraAt camera;
     std::vector<LightAt> lights;
     glm::dvec3 material_color{1};
-    glm::dvec3 inside_color{1}; // of a surface that tells its sides apart
+    glm::dvec3 inside_color{1};   // of a surface that tells its sides apart
+    glm::dvec2 paint_range{0, 1}; // of a painted one: what is at the ends of the map
 };
 
 // The same scene with the surface where its formula has it and the camera moved instead. Rays and

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "synthesis/paint_text.h"
 #include "synthesis/shader_files.h"
 
 namespace isomotion::synthesis {
@@ -61,14 +62,24 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
                        Shaders& shaders) {
     ShaderText text(shaders.files);
     text.define("LIGHTS", int(scene.lights.size()));
+    const formula::Field& field = *scene.surface.field;
+    const auto& paint = scene.material.paint;
+    std::vector<GeneratedFunction> painting;
+    if (paint) painting = paint_functions(*paint->value, field);
     if (!shaders.march_takes_gradient) {
-        add_field(text, *scene.surface.field, shaders, {FieldFunction::gradient});
+        add_field(text, field, shaders, {FieldFunction::gradient}, painting);
+    } else if (paint) {
+        add_field(text, field, shaders, {}, painting);
     } else {
         text.file("math/bits.glsl");
     }
     add_ray(text, scene);
     text.file("shade/shading.glsl");
-    text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
+    if (paint) {
+        add_paint(text, *paint);
+    } else {
+        text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
+    }
     text.file("shade/lambert.glsl");
     text.file(shaders.march_takes_gradient ? "shade/gradient_from_state.glsl"
                                            : "shade/gradient_from_field.glsl");
