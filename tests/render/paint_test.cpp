@@ -6,6 +6,7 @@
 
 #include "formula/curvature.h"
 #include "formula/hessian.h"
+#include "synthesis/assemble.h"
 
 namespace isomotion::render {
 namespace {
@@ -59,7 +60,7 @@ std::vector<Pixel> hits_of(const Picture& picture) {
 template<class Position>
 void expect_painted(const Picture& picture, Position&& u, double tolerance, std::size_t most_off) {
     const std::vector<Pixel> hits = hits_of(picture);
-    EXPECT_GT(hits.size(), 1000u);
+    EXPECT_GT(hits.size(), 500u);
     std::size_t off = 0;
     for (const Pixel& hit : hits) {
         const glm::dvec3 difference = glm::abs(hit.color - blue_yellow(u(hit)));
@@ -139,7 +140,7 @@ TEST_P(PaintedPictures, BeyondTheRangeTheMapStandsStillAndWhatIsNoNumberIsGrey) 
     for (const Pixel& p : colors("x - 70")) {
         ASSERT_LT(glm::distance(p.color, blue_yellow(0)), 1e-5);
     }
-    for (const Pixel& p : colors("(y - y)/(z - z)")) {
+    for (const Pixel& p : colors("floor(abs(y)/9)/floor(abs(z)/9)")) {
         ASSERT_LT(glm::distance(p.color, glm::dvec3(0.05)), 1e-6);
     }
 }
@@ -152,7 +153,7 @@ TEST_P(PaintedPictures, CurvaturesAreThoseInDouble) {
         double mean, gaussian; // ends of the range
     };
     std::string waves = "x^2 + y^2 + z^2 - 1";
-    for (int k = 1; k <= 250; ++k) waves += fmt::format(" + 1e-5*sin({}*x/50 + y)*z", k);
+    for (int k = 1; k <= 130; ++k) waves += fmt::format(" + 1e-5*sin({}*x/50 + y)*z", k);
     const auto of_formula = [](const std::string& formula) {
         return fmt::format("[surface]\nformula = '''{}'''\nbounds = {{ sphere = 2 }}\n", formula);
     };
@@ -174,6 +175,7 @@ TEST_P(PaintedPictures, CurvaturesAreThoseInDouble) {
                 scene_of(subject.scene + "[output]\nsize = [80, 80]\n" + dark +
                          paint(mean ? "mean_curvature" : "gaussian_curvature",
                                fmt::format("[{}, {}]", -end, end)));
+            ASSERT_EQ(synthesis::assemble(scene).march_takes_gradient, subject.name == "long");
             const formula::Field& field = *scene.surface.field;
             const formula::Program second = formula::hessian(field);
             formula::Evaluator<double> evaluate_second(second);
