@@ -16,7 +16,7 @@ Program hessian(const Field& field) {
     for (std::size_t i = 0; i < 3; ++i) {
         const NodeId first = differentiate_inputs(g, field.root, axes[i]);
         for (std::size_t j = i; j < 3; ++j) {
-            second.push_back(differentiate_inputs(g, first, axes[j]));
+            second.push_back(differentiate_inputs(g, first, axes[j], Slopes::pointwise_again));
         }
     }
     return schedule(g, lower(g, second));

@@ -25,6 +25,15 @@ TEST(Hessian, OfAPlaneIsZero) {
     EXPECT_EQ(second_of(make_field("x - 2*y + 3*z", {}), {1, 2, 3}), Second{});
 }
 
+// Each of two branches rests where the other counts, at the end of what sqrt and acos take.
+TEST(Hessian, OfABranchThatRestsAtAnInfiniteSlopeIsZero) {
+    for (const char* resting : {"sqrt(max(x, 1) - 1)", "acos(max(x, 1))", "asin(min(-x, -1))",
+                                "log(max(x, 1) + sqrt((max(x, 1) - 1)*(max(x, 1) + 1)))"}) {
+        const Field field = make_field(std::string("cos(14*") + resting + ") + x^2", {});
+        EXPECT_EQ(second_of(field, {0.5, 0.3, 0.2}), (Second{2, 0, 0, 0, 0, 0})) << resting;
+    }
+}
+
 // Directions of rays are inputs of the graph too, and no coordinates.
 TEST(Hessian, LeavesTheFieldAsItWas) {
     const Field field = make_field("x^3*y + exp(z)", {});
