@@ -60,7 +60,11 @@ private:
             return g_.subtract(d(0), d(1));
         case Op::multiply:
             return g_.add(g_.multiply(d(0), b), g_.multiply(a, d(1)));
-        case Op::divide: // (a' - (a/b) b') / b shares the quotient with the value
+        case Op::divide:
+            if (slopes_ == Slopes::pointwise_again && g_.is_constant(d(0), 0)) {
+                return g_.unary(Op::negate, g_.multiply(g_.divide(id, b), d(1)));
+            }
+            // (a' - (a/b) b') / b shares the quotient with the value
             return g_.divide(g_.subtract(d(0), g_.multiply(id, d(1))), b);
         case Op::min:
             return g_.select(a, b, d(0), d(1));
@@ -116,16 +120,16 @@ private:
     // 0 where the step function `id` is constant, from 0 to infinity where it may jump: an interval
     // that isn't a point is neither less than itself nor not.
     NodeId jumps(NodeId id) {
-        if (slopes_ == Slopes::pointwise) return zero();
+        if (slopes_ != Slopes::generalized) return zero();
         return g_.select(id, id, g_.constant(std::numeric_limits<double>::infinity()), zero());
     }
 
     // sqrt is constant below 0, asin and acos beyond -1 and 1.
     NodeId where_rooted(NodeId a, NodeId slope) {
-        return slopes_ == Slopes::pointwise ? slope : g_.select(a, zero(), zero(), slope);
+        return slopes_ != Slopes::generalized ? slope : g_.select(a, zero(), zero(), slope);
     }
     NodeId within_unit(NodeId a, NodeId slope) {
-        if (slopes_ == Slopes::pointwise) return slope;
+        if (slopes_ != Slopes::generalized) return slope;
         return g_.select(g_.constant(1), g_.unary(Op::abs, a), zero(), slope);
     }
 

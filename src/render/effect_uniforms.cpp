@@ -41,6 +41,11 @@ EffectUniforms effect_uniforms(const scene::Scene& scene, const scene::SceneAt& 
     if (scene.material.model != scene::Material::Model::lambert) {
         uniforms.emplace_back("gloss", glm::vec4(now.gloss));
     }
+    if (const auto& paint = scene.material.paint) {
+        uniforms.emplace_back("paint_range", glm::vec2(now.paint_range));
+        // Where it is not asked for, it would tell still frames apart.
+        if (paint->value->uses("t")) uniforms.emplace_back("paint_time", float(now.time));
+    }
     if (scene.material.inside) add("inside_color", now.inside_color);
     return uniforms;
 }

@@ -13,7 +13,7 @@
 
 namespace isomotion::render {
 
-using EffectUniform = std::variant<float, glm::vec3, glm::vec4>;
+using EffectUniform = std::variant<float, glm::vec2, glm::vec3, glm::vec4>;
 using EffectUniforms = std::vector<std::pair<std::string, EffectUniform>>;
 
 EffectUniforms effect_uniforms(const scene::Scene& scene, const scene::SceneAt& now);

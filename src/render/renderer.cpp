@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "gpu/buffer.h"
 #include "gpu/draw.h"
 #include "gpu/program.h"
@@ -109,11 +111,20 @@ struct Renderer::Parts {
         const formula::Field& field = *scene.surface.field;
         formula::Cost cost =
             formula::cost(shaders.samples_derivative ? field.along : field.value, counts);
-        if (!shaders.march_takes_gradient) {
-            // The shade pass evaluates the gradient once; it too must fit the loop limit.
-            cost.iterations =
-                std::max(cost.iterations, formula::cost(field.gradient, counts).iterations);
+        if (!shaders.surface.empty()) {
+            // Up to eight samples at the end of a ray (shaders/effects/end_of_ray.glsl) and five of
+            // its surroundings, each in one draw.
+            const double value = formula::cost(field.value, counts).iterations;
+            const double end = formula::cost(field.gradient, counts).iterations + 8 * value;
+            if (end > loop_iterations_per_pass) {
+                throw std::length_error(
+                    fmt::format("shadows, mirrors and other effects sum {:.0f} terms a pixel; a "
+                                "shader can sum {:.0f}: draw fewer elements or no effects",
+                                end, loop_iterations_per_pass));
+            }
         }
+        // The shade pass must fit the loop limit too.
+        cost.iterations = std::max(cost.iterations, shade_iterations(counts));
         constexpr int largest_tile = 2048;
         const MarchPlan fitting =
             plan_march(cost, options.width, options.height,
@@ -125,6 +136,19 @@ struct Renderer::Parts {
         for (const gpu::Program* program : {&march, &active, &shade}) visit(*program);
         if (secondary) secondary->for_each_program(visit);
         if (moved) visit(moved->program);
+    }
+
+    // What the loops of one shaded pixel add up to.
+    double shade_iterations(const std::vector<int>& counts) const {
+        const auto of = [&](const formula::Program& program) {
+            return formula::cost(program, counts).iterations;
+        };
+        const double gradient =
+            shaders.march_takes_gradient ? 0.0 : of(scene.surface.field->gradient);
+        if (!scene.material.paint) return gradient;
+        const formula::Paint& paint = *scene.material.paint->value;
+        const double curvature = paint.hessian ? gradient + of(*paint.hessian) : 0.0;
+        return gradient + curvature + of(paint.value);
     }
 
     void connect(const gpu::Program& program) const {

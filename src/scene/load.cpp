@@ -203,7 +203,8 @@ Scene load(const std::string& name, const std::vector<Override>& overrides) {
     read_space(document, *parts, tracks);
     scene.camera = read_camera(document, tracks);
     read_lights(document, scene, tracks);
-    scene.material = read_material(document, *parts, tracks);
+    std::optional<PaintParts> painted;
+    scene.material = read_material(document, *parts, tracks, painted);
     read_output(document, scene);
     read_surroundings(document, scene, tracks);
     scene.environment = read_environment(document, tracks);
@@ -216,7 +217,10 @@ Scene load(const std::string& name, const std::vector<Override>& overrides) {
     document.refuse_rest();
 
     scene.timeline.animation = tracks.animate(parts->arrays, seed);
-    make_field(*parts, scene.timeline.animation, tracks);
+    make_field(*parts);
+    if (painted) scene.material.paint = make_paint(*painted, *parts);
+    refuse_unused(*parts, painted ? scene.material.paint->value.get() : nullptr,
+                  scene.timeline.animation, tracks);
     scene.surface = parts->surface;
 
     // Settings are chosen once, at the first frame: every frame is marched alike.

@@ -95,7 +95,8 @@ void read_reflection(Section& section, Material& material) {
 
 } // namespace
 
-Material read_material(Section& document, const SurfaceParts& parts, TrackTable& tracks) {
+Material read_material(Section& document, const SurfaceParts& parts, TrackTable& tracks,
+                       std::optional<PaintParts>& painted) {
     Material material;
     auto own = document.section("material");
     read_colors(own, parts, material, tracks);
@@ -103,6 +104,7 @@ Material read_material(Section& document, const SurfaceParts& parts, TrackTable&
         material.model = read_model(*own);
         read_gloss(*own, material, tracks);
         read_reflection(*own, material);
+        if (auto paint = own->section("paint")) painted = read_paint(*paint, tracks);
         own->refuse_rest();
     }
     return material;

@@ -15,6 +15,8 @@
 
 #include "animation/timeline.h"
 #include "formula/field.h"
+#include "formula/paint.h"
+#include "scene/color_map.h"
 #include "scene/method.h"
 
 namespace isomotion::scene {
@@ -110,6 +112,13 @@ struct Occlusion {
     TrackId strength = 0;         // 0: none, 1: full
 };
 
+// Colours the surface by a number: `low` is at the beginning of the map and `high` at its end.
+struct Paint {
+    std::shared_ptr<const formula::Paint> value;
+    TrackId low = 0, high = 0;
+    ColorMap map = ColorMap::blue_yellow;
+};
+
 // `color` is seen from where F > 0. Only a surface with `inside` tells the two sides apart.
 struct Material {
     enum class Reflection { none, sky, self };
@@ -122,6 +131,7 @@ struct Material {
     Vec3Track color{};
     Reflection reflection = Reflection::none; // of what is around, and of the surface itself
     std::optional<Vec3Track> inside;          // seen from where F < 0
+    std::optional<Paint> paint;               // instead of both
     // Each where the model has it.
     std::optional<TrackId> shininess;           // exponent, 0 to max_shininess
     std::optional<TrackId> roughness, metallic; // 0..1

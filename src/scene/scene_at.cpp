@@ -146,6 +146,16 @@ public:
         return to;
     }
 
+    glm::dvec2 range(const Paint& paint) const {
+        const glm::dvec2 ends(number(paint.low), number(paint.high));
+        // As floats: that is what a shader divides by the difference of.
+        if (float(ends.x) == float(ends.y)) {
+            fail("material.paint.range",
+                 fmt::format("the two ends must differ, and both are {}", ends.x));
+        }
+        return ends;
+    }
+
     std::vector<LightAt> lights(const CameraAt& camera) const {
         std::vector<LightAt> lights;
         for (const Light& from : scene_.lights) {
@@ -302,6 +312,7 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     now.camera = read.camera(now.bounds, now.placement);
     now.lights = read.lights(now.camera);
     now.material_color = read.vector(scene.material.color);
+    if (scene.material.paint) now.paint_range = read.range(*scene.material.paint);
     if (scene.material.inside) now.inside_color = read.vector(*scene.material.inside);
     if (scene.ground) now.ground = read.ground(*scene.ground);
     if (scene.fog) now.fog = read.fog(*scene.fog);

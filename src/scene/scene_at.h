@@ -82,6 +82,7 @@ struct SceneAt {
     std::optional<EnvironmentAt> environment;
     // Blinn-Phong: shininess, specular. GGX: roughness, metallic, specular. The rest is 0.
     glm::dvec4 gloss{0};
+    glm::dvec2 paint_range{0, 1}; // of a painted surface: what is at the ends of the map
 };
 
 // The same scene with the surface where its formula has it and the camera moved instead. Rays and

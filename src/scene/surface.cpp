@@ -188,19 +188,26 @@ std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::T
     return parts;
 }
 
-void make_field(SurfaceParts& parts, const animation::Animation& animation,
-                const TrackTable& tracks) {
+void make_field(SurfaceParts& parts) {
     try {
         parts.surface.field =
             std::make_shared<formula::Field>(formula::make_field(parts.formula, parts.vocabulary));
     } catch (const formula::ParseError& error) {
         fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula", error.what());
     }
+}
+
+void refuse_unused(const SurfaceParts& parts, const formula::Paint* paint,
+                   const animation::Animation& animation, const TrackTable& tracks) {
     std::vector<bool> used(parts.vocabulary.parameters.size(), false);
-    for (formula::NodeId id = 0; id < parts.surface.field->graph.size(); ++id) {
-        const formula::Node& node = parts.surface.field->graph[id];
-        if (node.op == formula::Op::parameter) used[std::size_t(node.index)] = true;
-    }
+    const auto mark = [&](const formula::Graph& graph) {
+        for (formula::NodeId id = 0; id < graph.size(); ++id) {
+            const formula::Node& node = graph[id];
+            if (node.op == formula::Op::parameter) used[std::size_t(node.index)] = true;
+        }
+    };
+    mark(parts.surface.field->graph);
+    if (paint) mark(paint->graph);
     refuse_unused_fields(parts, used, animation, tracks);
     // A parameter that neither the formula nor an expression names is a slip of the pen.
     for (std::size_t k = 0; k < parts.parameters.size(); ++k) {

@@ -22,8 +22,11 @@ struct SurfaceParts {
 std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
                                            TrackTable& tracks);
 
-// Parses the formula, and refuses parameters that nothing uses.
-void make_field(SurfaceParts& parts, const animation::Animation& animation,
-                const TrackTable& tracks);
+// Parses the formula.
+void make_field(SurfaceParts& parts);
+
+// Refuses parameters and fields that nothing uses; `paint` may be null.
+void refuse_unused(const SurfaceParts& parts, const formula::Paint* paint,
+                   const animation::Animation& animation, const TrackTable& tracks);
 
 } // namespace isomotion::scene

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "synthesis/effect_text.h"
+#include "synthesis/paint_text.h"
 #include "synthesis/shader_files.h"
 
 namespace isomotion::synthesis {
@@ -125,16 +126,29 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
     ShaderText text(shaders.files);
     text.define("LIGHTS", int(scene.lights.size()));
     const bool from_surface = keeps_surfaces(scene);
-    if (from_surface && scene.occlusion) {
-        add_field(text, *scene.surface.field, shaders, {FieldFunction::value});
-    } else if (from_surface || shaders.march_takes_gradient) {
-        text.file("math/bits.glsl");
+    const formula::Field& field = *scene.surface.field;
+    const auto& paint = scene.material.paint;
+    std::vector<GeneratedFunction> painting;
+    if (paint) painting = paint_functions(*paint->value, field);
+    std::vector<FieldFunction> functions;
+    // Paint may ask for the gradient too.
+    if (!shaders.march_takes_gradient && (!from_surface || paint)) {
+        functions.push_back(FieldFunction::gradient);
+    }
+    if (from_surface && scene.occlusion) functions.push_back(FieldFunction::value);
+    if (!functions.empty() || paint) {
+        add_field(text, field, shaders, functions, painting);
     } else {
-        add_field(text, *scene.surface.field, shaders, {FieldFunction::gradient});
+        text.file("math/bits.glsl");
+        text.file("math/bits.glsl");
     }
     add_ray(text, scene);
     text.file("shade/shading.glsl");
-    text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
+    if (paint) {
+        add_paint(text, *paint);
+    } else {
+        text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
+    }
     if (from_surface) {
         text.file("effects/eye_begin.glsl");
         text.file("effects/surface_point.glsl");
@@ -142,6 +156,8 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
         add_shading(text, scene);
     } else {
         text.file("shade/lambert.glsl");
+    }
+    if (!from_surface || paint) {
         text.file(shaders.march_takes_gradient ? "shade/gradient_from_state.glsl"
                                                : "shade/gradient_from_field.glsl");
     }

@@ -81,7 +81,8 @@ FieldStorage field_storage(const formula::Field& field, int parameters,
 }
 
 void add_field(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
-               const std::vector<FieldFunction>& functions) {
+               const std::vector<FieldFunction>& functions,
+               const std::vector<GeneratedFunction>& beside) {
     std::set<std::string> kernels;
     std::string generated;
     for (const FieldFunction function : functions) {
@@ -89,9 +90,17 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
         kernels.merge(formula::kernels_used(program));
         generated += glsl;
     }
+    for (const GeneratedFunction& function : beside) {
+        kernels.insert(function.kernels.begin(), function.kernels.end());
+    }
     for (const auto& kernel : kernel_files(kernels)) text.file(kernel);
     text.generated("generated: parameters of the surface", declarations(storage));
-    text.generated("generated from: " + as_comment(field.text), generated);
+    if (!functions.empty()) {
+        text.generated("generated from: " + as_comment(field.text), generated);
+    }
+    for (const GeneratedFunction& function : beside) {
+        text.generated("generated from: " + as_comment(function.from), function.glsl);
+    }
 }
 
 } // namespace isomotion::synthesis

@@ -2,6 +2,7 @@
 // arrays, the generated functions.
 #pragma once
 
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,7 +38,15 @@ FieldStorage field_storage(const formula::Field& field, int parameters,
 // What a shader can ask of a field; see glsl_value() and its siblings for the signatures.
 enum class FieldFunction { value, along, gradient };
 
+// A function that reads the field's parameters and arrays but is none of the field's own.
+struct GeneratedFunction {
+    std::string from; // what the user wrote
+    std::set<std::string> kernels;
+    std::string glsl;
+};
+
 void add_field(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
-               const std::vector<FieldFunction>& functions);
+               const std::vector<FieldFunction>& functions,
+               const std::vector<GeneratedFunction>& beside = {});
 
 } // namespace isomotion::synthesis

@@ -232,6 +232,10 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     const Shaders of_sides =
         assemble(scene_of(surface_text("x") + "[material]\ninside = [1, 1, 1]\n"));
     used.insert(of_sides.files.begin(), of_sides.files.end());
+    for (const auto& paint : every_paint) {
+        const Shaders painted = assemble(scene_of(surface_text("x") + paint));
+        used.insert(painted.files.begin(), painted.files.end());
+    }
     EXPECT_EQ(used, shader_files());
 }
 
@@ -279,6 +283,37 @@ TEST_F(Assemble, TwoSidesOnlyWhereTheSceneTellsThemApart) {
     EXPECT_THAT(sided.shade, HasSubstr("inside_color"));
     EXPECT_THAT(sided.files, testing::Contains("shade/two_sided.glsl"));
     EXPECT_THAT(sided.files, Not(testing::Contains("shade/one_sided.glsl")));
+}
+
+TEST_F(Assemble, PaintOnlyWhereTheSceneHasIt) {
+    const Shaders plain = assemble(scene_of(one_set_of_values));
+    EXPECT_THAT(plain.shade, Not(HasSubstr("paint")));
+    EXPECT_THAT(plain.shade, Not(HasSubstr("essian")));
+    for (const auto& file : plain.files) EXPECT_FALSE(file.starts_with("effects/")) << file;
+    for (const auto& paint : every_paint) {
+        const Shaders painted = assemble(scene_of(one_set_of_values + paint));
+        EXPECT_EQ(painted.march, plain.march);
+        const bool curved = paint.find("curvature") != paint.npos;
+        EXPECT_EQ(occurrences(painted.shade, "Hessian field_hessian(vec3 p) {"), curved) << paint;
+        EXPECT_EQ(occurrences(painted.shade, "vec3 surface_color(Hit hit) {"), 1);
+        // Paint takes the place of one_sided.glsl, and adds.
+        const Lines lost = without(lines_of(plain.shade), lines_of(painted.shade));
+        EXPECT_THAT(lost, testing::UnorderedElementsAre("// shaders/shade/one_sided.glsl",
+                                                        "    return material_color.rgb;"));
+    }
+}
+
+// A kernel that field and paint share is defined once.
+TEST_F(Assemble, PaintAndFieldShareKernels) {
+    for (const std::string& formula : {std::string("exp(x) + sin(y)"), long_formula()}) {
+        const Shaders painted =
+            assemble(scene_of(surface_text(formula) + "[material.paint]\nrange = [0, 1]\n"
+                                                      "value = 'exp(nz)*mean_curvature*sin(x)'\n"));
+        EXPECT_EQ(occurrences(painted.shade, "// shaders/math/exp.glsl"), 1);
+        EXPECT_EQ(occurrences(painted.shade, "// shaders/math/trig.glsl"), 1);
+        EXPECT_EQ(occurrences(painted.shade, "// shaders/math/bits.glsl"), 1);
+        EXPECT_EQ(occurrences(painted.shade, "uniform Parameters {"), 1);
+    }
 }
 
 } // namespace

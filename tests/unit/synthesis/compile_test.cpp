@@ -37,6 +37,10 @@ std::vector<Text> fragment_texts() {
     }
     const auto scene = scene_of(surface_text("x"));
     add("no channels", assemble(scene));
+    for (const auto& paint : every_paint) {
+        add(paint, assemble(scene_of(surface_text(formula) + two_arrays + paint)));
+        add("long, " + paint, assemble(scene_of(surface_text(long_formula()) + paint)));
+    }
     for (const Channel channel : every_channel) {
         add(fmt::format("channel {}", int(channel)), assemble(scene, {channel}));
     }

@@ -40,6 +40,12 @@ inline const std::vector<std::string> every_bounds{"{ sphere = 2 }",
 inline const std::vector<Channel> every_channel{Channel::depth, Channel::normal, Channel::position,
                                                 Channel::verdict, Channel::evaluations};
 
+// Colours by a number, each with the files that another leaves out.
+inline const std::vector<std::string> every_paint{
+    "[material.paint]\nvalue = 'nz*t + evaluations'\nrange = [-1, 1]\n",
+    "[material.paint]\nvalue = 'exp(x) - mean_curvature'\nrange = ['t - 1', 1]\n"
+    "map = 'blue-orange'\n"};
+
 inline std::string surface_text(const std::string& formula,
                                 const std::string& bounds = every_bounds[0],
                                 const std::string& method = "amp-sign") {
