@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "accuracy/effect_price.h"
 #include "accuracy/report.h"
 #include "accuracy/truth_cache.h"
 #include "animation/frame_range.h"
@@ -19,7 +20,7 @@ struct AccuracyArguments {
     std::vector<std::string> settings;
     std::optional<double> max_wrong, budget_ms;
     int repeat = 3;
-    bool quiet = false;
+    bool quiet = false, effects = false;
 };
 
 std::vector<std::string> listed(const std::string& text) {
@@ -61,12 +62,40 @@ std::vector<double> parse_steps(const std::string& text) {
     return steps;
 }
 
-accuracy::Report measured(const AccuracyArguments& arguments) {
+scene::Scene load(const AccuracyArguments& arguments) {
     RenderArguments as_render;
     as_render.scene = arguments.scene;
     as_render.size = arguments.size;
     as_render.settings = arguments.settings;
-    const scene::Scene scene = scene::load(arguments.scene, overrides(as_render));
+    return scene::load(arguments.scene, overrides(as_render));
+}
+
+// --effects: what each effect of the scene costs.
+int price_effects(const AccuracyArguments& arguments) {
+    const scene::Scene scene = load(arguments);
+    const int frame = arguments.frames.empty()
+                          ? scene.output.poster
+                          : animation::parse_frame_range(arguments.frames).front();
+    if (scene::effects(scene).empty()) {
+        fmt::print("{} calls for no effect\n", scene.title);
+        return exit_done;
+    }
+    const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+    const auto prices = accuracy::effect_prices(*context, scene, frame, scene.output.width,
+                                                scene.output.height, arguments.repeat);
+    fmt::print("{}: {}x{}, frame {}, medians of {} pairs; {}, {}\n", scene.title,
+               scene.output.width, scene.output.height, frame, arguments.repeat,
+               context->info().renderer, context->info().version);
+    fmt::print("{:<18}{:>10}{:>12}{:>12}\n", "effect", "with ms", "without ms", "price ms");
+    for (const accuracy::EffectPrice& price : prices) {
+        fmt::print("{:<18}{:>10.2f}{:>12.2f}{:>12.2f}\n", scene::name(price.effect), price.with,
+                   price.without, price.price);
+    }
+    return exit_done;
+}
+
+accuracy::Report measured(const AccuracyArguments& arguments) {
+    const scene::Scene scene = load(arguments);
     accuracy::Measuring measuring;
     measuring.frames = arguments.frames.empty() ? std::vector{scene.output.poster}
                                                 : animation::parse_frame_range(arguments.frames);
@@ -122,6 +151,7 @@ int judge(const AccuracyArguments& arguments, const accuracy::Report& report) {
 }
 
 int accuracy_of(const AccuracyArguments& arguments) {
+    if (arguments.effects) return price_effects(arguments);
     const accuracy::Report report = measured(arguments);
     if (!arguments.quiet) {
         fmt::print("{}: {}x{}, {} frame{} from {}; {}\n{}", report.title, report.width,
@@ -157,6 +187,8 @@ void add_accuracy(CLI::App& app, Action& chosen) {
     command->add_option("-o,--output", a.output, "folder for a report");
     command->add_option("--repeat", a.repeat, "drawings that a time is the median of")
         ->check(CLI::Range(1, 1000));
+    command->add_flag("--effects", a.effects,
+                      "instead: what each effect of the scene costs, one frame with and without");
     command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
     command->add_option("--backend", a.backend, "auto, egl or osmesa");
     command->add_flag("--quiet", a.quiet, "no table, no progress");

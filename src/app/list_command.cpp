@@ -3,6 +3,7 @@
 
 #include "app/commands.h"
 #include "scene/data_folder.h"
+#include "scene/effect.h"
 #include "scene/load.h"
 #include "scene/method.h"
 
@@ -13,6 +14,12 @@ int list(const std::string& what) {
     if (what == "methods") {
         for (const auto& method : scene::method_names) {
             fmt::print("{:<12} {}\n", method.name, method.summary);
+        }
+        return exit_done;
+    }
+    if (what == "effects") {
+        for (const auto& effect : scene::effect_names) {
+            fmt::print("{:<16} {}\n", effect.name, effect.summary);
         }
         return exit_done;
     }
@@ -28,9 +35,10 @@ int list(const std::string& what) {
 
 void add_list(CLI::App& app, Action& chosen) {
     const auto what = std::make_shared<std::string>("animations");
-    CLI::App* command = app.add_subcommand("list", "what there is: animations, surfaces, methods");
-    command->add_option("what", *what, "animations (default), surfaces or methods")
-        ->check(CLI::IsMember({"animations", "surfaces", "methods"}));
+    CLI::App* command =
+        app.add_subcommand("list", "what there is: animations, surfaces, methods, effects");
+    command->add_option("what", *what, "animations (default), surfaces, methods or effects")
+        ->check(CLI::IsMember({"animations", "surfaces", "methods", "effects"}));
     command->callback([what, &chosen] { chosen = [what] { return list(*what); }; });
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "scene/effect.h"
 #include "scene/load.h"
 #include "scene/scene_at.h"
 #include "synthesis/assemble.h"
@@ -31,7 +32,10 @@ int show(const ShowArguments& arguments) {
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings);
     const synthesis::Shaders shaders = synthesis::assemble(scene);
     if (arguments.shader) {
-        fmt::print("{}\n{}", shaders.march, shaders.shade);
+        for (const std::string* text : {&shaders.march, &shaders.surface, &shaders.mirror,
+                                        &shaders.mirror_surface, &shaders.shadow, &shaders.shade}) {
+            if (!text->empty()) fmt::print("{}\n", *text);
+        }
         return exit_done;
     }
     const animation::Values values = scene.timeline.values(arguments.frame);
@@ -53,6 +57,10 @@ int show(const ShowArguments& arguments) {
         const auto& array = scene.timeline.animation.arrays()[a];
         fmt::print("    {:<28} {} elements\n", array.name, values.arrays[a].count);
     }
+    std::vector<std::string_view> called;
+    for (const scene::Effect effect : scene::effects(scene)) called.push_back(scene::name(effect));
+    fmt::print("effects   {}\n",
+               called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
     fmt::print("shaders   {}\n", fmt::join(shaders.files, " "));
     return exit_done;
 }

@@ -32,24 +32,35 @@ std::string lit(const scene::Scene& scene, const char* name, bool with_shadows) 
     return text + "    }\n    return sum;\n}\n";
 }
 
+// vec3 mirrored(...): with what the surface mirrors; a mirror in a mirror shows what is around.
 std::string mirrored(const scene::Scene& scene) {
-    std::string text = "vec3 mirrored(vec3 color, Ray ray, SurfacePoint p, Hit hit) {\n";
-    if (scene.ground) text += "    if (p.on_ground) return color;\n";
-    text += "    vec3 direction = reflect(ray.direction, p.normal);\n";
-    text += fmt::format("    vec3 seen = {};\n",
-                        scene.environment ? "environment(direction)" : "sky(direction).rgb");
-    if (scene.material.reflection == Reflection::self) {
-        text += "    SurfacePoint q = load_mirrored();\n"
-                "    if (is_on_surface(q) || q.on_ground) {\n"
-                "        seen = lit_again(q, Hit(q.position, q.normal, q.t, q.inside), "
-                "-direction);\n"
-                "    }\n";
-    }
-    text += "    vec3 weight = mirror_weight(surface_color(hit), p.normal, -ray.direction);\n";
-    // The other materials' matt part is what their highlight leaves; a matt one gets a clear coat.
+    // The matt part of other materials is what their highlight leaves; a matt one gets a clear
+    // coat.
     const bool matt = scene.material.model == scene::Material::Model::lambert;
-    return text + (matt ? "    return color * (1.0 - weight) + weight * seen;\n}\n"
-                        : "    return color + weight * seen;\n}\n");
+    std::string text =
+        fmt::format("vec3 with_mirror(vec3 color, Hit hit, vec3 to_viewer, vec3 seen) "
+                    "{{\n    vec3 weight = mirror_weight(surface_color(hit), "
+                    "hit.normal, to_viewer);\n    return color{} + weight * seen;\n}}\n",
+                    matt ? " * (1.0 - weight)" : "");
+    const auto around = [&](const char* direction) {
+        return scene.environment ? fmt::format("environment({})", direction)
+                                 : fmt::format("sky({}).rgb", direction);
+    };
+    text += "vec3 mirrored(vec3 color, Ray ray, SurfacePoint p, Hit hit) {\n";
+    if (scene.ground) text += "    if (p.on_ground) return color;\n";
+    text += fmt::format("    vec3 direction = reflect(ray.direction, p.normal);\n"
+                        "    vec3 seen = {};\n",
+                        around("direction"));
+    if (scene.material.reflection == Reflection::self) {
+        text += fmt::format("    SurfacePoint q = load_mirrored();\n"
+                            "    Hit other = Hit(q.position, q.normal, q.t, q.inside);\n"
+                            "    if (is_on_surface(q) || q.on_ground) seen = lit_again(q, other, "
+                            "-direction);\n"
+                            "    if (is_on_surface(q)) {{\n"
+                            "        seen = with_mirror(seen, other, -direction, {});\n    }}\n",
+                            around("reflect(direction, q.normal)"));
+    }
+    return text + "    return with_mirror(color, hit, -ray.direction, seen);\n}\n";
 }
 
 } // namespace

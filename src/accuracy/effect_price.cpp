@@ -1,0 +1,43 @@
+#include "accuracy/effect_price.h"
+
+#include <algorithm>
+
+#include "render/renderer.h"
+
+namespace isomotion::accuracy {
+namespace {
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+} // namespace
+
+std::vector<EffectPrice> effect_prices(gpu::Context& context, const scene::Scene& scene, int frame,
+                                       int width, int height, int pairs) {
+    const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+    const auto ms = [&](render::Renderer& renderer, const scene::SceneAt& at) {
+        return std::chrono::duration<double, std::milli>(renderer.draw(at).drawing).count();
+    };
+    render::Renderer full(context, scene, {width, height, {}, {}});
+    ms(full, now); // drivers make their code at the first draw
+    std::vector<EffectPrice> prices;
+    for (const scene::Effect effect : scene::effects(scene)) {
+        const scene::Scene less = scene::without(effect, scene);
+        const scene::SceneAt then = scene::at(less, less.timeline.values(frame));
+        render::Renderer partial(context, less, {width, height, {}, {}});
+        ms(partial, then);
+        std::vector<double> with, without, difference;
+        for (int k = 0; k < pairs; ++k) {
+            with.push_back(ms(full, now));
+            without.push_back(ms(partial, then));
+            difference.push_back(with.back() - without.back());
+        }
+        prices.push_back({effect, median(with), median(without), median(difference)});
+    }
+    return prices;
+}
+
+} // namespace isomotion::accuracy
