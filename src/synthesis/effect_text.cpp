@@ -18,7 +18,10 @@ std::string lit(const scene::Scene& scene, const char* name, bool with_shadows) 
     text += scene.ground
                 ? "    vec3 albedo = p.on_ground ? ground_color.rgb : surface_color(hit);\n"
                 : "    vec3 albedo = surface_color(hit);\n";
-    text += fmt::format("    vec3 sum = 0.12 * albedo{};\n", occluded ? " * openness(p)" : "");
+    // Metal has no matt part that light from everywhere could come back from.
+    const bool metal = scene.material.model == scene::Material::Model::ggx;
+    text += fmt::format("    vec3 sum = 0.12 * albedo{}{};\n", metal ? " * (1.0 - gloss.y)" : "",
+                        occluded ? " * openness(p)" : "");
     text += "    for (int k = 0; k < LIGHTS; ++k) {\n"
             "        LightRay light = light_at(k, p.position);\n";
     text += scene.ground

@@ -49,6 +49,12 @@ const std::vector<Named> every_effect{
     {"[fog]\ndensity = 0.1\n", "effects/fog.glsl", "in_fog"},
     {"[occlusion]\n", "effects/occlusion.glsl", "openness"},
     {"[material]\nreflection = \"sky\"\n", "effects/sky_flat.glsl", "mirrored("},
+    {"[material]\nmodel = \"ggx\"\n", "effects/brdf_ggx.glsl", "least_roughness"},
+    {"[material]\nmodel = \"blinn-phong\"\n", "effects/brdf_blinn_phong.glsl", "shininess"},
+    {"[environment]\nmap = \"studio.exr\"\n", "effects/sky_environment.glsl", "environment_texel"},
+    {"[output]\nbackground = { top = [1, 0, 0], bottom = [0, 0, 1] }\n",
+     "effects/sky_gradient.glsl", "sky_bottom"},
+    {"[material.paint]\nvalue = \"nz\"\nrange = [-1, 1]\n", "effects/paint.glsl", "paint_range"},
     {"[material]\nreflection = \"self\"\n", "effects/mirror_ray.glsl", "load_mirrored"},
 };
 

@@ -236,6 +236,10 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         const Shaders painted = assemble(scene_of(surface_text("x") + paint));
         used.insert(painted.files.begin(), painted.files.end());
     }
+    for (const auto& effects : every_effect) {
+        const Shaders called = assemble(scene_of(surface_text("x") + effects), {Channel::velocity});
+        used.insert(called.files.begin(), called.files.end());
+    }
     EXPECT_EQ(used, shader_files());
 }
 

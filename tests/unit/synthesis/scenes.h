@@ -46,6 +46,15 @@ inline const std::vector<std::string> every_paint{
     "[material.paint]\nvalue = 'exp(x) - mean_curvature'\nrange = ['t - 1', 1]\n"
     "map = 'blue-orange'\n"};
 
+// Effects, so that all files are called for.
+inline const std::vector<std::string> every_effect{
+    "[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n[ground]\nheight = -1\n"
+    "[fog]\ndensity = 0.1\n[occlusion]\n",
+    "[[lights]]\nposition = [2, 0, 0]\n[material]\nmodel = 'ggx'\nreflection = 'self'\n"
+    "[environment]\nmap = 'studio.exr'\n",
+    "[material]\nmodel = 'blinn-phong'\nreflection = 'sky'\n"
+    "[output]\nbackground = { top = [0, 0, 1], bottom = [1, 1, 1] }\n"};
+
 inline std::string surface_text(const std::string& formula,
                                 const std::string& bounds = every_bounds[0],
                                 const std::string& method = "amp-sign") {

@@ -1,0 +1,83 @@
+// What the program says of effects, and what it does with bad files that they name.
+#include "cli.h"
+
+namespace isomotion::cli {
+namespace {
+
+class Effects : public Cli {
+protected:
+    Words with_scene(const char* command, const std::string& more) const {
+        std::ofstream(*this / "scene.toml")
+            << "[surface]\nformula = \"x^2 + y^2 + z^2 - 1\"\nbounds = { sphere = 1.5 }\n"
+            << more;
+        return {command, "scene.toml"};
+    }
+};
+
+TEST_F(Effects, AreListed) {
+    const Ending ending = run({"list", "effects"});
+    EXPECT_EQ(ending.code, 0) << ending;
+    for (const char* effect : {"shadows", "environment", "fog", "self-reflection"}) {
+        EXPECT_THAT(ending.out, HasSubstr(effect));
+    }
+}
+
+TEST_F(Effects, AreShownWithTheirFiles) {
+    const Ending none = run(with_scene("show", ""));
+    EXPECT_THAT(none.out, HasSubstr("effects   none"));
+    EXPECT_THAT(none.out, Not(HasSubstr("effects/")));
+    const Ending some = run(with_scene("show", "[fog]\ndensity = 0.1\n[[lights]]\n"
+                                               "direction = [1, 0, 0]\nshadow = true\n"));
+    EXPECT_EQ(some.code, 0) << some;
+    EXPECT_THAT(some.out, HasSubstr("effects   shadows fog\n"));
+    EXPECT_THAT(some.out, HasSubstr("effects/shadow.frag"));
+}
+
+TEST_F(Effects, HaveTheirPrices) {
+    Words words = with_scene("accuracy", "[fog]\ndensity = 0.1\n[occlusion]\n");
+    words.insert(words.end(), {"--effects", "--size", "32x32", "--repeat", "1"});
+    const Ending some = run(words);
+    EXPECT_EQ(some.code, 0) << some;
+    EXPECT_THAT(some.out, HasSubstr("\nfog "));
+    EXPECT_THAT(some.out, HasSubstr("\nocclusion "));
+    EXPECT_THAT(some.out, Not(HasSubstr("shadows")));
+    words = with_scene("accuracy", "");
+    words.push_back("--effects");
+    EXPECT_THAT(run(words).out, HasSubstr("calls for no effect"));
+}
+
+TEST_F(Effects, MapsThatAreNoneAreErrors) {
+    Words words = with_scene("render", "[environment]\nmap = \"nowhere.exr\"\n");
+    words.insert(words.end(), {"-o", "frame.png"});
+    const Ending missing = run(words);
+    EXPECT_EQ(missing.code, 2) << missing;
+    EXPECT_THAT(missing.err, HasSubstr("nowhere.exr"));
+    std::ofstream(*this / "map.exr") << "no picture";
+    words = with_scene("render", "[environment]\nmap = \"map.exr\"\n");
+    words.insert(words.end(), {"-o", "frame.png"});
+    const Ending broken = run(words);
+    EXPECT_NE(broken.code, 0) << broken;
+    EXPECT_THAT(broken.err, HasSubstr("map.exr"));
+    EXPECT_FALSE(std::filesystem::exists(*this / "frame.png"));
+}
+
+TEST_F(Effects, MistakesNameTheirKey) {
+    for (const auto& [scene, words] : std::vector<std::pair<std::string, std::string>>{
+             {"[[lights]]\nshadow = true\n", "needs one of direction"},
+             {"[[lights]]\ndirection = [1, 0, 0]\nposition = [1, 0, 0]\n",
+              "needs one of direction"},
+             {"[[lights]]\ndirection = [1, 0, 0]\nfalloff = 2\n", "lights[0].falloff"},
+             {"[ground]\ncolor = [1, 1, 1]\n", "needs height"},
+             {"[fog]\nstart = 1\n", "needs density"},
+             {"[fog]\ndensity = -1\n", "must not be below 0"},
+             {"[occlusion]\nstrength = 2\n", "occlusion.strength"},
+             {"[occlusion]\nreach = 0\n", "above 0"},
+             {"[material]\nreflection = \"mirror\"\n", "known: sky, self"}}) {
+        const Ending ending = run(with_scene("show", scene));
+        EXPECT_EQ(ending.code, 2) << scene;
+        EXPECT_THAT(ending.err, HasSubstr(words)) << scene;
+    }
+}
+
+} // namespace
+} // namespace isomotion::cli
