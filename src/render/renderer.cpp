@@ -113,8 +113,8 @@ struct Renderer::Parts {
         }
     }
 
-    void upload(const scene::SceneAt& now) {
-        const FrameBlock block = frame_block(scene, now, options.width, options.height);
+    void upload(const scene::SceneAt& now, const scene::Aim& aim) {
+        const FrameBlock block = frame_block(scene, now, options.width, options.height, aim);
         frame.update(std::as_bytes(std::span(&block, 1)));
         parameters.update(parameter_block(shaders, now));
         const auto shades = shading_block(scene, now, options.width, options.height);
@@ -238,13 +238,13 @@ Renderer::~Renderer() = default;
 
 const MarchPlan& Renderer::plan() const { return parts_->plan; }
 
-Picture Renderer::draw(const scene::SceneAt& now) {
+Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim) {
     Parts& p = *parts_;
     const auto begin = std::chrono::steady_clock::now();
     p.context.make_current();
     Picture picture;
     picture.frame = p.blank_frame();
-    p.upload(now);
+    p.upload(now, aim);
     const auto channel = [&](std::size_t k) { return &picture.frame.channels[k]; };
     std::vector<image::Channel*> record;
     for (const auto kind : {synthesis::Channel::verdict, synthesis::Channel::evaluations}) {
@@ -267,11 +267,11 @@ Picture Renderer::draw(const scene::SceneAt& now) {
     return picture;
 }
 
-std::string Renderer::fingerprint(const scene::SceneAt& now) const {
+std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& aim) const {
     const Parts& p = *parts_;
     Fingerprint print;
     print.add(p.shaders.march).add(p.shaders.shade);
-    const FrameBlock block = frame_block(p.scene, now, p.options.width, p.options.height);
+    const FrameBlock block = frame_block(p.scene, now, p.options.width, p.options.height, aim);
     print.add_values(std::span<const FrameBlock>(&block, 1));
     print.add(parameter_block(p.shaders, now));
     const auto shades = shading_block(p.scene, now, p.options.width, p.options.height);
