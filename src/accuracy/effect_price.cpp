@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/renderer.h"
+#include "render/exposure.h"
 
 namespace isomotion::accuracy {
 namespace {
@@ -17,22 +17,21 @@ double median(std::vector<double> values) {
 
 std::vector<EffectPrice> effect_prices(gpu::Context& context, const scene::Scene& scene, int frame,
                                        int width, int height, int pairs) {
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
-    const auto ms = [&](render::Renderer& renderer, const scene::SceneAt& at) {
-        return std::chrono::duration<double, std::milli>(renderer.draw(at).drawing).count();
+    const auto ms = [&](render::Renderer& renderer, const scene::Scene& drawn) {
+        const render::Picture picture = render::expose(renderer, drawn, frame);
+        return std::chrono::duration<double, std::milli>(picture.drawing).count();
     };
     render::Renderer full(context, scene, {width, height, {}, {}});
-    ms(full, now); // drivers make their code at the first draw
+    ms(full, scene); // drivers make their code at the first draw
     std::vector<EffectPrice> prices;
     for (const scene::Effect effect : scene::effects(scene)) {
         const scene::Scene less = scene::without(effect, scene);
-        const scene::SceneAt then = scene::at(less, less.timeline.values(frame));
         render::Renderer partial(context, less, {width, height, {}, {}});
-        ms(partial, then);
+        ms(partial, less);
         std::vector<double> with, without, difference;
         for (int k = 0; k < pairs; ++k) {
-            with.push_back(ms(full, now));
-            without.push_back(ms(partial, then));
+            with.push_back(ms(full, scene));
+            without.push_back(ms(partial, less));
             difference.push_back(with.back() - without.back());
         }
         prices.push_back({effect, median(with), median(without), median(difference)});

@@ -33,7 +33,12 @@ struct Timeline {
     double time(std::int64_t frame) const {
         return double((frame - 1) * fps.denominator) / double(fps.numerator);
     }
+    // `part` of a frame's duration, 0 to 1, after its time.
+    double time(std::int64_t frame, double part) const {
+        return time(frame) + part * double(fps.denominator) / double(fps.numerator);
+    }
     Values values(std::int64_t frame) const { return animation.at(time(frame)); }
+    Values values(std::int64_t frame, double part) const { return animation.at(time(frame, part)); }
 };
 
 } // namespace isomotion::animation

@@ -35,6 +35,12 @@ image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& 
     } else {
         metadata.push_back({"isomotion:camera.fov", now.camera.fov});
     }
+    if (const int samples = scene.output.samples; samples > 1) {
+        metadata.push_back({"isomotion:samples", samples});
+        metadata.push_back({"isomotion:camera.shutter", scene.camera.shutter});
+        metadata.push_back({"isomotion:camera.aperture", now.camera.aperture});
+        metadata.push_back({"isomotion:camera.focus", now.camera.focus});
+    }
     for (int k = 0; k < scene.surface.parameters; ++k) {
         const auto index = std::size_t(k);
         metadata.push_back({"isomotion:parameter." + scene.timeline.animation.tracks()[index].name,

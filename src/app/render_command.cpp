@@ -16,6 +16,7 @@
 #include "image/file.h"
 #include "image/movie.h"
 #include "image/sequence.h"
+#include "render/exposure.h"
 #include "render/fingerprint.h"
 #include "render/renderer.h"
 #include "scene/load.h"
@@ -130,7 +131,7 @@ private:
         }
     }
     void check_values() const {
-        for (const int frame : frames_) scene::at(scene_, scene_.timeline.values(frame));
+        for (const int frame : frames_) render::check_exposure(scene_, frame);
     }
 
     image::Rational movie_rate() const {
@@ -188,8 +189,7 @@ private:
             const int frame = frames_[k];
             const animation::Values values = scene_.timeline.values(frame);
             const scene::SceneAt now = scene::at(scene_, values);
-            const auto motion = motion_of(frame);
-            const std::string pixels = renderer.fingerprint(now, motion ? &*motion : nullptr);
+            const std::string pixels = render::fingerprint(renderer, scene_, frame);
             image::Metadata metadata = frame_metadata(scene_, now, values, frame, "");
             metadata.back().value = file_fingerprint(pixels, machine, metadata);
             progress.show(int(k), fs::path(name_.path(frame)).filename().string());
@@ -199,7 +199,7 @@ private:
             }
             // A scene that stands still is drawn once.
             if (!last || pixels != last_pixels) {
-                last = renderer.draw(now, motion ? &*motion : nullptr);
+                last = render::expose(renderer, scene_, frame);
                 last_pixels = pixels;
                 totals_.add(*last);
                 warn(frame, *last);
@@ -211,13 +211,6 @@ private:
             writer.submit(frame, std::move(image));
         }
         writer.finish();
-    }
-
-    // What the channel velocity needs, if it is asked for.
-    std::optional<render::Motion> motion_of(int frame) const {
-        const auto wanted = synthesis::Channel::velocity;
-        if (std::find(channels_.begin(), channels_.end(), wanted) == channels_.end()) return {};
-        return render::motion_about(scene_, frame);
     }
 
     // Pixels, file format and everything else that the file records.
@@ -242,12 +235,13 @@ private:
         }
     }
 
-    static void warn(int frame, const render::Picture& picture) {
+    void warn(int frame, const render::Picture& picture) const {
         for (const auto verdict : {render::Verdict::nan, render::Verdict::step_limit}) {
             const auto count = picture.verdicts[std::size_t(verdict)];
             if (count == 0) continue;
-            fmt::print(stderr, "warning: frame {}: {} pixel{} ended with the verdict {}\n", frame,
-                       count, count == 1 ? "" : "s", render::verdict_names[std::size_t(verdict)]);
+            fmt::print(stderr, "warning: frame {}: {} {}{} ended with the verdict {}\n", frame,
+                       count, scene_.output.samples == 1 ? "pixel" : "ray", count == 1 ? "" : "s",
+                       render::verdict_names[std::size_t(verdict)]);
         }
     }
 

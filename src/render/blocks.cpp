@@ -11,9 +11,9 @@ glm::vec4 wide(const glm::dvec3& v, double w = 0) { return glm::vec4(glm::dvec4(
 
 } // namespace
 
-FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width,
-                       int height) {
-    const scene::Rays rays = scene::rays(now, width, height);
+FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+                       const scene::Aim& aim) {
+    const scene::Rays rays = scene::rays(now, width, height, aim);
     const scene::Isolation& isolation = scene.isolation;
     const bool box = now.bounds.shape == scene::Bounds::Shape::box;
     FrameBlock block;

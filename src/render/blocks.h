@@ -18,7 +18,8 @@ struct FrameBlock {
     glm::vec4 picture, thresholds, refinement;
 };
 
-FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height);
+FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+                       const scene::Aim& aim = {});
 
 // Block Shading of shaders/shade/shading.glsl; its length depends on the number of lights.
 std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,

@@ -167,8 +167,8 @@ struct Renderer::Parts {
         }
     }
 
-    void upload(const scene::SceneAt& now) {
-        const FrameBlock block = frame_block(scene, now, options.width, options.height);
+    void upload(const scene::SceneAt& now, const scene::Aim& aim) {
+        const FrameBlock block = frame_block(scene, now, options.width, options.height, aim);
         frame.update(std::as_bytes(std::span(&block, 1)));
         upload_field(now);
         const auto shades = shading_block(scene, now, options.width, options.height);
@@ -380,13 +380,15 @@ Renderer::~Renderer() = default;
 
 const MarchPlan& Renderer::plan() const { return parts_->plan; }
 
-Picture Renderer::draw(const scene::SceneAt& now, const Motion* motion) {
+bool Renderer::needs_motion() const { return parts_->moved.has_value(); }
+
+Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion) {
     Parts& p = *parts_;
     const auto begin = std::chrono::steady_clock::now();
     p.context.make_current();
     Picture picture;
     picture.frame = p.blank_frame();
-    p.upload(now);
+    p.upload(now, aim);
     const auto channel = [&](std::size_t k) { return &picture.frame.channels[k]; };
     std::vector<image::Channel*> record;
     for (const auto kind : {synthesis::Channel::verdict, synthesis::Channel::evaluations}) {
@@ -410,7 +412,8 @@ Picture Renderer::draw(const scene::SceneAt& now, const Motion* motion) {
     return picture;
 }
 
-std::string Renderer::fingerprint(const scene::SceneAt& now, const Motion* motion) const {
+std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& aim,
+                                  const Motion* motion) const {
     const Parts& p = *parts_;
     Fingerprint print;
     const synthesis::Shaders& shaders = p.shaders;
@@ -419,7 +422,7 @@ std::string Renderer::fingerprint(const scene::SceneAt& now, const Motion* motio
         print.add(*text);
     }
     const auto add_field = [&](const scene::SceneAt& at) {
-        const FrameBlock block = frame_block(p.scene, at, p.options.width, p.options.height);
+        const FrameBlock block = frame_block(p.scene, at, p.options.width, p.options.height, aim);
         print.add_values(std::span<const FrameBlock>(&block, 1));
         print.add(parameter_block(shaders, at));
         for (std::size_t a = 0; a < shaders.arrays.size(); ++a) {

@@ -12,6 +12,7 @@
 #include "image/frame.h"
 #include "render/march_plan.h"
 #include "render/motion.h"
+#include "scene/rays.h"
 #include "scene/scene_at.h"
 #include "synthesis/channel.h"
 
@@ -23,7 +24,7 @@ inline constexpr std::array verdict_names{"miss", "hit", "step limit", "NaN", "z
 // A finished picture and what its rays went through.
 struct Picture {
     image::Frame frame;                      // R G B A and the channels asked for; no metadata
-    std::array<std::int64_t, 5> verdicts{};  // pixels by Verdict
+    std::array<std::int64_t, 5> verdicts{};  // rays by Verdict
     std::int64_t evaluations = 0;            // of the field, all rays together
     int passes = 0;                          // march draws, all tiles together
     std::chrono::duration<double> drawing{}; // upload to read-back
@@ -45,12 +46,16 @@ public:
     Renderer(gpu::Context& context, const scene::Scene& scene, RenderOptions options);
     ~Renderer();
 
-    // The channel velocity needs `motion`.
-    Picture draw(const scene::SceneAt& now, const Motion* motion = nullptr);
+    // One picture, a ray a pixel; a frame may be the mean of several: exposure.h. The channel
+    // velocity needs `motion`.
+    Picture draw(const scene::SceneAt& now, const scene::Aim& aim = {},
+                 const Motion* motion = nullptr);
+    bool needs_motion() const;
 
-    // Everything that decides the pixels of a frame beside the driver: shader text, uniform values,
-    // size and channels. Equal fingerprints, equal pictures.
-    std::string fingerprint(const scene::SceneAt& now, const Motion* motion = nullptr) const;
+    // Everything that decides the pixels of a picture beside the driver: shader text, uniform
+    // values, size and channels. Equal fingerprints, equal pictures.
+    std::string fingerprint(const scene::SceneAt& now, const scene::Aim& aim = {},
+                            const Motion* motion = nullptr) const;
 
     const MarchPlan& plan() const;
 

@@ -60,6 +60,13 @@ Camera read_camera(Section& document, TrackTable& tracks) {
         fail(*section.find("height"), "camera.height",
              "is of an orthographic camera: projection = \"orthographic\"; this one has fov");
     }
+    camera.shutter = section.number("shutter", 0, 1).value_or(0);
+    camera.aperture = number("aperture");
+    camera.focus = number("focus");
+    if (camera.focus && !camera.aperture) {
+        fail(*section.find("focus"), "camera.focus",
+             "is of a camera with a lens: give its diameter, aperture, too");
+    }
     section.refuse_rest();
     return camera;
 }

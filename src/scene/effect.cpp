@@ -40,6 +40,12 @@ bool calls_for(const Scene& scene, Effect effect) {
         return scene.environment.has_value();
     case Effect::gradient:
         return scene.output.gradient.has_value();
+    case Effect::samples:
+        return scene.output.samples > 1;
+    case Effect::motion_blur:
+        return scene.camera.shutter > 0;
+    case Effect::depth_of_field:
+        return scene.camera.aperture.has_value();
     }
     return false;
 }
@@ -103,6 +109,15 @@ Scene without(Effect effect, Scene scene) {
         break;
     case Effect::gradient:
         scene.output.gradient.reset();
+        break;
+    case Effect::samples:
+        scene.output.samples = 1;
+        break;
+    case Effect::motion_blur:
+        scene.camera.shutter = 0;
+        break;
+    case Effect::depth_of_field:
+        scene.camera.aperture.reset();
         break;
     }
     return scene;

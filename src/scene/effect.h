@@ -23,6 +23,9 @@ enum class Effect {
     fog,
     environment,
     gradient,
+    samples,
+    motion_blur,
+    depth_of_field,
 };
 
 struct EffectName {
@@ -46,6 +49,9 @@ inline constexpr EffectName effect_names[] = {
     {Effect::fog, "fog", "[fog]: fades with the distance"},
     {Effect::environment, "environment", "[environment]: a map of what is around"},
     {Effect::gradient, "gradient", "output.background = { top, bottom }"},
+    {Effect::samples, "samples", "output.samples: a frame is the mean of pictures, smooth edges"},
+    {Effect::motion_blur, "motion-blur", "camera.shutter: at times while the shutter is open"},
+    {Effect::depth_of_field, "depth-of-field", "camera.aperture: from points of the lens"},
 };
 
 std::string_view name(Effect effect);

@@ -117,6 +117,8 @@ void read_output(Section& document, Scene& scene) {
     constexpr int most = 16384;
     Output& output = scene.output;
     output.background = {0.86, 0.86, 0.9};
+    // One picture shows no blur.
+    output.samples = scene.camera.shutter > 0 || scene.camera.aperture ? 16 : 1;
     auto section = document.section("output");
     if (!section) return;
     if (const toml::node* node = section->find("size")) {
@@ -144,6 +146,7 @@ void read_output(Section& document, Scene& scene) {
                                  "[r, g, b] } or \"transparent\"");
         }
     }
+    output.samples = section->integer("samples", 1, 1024).value_or(output.samples);
     output.poster = section->integer("poster", 1, scene.timeline.frames).value_or(1);
     section->refuse_rest();
 }

@@ -34,4 +34,28 @@ Rays rays(const SceneAt& scene, int width, int height) {
     return rays;
 }
 
+Rays rays(const SceneAt& scene, int width, int height, const Aim& aim) {
+    Rays moved = rays(scene, width, height);
+    const Rays still = moved;
+    // Adding zeros would change the signs of others.
+    if (aim.pixel != glm::dvec2(0)) {
+        const glm::dvec3 across =
+            2 * aim.pixel.x / width * still.right + 2 * aim.pixel.y / height * still.up;
+        moved.origin += across;
+        if (!still.parallel) moved.axis += across;
+    }
+    if (aim.lens != glm::dvec2(0)) {
+        const double scale = scene.placement.scale;
+        const glm::dvec3 place =
+            0.5 * scene.camera.aperture / scale *
+            (aim.lens.x * glm::normalize(still.right) + aim.lens.y * glm::normalize(still.up));
+        // What was straight ahead now lies beside the lens' point; by how much, falls from all of
+        // it at the eye to nothing in focus.
+        const double beyond = glm::length(still.axis) * scale / scene.camera.focus;
+        moved.origin += (1 - beyond) * place;
+        moved.axis -= beyond * place;
+    }
+    return moved;
+}
+
 } // namespace isomotion::scene

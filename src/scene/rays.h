@@ -26,4 +26,16 @@ struct Rays {
 
 Rays rays(const SceneAt& scene, int width, int height);
 
+// Which of a pixel's rays: through its centre and from the eye, unless moved.
+struct Aim {
+    glm::dvec2 pixel{0}; // from the pixel's centre, in pixels: right, up
+    glm::dvec2 lens{0};  // from the lens' middle, in radii of the aperture: right, up
+};
+
+// The rays of this aim; without one they are those above, bit for bit. From another point of the
+// lens they lead to the same points of the plane in focus: space is sheared about that plane. The
+// lens of an orthographic camera is telecentric: a pixel's rays are a cone with its tip in the
+// plane in focus, as wide at the eye's plane as the aperture.
+Rays rays(const SceneAt& scene, int width, int height, const Aim& aim);
+
 } // namespace isomotion::scene

@@ -79,9 +79,12 @@ struct Camera {
     std::optional<TrackId> distance; // from the target
     std::optional<Vec3Track> target; // without one: the middle of the bounds
     Vec3Track up{};
-    TrackId fov = 0;               // vertical, degrees
-    std::optional<TrackId> height; // of an orthographic picture, world units
-    TrackId zoom = 0;              // magnifies the picture about its middle
+    TrackId fov = 0;                 // vertical, degrees
+    std::optional<TrackId> height;   // of an orthographic picture, world units
+    TrackId zoom = 0;                // magnifies the picture about its middle
+    double shutter = 0;              // open from a frame's time on, for this part of its duration
+    std::optional<TrackId> aperture; // diameter of the lens, world units; without one a pinhole
+    std::optional<TrackId> focus;    // of the sharp plane from the eye; without one the target's
 };
 
 // A light far away, or at a place.
@@ -184,7 +187,8 @@ struct Output {
     std::array<double, 3> background{};
     std::optional<SkyGradient> gradient; // in place of `background`
     bool transparent = false;
-    int poster = 1; // the frame that stands for the whole
+    int poster = 1;  // the frame that stands for the whole
+    int samples = 1; // pictures whose mean is a frame
 };
 
 struct Scene {

@@ -143,6 +143,15 @@ public:
         } else {
             to.height = 2 * reach / std::min(aspect, 1.0);
         }
+        if (from.aperture) to.aperture = number(*from.aperture);
+        if (!(to.aperture >= 0)) {
+            fail(*from.aperture,
+                 fmt::format("the aperture must be 0 or above, not {}", to.aperture));
+        }
+        to.focus = from.focus ? number(*from.focus) : glm::length(to.target - to.position);
+        if (!(to.focus > 0)) {
+            fail(*from.focus, fmt::format("the focus must be above 0, not {}", to.focus));
+        }
         return to;
     }
 
@@ -279,7 +288,9 @@ SceneAt in_formula_coordinates(SceneAt scene) {
     scene.camera.position = scene.placement.to_local(scene.camera.position);
     scene.camera.target = scene.placement.to_local(scene.camera.target);
     scene.camera.up = to_local * scene.camera.up;
-    scene.camera.height /= scene.placement.scale;
+    for (double* length : {&scene.camera.height, &scene.camera.aperture, &scene.camera.focus}) {
+        *length /= scene.placement.scale;
+    }
     for (LightAt& light : scene.lights) {
         light.direction =
             light.is_point ? scene.placement.to_local(light.direction) : to_local * light.direction;

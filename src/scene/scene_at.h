@@ -33,9 +33,11 @@ struct PlacementAt {
 
 struct CameraAt {
     glm::dvec3 position{0, 0, 3}, target{0}, up{0, 1, 0};
-    double fov = 40;   // of a perspective camera: vertical, degrees
-    double height = 0; // of an orthographic one: world units
-    double zoom = 1;   // magnifies the picture about its middle
+    double fov = 40;     // of a perspective camera: vertical, degrees
+    double height = 0;   // of an orthographic one: world units
+    double zoom = 1;     // magnifies the picture about its middle
+    double aperture = 0; // diameter of the lens, world units
+    double focus = 0;    // of the sharp plane, from the eye along the axis, world units
     Camera::Projection projection = Camera::Projection::perspective;
 };
 

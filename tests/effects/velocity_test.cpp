@@ -19,7 +19,7 @@ protected:
                             synthesis::Channel::verdict, synthesis::Channel::velocity},
                            {}});
         const Motion motion = motion_about(scene, frame);
-        return renderer.draw(scene::at(scene, scene.timeline.values(frame)), &motion);
+        return renderer.draw(scene::at(scene, scene.timeline.values(frame)), {}, &motion);
     }
     static double value(const Picture& picture, const char* layer, std::size_t pixel) {
         return double(picture.frame.find(layer)->samples[pixel]);

@@ -152,6 +152,29 @@ TEST_F(Cameras, CanBeSetOnTheCommandLine) {
     EXPECT_EQ(at_time(scene, 0).camera.height, 5);
 }
 
+TEST_F(Cameras, AreFocusedOnTheirTargetUnlessToldOtherwise) {
+    EXPECT_EQ(camera("").aperture, 0);
+    EXPECT_NEAR(camera("distance = 4\naperture = 0.5").focus, 4, 1e-12);
+    EXPECT_EQ(camera("distance = 4\naperture = 0.5").aperture, 0.5);
+    EXPECT_EQ(camera("distance = 4\naperture = 0.5\nfocus = 3").focus, 3);
+    const Scene pulled = loaded(ball(), {"camera.aperture=t", "camera.focus=1+t"});
+    EXPECT_EQ(at_time(pulled, 2).camera.aperture, 2);
+    EXPECT_EQ(at_time(pulled, 2).camera.focus, 3);
+}
+
+// One picture shows neither blur, and a scene that wants none is one picture.
+TEST_F(Cameras, ThatBlurTakeSixteenSamples) {
+    EXPECT_EQ(loaded(ball()).output.samples, 1);
+    EXPECT_EQ(loaded(ball(), {"camera.shutter=0"}).output.samples, 1);
+    EXPECT_EQ(loaded(ball(), {"camera.shutter=0.5"}).output.samples, 16);
+    EXPECT_EQ(loaded(ball(), {"camera.aperture=0.1"}).output.samples, 16);
+    EXPECT_EQ(loaded(ball(), {"camera.aperture=0.1", "output.samples=4"}).output.samples, 4);
+    EXPECT_EQ(mistake(ball(), {"output.samples=0"}),
+              "--set: output.samples: must be from 1 to 1024, not 0");
+    EXPECT_EQ(mistake(ball_and("samples = 1025")),
+              "scene.toml:15: output.samples: must be from 1 to 1024, not 1025");
+}
+
 TEST_F(Cameras, MistakesNameTheKey) {
     EXPECT_EQ(mistake_in("projection = \"fisheye\""),
               "scene.toml:5: camera.projection: must be perspective or orthographic, not "
@@ -170,6 +193,17 @@ TEST_F(Cameras, MistakesNameTheKey) {
               "scene.toml: camera.distance at t = 0: the distance must be above 0, not -1");
     EXPECT_EQ(mistake_in("projection = \"orthographic\"\nheight = 0"),
               "scene.toml: camera.height at t = 0: the height must be above 0, not 0");
+    EXPECT_EQ(mistake_in("shutter = 1.5"),
+              "scene.toml:5: camera.shutter: must be from 0 to 1, not 1.5");
+    EXPECT_EQ(mistake_in("shutter = -0.1"),
+              "scene.toml:5: camera.shutter: must be from 0 to 1, not -0.1");
+    EXPECT_EQ(mistake_in("aperture = -0.1"),
+              "scene.toml: camera.aperture at t = 0: the aperture must be 0 or above, not -0.1");
+    EXPECT_EQ(mistake_in("aperture = 0.1\nfocus = 0"),
+              "scene.toml: camera.focus at t = 0: the focus must be above 0, not 0");
+    EXPECT_EQ(mistake_in("focus = 3"),
+              "scene.toml:5: camera.focus: is of a camera with a lens: give its diameter, "
+              "aperture, too");
     EXPECT_EQ(mistake_in("up = [0, 0, 0]"),
               "scene.toml: camera.up.x at t = 0: `up` has no direction");
 }

@@ -230,5 +230,84 @@ TEST(Rays, FromInsideTheBoundsAndBeforeThem) {
     }
 }
 
+SceneAt any_lens(Random& random, bool parallel) {
+    SceneAt scene = any_scene(random);
+    scene.camera.aperture = std::exp(random.in(-3, 1));
+    scene.camera.focus = std::exp(random.in(-1, 3));
+    scene.camera.height = std::exp(random.in(-1, 3));
+    if (parallel) scene.camera.projection = Camera::Projection::orthographic;
+    return scene;
+}
+// The direction of a ray by the rule in rays.h, perspective or parallel.
+glm::dvec3 towards(const Rays& r, const glm::dvec2& at) {
+    return r.parallel ? r.axis : along(r, at);
+}
+void expect_same(const Rays& a, const Rays& b) {
+    EXPECT_EQ(a.origin, b.origin);
+    EXPECT_EQ(a.axis, b.axis);
+    EXPECT_EQ(a.right, b.right);
+    EXPECT_EQ(a.up, b.up);
+}
+
+TEST(Rays, WithoutAnAimAreThoseOfPixelCentres) {
+    for_many_seeds([](Random& random, int width, int height) {
+        const SceneAt scene = any_lens(random, random.in(0, 1) < 0.5);
+        expect_same(rays(scene, width, height), rays(scene, width, height, {}));
+    });
+}
+
+// Half a pixel to the right of one centre and to the left of the next is the same ray.
+TEST(Rays, AnOffsetOfPixelsIsAnotherPlaceInThePicture) {
+    for_many_seeds([](Random& random, int width, int height) {
+        const SceneAt scene = any_lens(random, random.in(0, 1) < 0.5);
+        const glm::dvec2 at = any_pixel(random), offset = any_pixel(random);
+        const Rays still = rays(scene, width, height),
+                   moved = rays(scene, width, height, {offset, {0, 0}});
+        const glm::dvec2 there = at + 2.0 * offset / glm::dvec2(width, height);
+        const double size = glm::length(still.origin) + glm::length(along(still, there));
+        EXPECT_LT(glm::length(anchor(moved, at) - anchor(still, there)), 1e-12 * size);
+        EXPECT_LT(glm::length(towards(moved, at) - towards(still, there)), 1e-12 * size);
+    });
+}
+
+// From wherever on the lens, a pixel's ray begins there and meets the plane in focus in one point.
+TEST(Rays, OfALensMeetInFocus) {
+    for_many_seeds([](Random& random, int width, int height) {
+        for (const bool parallel : {false, true}) {
+            const SceneAt scene = any_lens(random, parallel);
+            const glm::dvec2 at = any_pixel(random), lens = 0.7 * any_pixel(random);
+            const Rays still = rays(scene, width, height),
+                       moved = rays(scene, width, height, {{0, 0}, lens});
+            const double in_focus =
+                scene.camera.focus / scene.placement.scale / glm::length(still.axis);
+            const auto seen = [&](const Rays& r, double depth) {
+                return anchor(r, at) + (depth - 1) * towards(r, at);
+            };
+            const double size =
+                (1 + in_focus) * (glm::length(still.origin) + glm::length(along(still, at)) +
+                                  glm::length(moved.axis));
+            EXPECT_LT(glm::length(seen(moved, in_focus) - seen(still, in_focus)), 1e-12 * size);
+            const glm::dvec3 place = seen(moved, 0) - seen(still, 0);
+            EXPECT_NEAR(glm::length(place) * scene.placement.scale,
+                        scene.camera.aperture / 2 * glm::length(lens),
+                        1e-12 * size * scene.placement.scale);
+            EXPECT_NEAR(glm::dot(place, glm::normalize(still.axis)), 0, 1e-12 * size);
+        }
+    });
+}
+
+TEST(Rays, OfALensAreTheSameInFormulaCoordinates) {
+    for_many_seeds([](Random& random, int width, int height) {
+        const SceneAt scene = any_lens(random, random.in(0, 1) < 0.5);
+        const Aim aim{0.5 * any_pixel(random), 0.7 * any_pixel(random)};
+        const Rays a = rays(scene, width, height, aim),
+                   b = rays(in_formula_coordinates(scene), width, height, aim);
+        const double size = glm::length(a.origin) + glm::length(a.axis) +
+                            scene.camera.aperture / scene.placement.scale;
+        EXPECT_LT(glm::length(a.origin - b.origin), 1e-9 * size);
+        EXPECT_LT(glm::length(a.axis - b.axis), 1e-9 * size);
+    });
+}
+
 } // namespace
 } // namespace isomotion::scene

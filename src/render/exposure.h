@@ -1,0 +1,25 @@
+// A frame as the mean of pictures, each with its own place in the pixel, point of the lens and time
+// while the shutter is open: anti-aliasing, depth of field and motion blur are one sum.
+//
+// After Haeberli and Akeley, "The accumulation buffer" (1990). With one sample, a frame is the
+// picture that Renderer::draw makes, bit for bit.
+#pragma once
+
+#include "render/renderer.h"
+
+namespace isomotion::render {
+
+// R, G, B and A are the means over the scene's `samples` pictures, in linear light and multiplied
+// by coverage, as they are kept. Of what has no mean (depth, a normal, a verdict) the frame holds
+// the first picture: pixel centres, seen from the eye at the frame's time. Verdicts, evaluations,
+// passes and the time of drawing are sums over all pictures.
+// Throws SceneError where a value leaves its range while the shutter is open.
+Picture expose(Renderer& renderer, const scene::Scene& scene, int frame);
+
+// Equal fingerprints, equal frames: of all the pictures. With one sample, the picture's own.
+std::string fingerprint(const Renderer& renderer, const scene::Scene& scene, int frame);
+
+// Throws the SceneError that expose would.
+void check_exposure(const scene::Scene& scene, int frame);
+
+} // namespace isomotion::render
