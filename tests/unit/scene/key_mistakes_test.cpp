@@ -46,8 +46,8 @@ TEST_F(KeyMistakes, UnknownKeysFarFromAnyAreToldWhatThereIs) {
     expect({
         {ball_with(12, "zoom_level = 40"),
          "scene.toml:12: camera.zoom_level: unknown key; known here: aperture, azimuth, distance, "
-         "elevation, focus, fov, height, position, projection, "
-         "shutter, target, up, zoom"},
+         "elevation, focus, fov, height, position, projection, shutter, "
+         "target, up, zoom"},
         {ball_and("[fog]\ndensity = 1"), "scene.toml:15: fog: unknown key; known here: arrays, "
                                          "camera, environment, isolation, lights, "
                                          "material, output, parameters, surface, time, title"},

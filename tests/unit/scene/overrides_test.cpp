@@ -68,8 +68,7 @@ TEST_F(Overrides, UnknownNamesAreThoseOfTheCommandLine) {
     EXPECT_EQ(wrong({"camra.fov=30"}), "--set: camra: unknown key; did you mean 'camera'?");
     EXPECT_EQ(wrong({"camera..fov=30"}),
               "--set: camera.: unknown key; known here: aperture, azimuth, distance, elevation, "
-              "focus, fov, height, position, projection, "
-              "shutter, target, up, zoom");
+              "focus, fov, height, position, projection, shutter, target, up, zoom");
 }
 
 TEST_F(Overrides, ValuesAreCheckedAsInAFile) {
