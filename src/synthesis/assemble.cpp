@@ -104,7 +104,7 @@ std::string motion_text(const scene::Scene& scene, Shaders& shaders) {
     ShaderText text(shaders.files);
     add_field(text, *scene.surface.field, shaders, {FieldFunction::value, FieldFunction::gradient});
     add_ray(text, scene);
-    text.file("channels/motion.frag");
+    text.file("effects/motion.frag");
     return text.take();
 }
 

@@ -12,7 +12,8 @@ protected:
 
 TEST_F(ArrayMistakes, Counts) {
     EXPECT_EQ(mistake(blobs("count = 3\ncx = \"i\"\nw = 1")), "nothing is wrong");
-    expect("cx = \"i\"\nw = 1", "4: arrays.blobs: needs count, the number of elements, or file, a table of them");
+    expect("cx = \"i\"\nw = 1",
+           "4: arrays.blobs: needs count, the number of elements, or file, a table of them");
     for (const char* count : {"-1", "1000001", "2.0", "\"3\"", "\"n\"", "[3]"}) {
         expect(std::string("cx = 1\nw = 1\ncount = ") + count,
                "7: arrays.blobs.count: must be an integer from 0 to 1000000");

@@ -115,8 +115,8 @@ TEST_F(EnvironmentSection, Mistakes) {
         {with("intensity = \"2*u\""),
          "scene.toml:17: environment.intensity: unknown name 'u'; known: t, radius, pi\n    2*u\n"
          "      ^"},
-        {ball() + "environment = \"sky.exr\"",
-         "scene.toml:15: output.environment: unknown key; known here: background, poster, size"},
+        {ball() + "environment = \"sky.exr\"", "scene.toml:15: output.environment: unknown key; "
+                                               "known here: background, poster, samples, size"},
         {"environment = \"sky.exr\"\n" + ball(),
          "scene.toml:1: environment: must be a table: [environment]"},
     };

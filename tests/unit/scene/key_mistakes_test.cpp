@@ -48,9 +48,10 @@ TEST_F(KeyMistakes, UnknownKeysFarFromAnyAreToldWhatThereIs) {
          "scene.toml:12: camera.zoom_level: unknown key; known here: aperture, azimuth, distance, "
          "elevation, focus, fov, height, position, projection, shutter, "
          "target, up, zoom"},
-        {ball_and("[fog]\ndensity = 1"), "scene.toml:15: fog: unknown key; known here: arrays, "
-                                         "camera, environment, isolation, lights, "
-                                         "material, output, parameters, surface, time, title"},
+        {ball_and("[weather]\nrain = 1"),
+         "scene.toml:15: weather: unknown key; known here: arrays, "
+         "camera, environment, fog, ground, isolation, lights, "
+         "material, occlusion, output, parameters, surface, time, title"},
     });
 }
 
@@ -83,7 +84,8 @@ TEST_F(KeyMistakes, WhatIsMissing) {
         {ball_with(7, "bounds = { centre = [0, 0, 0] }"),
          "scene.toml:7: surface.bounds: needs one of sphere = radius and box = [[..], [..]]"},
         {ball_and("[[lights]]\ncolor = [1, 1, 1]"),
-         "scene.toml:15: lights[0]: needs direction = [x, y, z], pointing to the light"},
+         "scene.toml:15: lights[0]: needs one of direction = [x, y, z], pointing to the light, and "
+         "position = [x, y, z]"},
     });
 }
 
