@@ -1,7 +1,7 @@
 // The ray ends at its root; the shade pass takes the gradient there.
 
-RayState found(RayState s) {
-    s.low = 0.5 * (s.low + s.high);
+RayState found(RayState s, float root) {
+    s.low = root;
     return finish(s, VERDICT_HIT);
 }
 

@@ -2,26 +2,26 @@
 // as the gradient in f_low and high. So no other shader holds the field, and the compiler meets its
 // text once, with one derivative instead of three.
 
-RayState found(RayState s) {
-    s.low = 0.5 * (s.low + s.high);
-    s.high = s.low;
+RayState found(RayState s, float root) {
+    s.low = root;
+    s.high = root;
     s.phase = PHASE_GRADIENT;
-    s.bisections = 0; // counts the axes from here on
+    s.refinements = 0; // counts the axes from here on
     return s;
 }
 
 vec3 sample_direction(RayState s, Ray ray) {
     if (s.phase != PHASE_GRADIENT) return ray.direction;
-    return vec3(float(s.bisections == 0), float(s.bisections == 1), float(s.bisections == 2));
+    return vec3(float(s.refinements == 0), float(s.refinements == 1), float(s.refinements == 2));
 }
 
 RayState take_slope(RayState s, vec2 f) {
-    if (s.bisections == 0) s.f_low.x = f.y;
-    if (s.bisections == 1) s.f_low.y = f.y;
-    if (s.bisections == 2) {
+    if (s.refinements == 0) s.f_low.x = f.y;
+    if (s.refinements == 1) s.f_low.y = f.y;
+    if (s.refinements == 2) {
         s.high = f.y;
         return finish(s, VERDICT_HIT);
     }
-    s.bisections += 1;
+    s.refinements += 1;
     return s;
 }

@@ -1,10 +1,10 @@
-// Where a ray stands between two passes. It lives in two RGBA32F textures: a pass marches a bounded
+// Where a ray stands between two passes. It lives in RGBA32F textures: a pass marches a bounded
 // number of evaluations and the next goes on exactly where it stopped. llvmpipe ends every loop
 // after 65535 iterations of a shader, silently, and real GPUs are reset by draw calls of seconds.
 
 const int PHASE_START = 0;   // sample t_near next
 const int PHASE_MARCH = 1;   // sample `high` next: is there a root in [low, high]?
-const int PHASE_REFINE = 2;  // there is one: bisect
+const int PHASE_REFINE = 2;  // there is one: close in on it
 const int PHASE_GRADIENT = 3; // the root is in `low` and `high`: sample the gradient there
 const int PHASE_DONE = 4;
 
@@ -15,15 +15,48 @@ struct RayState {
     int phase;
     int verdict;
     int evaluations;
-    int bisections;    // done so far
+    int refinements;   // done so far
+#ifdef THREE_SAMPLES
+    vec3 other;        // t, F and dF/dt of one sample more, see hermite.glsl
+#endif
 };
 
 uniform sampler2D state_texture_0;
 uniform sampler2D state_texture_1;
+#ifdef THREE_SAMPLES
+uniform sampler2D state_texture_2;
+#endif
 
 RayState load_state() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 a = texelFetch(state_texture_0, at, 0);
     vec4 b = texelFetch(state_texture_1, at, 0);
-    return RayState(a.x, a.yz, a.w, int(b.x), int(b.y), int(b.z), int(b.w));
+    RayState s;
+    s.low = a.x;
+    s.f_low = a.yz;
+    s.high = a.w;
+    s.phase = int(b.x);
+    s.verdict = int(b.y);
+    s.evaluations = int(b.z);
+    s.refinements = int(b.w);
+#ifdef THREE_SAMPLES
+    s.other = texelFetch(state_texture_2, at, 0).xyz;
+#endif
+    return s;
+}
+
+// Before any sample: the next is at t.
+RayState state_at(float t) {
+    RayState s;
+    s.low = t;
+    s.f_low = vec2(0.0);
+    s.high = t;
+    s.phase = PHASE_START;
+    s.verdict = 0;
+    s.evaluations = 0;
+    s.refinements = 0;
+#ifdef THREE_SAMPLES
+    s.other = vec3(0.0);
+#endif
+    return s;
 }

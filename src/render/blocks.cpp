@@ -25,7 +25,10 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     block.bounds_max = wide(now.bounds.max);
     block.picture = glm::vec4(2.0 / width, 2.0 / height, 0, 0);
     block.thresholds = glm::dvec4(isolation.step, isolation.near, isolation.far, isolation.horizon);
-    block.refinement = glm::vec4(isolation.bisections, isolation.limit, 0, 0);
+    const double footprint = 2 * glm::length(rays.up) / height;
+    const char* fe = getenv("FLOOR");
+    const char* le = getenv("LONGEST");
+    block.refinement = glm::vec4(isolation.bisections, isolation.limit, footprint * (fe ? atof(fe) : 1.0/1024), le ? now.bounds.radius * atof(le) : 16 * isolation.step);
     return block;
 }
 

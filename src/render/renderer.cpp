@@ -19,7 +19,7 @@ namespace isomotion::render {
 namespace {
 
 enum Binding : unsigned { binding_frame, binding_parameters, binding_shading, binding_arrays };
-enum Unit : int { unit_state_0, unit_state_1, unit_arrays };
+enum Unit : int { unit_state_0, unit_state_1, unit_state_2, unit_arrays };
 
 // An array's elements on the GPU, in whichever storage the assembly chose.
 class ArrayBuffer {
@@ -73,7 +73,7 @@ struct Renderer::Parts {
         , march(shaders.vertex, shaders.march, "march")
         , active(shaders.vertex, shaders.active, "active")
         , shade(shaders.vertex, shaders.shade, "shade")
-        , eye_rays(plan.tile_width, plan.tile_height)
+        , eye_rays(plan.tile_width, plan.tile_height, shaders.state_textures)
         , result(plan.tile_width, plan.tile_height, 2 + int(shaders.attachments.size()))
         , frame(sizeof(FrameBlock))
         , parameters(std::size_t(shaders.parameter_vectors + shaders.count_vectors) * 16)
@@ -157,6 +157,7 @@ struct Renderer::Parts {
         program.bind_block("Shading", binding_shading);
         program.bind_sampler("state_texture_0", unit_state_0);
         program.bind_sampler("state_texture_1", unit_state_1);
+        program.bind_sampler("state_texture_2", unit_state_2);
         for (std::size_t a = 0; a < shaders.arrays.size(); ++a) {
             const auto& storage = shaders.arrays[a];
             if (storage.kind == synthesis::ArrayStorage::Kind::uniform_block) {
@@ -206,6 +207,7 @@ struct Renderer::Parts {
             gpu::set_viewport(viewport);
             from->texture(0).bind(unit_state_0);
             from->texture(1).bind(unit_state_1);
+            if (shaders.state_textures > 2) from->texture(2).bind(unit_state_2);
             program.set("first_pass", first ? 1 : 0);
             program.use();
             triangle.draw();

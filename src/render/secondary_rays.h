@@ -14,9 +14,9 @@ namespace isomotion::render {
 
 // Two targets that hold the states of a tile's rays, before and after a pass.
 struct RayTargets {
-    RayTargets(int width, int height)
-        : even(width, height, 2)
-        , odd(width, height, 2) {}
+    RayTargets(int width, int height, int textures)
+        : even(width, height, textures)
+        , odd(width, height, textures) {}
     gpu::Target even, odd;
 };
 

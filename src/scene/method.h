@@ -10,6 +10,7 @@ enum class Method {
     marching,   // uniform steps, sign test
     amp_sign,   // adaptive steps (Singh & Narayanan 2010, Eq. 2), sign test
     amp_taylor, // adaptive steps, Taylor test (Eq. 3): sees touching roots too
+    hermite,    // steps and tests by cubics with an estimated error
 };
 
 struct MethodName {
@@ -24,6 +25,7 @@ inline constexpr MethodName method_names[] = {
      "steps adapted to |F| and |dF/dt| (the paper's Eq. 2); a root where the sign changes"},
     {Method::amp_taylor, "amp-taylor",
      "the same steps; a root where values or linear extensions enclose 0 (Eq. 3)"},
+    {Method::hermite, "hermite", "cubics with an error estimate: steps as long as it allows"},
 };
 
 constexpr std::string_view name(Method method) {

@@ -40,10 +40,21 @@ void add_isolation(ShaderText& text, const scene::Scene& scene, const Shaders& s
     const scene::Method method = scene.isolation.method;
     text.file("march/store_state.glsl");
     text.file(shaders.samples_derivative ? "march/sample_along.glsl" : "march/sample_value.glsl");
+    if (method == scene::Method::hermite) return;
     text.file(method == scene::Method::marching ? "march/uniform_step.glsl"
                                                 : "march/adaptive_step.glsl");
     text.file(method == scene::Method::amp_taylor ? "march/taylor_test.glsl"
                                                   : "march/sign_test.glsl");
+}
+
+const char* method_file(const scene::Scene& scene) {
+    return scene.isolation.method == scene::Method::hermite ? "march/hermite.glsl"
+                                                            : "march/amp.glsl";
+}
+
+// What else a ray keeps, for each shader that reads its state.
+void define_state(ShaderText& text, const Shaders& shaders) {
+    if (shaders.state_textures == 3) text.define("THREE_SAMPLES", 1);
 }
 
 // So long that compiling it shows: some 0.2 s on a software renderer, and growing with its length.
@@ -51,12 +62,14 @@ bool is_long(const formula::Program& gradient) { return gradient.instructions.si
 
 std::string march_text(const scene::Scene& scene, Shaders& shaders, Origin origin) {
     ShaderText text(shaders.files);
+    define_state(text, shaders);
     add_field(text, *scene.surface.field, shaders,
               {shaders.samples_derivative ? FieldFunction::along : FieldFunction::value});
     add_ray(text, scene, origin);
     add_isolation(text, scene, shaders);
     text.file(shaders.march_takes_gradient ? "march/gradient_at_root.glsl"
                                            : "march/end_at_root.glsl");
+    text.file(method_file(scene));
     text.file("march/march.frag");
     return text.take();
 }
@@ -86,6 +99,7 @@ std::string surface_text(const scene::Scene& scene, Shaders& shaders, Origin ori
 
 std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
     ShaderText text(shaders.files);
+    define_state(text, shaders);
     text.define("LIGHTS", int(scene.lights.size()));
     text.define("SHADOWS", shadow_mask(scene));
     add_field(text, *scene.surface.field, shaders,
@@ -96,6 +110,13 @@ std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
     add_lights(text, scene);
     text.file("effects/surface_point.glsl");
     text.file("effects/load_surface.glsl");
+    if (scene.isolation.method == scene::Method::hermite) {
+        text.file("march/end_at_root.glsl");
+        text.file("march/hermite.glsl");
+        text.file("march/any_hit_hermite.glsl");
+    } else {
+        text.file("march/any_hit_amp.glsl");
+    }
     text.file("effects/shadow.frag");
     return text.take();
 }
@@ -185,6 +206,7 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     shaders.march_takes_gradient = is_long(scene.surface.field->gradient);
     shaders.samples_derivative =
         shaders.march_takes_gradient || scene.isolation.method != scene::Method::marching;
+    shaders.state_textures = scene.isolation.method == scene::Method::hermite ? 3 : 2;
     shaders.march = march_text(scene, shaders, Origin::eye);
     ShaderText active(shaders.files);
     active.file("march/state.glsl");

@@ -26,6 +26,7 @@ struct Shaders : FieldStorage {
     std::string mirror_surface;  // keeps where those ended
     std::string motion;          // of the channel velocity: F at another time
 
+    int state_textures = 2; // that a ray's state takes between passes
     // Whether a march samples F and dF/dt, or F alone; and whether, the formula being long, it also
     // samples the gradient at the root, which else the shade pass does.
     bool samples_derivative = true;

@@ -1,0 +1,22 @@
+// Of shadow rays: any root will do, so there is no refinement (Singh & Narayanan 2010, IV-B); but a
+// root that a test only suspects, the sign being the same at both ends, must still be there in half
+// the step, down to `finest`.
+
+const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2;
+
+int any_hit(inout RayState s, Ray ray, vec2 f, float finest) {
+    if (im_is_nan(f.y)) f.y = 0.0;
+    bool hidden = s.phase == PHASE_MARCH && root_exists(s.low, s.f_low, s.high, f);
+    bool suspected = hidden && (f.x < 0.0) == (s.f_low.x < 0.0);
+    if (suspected && s.high - s.low > finest) {
+        s.high = 0.5 * (s.low + s.high);
+        return RAY_GOES_ON;
+    }
+    if (hidden) return RAY_IS_HIDDEN;
+    if (im_is_nan(f.x) || s.high >= ray.t_far) return RAY_IS_FREE;
+    s.low = s.high;
+    s.f_low = f;
+    s.phase = PHASE_MARCH;
+    s.high = min(s.low + step_size(f), ray.t_far);
+    return s.high > s.low ? RAY_GOES_ON : RAY_IS_FREE;
+}
