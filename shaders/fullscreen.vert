@@ -1,4 +1,23 @@
-// One triangle over the whole viewport.
+// One triangle over the whole viewport. It hands the frame on to the fragments as flat values, which
+// cost software renderers nothing there; each vec4 of a block costs every pixel as much as several
+// operations.
+layout(std140) uniform Frame {
+    vec4 frame[9];
+};
+uniform ivec2 tile_origin; // the lower left pixel of the tile being drawn, in the whole picture
+
+flat out vec4 ray_origin, ray_axis, ray_right, ray_up, bounds_min, bounds_max, picture, thresholds,
+    refinement;
+
 void main() {
     gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
+    ray_origin = frame[0];
+    ray_axis = frame[1];
+    ray_right = frame[2];
+    ray_up = frame[3];
+    bounds_min = frame[4];
+    bounds_max = frame[5];
+    picture = vec4(frame[6].xy, vec2(tile_origin));
+    thresholds = frame[7];
+    refinement = frame[8];
 }

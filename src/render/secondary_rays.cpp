@@ -17,7 +17,8 @@ SecondaryRays::SecondaryRays(const synthesis::Shaders& shaders, int width, int h
     if (!shaders.mirror.empty()) {
         mirror_.emplace(gpu::Program(shaders.vertex, shaders.mirror, "mirror"),
                         gpu::Program(shaders.vertex, shaders.mirror_surface, "mirror surface"),
-                        RayTargets(width, height, shaders.state_textures), gpu::Target(width, height, attachments));
+                        RayTargets(width, height, shaders.state_textures),
+                        gpu::Target(width, height, attachments));
     }
     if (!shaders.shadow.empty()) {
         shadow_.emplace(gpu::Program(shaders.vertex, shaders.shadow, "shadow"),

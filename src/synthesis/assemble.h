@@ -1,7 +1,8 @@
 // Scene -> GLSL: the files of shaders/ that the scene calls for, and the generated field.
 //
 // The text depends on the formula's structure, the bounds' shape, the method, the effects named,
-// the number of lights and the channels asked for. It depends on no value: a frame changes uniforms only.
+// the number of lights and the channels asked for. It depends on no value: a frame changes uniforms
+// only.
 #pragma once
 
 #include <string>
@@ -20,11 +21,11 @@ struct Shaders : FieldStorage {
     std::string shade;  // the picture from finished rays
 
     // Of scenes that call for them (see effect_text.h), else empty.
-    std::string surface;         // keeps where the rays ended
-    std::string shadow;          // one pass of the shadow rays
-    std::string mirror;          // one pass of the mirrored rays
-    std::string mirror_surface;  // keeps where those ended
-    std::string motion;          // of the channel velocity: F at another time
+    std::string surface;        // keeps where the rays ended
+    std::string shadow;         // one pass of the shadow rays
+    std::string mirror;         // one pass of the mirrored rays
+    std::string mirror_surface; // keeps where those ended
+    std::string motion;         // of the channel velocity: F at another time
 
     int state_textures = 2; // that a ray's state takes between passes
     // Whether a march samples F and dF/dt, or F alone; and whether, the formula being long, it also

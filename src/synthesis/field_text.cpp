@@ -11,16 +11,23 @@ namespace {
 
 std::string declarations(const FieldStorage& storage) {
     std::string text = "layout(std140) uniform Parameters {\n";
-    text += fmt::format("    vec4 parameters[{}];\n", storage.parameter_vectors);
+    text += fmt::format("    vec4 parameter_block[{}];\n", storage.parameter_vectors);
     if (storage.count_vectors > 0) {
         text += fmt::format("    ivec4 array_counts[{}];\n", storage.count_vectors);
     }
     text += "};\n";
+    // Copies: software renderers read a block again at every use, in every turn of a loop.
+    std::string copies;
+    for (int k = 0; k < storage.parameter_vectors; ++k) {
+        copies += fmt::format("{}parameter_block[{}]", k > 0 ? ", " : "", k);
+    }
+    text +=
+        fmt::format("vec4 parameters[{0}] = vec4[{0}]({1});\n", storage.parameter_vectors, copies);
     for (std::size_t a = 0; a < storage.arrays.size(); ++a) {
         const ArrayStorage& array = storage.arrays[a];
         const bool block = array.kind == ArrayStorage::Kind::uniform_block;
         text +=
-            fmt::format("#define {}_count array_counts[{}].{}\n", array.name, a / 4, "xyzw"[a % 4]);
+            fmt::format("int {}_count = array_counts[{}].{};\n", array.name, a / 4, "xyzw"[a % 4]);
         text += block ? fmt::format("layout(std140) uniform {0}_block {{ vec4 {0}[{1}]; }};\n",
                                     array.name, array.capacity * array.texels)
                       : fmt::format("uniform samplerBuffer {};\n", array.name);
