@@ -7,8 +7,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
-#include <optional>
-#include <sstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -45,24 +43,19 @@ std::map<Key, Row> read_table() {
     std::map<Key, Row> rows;
     std::ifstream file(table);
     for (std::string line; std::getline(file, line);) {
-        if (line.starts_with('#') || line.starts_with("surface,")) continue;
-        std::istringstream cells(line);
-        std::string surface, method, first, rest;
-        std::getline(cells, surface, ',');
-        std::getline(cells, method, ',');
-        std::getline(cells, first, ',');
-        std::getline(cells, rest);
+        if (line.empty() || line.starts_with('#') || line.starts_with("surface,")) continue;
+        char surface[64], method[64], evaluations[64];
+        long missed = 0, false_hits = 0, wrong_roots = 0;
+        const int read = std::sscanf(line.c_str(), "%63[^,],%63[^,],%63[^,],%ld,%ld,%ld", surface,
+                                     method, evaluations, &missed, &false_hits, &wrong_roots);
         Row row;
-        if (first == "refused") {
-            row.refused = first;
+        if (read == 3 && std::string(evaluations) == "refused") {
+            row.refused = evaluations;
+        } else if (read == 6) {
+            row = {{}, std::atof(evaluations), missed, false_hits, wrong_roots};
         } else {
-            row.evaluations_a_ray = std::stod(first);
-            long missed = 0, false_hits = 0, wrong_roots = 0;
-            if (std::sscanf(rest.c_str(), "%ld,%ld,%ld", &missed, &false_hits, &wrong_roots) != 3) {
-                throw std::runtime_error("expected_counts.csv: not a row: " + line);
-            }
-            std::tie(row.missed, row.false_hits, row.wrong_roots) =
-                std::tuple(missed, false_hits, wrong_roots);
+            throw std::runtime_error("expected_counts.csv: '" + line +
+                                     "' is no row; bless the table anew");
         }
         rows[{surface, method}] = row;
     }
