@@ -12,7 +12,7 @@ of its drawing alone (isomotion: the median of `isomotion accuracy`, POV-Ray: it
 isomotion draws with each method at the largest of some steps at which truth finds the fewest wrong
 pixels. POV-Ray misses parts where max_gradient is too small and slows down where it is large: it is
 doubled from 1 until, at 128 x 128, no pixel off a silhouette differs from the rightest picture of
-isomotion; if that never happens the value with the fewest such pixels is taken. The table tells how
+isomotion; if that does not happen by 2^24 or before a picture takes 15 s, the value with the fewest such pixels is taken. The table tells how
 many differ at full size.
 """
 import argparse
@@ -95,8 +95,6 @@ def blobby75(isomotion):
     elements = [{"cx": spread * x, "cy": spread * y, "cz": spread * z}
                 for x, y, z in zip(blobs["ux"], blobs["uy"], blobs["uz"])]
     radius = spread + max(0.6, math.sqrt(size**2 + math.log(75 / level) / a))
-    # POV-Ray warns that a sum below T is outside where isomotion is told so by nothing: the sign
-    # is the formula's own, as for the polynomials.
     body = povray.sum_of("exp(-a*((x-cx)^2 + (y-cy)^2 + (z-cz)^2 - R^2))", {"a": a, "R": size},
                          elements) + f" - {level!r}"
     object = Object("blobby75", surface["isolation"]["step"], radius, [1.0, 0.0, 0.0],
@@ -241,7 +239,9 @@ def rows_of(object, arguments, folder):
 def version(program):
     asked = {"povray": ["povray", "--version"], "jsurf-alggeo": ["jsurf-alggeo", "--version"]}
     text = subprocess.run(asked[program], capture_output=True, text=True)
-    return (text.stdout + text.stderr).strip().splitlines()[0].strip()
+    lines = (text.stdout + text.stderr).splitlines()
+    number = next((line.strip() for line in lines if re.search(r"\d\.\d+\.\d", line)), "?")
+    return number if program.lower() in number.lower().replace("-", "") else f"{program} {number}"
 
 
 def markdown(rows, arguments, missing):

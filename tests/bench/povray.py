@@ -177,5 +177,4 @@ isosurface {{
 
 
 def command(pov, size, picture):
-    return ["povray", f"+I{pov}", f"+O{picture}", f"+W{size}", f"+H{size}", "+FN8", "-D", "-A",
-            "-GA"]
+    return ["povray", f"+I{pov}", f"+O{picture}", f"+W{size}", f"+H{size}", "+FN8", "-D", "-A"]

@@ -107,6 +107,15 @@ void plot_ratio(const std::vector<Contest>& contests, const std::filesystem::pat
             return fmt::format("{} {}\n", at, s.against_equal);
         },
         "points");
+    std::string bounds;
+    for (std::size_t k = 0; k < contests.size(); ++k) {
+        for (const Standing& s : contests[k].standings) {
+            if (s.refused.empty() && !s.reached)
+                bounds += fmt::format("{} {}\n", k, s.against_equal);
+        }
+    }
+    script.curve(bounds, "using 1:2:(0):(0.3*$2) with vectors head size 0.15,30 lc rgb '#808080' "
+                         "title 'at least'");
     draw(script, file, std::max(700, 260 + 24 * int(contests.size())), 520);
 }
 
@@ -148,7 +157,9 @@ void plot_growth(const std::vector<Growth>& growth, const std::string& kind,
                                          1 + number(subjects, subject),
                                          style(number(methods, method)), in_quotes(both)));
     }
-    script.set += fmt::format("set xtics ({})\n", fmt::join(ticks, ", "));
+    if (ticks.empty()) return;
+    script.set += fmt::format("set xtics ({})\nset xrange [{}:{}]\n", fmt::join(ticks, ", "),
+                              0.8 * *ticks.begin(), 1.25 * *ticks.rbegin());
     draw(script, file, 760, 460);
 }
 
