@@ -12,7 +12,7 @@ of its drawing alone (isomotion: the median of `isomotion accuracy`, POV-Ray: it
 isomotion draws with each method at the largest of some steps at which truth finds the fewest wrong
 pixels. POV-Ray misses parts where max_gradient is too small and slows down where it is large: it is
 doubled from 1 until, at 128 x 128, no pixel off a silhouette differs from the rightest picture of
-isomotion; if that does not happen by 2^24 or before a picture takes 15 s, the value with the fewest such pixels is taken. The table tells how
+isomotion; if that does not happen by 2^36 or before a picture takes 15 s, the value with the fewest such pixels is taken. The table tells how
 many differ at full size.
 """
 import argparse
@@ -37,7 +37,7 @@ NAMES = ["record_cayleycubic", "record_kummerquartic", "record_barthsextic", "re
          "record_endrass", "record_chmutovoktic", "blobby75"]
 PEERS = {"povray": "povray", "jsurf-alggeo": "jsurf-alggeo and default-jre-headless"}
 HALVINGS = 7            # of isomotion's step, at most
-DOUBLINGS = 24          # of POV-Ray's max_gradient, at most
+DOUBLINGS = 36          # of POV-Ray's max_gradient, at most
 SEARCH_SIZE = 128
 PATIENCE = 600          # seconds that a picture may take
 
