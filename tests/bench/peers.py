@@ -35,7 +35,7 @@ from compare_jsurf import EXAMPLES, differences, hits, jsurf_command, on_magenta
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NAMES = ["record_cayleycubic", "record_kummerquartic", "record_barthsextic", "record_labsseptic",
          "record_endrass", "record_chmutovoktic", "blobby75"]
-PEERS = {"povray": "povray", "jsurf-alggeo": "jsurf-alggeo and default-jre-headless"}
+PEERS = {"povray": "povray", "jsurf-alggeo": "jsurf-alggeo default-jre-headless"}
 HALVINGS = 7            # of isomotion's step, at most
 DOUBLINGS = 36          # of POV-Ray's max_gradient, at most
 SEARCH_SIZE = 128

@@ -94,13 +94,20 @@ void plot_wrong(const std::vector<Contest>& contests, const std::filesystem::pat
 void plot_ratio(const std::vector<Contest>& contests, const std::filesystem::path& file) {
     Script script;
     std::string names;
+    double least = 1, most = 1;
     for (std::size_t k = 0; k < contests.size(); ++k) {
+        for (const Standing& s : contests[k].standings) {
+            if (!s.refused.empty()) continue;
+            least = std::min(least, s.against_equal);
+            most = std::max(most, s.against_equal);
+        }
         names += fmt::format("{}{} {}", k ? ", " : "", in_quotes(contests[k].subject), k);
     }
     script.set = fmt::format(
         "set logscale y\nset format y '%g'\nset ylabel 'times as fast as amp-sign at equal "
-        "accuracy'\nset xtics rotate by 60 right font ',10' ({})\nset xrange [-0.5:{}]\n",
-        names, double(contests.size()) - 0.5);
+        "accuracy'\nset xtics rotate by 60 right font ',10' ({})\nset xrange [-0.5:{}]\nset yrange "
+        "[{}:{}]\n",
+        names, double(contests.size()) - 0.5, least / 1.3, most * 1.5);
     curves(
         script, contests,
         [](const Standing& s, const Contest&, std::size_t at) {
@@ -114,8 +121,9 @@ void plot_ratio(const std::vector<Contest>& contests, const std::filesystem::pat
                 bounds += fmt::format("{} {}\n", k, s.against_equal);
         }
     }
-    script.curve(bounds, "using 1:2:(0):(0.3*$2) with vectors head size 0.15,30 lc rgb '#808080' "
-                         "title 'at least'");
+    script.curve(bounds,
+                 "using 1:2:(0):(0.3*$2) with vectors head size graph 0.008,25 lc rgb '#808080' "
+                 "title 'at least'");
     draw(script, file, std::max(700, 260 + 24 * int(contests.size())), 520);
 }
 
