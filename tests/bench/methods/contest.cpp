@@ -129,6 +129,15 @@ double operations(const scene::Scene& scene, scene::Method method) {
     return formula::cost(shaders.samples_derivative ? field.along : field.value, counts).operations;
 }
 
+double ratio(const Timing& slow, const Timing& fast) {
+    std::vector<double> ratios;
+    for (std::size_t k = 0; k < slow.rounds.size(); ++k) {
+        ratios.push_back(slow.rounds[k] / fast.rounds[k]);
+    }
+    std::sort(ratios.begin(), ratios.end());
+    return ratios[ratios.size() / 2];
+}
+
 std::vector<Timing> race(gpu::Context& context, const Certified& on,
                          std::span<const Setting> settings, int repeat) {
     std::vector<Timing> timings(settings.size());
@@ -151,12 +160,15 @@ std::vector<Timing> race(gpu::Context& context, const Certified& on,
         }
     }
     const int rounds = std::clamp(int(minute / std::max(round, 1.0)), 1, repeat);
+    for (Timing& timing : timings) timing.rounds.assign(std::size_t(rounds), 0);
     for (const scene::SceneAt& now : on.frames) {
         std::vector<std::vector<double>> times(settings.size());
         for (int again = 0; again < rounds; ++again) {
             for (std::size_t turn = 0; turn < settings.size(); ++turn) {
                 const std::size_t k = (turn + std::size_t(again)) % settings.size();
-                if (renderers[k]) times[k].push_back(ms(renderers[k]->draw(now)));
+                if (!renderers[k]) continue;
+                times[k].push_back(ms(renderers[k]->draw(now)));
+                timings[k].rounds[std::size_t(again)] += times[k].back();
             }
         }
         for (std::size_t k = 0; k < settings.size(); ++k) {
@@ -214,8 +226,8 @@ Contest hold(gpu::Context& context, const Certified& on, std::span<const scene::
         const double frames = double(on.frames.size());
         standing.operations = operations(scene, methods[k]) * standing.count.evaluations / frames /
                               (1e-3 * standing.timing.ms);
-        standing.against_own = timings[racing.at(0)].ms / standing.timing.ms;
-        standing.against_equal = timings[racing.at(standing.halvings)].ms / standing.timing.ms;
+        standing.against_own = ratio(timings[racing.at(0)], standing.timing);
+        standing.against_equal = ratio(timings[racing.at(standing.halvings)], standing.timing);
     }
     return contest;
 }

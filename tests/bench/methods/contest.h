@@ -53,11 +53,16 @@ std::int64_t rays(const Certified& on);
 double operations(const scene::Scene& scene, scene::Method method);
 
 struct Timing {
-    std::string refused;    // why there is no time: the method can't draw this
-    double ms = 0;          // of a frame: the mean over the frames of medians over the rounds
-    double spread = 0;      // largest range over the median of a frame
-    double evaluations = 0; // of the field, all frames
+    std::string refused;        // why there is no time: the method can't draw this
+    double ms = 0;              // of a frame: the mean over the frames of medians over the rounds
+    double spread = 0;          // largest range over the median of a frame
+    double evaluations = 0;     // of the field, all frames
+    std::vector<double> rounds; // ms of all frames, round by round
 };
+
+// How many times as long `slow` takes as `fast` in the same race: the median over the rounds, in
+// each of which both met the same load of the machine.
+double ratio(const Timing& slow, const Timing& fast);
 
 // All settings in turn, round by round, each round begun by another: what else the machine does
 // then weighs on all alike. Rounds are fewer where `repeat` of them would take more than a minute.
