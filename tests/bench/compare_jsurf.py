@@ -84,14 +84,42 @@ def scene_of(example, size):
          'background = "transparent"', ""])
 
 
+def on_magenta(example, folder):
+    """The example on a background that no shade of the surface passes for, as white does."""
+    shown = folder / example.name
+    shown.write_text(re.sub(r"background_color=.*", "background_color=1.0 0.0 1.0",
+                            example.read_text()))
+    return shown
+
+
+def jsurf_command(shown, size, picture):
+    return ["jsurf-alggeo", "-q", "0", "-s", str(size), "-o", str(picture), str(shown)]
+
+
+def hits(picture):
+    """Rows of booleans: what is drawn, on nothing or on magenta."""
+    return [[pixel[3:] != (0,) and pixel[:3] != (255, 0, 255) for pixel in row]
+            for row in read_png(picture)]
+
+
+def differences(a, b):
+    """How many pixels of b differ from a, and how many of these are off any silhouette of a."""
+    size, differ, lonely = len(a), 0, 0
+    for y in range(size):
+        for x in range(size):
+            if a[y][x] == b[y][x]:
+                continue
+            differ += 1
+            around = [a[v][u] for v in range(max(0, y - 1), min(size, y + 2))
+                      for u in range(max(0, x - 1), min(size, x + 2))]
+            lonely += len(set(around)) == 1
+    return differ, lonely
+
+
 def compare(name, size, isomotion, folder):
     example = EXAMPLES / f"{name}.jsurf"
     theirs = folder / f"{name}.jsurf.png"
-    # On white, highlights would pass for background.
-    shown = folder / f"{name}.jsurf"
-    shown.write_text(re.sub(r"background_color=.*", "background_color=1.0 0.0 1.0",
-                            example.read_text()))
-    subprocess.run(["jsurf-alggeo", "-q", "0", "-s", str(size), "-o", theirs, shown], check=True)
+    subprocess.run(jsurf_command(on_magenta(example, folder), size, theirs), check=True)
     scene = folder / f"{name}.toml"
     scene.write_text(scene_of(example, size))
     for halvings in range(3, 9):
@@ -105,19 +133,9 @@ def compare(name, size, isomotion, folder):
     ours = folder / f"{name}.png"
     subprocess.run([isomotion, "render", scene, "--size", f"{size}x{size}", "--step", repr(step),
                     "--quiet", "-o", ours], check=True)
-    a = [[pixel[3] > 0 for pixel in row] for row in read_png(ours)]
-    b = [[pixel[:3] != (255, 0, 255) for pixel in row] for row in read_png(theirs)]
-    differ = lonely = 0
-    for y in range(size):
-        for x in range(size):
-            if a[y][x] == b[y][x]:
-                continue
-            differ += 1
-            around = [a[v][u] for v in range(max(0, y - 1), min(size, y + 2))
-                      for u in range(max(0, x - 1), min(size, x + 2))]
-            lonely += len(set(around)) == 1
-    hits = sum(map(sum, a))
-    print(f"{name:22} {size}x{size}: {hits} hit, {differ} differ "
+    a, b = hits(ours), hits(theirs)
+    differ, lonely = differences(a, b)
+    print(f"{name:22} {size}x{size}: {sum(map(sum, a))} hit, {differ} differ "
           f"({1e6 * differ / size**2:.0f} ppm), {lonely} of them off any silhouette; "
           f"step {step:.3g}, {'no' if right else 'SOME'} pixel wrong against truth", flush=True)
 

@@ -12,14 +12,12 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -27,6 +25,7 @@
 #include <toml++/toml.h>
 #include <unistd.h>
 
+#include "machine.h"
 #include "render/renderer.h"
 #include "scene/data_folder.h"
 #include "scene/load.h"
@@ -96,31 +95,13 @@ Measurement measure(gpu::Context& context, const std::string& surface, const std
     return found;
 }
 
-std::string processor() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);) {
-        if (!line.starts_with("model name")) continue;
-        return line.substr(line.find(':') + 2);
-    }
-    return "unknown processor";
-}
-
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    return fmt::format("{}-{:02}-{:02}", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday);
-}
-
 class Tables {
 public:
     explicit Tables(const Arguments& arguments)
         : arguments_(arguments)
         , context_(gpu::Context::create(gpu::parse_backend(arguments.backend)))
         , paper_(toml::parse_file(ISOMOTION_SOURCE_DIR "/tests/bench/paper_tables.toml")) {
-        machine_ =
-            fmt::format("{} ({} threads), {} {}", processor(), std::thread::hardware_concurrency(),
-                        context_->info().renderer, context_->info().version);
+        machine_ = bench::machine(context_->info());
         for (const auto& name : arguments.only) {
             if (!paper_.contains(name)) throw std::invalid_argument("no surface " + name);
         }
@@ -142,7 +123,7 @@ public:
             "A ray is one that meets the bounds of the surface; evaluations are samples of the\n"
             "field with its derivative along the ray. The paper frames its surfaces in ways it\n"
             "does not tell, here the bounds fill the picture.\n\n",
-            machine_, today(), arguments_.repeat);
+            machine_, bench::today(), arguments_.repeat);
         csv_ = "table,surface,method,size,step,ms,spread,fps,mrays_per_s,evaluations_per_ray,"
                "ns_per_evaluation,hits,step_limit,nan,paper_fps,machine,date\n";
         write_table_1();
@@ -180,7 +161,7 @@ private:
                             m.ns_an_evaluation(), m.verdicts[std::size_t(render::Verdict::hit)],
                             m.verdicts[std::size_t(render::Verdict::step_limit)],
                             m.verdicts[std::size_t(render::Verdict::nan)], cell(paper_fps),
-                            machine_, today());
+                            machine_, bench::today());
         return m;
     }
 

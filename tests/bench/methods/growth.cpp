@@ -1,0 +1,54 @@
+#include "methods/growth.h"
+
+#include <fmt/format.h>
+
+namespace isomotion::bench {
+namespace {
+
+void add(std::vector<Growth>& grown, gpu::Context& context, const Growth& what, Subject subject,
+         std::span<const scene::Method> methods, int repeat) {
+    const Certified on = uncertified(std::move(subject), what.size);
+    const scene::Isolation& own = on.subject.scene.isolation;
+    std::vector<accuracy::Setting> settings;
+    for (const scene::Method method : methods) {
+        settings.push_back({method, own.step, 1, own.bisections});
+    }
+    const std::vector<Timing> timings = race(context, on, settings, repeat);
+    const auto meeting = double(rays(on));
+    for (std::size_t k = 0; k < methods.size(); ++k) {
+        grown.push_back(what);
+        grown.back().method = methods[k];
+        grown.back().timing = timings[k];
+        grown.back().rays = meeting;
+    }
+}
+
+} // namespace
+
+std::vector<Growth> by_resolution(gpu::Context& context, const std::vector<std::string>& surfaces,
+                                  std::span<const int> sizes,
+                                  std::span<const scene::Method> methods, int repeat,
+                                  const Tell& tell) {
+    std::vector<Growth> grown;
+    for (const std::string& name : surfaces) {
+        for (const int size : sizes) {
+            tell(fmt::format("{} at {}x{}", name, size, size));
+            add(grown, context, {"resolution", name, size, size, {}, {}, 0}, surface(name), methods,
+                repeat);
+        }
+    }
+    return grown;
+}
+
+std::vector<Growth> by_blobs(gpu::Context& context, int size, std::span<const int> counts,
+                             std::span<const scene::Method> methods, int repeat, const Tell& tell) {
+    std::vector<Growth> grown;
+    for (const int count : counts) {
+        tell(fmt::format("{} blobs at {}x{}", count, size, size));
+        add(grown, context, {"blobs", "blobs", size, count, {}, {}, 0}, blobs(count), methods,
+            repeat);
+    }
+    return grown;
+}
+
+} // namespace isomotion::bench

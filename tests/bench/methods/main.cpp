@@ -1,0 +1,149 @@
+// Compares the methods that find roots: time, wrong pixels, and time at equal accuracy.
+//
+//   methods -o FOLDER [--only SURFACE,...] [--methods a,b] [--size N] [--repeat N] [--frames R] ...
+//
+// writes methods.csv, growth.csv, methods.md and plots to FOLDER. --only '' leaves the surfaces
+// out,
+// --frames '' the animation, --sizes '' and --blobs '' the growth.
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "accuracy/truth_cache.h"
+#include "animation/frame_range.h"
+#include "machine.h"
+#include "methods/peak.h"
+#include "methods/plots.h"
+#include "methods/tables.h"
+
+namespace isomotion::bench {
+namespace {
+
+struct Arguments {
+    std::string folder, backend = "auto", frames = "1-120x12", methods, only = "all";
+    std::string sizes = "128,256,512,1024,2048", growing = "barth_sextic,blinn_blobby";
+    std::string blobs = "75,150,300,1000,5000";
+    int size = 512, repeat = 5, blob_size = 128, most_halvings = 6;
+};
+
+std::vector<std::string> listed(const std::string& text) {
+    std::vector<std::string> items;
+    std::istringstream stream(text);
+    for (std::string item; std::getline(stream, item, ',');) items.push_back(item);
+    return items;
+}
+
+std::vector<int> numbers(const std::string& text) {
+    std::vector<int> values;
+    for (const std::string& item : listed(text)) {
+        values.push_back(std::stoi(item));
+        if (values.back() < 1) throw std::invalid_argument(text + ": write numbers above 0");
+    }
+    return values;
+}
+
+std::vector<scene::Method> parse_methods(const std::string& text) {
+    std::vector<scene::Method> methods;
+    if (text.empty()) {
+        for (const auto& entry : scene::method_names) methods.push_back(entry.method);
+    }
+    for (const std::string& item : listed(text)) {
+        const auto method = scene::parse_method(item);
+        if (!method) throw std::invalid_argument("--methods: there is no method " + item);
+        methods.push_back(*method);
+    }
+    return methods;
+}
+
+void tell(const std::string& what) { fmt::print(stderr, "{}\n", what); }
+
+// Percents on a terminal only: in a file a line a subject is enough.
+Progress certifying(const std::string& name) {
+    tell(name);
+    if (!isatty(2)) return {};
+    return [](double part) {
+        fmt::print(stderr, "\r  truth {:3.0f}%{}", 100 * part, part < 1 ? "" : "\r            \r");
+    };
+}
+
+void write(const Results& results, const std::filesystem::path& folder) {
+    std::ofstream(folder / "methods.csv") << contests_csv(results);
+    std::ofstream(folder / "growth.csv") << growth_csv(results);
+    std::ofstream(folder / "methods.md") << markdown(results);
+}
+
+void run(const Arguments& arguments) {
+    const std::vector<scene::Method> methods = parse_methods(arguments.methods);
+    const std::vector<std::string> surfaces =
+        arguments.only == "all" ? table_1() : listed(arguments.only);
+    const std::vector<int> sizes = numbers(arguments.sizes), counts = numbers(arguments.blobs);
+    const auto cache = accuracy::truth_cache_folder();
+    const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+    std::filesystem::create_directories(arguments.folder);
+
+    Results results{machine(context->info()), today(), 0,  arguments.repeat,
+                    arguments.most_halvings,  {},      {}, {}};
+    tell("peak");
+    results.peak = peak_operations(*context);
+    const auto held = [&](Subject subject) {
+        const std::string name = subject.name;
+        const Certified on = certified(std::move(subject), arguments.size, cache, certifying(name));
+        return hold(*context, on, methods, arguments.most_halvings, arguments.repeat);
+    };
+    for (const std::string& name : surfaces) {
+        results.surfaces.push_back(held(surface(name)));
+        write(results, arguments.folder); // a run that is ended leaves what it had
+    }
+    if (!arguments.frames.empty()) {
+        results.animations.push_back(
+            held(animation("blobby75", animation::parse_frame_range(arguments.frames))));
+        write(results, arguments.folder);
+    }
+    results.growth =
+        by_resolution(*context, listed(arguments.growing), sizes, methods, arguments.repeat, tell);
+    write(results, arguments.folder);
+    const auto more =
+        by_blobs(*context, arguments.blob_size, counts, methods, arguments.repeat, tell);
+    results.growth.insert(results.growth.end(), more.begin(), more.end());
+    write(results, arguments.folder);
+    // Again, as whatever else the machine does at a time only takes from it.
+    results.peak = std::max(results.peak, peak_operations(*context));
+    write(results, arguments.folder);
+    plot(results, arguments.folder);
+    fmt::print("{}/methods.md\n", arguments.folder);
+}
+
+} // namespace
+} // namespace isomotion::bench
+
+int main(int argc, char** argv) {
+    isomotion::bench::Arguments arguments;
+    CLI::App app("compares the methods that find roots");
+    app.add_option("-o,--output", arguments.folder, "folder for tables and plots")->required();
+    app.add_option("--only", arguments.only, "surfaces a,b (default: all of Table I; '' for none)");
+    app.add_option("--methods", arguments.methods, "a,b (default: all)");
+    app.add_option("--size", arguments.size, "pixels a side")->check(CLI::Range(8, 4096));
+    app.add_option("--repeat", arguments.repeat, "frames a median is taken of")
+        ->check(CLI::Range(1, 1000));
+    app.add_option("--frames", arguments.frames, "of blobby75 ('' for none)");
+    app.add_option("--halvings", arguments.most_halvings, "of the sign test's step, at most")
+        ->check(CLI::Range(0, 12));
+    app.add_option("--sizes", arguments.sizes, "of the growth with resolution ('' for none)");
+    app.add_option("--growing", arguments.growing, "surfaces of which that is measured");
+    app.add_option("--blobs", arguments.blobs, "numbers of blobs ('' for none)");
+    app.add_option("--blob-size", arguments.blob_size, "pixels a side of their pictures");
+    app.add_option("--backend", arguments.backend, "auto, egl or osmesa");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        isomotion::bench::run(arguments);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return 1;
+    }
+}

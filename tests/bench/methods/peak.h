@@ -1,0 +1,12 @@
+// The most arithmetic that the machine does in a fragment shader.
+#pragma once
+
+#include "gpu/context.h"
+
+namespace isomotion::bench {
+
+// Floating-point operations a second of independent chains of multiply-adds, two operations each:
+// the best of several numbers of chains, with and without the function fma.
+double peak_operations(gpu::Context& context);
+
+} // namespace isomotion::bench
