@@ -214,8 +214,7 @@ private:
         default: {
             const std::string_view function = kernel(now.op);
             assert(!function.empty());
-            const bool positive =
-                now.op == Op::sqrt || now.op == Op::exp || now.op == Op::cosh;
+            const bool positive = now.op == Op::sqrt || now.op == Op::exp || now.op == Op::cosh;
             return define(now.result, call(fmt::format("im_{}", function), a), positive);
         }
         }
@@ -235,9 +234,9 @@ private:
                           positive);
         }
         define(result,
-               call(positive                 ? "im_multiply_not_negative"
+               call(positive                ? "im_multiply_not_negative"
                     : known(b).not_negative ? "im_multiply_by_not_negative"
-                                             : "im_multiply",
+                                            : "im_multiply",
                     a, b),
                positive);
     }
@@ -306,8 +305,7 @@ std::string glsl_along_interval(const EnclosurePrograms& programs, const ArrayPa
         packing);
 }
 
-std::string glsl_gradient_interval(const EnclosurePrograms& programs,
-                                   const ArrayPacking& packing) {
+std::string glsl_gradient_interval(const EnclosurePrograms& programs, const ArrayPacking& packing) {
     return emit_interval_glsl(programs.gradient,
                               {"void field_gradient_interval(vec2 x, vec2 y, vec2 z, out vec2 gx, "
                                "out vec2 gy, out vec2 gz)",

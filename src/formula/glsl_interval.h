@@ -3,8 +3,8 @@
 // As glsl.h, but for programs of enclosure.h, and with vec2s (lo, hi): functions of
 // shaders/interval/. Parameters, elements and constants that are floats are points, and cost a
 // product with one number; a constant between two floats is the interval of both. What is never
-// negative on paper, by its operations alone (squares, roots and the like), is known to be so, which
-// saves half of a product and keeps divisors from 0.
+// negative on paper, by its operations alone (squares, roots and the like), is known to be so,
+// which saves half of a product and keeps divisors from 0.
 #pragma once
 
 #include <set>
@@ -25,8 +25,8 @@ struct IntervalSignature {
 std::string emit_interval_glsl(const Program& program, const IntervalSignature& signature,
                                const ArrayPacking& packing);
 
-// The operations ("divide", "pow", "chebyshev", ...) a program needs files of shaders/interval/ for,
-// other than arithmetic.glsl.
+// The operations ("divide", "pow", "chebyshev", ...) a program needs files of shaders/interval/
+// for, other than arithmetic.glsl.
 std::set<std::string> interval_kernels_used(const Program& program);
 
 // vec2 field_interval(vec2 x, vec2 y, vec2 z)
