@@ -162,60 +162,88 @@ glm::vec2 interval(Random& random) {
     }
 }
 
+constexpr const char* operations[] = {"-(x*y)",
+                                      "abs(x)",
+                                      "sign(x)",
+                                      "sqrt(x)",
+                                      "exp(x)",
+                                      "log(x)",
+                                      "sin(x)",
+                                      "cos(x)",
+                                      "tan(x)",
+                                      "sinh(x)",
+                                      "cosh(x)",
+                                      "tanh(x)",
+                                      "asin(x)",
+                                      "acos(x)",
+                                      "atan(x)",
+                                      "floor(x)",
+                                      "x + y",
+                                      "x - y",
+                                      "x*y",
+                                      "x^2*y",
+                                      "x^2*abs(y)",
+                                      "a*x",
+                                      "b*x",
+                                      "0.1*x",
+                                      "-3*x",
+                                      "x + a",
+                                      "x/y",
+                                      "x/y^2",
+                                      "1/x",
+                                      "1/(1 + x^2)",
+                                      "min(x, y)",
+                                      "max(x, y)",
+                                      "x^y",
+                                      "x^a",
+                                      "x^0.3",
+                                      "abs(x)^a",
+                                      "a^x",
+                                      "x^3",
+                                      "x^-3",
+                                      "x^25",
+                                      "1e39*x",
+                                      "1e-42*x",
+                                      "chebyshev(2, x)",
+                                      "chebyshev(5, x)",
+                                      "chebyshev(14, x)",
+                                      "chebyshev(50, x)",
+                                      "sqrt(x^2 + y^2)",
+                                      "exp(-x^2)*y",
+                                      "x^257",
+                                      "abs(x)^-1.5",
+                                      "x^-300"};
+
+// Boxes that are neither points nor huge: rounding is small against what they are wide.
+TEST_P(IntervalOnGpu, OperationsAreAsNarrowAsTheCpus) {
+    formula::Vocabulary vocabulary;
+    vocabulary.parameters = {"a", "b"};
+    for (const char* text : operations) {
+        const formula::Field field = formula::make_field(text, vocabulary);
+        Subject subject(text, field, {{1.25f, -0.7f}, {}, 0});
+        std::vector<GpuBox> boxes(512);
+        for (GpuBox& box : boxes) {
+            for (std::size_t k = 0; k < 6; ++k) {
+                const float x = random.in(-4, 4);
+                box[k] = {x, x + random.in(0.01f, 1)};
+            }
+        }
+        const auto bounds = subject.on_gpu(boxes);
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            const Interval cpu = subject.on_cpu(boxes[k])[0];
+            const double size = formula::magnitude(cpu);
+            if (!(size < 1e3)) continue;
+            const glm::vec2 gpu = bounds[k].outputs[0];
+            EXPECT_LE(double(gpu.y) - double(gpu.x), cpu.hi - cpu.lo + 2e-5 * (size + 1))
+                << text << " over " << describe(boxes[k]);
+        }
+    }
+}
+
 TEST_P(IntervalOnGpu, OperationsHoldTheirValues) {
     formula::Vocabulary vocabulary;
     vocabulary.parameters = {"a", "b"};
-    for (const char* text : {"-(x*y)",
-                             "abs(x)",
-                             "sign(x)",
-                             "sqrt(x)",
-                             "exp(x)",
-                             "log(x)",
-                             "sin(x)",
-                             "cos(x)",
-                             "tan(x)",
-                             "sinh(x)",
-                             "cosh(x)",
-                             "tanh(x)",
-                             "asin(x)",
-                             "acos(x)",
-                             "atan(x)",
-                             "floor(x)",
-                             "x + y",
-                             "x - y",
-                             "x*y",
-                             "x^2*y",
-                             "x^2*abs(y)",
-                             "a*x",
-                             "b*x",
-                             "0.1*x",
-                             "-3*x",
-                             "x + a",
-                             "x/y",
-                             "x/y^2",
-                             "1/x",
-                             "1/(1 + x^2)",
-                             "min(x, y)",
-                             "max(x, y)",
-                             "x^y",
-                             "x^a",
-                             "x^0.3",
-                             "abs(x)^a",
-                             "a^x",
-                             "x^3",
-                             "x^-3",
-                             "x^25",
-                             "1e39*x",
-                             "1e-42*x",
-                             "chebyshev(2, x)",
-                             "chebyshev(5, x)",
-                             "chebyshev(14, x)",
-                             "chebyshev(50, x)",
-                             "sqrt(x^2 + y^2)",
-                             "exp(-x^2)*y",
-                             "x^257",
-                             "abs(x)^-1.5",
-                             "x^-300"}) {
+    for (const char* text : operations) {
         const formula::Field field = formula::make_field(text, vocabulary);
         Subject subject(text, field, {{1.25f, -0.7f}, {}, 0});
         std::vector<GpuBox> boxes(1024);
@@ -267,6 +295,10 @@ TEST_P(IntervalOnGpu, BoundsOfTheCatalogueHoldAndAreNarrow) {
         std::printf("%-24s widths at most %.3f, %.3f, %.3f of the CPU's\n", name.c_str(), worst[0],
                     worst[1], worst[2]);
         EXPECT_LE(worst[0], 1.25) << name;
+        // acos, at its ends, has slopes without end in floats where doubles still have one.
+        if (name.ends_with("_trig")) continue;
+        EXPECT_LE(worst[1], 10) << name;
+        EXPECT_LE(worst[2], 10) << name;
     }
 }
 
