@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "formula/array_texels.h"
 #include "formula/kernel_calls.h"
 
 namespace isomotion::formula {
@@ -55,7 +56,7 @@ private:
         case Instruction::Kind::loop_begin:
             line("for (int e{0} = 0; e{0} < array{0}_count; ++e{0}) {{", now.index);
             ++indent_;
-            for (const int texel : texels_read(now.index, at)) {
+            for (const int texel : texels_read(program_, at, packing_)) {
                 line("vec4 a{0}_{1} = array{0}_texel(e{0}, {1});", now.index, texel);
             }
             return;
@@ -79,11 +80,9 @@ private:
         case Op::parameter:
             name = glsl_parameter(now.index);
             return;
-        case Op::element: {
-            const int slot = slot_of(now.index, now.second);
-            name = fmt::format("a{}_{}.{}", now.index, slot / 4, components[std::size_t(slot % 4)]);
+        case Op::element:
+            name = element_text(now.index, now.second, packing_);
             return;
-        }
         default:
             break;
         }
@@ -153,30 +152,6 @@ private:
 
     const std::string& declare(Register r) {
         return names_[std::size_t(r)] = fmt::format("v{}", r);
-    }
-
-    int slot_of(int array, int field) const {
-        const auto& fields = packing_.at(std::size_t(array));
-        const auto it = std::find(fields.begin(), fields.end(), field);
-        assert(it != fields.end());
-        return int(it - fields.begin());
-    }
-
-    // The texels of array `array` that the loop beginning at instruction `at` uses, inner loops
-    // over other arrays included.
-    std::set<int> texels_read(int array, std::size_t at) const {
-        std::set<int> texels;
-        int depth = 0;
-        for (; at < program_.instructions.size(); ++at) {
-            const Instruction& now = program_.instructions[at];
-            if (now.kind == Instruction::Kind::loop_begin) ++depth;
-            if (now.kind == Instruction::Kind::loop_end && --depth == 0) break;
-            if (now.kind == Instruction::Kind::operation && now.op == Op::element &&
-                now.index == array) {
-                texels.insert(slot_of(array, now.second) / 4);
-            }
-        }
-        return texels;
     }
 
     const Program& program_;

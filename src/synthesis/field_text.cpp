@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "formula/glsl_interval.h"
 #include "synthesis/shader_files.h"
 
 namespace isomotion::synthesis {
@@ -50,20 +51,35 @@ std::string as_comment(std::string formula) {
 }
 
 struct FunctionParts {
-    const formula::Program& program;
+    std::set<std::string> kernels;
     std::string glsl;
+    bool on_intervals = false;
 };
 
 FunctionParts parts_of(const formula::Field& field, FieldFunction function) {
+    using formula::interval_kernels_used, formula::kernels_used;
     switch (function) {
     case FieldFunction::value:
-        return {field.value, formula::glsl_value(field)};
+        return {kernels_used(field.value), formula::glsl_value(field)};
     case FieldFunction::along:
-        return {field.along, formula::glsl_along(field)};
+        return {kernels_used(field.along), formula::glsl_along(field)};
     case FieldFunction::gradient:
+        return {kernels_used(field.gradient), formula::glsl_gradient(field)};
+    default:
         break;
     }
-    return {field.gradient, formula::glsl_gradient(field)};
+    const formula::EnclosurePrograms programs = formula::enclosure_programs(field);
+    switch (function) {
+    case FieldFunction::value_interval:
+        return {interval_kernels_used(programs.value),
+                formula::glsl_value_interval(programs, field.packing), true};
+    case FieldFunction::along_interval:
+        return {interval_kernels_used(programs.along),
+                formula::glsl_along_interval(programs, field.packing), true};
+    default:
+        return {interval_kernels_used(programs.gradient),
+                formula::glsl_gradient_interval(programs, field.packing), true};
+    }
 }
 
 } // namespace
@@ -90,17 +106,22 @@ FieldStorage field_storage(const formula::Field& field, int parameters,
 void add_field(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
                const std::vector<FieldFunction>& functions,
                const std::vector<GeneratedFunction>& beside) {
-    std::set<std::string> kernels;
+    std::set<std::string> kernels, interval_kernels;
+    bool on_intervals = false;
     std::string generated;
     for (const FieldFunction function : functions) {
-        const auto [program, glsl] = parts_of(field, function);
-        kernels.merge(formula::kernels_used(program));
-        generated += glsl;
+        FunctionParts parts = parts_of(field, function);
+        (parts.on_intervals ? interval_kernels : kernels).merge(parts.kernels);
+        on_intervals |= parts.on_intervals;
+        generated += parts.glsl;
     }
     for (const GeneratedFunction& function : beside) {
         kernels.insert(function.kernels.begin(), function.kernels.end());
     }
     for (const auto& kernel : kernel_files(kernels)) text.file(kernel);
+    if (on_intervals) {
+        for (const auto& kernel : interval_files(interval_kernels)) text.file(kernel);
+    }
     text.generated("generated: parameters of the surface", declarations(storage));
     if (!functions.empty()) {
         text.generated("generated from: " + as_comment(field.text), generated);

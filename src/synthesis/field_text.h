@@ -35,8 +35,16 @@ struct FieldStorage {
 FieldStorage field_storage(const formula::Field& field, int parameters,
                            std::span<const int> counts);
 
-// What a shader can ask of a field; see glsl_value() and its siblings for the signatures.
-enum class FieldFunction { value, along, gradient };
+// What a shader can ask of a field; see glsl_value(), glsl_value_interval() and their siblings for
+// the signatures. The programs of the intervals are made where they are asked for.
+enum class FieldFunction {
+    value,
+    along,
+    gradient,
+    value_interval,
+    along_interval,
+    gradient_interval
+};
 
 // A function that reads the field's parameters and arrays but is none of the field's own.
 struct GeneratedFunction {

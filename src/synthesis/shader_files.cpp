@@ -16,19 +16,68 @@ struct KernelFile {
     std::vector<std::string> needs;
 };
 
+using KernelTable = std::vector<KernelFile>;
+
 // In an order in which every file comes after what it needs; each file's first line says the same.
-const std::vector<KernelFile>& kernel_table() {
-    static const std::vector<KernelFile> table{
-        {"bits.glsl", {}, {}},
-        {"sqrt.glsl", {"sqrt"}, {"bits.glsl"}},
-        {"divide.glsl", {"divide"}, {"bits.glsl"}},
-        {"exp.glsl", {"exp", "sinh", "cosh", "tanh"}, {}},
-        {"log.glsl", {"log"}, {"bits.glsl"}},
-        {"pow.glsl", {"pow"}, {"bits.glsl", "exp.glsl", "log.glsl"}},
-        {"trig.glsl", {"sin", "cos", "tan"}, {"bits.glsl", "divide.glsl"}},
-        {"inverse_trig.glsl", {"asin", "acos", "atan"}, {}},
+const KernelTable& kernel_table() {
+    static const KernelTable table{
+        {"math/bits.glsl", {}, {}},
+        {"math/sqrt.glsl", {"sqrt"}, {"math/bits.glsl"}},
+        {"math/divide.glsl", {"divide"}, {"math/bits.glsl"}},
+        {"math/exp.glsl", {"exp", "sinh", "cosh", "tanh"}, {}},
+        {"math/log.glsl", {"log"}, {"math/bits.glsl"}},
+        {"math/pow.glsl", {"pow"}, {"math/bits.glsl", "math/exp.glsl", "math/log.glsl"}},
+        {"math/trig.glsl", {"sin", "cos", "tan"}, {"math/bits.glsl", "math/divide.glsl"}},
+        {"math/inverse_trig.glsl", {"asin", "acos", "atan"}, {}},
     };
     return table;
+}
+
+// The same of shaders/interval/, on top of the kernels for numbers.
+const KernelTable& interval_table() {
+    static const KernelTable table = [] {
+        KernelTable all = kernel_table();
+        for (KernelFile& file : all) file.kernels.clear();
+        const std::string arithmetic = "interval/arithmetic.glsl";
+        const std::string divide = "interval/divide.glsl", root = "interval/sqrt.glsl";
+        const std::string exp = "interval/exp.glsl", trig = "interval/trig.glsl";
+        const std::string inverse_trig = "interval/inverse_trig.glsl";
+        const KernelTable own{
+            {arithmetic, {}, {"math/bits.glsl"}},
+            {divide, {"divide"}, {arithmetic}},
+            {root, {"sqrt"}, {arithmetic}},
+            {exp, {"exp", "sinh", "cosh", "tanh"}, {arithmetic, "math/exp.glsl"}},
+            {"interval/log.glsl", {"log"}, {arithmetic, "math/log.glsl"}},
+            {"interval/pow.glsl", {"pow"}, {arithmetic, "math/pow.glsl"}},
+            {trig, {"sin", "cos", "tan"}, {arithmetic, divide, "math/trig.glsl"}},
+            {inverse_trig, {"asin", "acos", "atan"}, {arithmetic, "math/inverse_trig.glsl"}},
+            {"interval/chebyshev.glsl",
+             {"chebyshev"},
+             {arithmetic, exp, trig, divide, inverse_trig, "math/log.glsl"}},
+        };
+        all.insert(all.end(), own.begin(), own.end());
+        return all;
+    }();
+    return table;
+}
+
+// The files with `kernels`, what they need, and `always`.
+std::vector<std::string> files_of(const KernelTable& table, const std::set<std::string>& kernels,
+                                  const std::string& always) {
+    std::set<std::string> wanted{always};
+    // Backwards: a file's needs stand before it.
+    for (auto file = table.rbegin(); file != table.rend(); ++file) {
+        const bool called = std::any_of(kernels.begin(), kernels.end(), [&](const auto& kernel) {
+            return file->kernels.count(kernel) > 0;
+        });
+        if (called) wanted.insert(file->name);
+        if (wanted.count(file->name)) wanted.insert(file->needs.begin(), file->needs.end());
+    }
+    std::vector<std::string> files;
+    for (const KernelFile& file : table) {
+        if (wanted.count(file.name)) files.push_back(file.name);
+    }
+    return files;
 }
 
 } // namespace
@@ -43,21 +92,11 @@ std::string read_shader(const std::string& name) {
 }
 
 std::vector<std::string> kernel_files(const std::set<std::string>& kernels) {
-    const auto& table = kernel_table();
-    std::set<std::string> wanted{"bits.glsl"};
-    // Backwards: a file's needs stand before it.
-    for (auto file = table.rbegin(); file != table.rend(); ++file) {
-        const bool called = std::any_of(kernels.begin(), kernels.end(), [&](const auto& kernel) {
-            return file->kernels.count(kernel) > 0;
-        });
-        if (called) wanted.insert(file->name);
-        if (wanted.count(file->name)) wanted.insert(file->needs.begin(), file->needs.end());
-    }
-    std::vector<std::string> files;
-    for (const KernelFile& file : table) {
-        if (wanted.count(file.name)) files.push_back("math/" + file.name);
-    }
-    return files;
+    return files_of(kernel_table(), kernels, "math/bits.glsl");
+}
+
+std::vector<std::string> interval_files(const std::set<std::string>& kernels) {
+    return files_of(interval_table(), kernels, "interval/arithmetic.glsl");
 }
 
 } // namespace isomotion::synthesis

@@ -14,4 +14,8 @@ std::string read_shader(const std::string& name);
 // themselves, in an order in which each comes after what it needs. bits.glsl is always there.
 std::vector<std::string> kernel_files(const std::set<std::string>& kernels);
 
+// The same of shaders/interval/, with the files of shaders/math/ that those need. arithmetic.glsl
+// is always there.
+std::vector<std::string> interval_files(const std::set<std::string>& kernels);
+
 } // namespace isomotion::synthesis

@@ -47,8 +47,8 @@ public:
     FieldValues(const FieldStorage& storage, const formula::ArrayPacking& packing,
                 const formula::Bindings<float>& bindings);
 
-    static constexpr int first_free_unit = 2; // below are the probes
-    void bind(const gpu::Program& program) const;
+    // Texture units below `first_free_unit` are taken.
+    void bind(const gpu::Program& program, int first_free_unit) const;
 
 private:
     struct ArrayOnGpu {
@@ -84,7 +84,7 @@ FieldValues::FieldValues(const FieldStorage& storage, const formula::ArrayPackin
     parameters_.update(block);
 }
 
-void FieldValues::bind(const gpu::Program& program) const {
+void FieldValues::bind(const gpu::Program& program, int first_free_unit) const {
     parameters_.bind(binding_parameters);
     program.bind_block("Parameters", binding_parameters);
     for (std::size_t a = 0; a < arrays_.size(); ++a) {
@@ -137,7 +137,7 @@ std::array<std::vector<glm::vec4>, 3> run_on_gpu(const formula::Field& field,
     const gpu::Texture points = texture_of(probes, height, &Probe::p);
     const gpu::Texture directions = texture_of(probes, height, &Probe::d);
     const gpu::Target target(width, height, int(field_functions.size()));
-    values.bind(program);
+    values.bind(program, 2);
     points.bind(0);
     directions.bind(1);
     program.bind_sampler("points", 0);
@@ -150,6 +150,79 @@ std::array<std::vector<glm::vec4>, 3> run_on_gpu(const formula::Field& field,
         const std::vector<float> pixels = target.read(int(f), 0, 0, width, height);
         results[f].resize(probes.size());
         std::memcpy(results[f].data(), pixels.data(), probes.size() * sizeof(glm::vec4));
+    }
+    return results;
+}
+
+namespace {
+
+std::string bounds_shader(const formula::Field& field, const FieldStorage& storage) {
+    std::vector<std::string> files;
+    ShaderText text(files);
+    add_field(text, field, storage,
+              {FieldFunction::value_interval, FieldFunction::along_interval,
+               FieldFunction::gradient_interval});
+    text.generated("a box a pixel", R"(
+uniform sampler2D first, second, third;
+layout(location = 0) out vec4 value;
+layout(location = 1) out vec4 along;
+layout(location = 2) out vec4 gradient;
+layout(location = 3) out vec4 rest;
+
+void main() {
+    vec4 a = texelFetch(first, ivec2(gl_FragCoord.xy), 0);
+    vec4 b = texelFetch(second, ivec2(gl_FragCoord.xy), 0);
+    vec4 c = texelFetch(third, ivec2(gl_FragCoord.xy), 0);
+    vec2 gx, gy, gz;
+    field_gradient_interval(a.xy, a.zw, b.xy, gx, gy, gz);
+    value = vec4(field_interval(a.xy, a.zw, b.xy), 0.0, 0.0);
+    along = field_along_interval(a.xy, a.zw, b.xy, b.zw, c.xy, c.zw);
+    gradient = vec4(gx, gy);
+    rest = vec4(gz, 0.0, 0.0);
+}
+)");
+    return text.take();
+}
+
+} // namespace
+
+std::vector<GpuBounds> bounds_on_gpu(const formula::Field& field,
+                                     const formula::Bindings<float>& bindings,
+                                     const std::vector<GpuBox>& boxes) {
+    std::vector<int> counts;
+    for (const auto& array : bindings.arrays) counts.push_back(array.count);
+    const FieldStorage storage = field_storage(field, int(bindings.parameters.size()), counts);
+    const gpu::Program program(gpu::fullscreen_vertex, bounds_shader(field, storage), "boxes");
+    const FieldValues values(storage, field.packing, bindings);
+    const int height = (int(boxes.size()) + width - 1) / width;
+    const auto part = [&](std::size_t first) {
+        std::vector<float> texels(std::size_t(width * height) * 4);
+        for (std::size_t k = 0; k < boxes.size(); ++k)
+            std::memcpy(&texels[4 * k], &boxes[k][first], 4 * sizeof(float));
+        return gpu::Texture(gpu::Format::rgba32f, width, height, texels);
+    };
+    const std::array inputs{part(0), part(2), part(4)};
+    const gpu::Target target(width, height, 4);
+    values.bind(program, int(inputs.size()));
+    const std::array names{"first", "second", "third"};
+    for (int k = 0; k < int(inputs.size()); ++k) {
+        inputs[std::size_t(k)].bind(k);
+        program.bind_sampler(names[std::size_t(k)], k);
+    }
+    target.bind();
+    program.use();
+    gpu::Fullscreen().draw();
+    std::vector<GpuBounds> results(boxes.size());
+    struct Place {
+        int attachment, component;
+    };
+    constexpr std::array<Place, 6> places{{{0, 0}, {1, 0}, {1, 2}, {2, 0}, {2, 2}, {3, 0}}};
+    for (std::size_t o = 0; o < places.size(); ++o) {
+        const auto pixels = target.read(places[o].attachment, 0, 0, width, height);
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            const float* at = &pixels[4 * k + std::size_t(places[o].component)];
+            results[k].outputs[o] = {at[0], at[1]};
+        }
     }
     return results;
 }

@@ -32,4 +32,17 @@ std::array<std::vector<glm::vec4>, 3> run_on_gpu(const formula::Field& field,
                                                  const formula::Bindings<float>& bindings,
                                                  const std::vector<Probe>& probes);
 
+// x, y, z, dx, dy, dz.
+using GpuBox = std::array<glm::vec2, 6>;
+
+// F; F and dF/dt; the gradient.
+struct GpuBounds {
+    std::array<glm::vec2, 6> outputs;
+};
+
+// What field_interval, field_along_interval and field_gradient_interval give over every box.
+std::vector<GpuBounds> bounds_on_gpu(const formula::Field& field,
+                                     const formula::Bindings<float>& bindings,
+                                     const std::vector<GpuBox>& boxes);
+
 } // namespace isomotion::synthesis

@@ -1,0 +1,91 @@
+// im_chebyshev, im_chebyshev_slope, im_chebyshev_steep on intervals. Needs arithmetic.glsl, exp.glsl, trig.glsl, divide.glsl, inverse_trig.glsl, math/log.glsl.
+//
+// T_n(cos h) = cos(n h) and T_n(cosh t) = cosh(n t); angles carry their error along. Degree n >= 2.
+
+// Enclosure of the t >= 0 with cosh t = y, of y >= 1; of 1 for smaller ones.
+vec2 im_acosh(float y) {
+    precise float above = max(min(y, 1.0e18) - 1.0, 0.0);
+    precise float v = above + sqrt(above * (above + 2.0));
+    precise float t = im_log(1.0 + v);
+    // The rounding of 1 + v is 2^-24 of it, those before it are 2^-20 of v generously.
+    precise float margin = 2.4e-7 + 1.9e-6 * t;
+    precise vec2 result = vec2(max(t - margin, 0.0), y > 1.0e18 ? IM_INFINITY : t + margin);
+    return y > 1.0 ? result : vec2(0.0);
+}
+
+// What beyond 1 comes to what is inside; `even`: values at -x are those at x.
+vec2 im_with_outside(vec2 a, vec2 inside, vec2 low, vec2 high, bool even) {
+    vec2 left = even ? low : -low.yx;
+    vec2 left_inner = even ? high : -high.yx;
+    if (a.x > 1.0) return vec2(low.x, high.y);
+    if (a.y < -1.0) return vec2(min(left.x, left_inner.x), max(left.y, left_inner.y));
+    inside = a.y > 1.0 ? vec2(min(inside.x, high.x), max(inside.y, high.y)) : inside;
+    return a.x < -1.0 ? vec2(min(inside.x, left.x), max(inside.y, left.y)) : inside;
+}
+
+vec2 im_chebyshev(int n, vec2 a) {
+    float degree = float(n);
+    vec2 inside = im_cos(im_scale_up(degree, im_acos(clamp(a, -1.0, 1.0))));
+    if (max(-a.x, a.y) <= 1.0) return inside;
+    vec2 low = im_cosh(im_scale_up(degree, im_acosh(abs(a.x))));
+    vec2 high = im_cosh(im_scale_up(degree, im_acosh(abs(a.y))));
+    return im_with_outside(a, inside, low, high, (n & 1) == 0);
+}
+
+// sin h of x = cos h; the differences are exact where it is small.
+vec2 im_sine_of_cosine(float x) {
+    precise vec2 factors = vec2(1.0 - x, 1.0 + x);
+    precise float square = factors.x * factors.y;
+    precise float r = sqrt(square);
+    precise float margin = r * 9.53674316e-7;
+    precise vec2 result = vec2(r - margin, r + margin);
+    return result;
+}
+
+// T_n'(x) = n sin(n h) / sin h at the ends of a within [-1, 1], at most n^2.
+vec2 im_slope_inside(float degree, float x) {
+    vec2 sines = im_sin(im_scale_up(degree, im_acos(vec2(x))));
+    vec2 slope = im_scale_up(degree, im_divide(sines, im_sine_of_cosine(x)));
+    return clamp(slope, -degree * degree, degree * degree);
+}
+
+// T_n'(y) = n sinh(n t) / sinh t beyond 1, at least n^2.
+vec2 im_slope_outside(float degree, float y) {
+    vec2 t = im_acosh(y);
+    vec2 slope = im_scale_up(degree, im_divide(im_sinh(im_scale_up(degree, t)), im_sinh(t)));
+    return max(slope, vec2(degree * degree));
+}
+
+// Beyond the last extremum of T_n, at cos(pi / n), T_n' rises from 0.
+vec2 im_rising_slope(float degree, vec2 a) {
+    vec2 low = a.x <= 1.0 ? im_slope_inside(degree, a.x) : im_slope_outside(degree, a.x);
+    vec2 high = a.y <= 1.0 ? im_slope_inside(degree, a.y) : im_slope_outside(degree, a.y);
+    return vec2(low.x, high.y);
+}
+
+vec2 im_chebyshev_slope(int n, vec2 a) {
+    float degree = float(n);
+    bool even = (n & 1) == 1;
+    float edge = im_cos(3.14159274 / degree) + 1.0e-6;
+    if (a.x >= edge) return im_rising_slope(degree, a);
+    if (a.y <= -edge) {
+        vec2 mirrored = im_rising_slope(degree, -a.yx);
+        return even ? mirrored : -mirrored.yx;
+    }
+    vec2 inner = clamp(a, -1.0, 1.0);
+    vec2 sines = im_sin(im_scale_up(degree, im_acos(inner)));
+    vec2 low = im_sine_of_cosine(inner.x);
+    vec2 high = im_sine_of_cosine(inner.y);
+    // sin h is largest at x = 0 and falls to both sides.
+    vec2 size = vec2(min(low.x, high.x), a.x <= 0.0 && a.y >= 0.0 ? 1.0 : max(low.y, high.y));
+    vec2 slope = im_scale_up(degree, im_divide(sines, size));
+    slope = clamp(slope, -degree * degree, degree * degree);
+    if (max(-a.x, a.y) <= 1.0) return slope;
+    return im_with_outside(a, slope, im_slope_outside(degree, abs(a.x)),
+                           im_slope_outside(degree, abs(a.y)), even);
+}
+
+// Of a higher derivative: `bound` is its value at 1, the largest in [-1, 1].
+vec2 im_chebyshev_steep(float bound, vec2 a) {
+    return max(-a.x, a.y) <= 1.0 ? vec2(-bound, bound) : IM_ENTIRE;
+}

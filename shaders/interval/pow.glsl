@@ -1,0 +1,40 @@
+// im_pow on intervals. Needs arithmetic.glsl, math/pow.glsl.
+//
+// The tests of the kernel allow it up to 5 ulps; 2^-19 of the result are counted: 16 ulps. Powers
+// are extreme at the ends of base and exponent: in each they rise or fall throughout.
+
+#define IM_POWER_ERROR 1.90734863e-6
+
+// Of a base that isn't negative, from the kernel's results.
+vec2 im_powers(float least, float most) {
+    precise float hi = most > 0.99e30 ? IM_INFINITY : most; // saturated
+    return im_saturate(im_not_negative(im_widen(vec2(least, hi), IM_POWER_ERROR)));
+}
+
+// Negative numbers have powers at integers.
+vec2 im_pow(vec2 a, float b) {
+    precise vec2 r = vec2(im_pow(abs(a.x), b), im_pow(abs(a.y), b));
+    vec2 size = im_powers(min(r.x, r.y), max(r.x, r.y));
+    bool below = a.x < 0.0;
+    bool across = below && a.y >= 0.0;
+    bool whole = floor(b) == b;
+    bool odd = floor(0.5 * b) != 0.5 * b;
+    // 0 is in between.
+    vec2 even_power = across ? (b > 0.0 ? vec2(0.0, size.y) : vec2(size.x, IM_INFINITY)) : size;
+    vec2 left = im_powers(r.x, r.x);
+    vec2 right = im_powers(r.y, r.y);
+    vec2 odd_power = across ? (b > 0.0 ? vec2(-left.y, right.y) : IM_ENTIRE) : -size.yx;
+    vec2 signed_power = whole ? (odd ? odd_power : even_power) : IM_ENTIRE;
+    vec2 power = below ? signed_power : size;
+    return b == 0.0 ? vec2(1.0) : power;
+}
+
+vec2 im_pow(vec2 a, vec2 b) {
+    vec2 size = im_not_negative(a);
+    precise vec2 p = vec2(im_pow(size.x, b.x), im_pow(size.x, b.y));
+    precise vec2 q = vec2(im_pow(size.y, b.x), im_pow(size.y, b.y));
+    vec2 least = min(p, q);
+    vec2 most = max(p, q);
+    vec2 power = im_powers(min(least.x, least.y), max(most.x, most.y));
+    return a.x < 0.0 ? IM_ENTIRE : power;
+}

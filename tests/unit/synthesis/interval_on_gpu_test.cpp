@@ -1,0 +1,306 @@
+// The GLSL of a field's interval bounds against doubles at members of the boxes, and against the
+// CPU's intervals for width, on every back end.
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "field_on_gpu.h"
+#include "formula/enclosure.h"
+#include "scene/load.h"
+#include "scene/scene_at.h"
+#include "scenes.h"
+#include "unit/gpu/every_backend.h"
+
+namespace isomotion::synthesis {
+namespace {
+
+using formula::Interval;
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+
+class Random {
+public:
+    float in(float low, float high) {
+        return low + (high - low) * (float(engine_() >> 8) * 0x1p-24f);
+    }
+    std::size_t below(std::size_t bound) { return engine_() % bound; }
+
+private:
+    std::mt19937 engine_{seed()};
+
+    static unsigned seed() {
+        const char* given = std::getenv("ISOMOTION_SEED");
+        const unsigned seed = given ? unsigned(std::strtoul(given, nullptr, 10)) : 20260u;
+        std::printf("seed %u (ISOMOTION_SEED)\n", seed);
+        return seed;
+    }
+};
+
+double member(Random& random, glm::vec2 a) {
+    const double lo = std::max(a.x, -3e38f), hi = std::min(a.y, 3e38f);
+    const double part = random.below(3) == 0 ? double(random.below(2)) : double(random.in(0, 1));
+    return std::clamp(lo + (hi - lo) * part, lo, hi);
+}
+
+std::string describe(const GpuBox& box) {
+    std::string text;
+    for (const glm::vec2 a : box) text += fmt::format("[{:.9g}, {:.9g}] ", a.x, a.y);
+    return text;
+}
+
+// A field on both sides. What it is at a member, slopes included, the CPU knows as an interval that
+// is hardly wider than a double (but where slopes jump): the GPU's bound must meet it.
+class Subject {
+public:
+    Subject(std::string name, const formula::Field& field, formula::Bindings<float> bindings)
+        : name_(std::move(name))
+        , field_(field)
+        , floats_(std::move(bindings))
+        , intervals_(formula::convert<Interval>(floats_))
+        , programs_(formula::enclosure_programs(field))
+        , value_(programs_.value)
+        , along_(programs_.along)
+        , gradient_(programs_.gradient) {}
+
+    Subject(const Subject&) = delete;
+    Subject& operator=(const Subject&) = delete;
+
+    std::vector<GpuBounds> on_gpu(const std::vector<GpuBox>& boxes) const {
+        return bounds_on_gpu(field_, floats_, boxes);
+    }
+
+    std::array<Interval, 6> on_cpu(const GpuBox& box) {
+        std::array<Interval, 6> inputs;
+        for (std::size_t k = 0; k < 6; ++k) inputs[k] = {double(box[k].x), double(box[k].y)};
+        return enclose(inputs);
+    }
+
+    void expect_holds(const GpuBox& box, const GpuBounds& bounds, Random& random, int samples) {
+        for (std::size_t o = 0; o < bounds.outputs.size(); ++o) {
+            const glm::vec2 b = bounds.outputs[o];
+            ASSERT_TRUE(b.x <= b.y && b.x < inf && b.y > -inf)
+                << name_ << " output " << o << " over " << describe(box) << ": " << b.x << ' '
+                << b.y;
+        }
+        for (int k = 0; k < samples; ++k) {
+            std::array<Interval, 6> at;
+            for (std::size_t i = 0; i < 6; ++i) at[i] = member(random, box[i]);
+            const auto values = enclose(at);
+            for (std::size_t o = 0; o < values.size(); ++o) {
+                const glm::vec2 b = bounds.outputs[o];
+                ASSERT_TRUE(double(b.x) <= values[o].hi && values[o].lo <= double(b.y))
+                    << name_ << " output " << o << " over " << describe(box)
+                    << fmt::format(": [{:.9g}, {:.9g}] lacks {:.17g} to {:.17g}", b.x, b.y,
+                                   values[o].lo, values[o].hi);
+            }
+        }
+    }
+
+private:
+    std::array<Interval, 6> enclose(const std::array<Interval, 6>& inputs) {
+        std::array<Interval, 6> outputs;
+        const std::span<const Interval> point = std::span(inputs).first(3);
+        value_.point(intervals_, point, std::span(outputs).first(1));
+        along_.point(intervals_, inputs, std::span(outputs).subspan(1, 2));
+        gradient_.point(intervals_, point, std::span(outputs).last(3));
+        return outputs;
+    }
+
+    std::string name_;
+    const formula::Field& field_;
+    formula::Bindings<float> floats_;
+    formula::Bindings<Interval> intervals_;
+    formula::EnclosurePrograms programs_;
+    formula::Evaluator<Interval> value_, along_, gradient_;
+};
+
+class IntervalOnGpu : public gpu::EveryBackend {
+protected:
+    static void SetUpTestSuite() { use_shaders_of_source_tree(); }
+    Random random;
+};
+ISOMOTION_ON_EVERY_BACKEND(IntervalOnGpu);
+
+float number(Random& random) {
+    static constexpr float special[]{
+        0,          0,      1,         2,      0.5f,           3,      1.5707964f,
+        3.1415927f, 69.07f, 69.9f,     88.7f,  1e5f,           1.1e5f, 1e8f,
+        1e-3f,      1e-7f,  1e-19f,    1e-30f, 1.1754944e-38f, 1e15f,  1e19f,
+        1e30f,      3e38f,  0.9999999f};
+    const float sign = random.below(2) == 0 ? 1.0f : -1.0f;
+    switch (random.below(4)) {
+    case 0:
+        return sign * special[random.below(std::size(special))];
+    case 1:
+        return sign * std::exp2(random.in(-125, 125));
+    default:
+        return random.in(-4, 4);
+    }
+}
+
+glm::vec2 interval(Random& random) {
+    const float a = number(random);
+    switch (random.below(8)) {
+    case 0:
+        return {a, a};
+    case 1:
+        return random.below(2) == 0 ? glm::vec2(-inf, a) : glm::vec2(a, inf);
+    case 2:
+        return random.below(4) == 0 ? glm::vec2(-inf, inf)
+                                    : glm::vec2(std::min(a, 0.0f), std::max(a, 0.0f));
+    case 3: {
+        const float b = a + std::abs(a) * std::exp2(random.in(-20, 0));
+        return std::isfinite(b) ? glm::vec2(a, b) : glm::vec2(a, inf);
+    }
+    default: {
+        const float b = number(random);
+        return {std::min(a, b), std::max(a, b)};
+    }
+    }
+}
+
+constexpr const char* operations[] = {"-(x*y)",
+                                      "abs(x)",
+                                      "sign(x)",
+                                      "sqrt(x)",
+                                      "exp(x)",
+                                      "log(x)",
+                                      "sin(x)",
+                                      "cos(x)",
+                                      "tan(x)",
+                                      "sinh(x)",
+                                      "cosh(x)",
+                                      "tanh(x)",
+                                      "asin(x)",
+                                      "acos(x)",
+                                      "atan(x)",
+                                      "floor(x)",
+                                      "x + y",
+                                      "x - y",
+                                      "x*y",
+                                      "x^2*y",
+                                      "x^2*abs(y)",
+                                      "a*x",
+                                      "b*x",
+                                      "0.1*x",
+                                      "-3*x",
+                                      "x + a",
+                                      "x/y",
+                                      "x/y^2",
+                                      "1/x",
+                                      "1/(1 + x^2)",
+                                      "min(x, y)",
+                                      "max(x, y)",
+                                      "x^y",
+                                      "x^a",
+                                      "x^0.3",
+                                      "abs(x)^a",
+                                      "a^x",
+                                      "x^3",
+                                      "x^-3",
+                                      "x^25",
+                                      "1e39*x",
+                                      "1e-42*x",
+                                      "chebyshev(2, x)",
+                                      "chebyshev(5, x)",
+                                      "chebyshev(14, x)",
+                                      "chebyshev(50, x)",
+                                      "sqrt(x^2 + y^2)",
+                                      "exp(-x^2)*y",
+                                      "x^257",
+                                      "abs(x)^-1.5",
+                                      "x^-300"};
+
+// Boxes that are neither points nor huge: rounding is small against what they are wide.
+TEST_P(IntervalOnGpu, OperationsAreAsNarrowAsTheCpus) {
+    formula::Vocabulary vocabulary;
+    vocabulary.parameters = {"a", "b"};
+    for (const char* text : operations) {
+        const formula::Field field = formula::make_field(text, vocabulary);
+        Subject subject(text, field, {{1.25f, -0.7f}, {}, 0});
+        std::vector<GpuBox> boxes(512);
+        for (GpuBox& box : boxes) {
+            for (std::size_t k = 0; k < 6; ++k) {
+                const float x = random.in(-4, 4);
+                box[k] = {x, x + random.in(0.01f, 1)};
+            }
+        }
+        const auto bounds = subject.on_gpu(boxes);
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            const Interval cpu = subject.on_cpu(boxes[k])[0];
+            const double size = formula::magnitude(cpu);
+            if (!(size < 10)) continue; // tan near its poles, powers
+            const glm::vec2 gpu = bounds[k].outputs[0];
+            EXPECT_LE(double(gpu.y) - double(gpu.x), cpu.hi - cpu.lo + 5e-5 * (size + 1))
+                << text << " over " << describe(boxes[k]);
+        }
+    }
+}
+
+TEST_P(IntervalOnGpu, OperationsHoldTheirValues) {
+    formula::Vocabulary vocabulary;
+    vocabulary.parameters = {"a", "b"};
+    for (const char* text : operations) {
+        const formula::Field field = formula::make_field(text, vocabulary);
+        Subject subject(text, field, {{1.25f, -0.7f}, {}, 0});
+        std::vector<GpuBox> boxes(1024);
+        for (GpuBox& box : boxes) {
+            for (std::size_t k = 0; k < 6; ++k) box[k] = k < 3 ? interval(random) : glm::vec2(1);
+        }
+        const auto bounds = subject.on_gpu(boxes);
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            subject.expect_holds(boxes[k], bounds[k], random, 4);
+            if (HasFatalFailure()) return;
+        }
+    }
+}
+
+// Every surface of the catalogue over boxes from 10^-4 of its bounds to all of them.
+TEST_P(IntervalOnGpu, BoundsOfTheCatalogueHoldAndAreNarrow) {
+    const std::filesystem::path folder(ISOMOTION_SOURCE_DIR "/animations/surfaces");
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().stem().string();
+        const scene::Scene scene = scene_of(fmt::format("[surface]\nuse = '{}'\n", name));
+        const auto now = scene::at(scene, scene.timeline.values(1));
+        Subject subject(name, *scene.surface.field, now.bindings);
+        const auto reach = float(now.bounds.radius);
+        std::vector<GpuBox> boxes(256);
+        for (GpuBox& box : boxes) {
+            const float size = reach * std::pow(10.0f, random.in(-4, 0));
+            for (std::size_t k = 0; k < 6; ++k) {
+                const float x = k < 3 ? random.in(-reach, reach) : random.in(-1, 1);
+                box[k] = {x, k < 3 ? x + size : x};
+            }
+        }
+        const auto bounds = subject.on_gpu(boxes);
+        std::array<double, 3> worst{}; // of values, slopes, gradients
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            subject.expect_holds(boxes[k], bounds[k], random, 4);
+            if (HasFatalFailure()) return;
+            const auto cpu = subject.on_cpu(boxes[k]);
+            // Boxes of 1 % and more, whose width is not that of float rounding.
+            if (boxes[k][0].y - boxes[k][0].x < 0.01f * reach) continue;
+            for (std::size_t o = 0; o < 6; ++o) {
+                const double width = cpu[o].hi - cpu[o].lo;
+                if (!(width < 1e25)) continue;
+                const double rounding = 1e-5 * formula::magnitude(cpu[o]) + 1e-6;
+                double& ratio = worst[o < 2 ? 0 : o == 2 ? 1 : 2];
+                ratio = std::max(ratio, double(bounds[k].outputs[o].y - bounds[k].outputs[o].x) /
+                                            (width + rounding));
+            }
+        }
+        std::printf("%-24s widths at most %.3f, %.3f, %.3f of the CPU's\n", name.c_str(), worst[0],
+                    worst[1], worst[2]);
+        EXPECT_LE(worst[0], 1.25) << name;
+        // acos, at its ends, has slopes without end in floats where doubles still have one.
+        if (name.ends_with("_trig")) continue;
+        EXPECT_LE(worst[1], 10) << name;
+        EXPECT_LE(worst[2], 10) << name;
+    }
+}
+
+} // namespace
+} // namespace isomotion::synthesis
