@@ -6,7 +6,7 @@ uniform int evaluations_per_pass;
 
 Ray shadow_ray(SurfacePoint p, int k) {
     LightRay light = light_at(k, p.position);
-    Ray ray = Ray(p.position + p.offset * p.normal, light.direction, 0.0, 0.0);
+    Ray ray = Ray(p.position + p.offset * p.normal, light.direction, 0.0, 0.0, 0.0);
     vec2 inside = clip_to_bounds(ray.anchor, ray.direction);
     ray.t_near = max(inside.x, 0.0);
     ray.t_far = min(inside.y, light.reach);

@@ -49,7 +49,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float off = f0 + o * (m0 + o * (c2 + p * c3)) - s.other.y;
     float bend = m0 + o * (2.0 * c2 + (o + 2.0 * p) * c3) - s.other.z;
     float scale = 0.25 * h * h / (o * p);
-    float error = o == 0.0 ? 1.0e30 : safety * scale * scale * (abs(off) + abs(0.5 * bend * o * p / (o + p)));
+    float error = o == 0.0 ? abs(c3) * h * h * h : safety * scale * scale * (abs(off) + abs(0.5 * bend * o * p / (o + p)));
 
     // Where it is least, for F > 0 at 0, and else largest.
     float upright = f0 < 0.0 ? -1.0 : 1.0;

@@ -5,6 +5,7 @@ struct Ray {
     vec3 direction; // unit length
     float t_near;   // the part inside the bounds and before the eye; empty if t_near > t_far
     float t_far;
+    float to_eye;   // from the anchor
 };
 
 vec3 ray_point(Ray ray, float t) {
@@ -22,5 +23,6 @@ Ray pixel_ray() {
     vec2 inside = clip_to_bounds(ray.anchor, ray.direction);
     ray.t_near = max(inside.x, -distance_to_eye);
     ray.t_far = inside.y;
+    ray.to_eye = distance_to_eye;
     return ray;
 }

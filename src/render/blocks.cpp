@@ -37,6 +37,22 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     return block;
 }
 
+glm::vec4 beam_range(const scene::SceneAt& now, int width, int height) {
+    const scene::Rays rays = scene::rays(now, width, height);
+    const double depth = glm::length(rays.axis);
+    const glm::dvec3 forward = rays.axis / depth;
+    const double middle = glm::dot(now.bounds.centre - rays.origin, forward) / depth;
+    // As truth's tubes have it (truth/tube.h), with the size of the picture's corner.
+    const auto largest = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    const double spread = glm::length(rays.right) + glm::length(rays.up);
+    const double reach = now.bounds.radius + spread + largest(now.bounds.centre - rays.origin);
+    const double rounding = 0x1p-24 * (16 * (largest(rays.origin) + spread) + reach * 18 * (1 + (rays.parallel ? 0 : spread / depth)) + 2 * largest(now.bounds.centre));
+    const double half = 1.001 * now.bounds.radius / depth;
+    const double pixel = 2 * glm::length(rays.up) / height;
+    return glm::dvec4(rays.parallel ? middle - half : std::max(middle - half, -1.0), middle + half,
+                      0.5 * synthesis::beam_block * pixel / depth, 4 * rounding);
+}
+
 std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,
                                      int width, int height) {
     const scene::PlacementAt& place = now.placement;

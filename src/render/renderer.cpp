@@ -84,6 +84,12 @@ struct Renderer::Parts {
                               unit_arrays + int(shaders.arrays.size()));
             secondary->connect(shade);
         }
+        if (!shaders.beam.empty()) {
+            const int block = synthesis::beam_block;
+            beams.emplace(gpu::Program(shaders.vertex, shaders.beam, "beam"),
+                          gpu::Target((plan.tile_width + block - 1) / block,
+                                      (plan.tile_height + block - 1) / block));
+        }
         if (scene.environment) load_environment();
         if (!shaders.motion.empty()) {
             moved.emplace(gpu::Program(shaders.vertex, shaders.motion, "motion"),
@@ -136,6 +142,7 @@ struct Renderer::Parts {
         for (const gpu::Program* program : {&march, &active, &shade}) visit(*program);
         if (secondary) secondary->for_each_program(visit);
         if (moved) visit(moved->program);
+        if (beams) visit(beams->program);
     }
 
     // What the loops of one shaded pixel add up to.
@@ -158,6 +165,7 @@ struct Renderer::Parts {
         program.bind_sampler("state_texture_0", unit_state_0);
         program.bind_sampler("state_texture_1", unit_state_1);
         program.bind_sampler("state_texture_2", unit_state_2);
+        program.bind_sampler("beam_texture", beam_unit());
         for (std::size_t a = 0; a < shaders.arrays.size(); ++a) {
             const auto& storage = shaders.arrays[a];
             if (storage.kind == synthesis::ArrayStorage::Kind::uniform_block) {
@@ -181,6 +189,11 @@ struct Renderer::Parts {
         }
         if (environment) {
             environment->bind(unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units);
+        }
+        if (beams) {
+            const glm::vec4 range = beam_range(now, options.width, options.height);
+            beams->program.set("beam", range);
+            beams->program.set("beam_evaluations", 64);
         }
         frame.bind(binding_frame);
         shading.bind(binding_shading);
@@ -226,8 +239,20 @@ struct Renderer::Parts {
         }
     }
 
+    void draw_beams(const gpu::Rectangle& tile) {
+        const int block = synthesis::beam_block;
+        beams->program.set("tile_origin", glm::ivec2(tile.x, tile.y));
+        beams->starts.bind();
+        gpu::set_viewport({0, 0, (tile.width + block - 1) / block, (tile.height + block - 1) / block});
+        beams->program.use();
+        triangle.draw();
+        beams->starts.texture(0).bind(beam_unit());
+    }
+    int beam_unit() const { return unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units + 1; }
+
     // The rays of a tile, which it returns, and what starts where they end.
     const gpu::Target& draw_tile(const gpu::Rectangle& tile, int& passes) {
+        if (beams) draw_beams(tile);
         const gpu::Target& rays = march_rays(tile, march, eye_rays, passes);
         if (secondary) {
             secondary->trace(
@@ -369,6 +394,11 @@ struct Renderer::Parts {
         gpu::Target field;
     };
     std::optional<Moved> moved; // of the channel velocity
+    struct Beams {
+        gpu::Program program;
+        gpu::Target starts;
+    };
+    std::optional<Beams> beams;
     gpu::Fullscreen triangle;
     gpu::SamplesQuery still_active;
     std::vector<float> pixels; // of one attachment of a tile

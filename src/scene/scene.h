@@ -65,6 +65,7 @@ struct Isolation {
     double far = 0;     // tau 2: farther than this it is doubled
     double horizon = 0; // tau 3: near a silhouette (|dF/dt| below this) it is quartered
     int bisections = 10;
+    bool beam = false;    // proved starts for blocks of rays
     double safety = 16; // of cubics: how many times their estimated error F must keep off 0
     int limit = 100'000; // evaluations after which a ray gives up with the verdict step limit
 };

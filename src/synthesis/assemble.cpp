@@ -70,7 +70,23 @@ std::string march_text(const scene::Scene& scene, Shaders& shaders, Origin origi
     text.file(shaders.march_takes_gradient ? "march/gradient_at_root.glsl"
                                            : "march/end_at_root.glsl");
     text.file(method_file(scene));
+    const bool beam = scene.isolation.beam && origin == Origin::eye;
+    if (beam) text.define("BLOCK", beam_block);
+    text.file(beam ? "march/start_at_beam.glsl" : "march/start_at_bounds.glsl");
     text.file("march/march.frag");
+    return text.take();
+}
+
+std::string beam_text(const scene::Scene& scene, Shaders& shaders) {
+    ShaderText text(shaders.files);
+    text.define("BLOCK", beam_block);
+    text.define("NO_ROOT", 1'000'000);
+    add_field(text, *scene.surface.field, shaders, {FieldFunction::value_interval});
+    text.file("frame.glsl");
+    text.generated("generated: uniforms", "uniform vec4 beam;\n");
+    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+    text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
+    text.file("march/beam.frag");
     return text.take();
 }
 
@@ -208,6 +224,7 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
         shaders.march_takes_gradient || scene.isolation.method != scene::Method::marching;
     shaders.state_textures = scene.isolation.method == scene::Method::hermite ? 3 : 2;
     shaders.march = march_text(scene, shaders, Origin::eye);
+    if (scene.isolation.beam) shaders.beam = beam_text(scene, shaders);
     ShaderText active(shaders.files);
     active.file("march/state.glsl");
     active.file("march/active.frag");

@@ -14,9 +14,13 @@
 
 namespace isomotion::synthesis {
 
+// Pixels across a beam.
+inline constexpr int beam_block = 8;
+
 struct Shaders : FieldStorage {
     std::string vertex;
     std::string march;  // one pass of the rays
+    std::string beam;   // where the rays of each block of pixels may start; empty without beams
     std::string active; // asks whether rays still march
     std::string shade;  // the picture from finished rays
 
