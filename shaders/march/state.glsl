@@ -45,6 +45,12 @@ RayState load_state() {
     return s;
 }
 
+RayState finish(RayState s, int verdict) {
+    s.phase = PHASE_DONE;
+    s.verdict = verdict;
+    return s;
+}
+
 // Before any sample: the next is at t.
 RayState state_at(float t) {
     RayState s;

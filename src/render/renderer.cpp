@@ -70,19 +70,21 @@ struct Renderer::Parts {
         , options(std::move(wanted))
         , shaders(synthesis::assemble(scene, options.channels))
         , plan(make_plan())
-        , march(shaders.vertex, shaders.march, "march")
-        , active(shaders.vertex, shaders.active, "active")
-        , shade(shaders.vertex, shaders.shade, "shade")
-        , eye_rays(plan.tile_width, plan.tile_height, shaders.state_textures)
+        , one_draw(!shaders.whole.empty())
         , result(plan.tile_width, plan.tile_height, 2 + int(shaders.attachments.size()))
         , frame(sizeof(FrameBlock))
         , parameters(std::size_t(shaders.parameter_vectors + shaders.count_vectors) * 16)
         , shading((7 + 2 * scene.lights.size()) * sizeof(glm::vec4)) {
         for (const auto& storage : shaders.arrays) arrays.emplace_back(storage);
+        if (one_draw) {
+            whole.emplace(shaders.vertex, shaders.whole, "whole");
+        } else {
+            make_passes();
+        }
         if (!shaders.surface.empty()) {
             secondary.emplace(shaders, plan.tile_width, plan.tile_height,
                               unit_arrays + int(shaders.arrays.size()));
-            secondary->connect(shade);
+            secondary->connect(passes->shade);
         }
         if (!shaders.beam.empty()) {
             const int block = synthesis::beam_block;
@@ -99,6 +101,13 @@ struct Renderer::Parts {
         pixels.resize(std::size_t(plan.tile_width) * std::size_t(plan.tile_height) * 4);
     }
 
+    void make_passes() {
+        passes.emplace(gpu::Program(shaders.vertex, shaders.march, "march"),
+                       gpu::Program(shaders.vertex, shaders.active, "active"),
+                       gpu::Program(shaders.vertex, shaders.shade, "shade"),
+                       RayTargets(plan.tile_width, plan.tile_height, shaders.state_textures));
+    }
+
     void load_environment() {
         const image::EnvironmentMap map = image::read_environment(scene.environment->map);
         if (map.mended > 0 && options.warn) {
@@ -107,7 +116,7 @@ struct Renderer::Parts {
         environment.emplace(gpu::Format::rgba32f, map.width, map.height, map.texels);
         environment_print = Fingerprint().add_values(std::span<const float>(map.texels)).text();
         const int unit = unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units;
-        shade.bind_sampler("environment_map", unit);
+        passes->shade.bind_sampler("environment_map", unit);
         environment->bind(unit);
     }
 
@@ -139,7 +148,12 @@ struct Renderer::Parts {
     }
 
     void for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
-        for (const gpu::Program* program : {&march, &active, &shade}) visit(*program);
+        if (whole) visit(*whole);
+        if (passes) {
+            for (const gpu::Program* program : {&passes->march, &passes->active, &passes->shade}) {
+                visit(*program);
+            }
+        }
         if (secondary) secondary->for_each_program(visit);
         if (moved) visit(moved->program);
         if (beams) visit(beams->program);
@@ -210,7 +224,7 @@ struct Renderer::Parts {
 
     // Marches the rays of a tile to their ends; returns the target that holds them.
     const gpu::Target& march_rays(const gpu::Rectangle& tile, const gpu::Program& program,
-                                  const RayTargets& targets, int& passes) {
+                                  const RayTargets& targets, int& draws) {
         const gpu::Rectangle viewport{0, 0, tile.width, tile.height};
         program.set("tile_origin", glm::ivec2(tile.x, tile.y));
         program.set("evaluations_per_pass", plan.evaluations_per_pass);
@@ -224,13 +238,13 @@ struct Renderer::Parts {
             program.set("first_pass", first ? 1 : 0);
             program.use();
             triangle.draw();
-            ++passes;
+            ++draws;
 
             to->texture(0).bind(unit_state_0);
             to->texture(1).bind(unit_state_1);
             result.bind();
             gpu::set_viewport(viewport);
-            active.use();
+            passes->active.use();
             still_active.begin();
             triangle.draw();
             still_active.end();
@@ -250,15 +264,56 @@ struct Renderer::Parts {
     }
     int beam_unit() const { return unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units + 1; }
 
-    // The rays of a tile, which it returns, and what starts where they end.
-    const gpu::Target& draw_tile(const gpu::Rectangle& tile, int& passes) {
+    // Draws a tile into `result` and reads its record into `pixels`. Returns its rays, or null if
+    // they were not kept.
+    const gpu::Target* draw_tile(const gpu::Rectangle& tile, int& draws) {
         if (beams) draw_beams(tile);
-        const gpu::Target& rays = march_rays(tile, march, eye_rays, passes);
+        if (one_draw) {
+            draw_whole(tile);
+            ++draws;
+            read_record(tile);
+            if (all_finished(tile)) return nullptr;
+            // Some ray takes longer than a draw may; others of this scene will too.
+            one_draw = false;
+            make_passes();
+            for (const gpu::Program* program : {&passes->march, &passes->active, &passes->shade}) {
+                connect(*program);
+            }
+        }
+        const gpu::Target& rays = draw_in_passes(tile, draws);
+        read_record(tile);
+        return &rays;
+    }
+
+    void draw_whole(const gpu::Rectangle& tile) {
+        result.bind();
+        gpu::set_viewport({0, 0, tile.width, tile.height});
+        whole->set("tile_origin", glm::ivec2(tile.x, tile.y));
+        whole->set("evaluations_per_pass", plan.evaluations_per_pass);
+        whole->use();
+        triangle.draw();
+    }
+
+    void read_record(const gpu::Rectangle& tile) {
+        const auto count = std::size_t(tile.width) * std::size_t(tile.height) * 4;
+        result.read(1, 0, 0, tile.width, tile.height, std::span(pixels).first(count));
+    }
+
+    bool all_finished(const gpu::Rectangle& tile) const {
+        for (std::size_t k = 0; k < std::size_t(tile.width) * std::size_t(tile.height); ++k) {
+            if (pixels[4 * k] < 0) return false;
+        }
+        return true;
+    }
+
+    // The rays of a tile, which it returns, and what starts where they end.
+    const gpu::Target& draw_in_passes(const gpu::Rectangle& tile, int& draws) {
+        const gpu::Target& rays = march_rays(tile, passes->march, passes->rays, draws);
         if (secondary) {
             secondary->trace(
                 tile, rays,
                 [&](const gpu::Program& program, const RayTargets& targets) -> const gpu::Target& {
-                    return march_rays(tile, program, targets, passes);
+                    return march_rays(tile, program, targets, draws);
                 });
         }
         shade_tile(tile, rays);
@@ -270,8 +325,8 @@ struct Renderer::Parts {
         rays.texture(1).bind(unit_state_1);
         result.bind();
         gpu::set_viewport({0, 0, tile.width, tile.height});
-        shade.set("tile_origin", glm::ivec2(tile.x, tile.y));
-        shade.use();
+        passes->shade.set("tile_origin", glm::ivec2(tile.x, tile.y));
+        passes->shade.use();
         triangle.draw();
     }
 
@@ -333,6 +388,11 @@ struct Renderer::Parts {
                    const std::vector<image::Channel*>& channels) {
         const auto count = std::size_t(tile.width) * std::size_t(tile.height) * 4;
         result.read(attachment, 0, 0, tile.width, tile.height, std::span(pixels).first(count));
+        copy_pixels(tile, channels);
+    }
+
+    // From `pixels`.
+    void copy_pixels(const gpu::Rectangle& tile, const std::vector<image::Channel*>& channels) {
         for (std::size_t c = 0; c < channels.size(); ++c) {
             if (!channels[c]) continue;
             for (int y = 0; y < tile.height; ++y) {
@@ -381,8 +441,13 @@ struct Renderer::Parts {
     RenderOptions options;
     synthesis::Shaders shaders;
     MarchPlan plan;
-    gpu::Program march, active, shade;
-    RayTargets eye_rays;
+    bool one_draw; // as long as every tile's rays ended in one
+    std::optional<gpu::Program> whole;
+    struct Passes {
+        gpu::Program march, active, shade;
+        RayTargets rays;
+    };
+    std::optional<Passes> passes;
     gpu::Target result;
     gpu::UniformBuffer frame, parameters, shading;
     std::vector<ArrayBuffer> arrays;
@@ -430,11 +495,11 @@ Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const M
         for (int x = 0; x < p.options.width; x += p.plan.tile_width) {
             const gpu::Rectangle tile{x, y, std::min(p.plan.tile_width, p.options.width - x),
                                       std::min(p.plan.tile_height, p.options.height - y)};
-            const gpu::Target& rays = p.draw_tile(tile, picture.passes);
-            p.read_tile(tile, 0, {channel(0), channel(1), channel(2), channel(3)});
-            p.read_tile(tile, 1, record);
+            const gpu::Target* rays = p.draw_tile(tile, picture.passes);
             p.count_tile(tile, picture);
-            if (p.moved && motion) p.draw_velocity(tile, rays, now, *motion, picture.frame);
+            p.copy_pixels(tile, record);
+            if (p.moved && motion) p.draw_velocity(tile, *rays, now, *motion, picture.frame);
+            p.read_tile(tile, 0, {channel(0), channel(1), channel(2), channel(3)});
             for (std::size_t a = 0; a < p.shaders.attachments.size(); ++a) {
                 p.read_tile(tile, 2 + int(a), targets_of(picture.frame, p.shaders.attachments[a]));
             }
@@ -450,7 +515,7 @@ std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& a
     Fingerprint print;
     const synthesis::Shaders& shaders = p.shaders;
     for (const std::string* text :
-         {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.shade}) {
+         {&shaders.march, &shaders.beam, &shaders.surface, &shaders.shadow, &shaders.shade}) {
         print.add(*text);
     }
     const auto add_field = [&](const scene::SceneAt& at) {

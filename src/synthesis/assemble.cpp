@@ -19,6 +19,10 @@ FieldStorage storage_of(const scene::Scene& scene) {
 
 enum class Origin { eye, mirror };
 
+bool contains(const std::vector<Channel>& channels, Channel channel) {
+    return std::find(channels.begin(), channels.end(), channel) != channels.end();
+}
+
 void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin = Origin::eye) {
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     text.file("frame.glsl");
@@ -38,7 +42,6 @@ void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin = Origin
 
 void add_isolation(ShaderText& text, const scene::Scene& scene, const Shaders& shaders) {
     const scene::Method method = scene.isolation.method;
-    text.file("march/store_state.glsl");
     text.file(shaders.samples_derivative ? "march/sample_along.glsl" : "march/sample_value.glsl");
     if (method == scene::Method::hermite) return;
     text.file(method == scene::Method::marching ? "march/uniform_step.glsl"
@@ -57,6 +60,17 @@ void define_state(ShaderText& text, const Shaders& shaders) {
     if (shaders.state_textures == 3) text.define("THREE_SAMPLES", 1);
 }
 
+void add_march(ShaderText& text, const scene::Scene& scene, const Shaders& shaders, Origin origin) {
+    add_isolation(text, scene, shaders);
+    text.file(shaders.march_takes_gradient ? "march/gradient_at_root.glsl"
+                                           : "march/end_at_root.glsl");
+    text.file(method_file(scene));
+    const bool beam = scene.isolation.beam && origin == Origin::eye;
+    if (beam) text.define("BLOCK", beam_block);
+    text.file(beam ? "march/start_at_beam.glsl" : "march/start_at_bounds.glsl");
+    text.file("march/march.glsl");
+}
+
 // So long that compiling it shows: some 0.2 s on a software renderer, and growing with its length.
 bool is_long(const formula::Program& gradient) { return gradient.instructions.size() > 1000; }
 
@@ -66,13 +80,8 @@ std::string march_text(const scene::Scene& scene, Shaders& shaders, Origin origi
     add_field(text, *scene.surface.field, shaders,
               {shaders.samples_derivative ? FieldFunction::along : FieldFunction::value});
     add_ray(text, scene, origin);
-    add_isolation(text, scene, shaders);
-    text.file(shaders.march_takes_gradient ? "march/gradient_at_root.glsl"
-                                           : "march/end_at_root.glsl");
-    text.file(method_file(scene));
-    const bool beam = scene.isolation.beam && origin == Origin::eye;
-    if (beam) text.define("BLOCK", beam_block);
-    text.file(beam ? "march/start_at_beam.glsl" : "march/start_at_bounds.glsl");
+    add_march(text, scene, shaders, origin);
+    text.file("march/store_state.glsl");
     text.file("march/march.frag");
     return text.take();
 }
@@ -122,6 +131,7 @@ std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
               {shaders.samples_derivative ? FieldFunction::along : FieldFunction::value});
     add_ray(text, scene);
     add_isolation(text, scene, shaders);
+    text.file("march/store_state.glsl");
     text.file("shade/shading.glsl");
     add_lights(text, scene);
     text.file("effects/surface_point.glsl");
@@ -158,6 +168,48 @@ constexpr ChannelShader channel_shaders[] = {
     {Channel::position, "channels/position.glsl", "write_position", "POSITION_LOCATION"},
 };
 
+// Returns the attachments they go to, from the third on.
+std::vector<Channel> add_channels(ShaderText& text, const std::vector<Channel>& channels) {
+    std::vector<Channel> attachments;
+    std::string calls;
+    for (const ChannelShader& shader : channel_shaders) {
+        if (!contains(channels, shader.channel)) continue;
+        text.define(shader.location, 2 + int(attachments.size()));
+        text.file(shader.file);
+        calls += fmt::format("    {}(ray, hit, on_surface);\n", shader.function);
+        attachments.push_back(shader.channel);
+    }
+    text.generated("generated: the channels asked for",
+                   "void write_channels(Ray ray, Hit hit, bool on_surface) {\n" + calls + "}\n");
+    return attachments;
+}
+
+// March and picture in one, where nothing but the picture needs to know where rays ended.
+std::string whole_text(const scene::Scene& scene, const std::vector<Channel>& channels,
+                       Shaders& shaders) {
+    if (keeps_surfaces(scene) || scene.material.paint || contains(channels, Channel::velocity)) {
+        return {};
+    }
+    ShaderText text(shaders.files);
+    define_state(text, shaders);
+    text.define("LIGHTS", int(scene.lights.size()));
+    std::vector<FieldFunction> functions{shaders.samples_derivative ? FieldFunction::along
+                                                                    : FieldFunction::value};
+    if (!shaders.march_takes_gradient) functions.push_back(FieldFunction::gradient);
+    add_field(text, *scene.surface.field, shaders, functions);
+    add_ray(text, scene);
+    add_march(text, scene, shaders, Origin::eye);
+    text.file("shade/shading.glsl");
+    text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
+    text.file("shade/lambert.glsl");
+    text.file(shaders.march_takes_gradient ? "shade/gradient_from_state.glsl"
+                                           : "shade/gradient_from_field.glsl");
+    add_channels(text, channels);
+    text.file("shade/shade.glsl");
+    text.file("shade/whole.frag");
+    return text.take();
+}
+
 std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& channels,
                        Shaders& shaders) {
     ShaderText text(shaders.files);
@@ -176,7 +228,6 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
     if (!functions.empty() || paint) {
         add_field(text, field, shaders, functions, painting);
     } else {
-        text.file("math/bits.glsl");
         text.file("math/bits.glsl");
     }
     add_ray(text, scene);
@@ -198,16 +249,8 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
         text.file(shaders.march_takes_gradient ? "shade/gradient_from_state.glsl"
                                                : "shade/gradient_from_field.glsl");
     }
-    std::string calls;
-    for (const ChannelShader& shader : channel_shaders) {
-        if (std::find(channels.begin(), channels.end(), shader.channel) == channels.end()) continue;
-        text.define(shader.location, 2 + int(shaders.attachments.size()));
-        text.file(shader.file);
-        calls += fmt::format("    {}(ray, hit, on_surface);\n", shader.function);
-        shaders.attachments.push_back(shader.channel);
-    }
-    text.generated("generated: the channels asked for",
-                   "void write_channels(Ray ray, Hit hit, bool on_surface) {\n" + calls + "}\n");
+    shaders.attachments = add_channels(text, channels);
+    if (!from_surface) text.file("shade/shade.glsl");
     text.file(from_surface ? "effects/shade.frag" : "shade/shade.frag");
     return text.take();
 }
@@ -235,10 +278,11 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
         shaders.mirror = march_text(scene, shaders, Origin::mirror);
         shaders.mirror_surface = surface_text(scene, shaders, Origin::mirror);
     }
-    if (std::find(channels.begin(), channels.end(), Channel::velocity) != channels.end()) {
+    if (contains(channels, Channel::velocity)) {
         shaders.motion = motion_text(scene, shaders);
     }
     shaders.shade = shade_text(scene, channels, shaders);
+    shaders.whole = whole_text(scene, channels, shaders);
     return shaders;
 }
 

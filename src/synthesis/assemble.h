@@ -23,6 +23,7 @@ struct Shaders : FieldStorage {
     std::string beam;   // where the rays of each block of pixels may start; empty without beams
     std::string active; // asks whether rays still march
     std::string shade;  // the picture from finished rays
+    std::string whole;  // march and shade in one draw, for plain pictures; else empty
 
     // Of scenes that call for them (see effect_text.h), else empty.
     std::string surface;        // keeps where the rays ended

@@ -1,0 +1,11 @@
+// March and picture in one draw, for rays that end within one pass. Of one that does not, the record
+// says so, and the tile has to be drawn in passes.
+
+const int VERDICT_UNFINISHED = -1;
+
+void main() {
+    Ray ray = pixel_ray();
+    RayState s = march(ray, begin(ray));
+    if (s.phase != PHASE_DONE) s.verdict = VERDICT_UNFINISHED;
+    shade_ray(ray, s);
+}
