@@ -9,6 +9,15 @@ uniform ivec2 tile_origin; // the lower left pixel of the tile being drawn, in t
 flat out vec4 ray_origin, ray_axis, ray_right, ray_up, bounds_min, bounds_max, picture, thresholds,
     refinement;
 
+#ifdef FLAT_SHADING
+layout(std140) uniform Shading { // shade/shading_flat.glsl
+    vec4 flat_part[4];
+    mat4 to_world;
+    vec4 depth;
+};
+flat out vec4 material_color, background, light_direction[1], light_color[1];
+#endif
+
 void main() {
     gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
     ray_origin = frame[0];
@@ -20,4 +29,10 @@ void main() {
     picture = vec4(frame[6].xy, vec2(tile_origin));
     thresholds = frame[7];
     refinement = frame[8];
+#ifdef FLAT_SHADING
+    material_color = flat_part[0];
+    background = flat_part[1];
+    light_direction[0] = flat_part[2];
+    light_color[0] = flat_part[3];
+#endif
 }

@@ -7,11 +7,3 @@ layout(std140) uniform Shading {
     mat4 to_world;   // formula coordinates to world; its columns are scaled axes
     vec4 depth;      // depth of the plane t = 0, depth by t along (xyz . direction)
 };
-
-// A place on the surface.
-struct Hit {
-    vec3 position; // formula coordinates
-    vec3 normal;   // unit length, towards the viewer
-    float t;
-    bool inside;   // seen from where F < 0
-};

@@ -77,7 +77,7 @@ struct Renderer::Parts {
         , shading((7 + 2 * scene.lights.size()) * sizeof(glm::vec4)) {
         for (const auto& storage : shaders.arrays) arrays.emplace_back(storage);
         if (one_draw) {
-            whole.emplace(shaders.vertex, shaders.whole, "whole");
+            whole.emplace(shaders.shade_vertex, shaders.whole, "whole");
         } else {
             make_passes();
         }
@@ -104,7 +104,7 @@ struct Renderer::Parts {
     void make_passes() {
         passes.emplace(gpu::Program(shaders.vertex, shaders.march, "march"),
                        gpu::Program(shaders.vertex, shaders.active, "active"),
-                       gpu::Program(shaders.vertex, shaders.shade, "shade"),
+                       gpu::Program(shaders.shade_vertex, shaders.shade, "shade"),
                        RayTargets(plan.tile_width, plan.tile_height, shaders.state_textures));
     }
 
@@ -300,10 +300,11 @@ struct Renderer::Parts {
     }
 
     bool all_finished(const gpu::Rectangle& tile) const {
+        int unfinished = 0;
         for (std::size_t k = 0; k < std::size_t(tile.width) * std::size_t(tile.height); ++k) {
-            if (pixels[4 * k] < 0) return false;
+            unfinished += pixels[4 * k] < 0;
         }
-        return true;
+        return unfinished == 0;
     }
 
     // The rays of a tile, which it returns, and what starts where they end.
@@ -360,7 +361,7 @@ struct Renderer::Parts {
         for (int y = 0; y < tile.height; ++y) {
             for (int x = 0; x < tile.width; ++x) {
                 const auto at = std::size_t(y * tile.width + x);
-                if (Verdict(int(pixels[4 * at])) != Verdict::hit) continue;
+                const bool hit = Verdict(int(pixels[4 * at])) == Verdict::hit;
                 const double u = 2 * (tile.x + x + 0.5) / options.width - 1;
                 const double v = 2 * (tile.y + y + 0.5) / options.height - 1;
                 const glm::dvec3 across = u * from.right + v * from.up;
@@ -370,9 +371,11 @@ struct Renderer::Parts {
                     const float* t = texels.data() + 4 * at;
                     return glm::dvec4(t[0], t[1], t[2], t[3]);
                 };
-                const glm::dvec3 found = velocity(motion, now, options.width, options.height,
-                                                  from.origin + across + double(ends[4 * at]) * way,
-                                                  texel(before), texel(after));
+                const glm::dvec3 found =
+                    hit ? velocity(motion, now, options.width, options.height,
+                                   from.origin + across + double(ends[4 * at]) * way,
+                                   texel(before), texel(after))
+                        : glm::dvec3(0);
                 const auto pixel =
                     std::size_t(options.height - 1 - (tile.y + y)) * std::size_t(options.width) +
                     std::size_t(tile.x + x);
@@ -391,28 +394,49 @@ struct Renderer::Parts {
         copy_pixels(tile, channels);
     }
 
-    // From `pixels`.
+    // From `pixels`, of which channel k takes component k.
     void copy_pixels(const gpu::Rectangle& tile, const std::vector<image::Channel*>& channels) {
-        for (std::size_t c = 0; c < channels.size(); ++c) {
-            if (!channels[c]) continue;
-            for (int y = 0; y < tile.height; ++y) {
-                const int row = options.height - 1 - (tile.y + y);
-                float* to = channels[c]->samples.data() +
-                            std::size_t(row) * std::size_t(options.width) + std::size_t(tile.x);
-                const float* from =
-                    pixels.data() + std::size_t(y) * std::size_t(tile.width) * 4 + c;
-                for (int x = 0; x < tile.width; ++x) to[x] = from[4 * x];
+        const auto row_of = [&](image::Channel& channel, int y) {
+            const int row = options.height - 1 - (tile.y + y);
+            return channel.samples.data() + std::size_t(row) * std::size_t(options.width) +
+                   std::size_t(tile.x);
+        };
+        const bool is_color =
+            channels.size() == 4 && std::none_of(channels.begin(), channels.end(),
+                                                 [](const auto* channel) { return !channel; });
+        for (int y = 0; y < tile.height; ++y) {
+            const float* from = pixels.data() + std::size_t(y) * std::size_t(tile.width) * 4;
+            if (is_color) { // one way through memory instead of four
+                float *r = row_of(*channels[0], y), *g = row_of(*channels[1], y);
+                float *b = row_of(*channels[2], y), *a = row_of(*channels[3], y);
+                for (int x = 0; x < tile.width; ++x) {
+                    r[x] = from[4 * x];
+                    g[x] = from[4 * x + 1];
+                    b[x] = from[4 * x + 2];
+                    a[x] = from[4 * x + 3];
+                }
+                continue;
+            }
+            for (std::size_t c = 0; c < channels.size(); ++c) {
+                if (!channels[c]) continue;
+                float* to = row_of(*channels[c], y);
+                for (int x = 0; x < tile.width; ++x) to[x] = from[std::size_t(4 * x) + c];
             }
         }
     }
 
-    image::Frame blank_frame() const {
+    // In the memory of `used`, as far as it goes: fresh memory costs as much as reading back.
+    image::Frame blank_frame(image::Frame used) const {
         image::Frame blank;
         blank.width = options.width;
         blank.height = options.height;
         const auto area = std::size_t(options.width) * std::size_t(options.height);
         const auto add = [&](std::string_view name) {
-            blank.channels.push_back({std::string(name), std::vector<float>(area)});
+            const std::size_t k = blank.channels.size();
+            std::vector<float> samples;
+            if (k < used.channels.size()) samples = std::move(used.channels[k].samples);
+            samples.resize(area);
+            blank.channels.push_back({std::string(name), std::move(samples)});
         };
         for (const char* name : {"R", "G", "B", "A"}) add(name);
         for (const auto& entry : synthesis::channel_names()) {
@@ -427,12 +451,19 @@ struct Renderer::Parts {
         return std::find(all.begin(), all.end(), channel) != all.end();
     }
 
-    // Adds up the record of the tile just read into `pixels`.
+    // Adds up the record of the tile just read into `pixels`. Lanes of ints, which loops vectorise.
     void count_tile(const gpu::Rectangle& tile, Picture& picture) const {
-        for (std::size_t k = 0; k < std::size_t(tile.width) * std::size_t(tile.height); ++k) {
-            ++picture.verdicts[std::size_t(pixels[4 * k])];
-            picture.evaluations +=
-                std::int64_t(pixels[4 * k + 1]) + std::int64_t(pixels[4 * k + 2]);
+        for (int y = 0; y < tile.height; ++y) {
+            const float* row = pixels.data() + std::size_t(y) * std::size_t(tile.width) * 4;
+            std::array<int, 5> verdicts{};
+            int evaluations = 0; // of a row: at most 2048 rays of a million
+            for (int x = 0; x < tile.width; ++x) {
+                const int verdict = int(row[4 * x]);
+                for (int k = 0; k < 5; ++k) verdicts[std::size_t(k)] += verdict == k;
+                evaluations += int(row[4 * x + 1]) + int(row[4 * x + 2]);
+            }
+            for (std::size_t k = 0; k < 5; ++k) picture.verdicts[k] += verdicts[k];
+            picture.evaluations += evaluations;
         }
     }
 
@@ -466,6 +497,7 @@ struct Renderer::Parts {
     std::optional<Beams> beams;
     gpu::Fullscreen triangle;
     gpu::SamplesQuery still_active;
+    image::Frame used;         // whose memory the next picture may have
     std::vector<float> pixels; // of one attachment of a tile
 };
 
@@ -477,6 +509,8 @@ Renderer::~Renderer() = default;
 
 const MarchPlan& Renderer::plan() const { return parts_->plan; }
 
+void Renderer::reuse(Picture picture) { parts_->used = std::move(picture.frame); }
+
 bool Renderer::needs_motion() const { return parts_->moved.has_value(); }
 
 Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion) {
@@ -484,7 +518,7 @@ Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const M
     const auto begin = std::chrono::steady_clock::now();
     p.context.make_current();
     Picture picture;
-    picture.frame = p.blank_frame();
+    picture.frame = p.blank_frame(std::move(p.used));
     p.upload(now, aim);
     const auto channel = [&](std::size_t k) { return &picture.frame.channels[k]; };
     std::vector<image::Channel*> record;

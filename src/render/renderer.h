@@ -50,6 +50,8 @@ public:
     // velocity needs `motion`.
     Picture draw(const scene::SceneAt& now, const scene::Aim& aim = {},
                  const Motion* motion = nullptr);
+    // Gives back a picture's memory, for the next one.
+    void reuse(Picture picture);
     bool needs_motion() const;
 
     // Everything that decides the pixels of a picture beside the driver: shader text, uniform

@@ -133,6 +133,7 @@ std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
     add_isolation(text, scene, shaders);
     text.file("march/store_state.glsl");
     text.file("shade/shading.glsl");
+    text.file("shade/hit.glsl");
     add_lights(text, scene);
     text.file("effects/surface_point.glsl");
     text.file("effects/load_surface.glsl");
@@ -184,6 +185,10 @@ std::vector<Channel> add_channels(ShaderText& text, const std::vector<Channel>& 
     return attachments;
 }
 
+bool has_flat_shading(const scene::Scene& scene) {
+    return scene.lights.size() == 1 && !keeps_surfaces(scene);
+}
+
 // March and picture in one, where nothing but the picture needs to know where rays ended.
 std::string whole_text(const scene::Scene& scene, const std::vector<Channel>& channels,
                        Shaders& shaders) {
@@ -199,7 +204,8 @@ std::string whole_text(const scene::Scene& scene, const std::vector<Channel>& ch
     add_field(text, *scene.surface.field, shaders, functions);
     add_ray(text, scene);
     add_march(text, scene, shaders, Origin::eye);
-    text.file("shade/shading.glsl");
+    text.file(has_flat_shading(scene) ? "shade/shading_flat.glsl" : "shade/shading.glsl");
+    text.file("shade/hit.glsl");
     text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
     text.file("shade/lambert.glsl");
     text.file(shaders.march_takes_gradient ? "shade/gradient_from_state.glsl"
@@ -231,7 +237,8 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
         text.file("math/bits.glsl");
     }
     add_ray(text, scene);
-    text.file("shade/shading.glsl");
+    text.file(has_flat_shading(scene) ? "shade/shading_flat.glsl" : "shade/shading.glsl");
+    text.file("shade/hit.glsl");
     if (paint) {
         add_paint(text, *paint);
     } else {
@@ -261,6 +268,9 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     Shaders shaders;
     static_cast<FieldStorage&>(shaders) = storage_of(scene);
     shaders.vertex = "#version 330 core\n" + read_shader("fullscreen.vert");
+    shaders.shade_vertex = has_flat_shading(scene)
+                               ? "#version 330 core\n#define FLAT_SHADING\n" + read_shader("fullscreen.vert")
+                               : shaders.vertex;
     shaders.files.push_back("fullscreen.vert");
     shaders.march_takes_gradient = is_long(scene.surface.field->gradient);
     shaders.samples_derivative =

@@ -19,6 +19,7 @@ inline constexpr int beam_block = 8;
 
 struct Shaders : FieldStorage {
     std::string vertex;
+    std::string shade_vertex; // of shade and whole
     std::string march;  // one pass of the rays
     std::string beam;   // where the rays of each block of pixels may start; empty without beams
     std::string active; // asks whether rays still march
