@@ -1,61 +1,47 @@
-// Where the rays of a block of BLOCK x BLOCK pixels may start: one fragment a block marches its beam
-// by interval arithmetic. A piece of the beam whose box is proved free of roots is passed, and the
-// next is twice as long; another is halved, until it is as short as the block is wide. What is
-// passed holds no root of any of the block's rays, rounding included.
-//
-// Depths are tau: the ray that crosses the plane of the anchors at `across` (from ray_origin) is
-// there at ray_origin + tau ray_axis + (1 + w tau) across, w = 1, or 0 for parallel rays.
+// Which part of their way the rays of a block of BLOCK x BLOCK pixels need to march: one fragment a
+// block walks along the block's beam by interval arithmetic, from both ends. A piece of the beam
+// whose box is proved free of roots is passed, and the next is twice as long; another is halved,
+// until it is short against the block. What was passed holds no root of any of the block's rays,
+// rounding included.
 
-layout(location = 0) out vec4 start; // tau; NO_ROOT where all of the block's rays miss
+layout(location = 0) out vec4 part; // of tau, empty without roots; the list: elements, first texel
 
 uniform int beam_evaluations;
 
-vec2 hull(float a, float b) {
-    return vec2(min(a, b), max(a, b));
-}
-
-vec2 within(vec2 x, float least, float most) {
-    return vec2(max(x.x, least), min(x.y, most));
-}
-
-// [a, b] times an interval, 0 <= a <= b.
-vec2 scaled(float a, float b, vec2 x) {
-    return vec2(min(a * x.x, b * x.x), max(a * x.y, b * x.y));
-}
-
 void main() {
-    vec2 first = (floor(gl_FragCoord.xy) * float(BLOCK) + picture.zw + 0.5) * picture.xy - 1.0;
-    vec2 half_size = 0.5 * float(BLOCK - 1) * picture.xy;
-    vec2 middle = first + half_size;
-    vec3 across = middle.x * ray_right.xyz + middle.y * ray_up.xyz;
-    vec3 reach = abs(half_size.x * ray_right.xyz) + abs(half_size.y * ray_up.xyz);
-    vec3 low = across - reach, high = across + reach;
-    float w = ray_axis.w;
-
-    float tau = beam.x, piece = 0.125 * (beam.y - beam.x);
+    Beam way = pixel_beam();
+    vec4 whole = parent_part();
+    float low = whole.x, high = whole.y;
+    float longest = whole.z, piece = longest;
+    bool backwards = false, open = low < high;
+    Scale scale = no_scale();
     for (int k = 0; k < beam_evaluations; ++k) {
-        float next = min(tau + piece, beam.y);
-        float near = max(1.0 + w * tau, 0.0), far = max(1.0 + w * next, 0.0);
-        vec2 x = ray_origin.x + hull(tau * ray_axis.x, next * ray_axis.x) + scaled(near, far, vec2(low.x, high.x));
-        vec2 y = ray_origin.y + hull(tau * ray_axis.y, next * ray_axis.y) + scaled(near, far, vec2(low.y, high.y));
-        vec2 z = ray_origin.z + hull(tau * ray_axis.z, next * ray_axis.z) + scaled(near, far, vec2(low.z, high.z));
-        vec2 rounding = vec2(-beam.w, beam.w);
-        x += rounding;
-        y += rounding;
-        z += rounding;
-        bool free = !meets_bounds(x, y, z);
-        x = within(x, bounds_low().x, bounds_high().x);
-        y = within(y, bounds_low().y, bounds_high().y);
-        z = within(z, bounds_low().z, bounds_high().z);
-        vec2 f = field_interval(x, y, z);
-        free = free || f.x > 0.0 || f.y < 0.0;
-        if (free) {
-            tau = next;
+        float a = backwards ? max(high - piece, low) : low;
+        float b = backwards ? high : min(low + piece, high);
+        vec2 x, y, z;
+        bool inside = box_of(way, a, b, x, y, z);
+        Scale here;
+        vec2 f = bound_of_field(x, y, z, here);
+        if (!inside || f.x > 0.0 || f.y < 0.0) {
+            if (backwards) high = a; else low = b;
             piece *= 2.0;
         } else {
             piece *= 0.5;
+            scale = backwards ? scale : here;
         }
-        if (tau >= beam.y || piece < beam.z) break;
+        open = open && low < high;
+        if (piece < beam.z) {
+            if (backwards || BOTH_ENDS == 0) break;
+            backwards = true;
+            piece = longest;
+        }
+        if (!open) break;
     }
-    start = vec4(tau >= beam.y ? NO_ROOT : tau, 0.0, 0.0, 0.0);
+    part = vec4(low, open ? high : low, 0.0, 0.0);
+#ifdef TEXELS
+    part.zw = vec2(float(array0_count), float(array0_first));
+#endif
+#ifdef PIECES
+    if (open) part.zw = list_of(way, low, high, scale);
+#endif
 }

@@ -4,6 +4,7 @@ uniform bool first_pass;
 
 void main() {
     Ray ray = pixel_ray();
+    enter_beam(ray);
     RayState s;
     if (first_pass) {
         s = begin(ray);

@@ -5,9 +5,8 @@
 uniform int evaluations_per_pass;
 
 RayState begin(Ray ray) {
-    float t = ray_start(ray);
-    RayState s = state_at(t);
-    bool empty = !(t <= ray.t_far);
+    RayState s = state_at(ray.t_near);
+    bool empty = !(ray.t_near <= ray.t_far);
     return empty ? finish(s, VERDICT_MISS) : s;
 }
 

@@ -5,6 +5,7 @@ const int VERDICT_UNFINISHED = -1;
 
 void main() {
     Ray ray = pixel_ray();
+    enter_beam(ray);
     RayState s = march(ray, begin(ray));
     if (s.phase != PHASE_DONE) s.verdict = VERDICT_UNFINISHED;
     shade_ray(ray, s);

@@ -13,9 +13,9 @@ public:
         : graph_(graph)
         , registers_(graph.size(), -1) {}
 
-    Program run(std::span<const NodeId> roots) {
+    Program run(std::span<const NodeId> roots, std::uint32_t inside) {
         std::vector<bool> done(graph_.size(), false);
-        emit_scope(0, {roots.begin(), roots.end()}, done);
+        emit_scope(inside, {roots.begin(), roots.end()}, done);
         for (const NodeId root : roots) program_.outputs.push_back(registers_[root]);
         return std::move(program_);
     }
@@ -134,8 +134,8 @@ private:
 
 } // namespace
 
-Program schedule(const Graph& graph, std::span<const NodeId> roots) {
-    return Scheduler(graph).run(roots);
+Program schedule(const Graph& graph, std::span<const NodeId> roots, std::uint32_t inside) {
+    return Scheduler(graph).run(roots, inside);
 }
 
 Cost cost(const Program& program, std::span<const int> counts) {

@@ -70,4 +70,10 @@ void TextureBuffer::bind(int unit) const {
     glBindTexture(GL_TEXTURE_BUFFER, texture_.get());
 }
 
+void TextureBuffer::bind_storage(unsigned binding) const {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer_.get());
+}
+
+void TextureBuffer::wait_for_storage() const { glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT); }
+
 } // namespace isomotion::gpu

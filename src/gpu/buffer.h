@@ -38,6 +38,11 @@ public:
 
     void bind(int unit) const;
 
+    /// For shaders that write into it, as a storage buffer (OpenGL 4.3); and before what reads
+    /// that as texels.
+    void bind_storage(unsigned binding) const;
+    void wait_for_storage() const;
+
     std::size_t capacity() const noexcept { return capacity_; }
 
 private:

@@ -37,7 +37,7 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     return block;
 }
 
-glm::vec4 beam_range(const scene::SceneAt& now, int width, int height) {
+glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, int block) {
     const scene::Rays rays = scene::rays(now, width, height);
     const double depth = glm::length(rays.axis);
     const glm::dvec3 forward = rays.axis / depth;
@@ -50,7 +50,7 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height) {
     const double half = 1.001 * now.bounds.radius / depth;
     const double pixel = 2 * glm::length(rays.up) / height;
     return glm::dvec4(rays.parallel ? middle - half : std::max(middle - half, -1.0), middle + half,
-                      0.5 * synthesis::beam_block * pixel / depth, 4 * rounding);
+                      0.5 * block * pixel / depth, 4 * rounding);
 }
 
 std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,

@@ -24,8 +24,9 @@ enum Unit : int { unit_state_0, unit_state_1, unit_state_2, unit_arrays };
 // An array's elements on the GPU, in whichever storage the assembly chose.
 class ArrayBuffer {
 public:
-    explicit ArrayBuffer(const synthesis::ArrayStorage& storage) {
-        const auto texels = std::size_t(storage.capacity) * std::size_t(storage.texels);
+    ArrayBuffer(const synthesis::ArrayStorage& storage, int lists) {
+        const auto elements = std::size_t(storage.capacity + (storage.has_lists ? lists : 0));
+        const std::size_t texels = elements * std::size_t(storage.texels);
         if (storage.kind == synthesis::ArrayStorage::Kind::uniform_block) {
             block_.emplace(texels * sizeof(glm::vec4));
         } else {
@@ -41,11 +42,18 @@ public:
         if (block_) block_->bind(binding_arrays + unsigned(index));
         if (buffer_) buffer_->bind(unit_arrays + int(index));
     }
+    // As the buffer 0 that shaders write, and then for those that read it.
+    void bind_for_lists() const { buffer_->bind_storage(0); }
+    void wait_for_lists() const { buffer_->wait_for_storage(); }
 
 private:
     std::optional<gpu::UniformBuffer> block_;
     std::optional<gpu::TextureBuffer> buffer_;
 };
+
+bool has_lists(const synthesis::Shaders& shaders) {
+    return !shaders.arrays.empty() && shaders.arrays[0].has_lists;
+}
 
 // What `layers` of EXR an attachment of the shade pass fills, and from which components.
 std::vector<image::Channel*> targets_of(image::Frame& frame, synthesis::Channel channel) {
@@ -75,7 +83,7 @@ struct Renderer::Parts {
         , frame(sizeof(FrameBlock))
         , parameters(std::size_t(shaders.parameter_vectors + shaders.count_vectors) * 16)
         , shading((7 + 2 * scene.lights.size()) * sizeof(glm::vec4)) {
-        for (const auto& storage : shaders.arrays) arrays.emplace_back(storage);
+        make_arrays();
         if (one_draw) {
             whole.emplace(shaders.shade_vertex, shaders.whole, "whole");
         } else {
@@ -86,12 +94,7 @@ struct Renderer::Parts {
                               unit_arrays + int(shaders.arrays.size()));
             secondary->connect(passes->shade);
         }
-        if (!shaders.beam.empty()) {
-            const int block = synthesis::beam_block;
-            beams.emplace(gpu::Program(shaders.vertex, shaders.beam, "beam"),
-                          gpu::Target((plan.tile_width + block - 1) / block,
-                                      (plan.tile_height + block - 1) / block));
-        }
+        make_beams();
         if (scene.environment) load_environment();
         if (!shaders.motion.empty()) {
             moved.emplace(gpu::Program(shaders.vertex, shaders.motion, "motion"),
@@ -156,7 +159,7 @@ struct Renderer::Parts {
         }
         if (secondary) secondary->for_each_program(visit);
         if (moved) visit(moved->program);
-        if (beams) visit(beams->program);
+        for (const Beams& level : beams) visit(level.program);
     }
 
     // What the loops of one shaded pixel add up to.
@@ -204,10 +207,9 @@ struct Renderer::Parts {
         if (environment) {
             environment->bind(unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units);
         }
-        if (beams) {
-            const glm::vec4 range = beam_range(now, options.width, options.height);
-            beams->program.set("beam", range);
-            beams->program.set("beam_evaluations", 64);
+        for (const Beams& level : beams) {
+            level.program.set("beam", beam_range(now, options.width, options.height, level.block));
+            level.program.set("beam_evaluations", 64);
         }
         frame.bind(binding_frame);
         shading.bind(binding_shading);
@@ -253,21 +255,57 @@ struct Renderer::Parts {
         }
     }
 
-    void draw_beams(const gpu::Rectangle& tile) {
-        const int block = synthesis::beam_block;
-        beams->program.set("tile_origin", glm::ivec2(tile.x, tile.y));
-        beams->starts.bind();
-        gpu::set_viewport({0, 0, (tile.width + block - 1) / block, (tile.height + block - 1) / block});
-        beams->program.use();
-        triangle.draw();
-        beams->starts.texture(0).bind(beam_unit());
+    void make_arrays() {
+        int lists = 0;
+        for (const auto& level : shaders.beams) {
+            lists += ((plan.tile_width + level.block - 1) / level.block) *
+                     ((plan.tile_height + level.block - 1) / level.block) * list_length();
+        }
+        for (const auto& storage : shaders.arrays) arrays.emplace_back(storage, lists);
     }
-    int beam_unit() const { return unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units + 1; }
+
+    // Each level's beams lie in those of the level before, and so do their lists of elements.
+    void make_beams() {
+        int first = shaders.arrays.empty() ? 0 : shaders.arrays[0].capacity;
+        for (const auto& [block, text] : shaders.beams) {
+            const int across = (plan.tile_width + block - 1) / block;
+            const int down = (plan.tile_height + block - 1) / block;
+            beams.push_back({gpu::Program(shaders.vertex, text, fmt::format("beam {}", block)),
+                             gpu::Target(across, down), block, first});
+            first += across * down * list_length();
+        }
+    }
+
+    // Elements in a list of one beam; longer ones go on with the list they come from.
+    int list_length() const {
+        constexpr int longest = 256;
+        return has_lists(shaders) ? std::min(longest, shaders.arrays[0].capacity) : 0;
+    }
+
+    void draw_beams(const gpu::Rectangle& tile) {
+        for (std::size_t k = 0; k < beams.size(); ++k) {
+            const Beams& level = beams[k];
+            if (has_lists(shaders)) arrays[0].bind_for_lists();
+            if (k > 0) beams[k - 1].parts.texture(0).bind(beam_unit());
+            level.program.set("tile_origin", glm::ivec2(tile.x, tile.y));
+            level.program.set("list", glm::ivec3(level.first_list, list_length(), level.parts.width()));
+            level.parts.bind();
+            gpu::set_viewport({0, 0, (tile.width + level.block - 1) / level.block,
+                               (tile.height + level.block - 1) / level.block});
+            level.program.use();
+            triangle.draw();
+            if (has_lists(shaders)) arrays[0].wait_for_lists();
+        }
+        beams.back().parts.texture(0).bind(beam_unit());
+    }
+    int beam_unit() const {
+        return unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units + 1;
+    }
 
     // Draws a tile into `result` and reads its record into `pixels`. Returns its rays, or null if
     // they were not kept.
     const gpu::Target* draw_tile(const gpu::Rectangle& tile, int& draws) {
-        if (beams) draw_beams(tile);
+        if (!beams.empty()) draw_beams(tile);
         if (one_draw) {
             draw_whole(tile);
             ++draws;
@@ -492,9 +530,11 @@ struct Renderer::Parts {
     std::optional<Moved> moved; // of the channel velocity
     struct Beams {
         gpu::Program program;
-        gpu::Target starts;
+        gpu::Target parts;
+        int block;
+        int first_list; // element of the array's buffer
     };
-    std::optional<Beams> beams;
+    std::vector<Beams> beams;
     gpu::Fullscreen triangle;
     gpu::SamplesQuery still_active;
     image::Frame used;         // whose memory the next picture may have
@@ -548,8 +588,9 @@ std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& a
     const Parts& p = *parts_;
     Fingerprint print;
     const synthesis::Shaders& shaders = p.shaders;
+    for (const auto& level : shaders.beams) print.add(level.text);
     for (const std::string* text :
-         {&shaders.march, &shaders.beam, &shaders.surface, &shaders.shadow, &shaders.shade}) {
+         {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.shade}) {
         print.add(*text);
     }
     const auto add_field = [&](const scene::SceneAt& at) {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "formula/glsl_interval.h"
+#include "formula/sums.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/paint_text.h"
 #include "synthesis/shader_files.h"
@@ -14,7 +16,9 @@ namespace {
 FieldStorage storage_of(const scene::Scene& scene) {
     std::vector<int> counts;
     for (const auto& array : scene.timeline.animation.arrays()) counts.push_back(array.count);
-    return field_storage(*scene.surface.field, scene.surface.parameters, counts);
+    const bool lists = scene.isolation.beam && !counts.empty() && counts[0] > 8 &&
+                       formula::sums_of(*scene.surface.field).has_value();
+    return field_storage(*scene.surface.field, scene.surface.parameters, counts, lists);
 }
 
 enum class Origin { eye, mirror };
@@ -66,8 +70,9 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Shaders& shade
                                            : "march/end_at_root.glsl");
     text.file(method_file(scene));
     const bool beam = scene.isolation.beam && origin == Origin::eye;
-    if (beam) text.define("BLOCK", beam_block);
-    text.file(beam ? "march/start_at_beam.glsl" : "march/start_at_bounds.glsl");
+    if (beam) text.define("BLOCK", shaders.beams.back().block);
+    if (beam && !shaders.arrays.empty() && shaders.arrays[0].has_lists) text.define("LISTS", 1);
+    text.file(beam ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
     text.file("march/march.glsl");
 }
 
@@ -86,15 +91,69 @@ std::string march_text(const scene::Scene& scene, Shaders& shaders, Origin origi
     return text.take();
 }
 
-std::string beam_text(const scene::Scene& scene, Shaders& shaders) {
-    ShaderText text(shaders.files);
-    text.define("BLOCK", beam_block);
-    text.define("NO_ROOT", 1'000'000);
-    add_field(text, *scene.surface.field, shaders, {FieldFunction::value_interval});
+// The bound of F over a box, and for lists what an element adds to its sums.
+void add_bounds_of_sums(ShaderText& text, const formula::Field& field, const formula::Sums& sums,
+                        const FieldStorage& storage) {
+    std::string members, zeros, declared, passed, sizes, parts;
+    for (int k = 0; k < sums.count; ++k) {
+        const char* comma = k > 0 ? ", " : "";
+        members += fmt::format("    float s{};\n", k);
+        zeros += fmt::format("{}0.0", comma);
+        declared += fmt::format("{}s{}", comma, k);
+        passed += fmt::format(", s{}", k);
+        sizes += fmt::format("{0}max(-s{1}.x, s{1}.y)", comma, k);
+        parts += fmt::format("    largest = max(largest, scale.s{0} < IM_SATURATION ? max(-s{0}.x, "
+                             "s{0}.y) / scale.s{0} : 1.0);\n",
+                             k);
+    }
+    GeneratedFunction bounds{field.text, formula::interval_kernels_used(sums.with_field),
+                             formula::glsl_field_and_sums_interval(sums, field.packing) +
+                                 formula::glsl_terms_interval(sums, field.packing)};
+    add_field(text, field, storage, {}, {std::move(bounds)}, true);
+    text.generated("generated: how large the sums are",
+                   fmt::format("struct Scale {{\n{0}}};\n\n"
+                               "Scale no_scale() {{ return Scale({1}); }}\n\n"
+                               "vec2 bound_of_field(vec2 x, vec2 y, vec2 z, out Scale scale) {{\n"
+                               "    vec2 f, {2};\n    field_and_sums_interval(x, y, z, f{3});\n"
+                               "    scale = Scale({4});\n    return f;\n}}\n\n"
+                               "float part_of_sums(int e, vec2 x, vec2 y, vec2 z, Scale scale) {{\n"
+                               "    vec2 {2};\n    terms_interval(e, x, y, z{3});\n"
+                               "    float largest = 0.0;\n{5}    return largest;\n}}\n",
+                               members, zeros, declared, passed, sizes, parts));
+}
+
+// `parent`: pixels across the beams that these lie in, or 0.
+std::string beam_text(const scene::Scene& scene, int block, int parent, Shaders& shaders) {
+    const formula::Field& field = *scene.surface.field;
+    const auto sums = formula::sums_of(field);
+    const bool lists = !shaders.arrays.empty() && shaders.arrays[0].has_lists;
+    ShaderText text(shaders.files, lists ? 430 : 330);
+    text.define("BLOCK", block);
+    text.define("BOTH_ENDS", lists && block > 8 ? 1 : 0);
+    if (lists) {
+        text.define("TEXELS", shaders.arrays[0].texels);
+        if (block > 8) text.define("PIECES", parent > 0 ? 16 : 6);
+        add_bounds_of_sums(text, field, *sums, shaders);
+        text.generated("generated: the array and its lists, for writing",
+                       "layout(std430, binding = 0) writeonly buffer Lists { vec4 list_texels[]; };\n"
+                       "uniform ivec3 list; // first element, most of a block, blocks across\n");
+    } else {
+        add_field(text, field, shaders, {FieldFunction::value_interval});
+        text.file("march/beam_no_list.glsl");
+    }
     text.file("frame.glsl");
-    text.generated("generated: uniforms", "uniform vec4 beam;\n");
+    text.generated("generated: least and most tau, the shortest piece; rounding, a length",
+                   "uniform vec4 beam;\n");
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
+    if (parent > 0) {
+        text.define("PARENT_BLOCK", parent);
+        text.file("march/beam_of_parent.glsl");
+    } else {
+        text.file("march/beam_whole.glsl");
+    }
+    text.file("march/beam_way.glsl");
+    if (lists && block > 8) text.file("march/beam_list.glsl");
     text.file("march/beam.frag");
     return text.take();
 }
@@ -276,8 +335,16 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     shaders.samples_derivative =
         shaders.march_takes_gradient || scene.isolation.method != scene::Method::marching;
     shaders.state_textures = scene.isolation.method == scene::Method::hermite ? 3 : 2;
+    if (scene.isolation.beam) {
+        const bool lists = !shaders.arrays.empty() && shaders.arrays[0].has_lists;
+        const std::vector<int> blocks = lists ? std::vector{64, 16, 8} : std::vector{8};
+        int parent = 0;
+        for (const int block : blocks) {
+            shaders.beams.push_back({block, beam_text(scene, block, parent, shaders)});
+            parent = block;
+        }
+    }
     shaders.march = march_text(scene, shaders, Origin::eye);
-    if (scene.isolation.beam) shaders.beam = beam_text(scene, shaders);
     ShaderText active(shaders.files);
     active.file("march/state.glsl");
     active.file("march/active.frag");

@@ -14,14 +14,17 @@
 
 namespace isomotion::synthesis {
 
-// Pixels across a beam.
-inline constexpr int beam_block = 8;
+// Finds which part of their way the rays of each block of pixels need to march.
+struct BeamShader {
+    int block = 0; // pixels across
+    std::string text;
+};
 
 struct Shaders : FieldStorage {
     std::string vertex;
     std::string shade_vertex; // of shade and whole
     std::string march;  // one pass of the rays
-    std::string beam;   // where the rays of each block of pixels may start; empty without beams
+    std::vector<BeamShader> beams; // each within the one before it
     std::string active; // asks whether rays still march
     std::string shade;  // the picture from finished rays
     std::string whole;  // march and shade in one draw, for plain pictures; else empty

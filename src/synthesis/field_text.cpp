@@ -32,8 +32,16 @@ std::string declarations(const FieldStorage& storage) {
         text += block ? fmt::format("layout(std140) uniform {0}_block {{ vec4 {0}[{1}]; }};\n",
                                     array.name, array.capacity * array.texels)
                       : fmt::format("uniform samplerBuffer {};\n", array.name);
+        std::string element = "element";
+        if (array.has_lists) {
+            // Another list than all elements, once entered.
+            text += fmt::format("int {0}_first = 0;\nvoid enter_list(vec2 list) {{ {0}_count = "
+                                "int(list.x); {0}_first = int(list.y); }}\n",
+                                array.name);
+            element = fmt::format("({}_first + element)", array.name);
+        }
         const std::string at =
-            array.texels == 1 ? "element" : fmt::format("element * {} + texel", array.texels);
+            array.texels == 1 ? element : fmt::format("{} * {} + texel", element, array.texels);
         text +=
             fmt::format("vec4 {0}_texel(int element, int texel) {{ return {1}; }}\n", array.name,
                         block ? fmt::format("{}[{}]", array.name, at)
@@ -85,7 +93,7 @@ FunctionParts parts_of(const formula::Field& field, FieldFunction function) {
 } // namespace
 
 FieldStorage field_storage(const formula::Field& field, int parameters,
-                           std::span<const int> counts) {
+                           std::span<const int> counts, bool with_lists) {
     FieldStorage storage;
     storage.parameter_vectors = std::max(1, (parameters + 3) / 4);
     for (std::size_t a = 0; a < field.packing.size(); ++a) {
@@ -94,7 +102,8 @@ FieldStorage field_storage(const formula::Field& field, int parameters,
         array.texels = std::max<int>(1, (int(field.packing[a].size()) + 3) / 4);
         array.capacity = std::max(1, counts[a]);
         const std::size_t bytes = std::size_t(array.capacity) * std::size_t(array.texels) * 16;
-        array.kind = bytes <= ArrayStorage::uniform_block_bytes
+        array.has_lists = with_lists;
+        array.kind = !with_lists && bytes <= ArrayStorage::uniform_block_bytes
                          ? ArrayStorage::Kind::uniform_block
                          : ArrayStorage::Kind::texture_buffer;
         storage.arrays.push_back(array);
@@ -105,7 +114,7 @@ FieldStorage field_storage(const formula::Field& field, int parameters,
 
 void add_field(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
                const std::vector<FieldFunction>& functions,
-               const std::vector<GeneratedFunction>& beside) {
+               const std::vector<GeneratedFunction>& beside, bool beside_on_intervals) {
     std::set<std::string> kernels, interval_kernels;
     bool on_intervals = false;
     std::string generated;
@@ -116,7 +125,9 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
         generated += parts.glsl;
     }
     for (const GeneratedFunction& function : beside) {
-        kernels.insert(function.kernels.begin(), function.kernels.end());
+        std::set<std::string>& used = beside_on_intervals ? interval_kernels : kernels;
+        used.insert(function.kernels.begin(), function.kernels.end());
+        on_intervals |= beside_on_intervals;
     }
     for (const auto& kernel : kernel_files(kernels)) text.file(kernel);
     if (on_intervals) {

@@ -23,6 +23,8 @@ struct ArrayStorage {
     std::string name; // of the block or the sampler
     int texels = 1;
     int capacity = 0; // elements
+    // Lists of those that matter in a beam follow the elements in their texture buffer.
+    bool has_lists = false;
 };
 
 // How the values that a field's names stand for reach the shader.
@@ -33,7 +35,7 @@ struct FieldStorage {
 };
 
 FieldStorage field_storage(const formula::Field& field, int parameters,
-                           std::span<const int> counts);
+                           std::span<const int> counts, bool with_lists = false);
 
 // What a shader can ask of a field; see glsl_value(), glsl_value_interval() and their siblings for
 // the signatures. The programs of the intervals are made where they are asked for.
@@ -55,6 +57,7 @@ struct GeneratedFunction {
 
 void add_field(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
                const std::vector<FieldFunction>& functions,
-               const std::vector<GeneratedFunction>& beside = {});
+               const std::vector<GeneratedFunction>& beside = {},
+               bool beside_on_intervals = false);
 
 } // namespace isomotion::synthesis

@@ -8,9 +8,10 @@
 
 namespace isomotion::synthesis {
 
-ShaderText::ShaderText(std::vector<std::string>& files)
+ShaderText::ShaderText(std::vector<std::string>& files, int version)
     : files_(files)
     , text_(read_shader("prelude.glsl")) { // #version must be the very first line
+    text_.replace(text_.find("330"), 3, std::to_string(version));
     record("prelude.glsl");
 }
 

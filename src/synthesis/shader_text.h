@@ -11,7 +11,7 @@ namespace isomotion::synthesis {
 class ShaderText {
 public:
     // Begins with the prelude; `files` collects the names of the files of shaders/ that are used.
-    explicit ShaderText(std::vector<std::string>& files);
+    explicit ShaderText(std::vector<std::string>& files, int version = 330);
 
     // Adds a file, once.
     void file(const std::string& name);

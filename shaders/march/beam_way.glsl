@@ -1,0 +1,46 @@
+// The beam of a block of BLOCK x BLOCK pixels and boxes around pieces of it.
+//
+// Depths are tau: the ray that crosses the plane of the anchors at `across` (from ray_origin) is
+// there at ray_origin + tau ray_axis + (1 + w tau) across, w = 1, or 0 for parallel rays.
+
+vec2 hull(float a, float b) {
+    return vec2(min(a, b), max(a, b));
+}
+
+// [a, b] times an interval, 0 <= a <= b.
+vec2 scaled(float a, float b, vec2 x) {
+    return vec2(min(a * x.x, b * x.x), max(a * x.y, b * x.y));
+}
+
+struct Beam {
+    vec3 low, high; // of `across`
+};
+
+Beam pixel_beam() {
+    vec2 first = (floor(gl_FragCoord.xy) * float(BLOCK) + picture.zw + 0.5) * picture.xy - 1.0;
+    vec2 half_size = 0.5 * float(BLOCK - 1) * picture.xy;
+    vec2 middle = first + half_size;
+    vec3 across = middle.x * ray_right.xyz + middle.y * ray_up.xyz;
+    vec3 reach = abs(half_size.x * ray_right.xyz) + abs(half_size.y * ray_up.xyz);
+    return Beam(across - reach, across + reach);
+}
+
+// A box around the beam from depth a to b. False if it is outside of the bounds.
+bool box_of(Beam way, float a, float b, out vec2 x, out vec2 y, out vec2 z) {
+    float near = max(1.0 + ray_axis.w * a, 0.0), far = max(1.0 + ray_axis.w * b, 0.0);
+    vec2 rounding = vec2(-beam.w, beam.w);
+    x = ray_origin.x + hull(a * ray_axis.x, b * ray_axis.x) +
+        scaled(near, far, vec2(way.low.x, way.high.x)) + rounding;
+    y = ray_origin.y + hull(a * ray_axis.y, b * ray_axis.y) +
+        scaled(near, far, vec2(way.low.y, way.high.y)) + rounding;
+    z = ray_origin.z + hull(a * ray_axis.z, b * ray_axis.z) +
+        scaled(near, far, vec2(way.low.z, way.high.z)) + rounding;
+    bool meets = meets_bounds(x, y, z);
+    vec3 least = bounds_low(), most = bounds_high();
+    if (meets) {
+        x = vec2(max(x.x, least.x), min(x.y, most.x));
+        y = vec2(max(y.x, least.y), min(y.y, most.y));
+        z = vec2(max(z.x, least.z), min(z.y, most.z));
+    }
+    return meets;
+}
