@@ -76,7 +76,8 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float cut = s.low + clamp(y, 0.1 * h, 0.9 * h);
     float next = closes_in ? between : moves ? forward : cut;
     bool close = refines && abs(t - newton) <= 4.0 * finest && newton >= begins && newton <= ends;
-    bool narrow = refines && (ends - begins <= finest || s.refinements >= 32);
+    bool narrow = refines && (ends - begins <= finest || s.refinements >= 32) ||
+                  closes_in && !(between > begins && between < ends);
     bool left = !closes_in && moves && t >= ray.t_far;
 
     if (!(refines && same_side)) s.other = free ? vec3(s.low, s.f_low) : vec3(t, f);
@@ -86,7 +87,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     s.refinements = refines ? s.refinements + 1 : 0;
     s.phase = closes_in ? PHASE_REFINE : PHASE_MARCH;
     if (nan) return finish(s, VERDICT_NAN);
-    if (close || narrow || touches) return found(s, close ? newton : touches ? cut : between);
+    if (close || narrow || touches) return found(s, close ? newton : touches ? cut : clamp(between, begins, ends));
     if (left) return finish(s, VERDICT_MISS);
     // A step below the spacing of floats would stand still.
     if (s.evaluations >= int(refinement.y) || !(s.high > s.low)) return finish(s, VERDICT_STEP_LIMIT);

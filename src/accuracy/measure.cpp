@@ -40,8 +40,7 @@ Measurement measure_one(gpu::Context& context, const scene::Scene& scene, const 
         if (k == 0) timed.draw(now); // drivers make their code at the first draw
         for (int again = 0; again < how.repeat; ++again) {
             render::Picture picture_again = timed.draw(now);
-            ms.push_back(
-                std::chrono::duration<double, std::milli>(picture_again.drawing).count());
+            ms.push_back(std::chrono::duration<double, std::milli>(picture_again.drawing).count());
             timed.reuse(std::move(picture_again));
         }
     }

@@ -193,16 +193,18 @@ std::string table(const Report& report) {
 
 std::string csv(const Report& report) {
     std::string text =
-        "method,step,thresholds,bisections,ms,spread,evaluations_per_ray,ns_per_evaluation,pixels,"
+        "method,step,thresholds,bisections,safety,ms,spread,evaluations_per_ray,ns_per_evaluation,"
+        "pixels,"
         "rays,missed,false_hits,wrong_roots,wrong_ppm,depth_p50,depth_p99,depth_max,normal_p50,"
         "normal_p99,normal_max,nan,step_limit,undecided,pops\n";
     for (const Measurement& m : report.measurements) {
         const Errors& e = m.errors;
-        text += fmt::format("{},{:g},{:g},{},{:.4f},{:.4f},{:.3f},{:.3f},{},{},{},{},{},{:.3f},",
-                            scene::name(m.setting.method), m.setting.step, m.setting.thresholds,
-                            m.setting.bisections, m.ms, m.spread, m.evaluations_a_ray(),
-                            m.ns_an_evaluation(), e.pixels, e.rays, e.missed, e.false_hits,
-                            e.wrong_roots, e.wrong_ppm());
+        text +=
+            fmt::format("{},{:g},{:g},{},{:g},{:.4f},{:.4f},{:.3f},{:.3f},{},{},{},{},{},{:.3f},",
+                        scene::name(m.setting.method), m.setting.step, m.setting.thresholds,
+                        m.setting.bisections, m.setting.safety, m.ms, m.spread,
+                        m.evaluations_a_ray(), m.ns_an_evaluation(), e.pixels, e.rays, e.missed,
+                        e.false_hits, e.wrong_roots, e.wrong_ppm());
         for (const auto* values : {&e.depth, &e.normal}) {
             for (const double part : {0.5, 0.99, 1.0}) {
                 text += fmt::format("{:.4g},", quantile(*values, part));
@@ -233,6 +235,7 @@ std::string json(const Report& report) {
                                         {"step", m.setting.step},
                                         {"thresholds", m.setting.thresholds},
                                         {"bisections", m.setting.bisections},
+                                        {"safety", m.setting.safety},
                                         {"ms", m.ms},
                                         {"spread", m.spread},
                                         {"evaluations_per_ray", m.evaluations_a_ray()},

@@ -5,6 +5,9 @@
 namespace isomotion::accuracy {
 
 std::string name(const Setting& setting, const scene::Isolation& scene) {
+    if (setting.method == scene::Method::hermite) {
+        return fmt::format("hermite safety={:g}", setting.safety);
+    }
     std::string text = fmt::format("{} step={:g}", scene::name(setting.method), setting.step);
     if (setting.thresholds != 1) text += fmt::format(" thresholds*{:g}", setting.thresholds);
     if (setting.bisections != scene.bisections) {
@@ -21,6 +24,7 @@ scene::Scene apply(const Setting& setting, scene::Scene scene) {
     isolation.far *= setting.thresholds;
     isolation.horizon *= setting.thresholds;
     isolation.bisections = setting.bisections;
+    isolation.safety = setting.safety;
     return scene;
 }
 
@@ -38,14 +42,22 @@ std::vector<Setting> sweep(const scene::Scene& scene, std::vector<scene::Method>
     }
     std::vector<Setting> settings;
     for (const scene::Method method : methods) {
-        for (const double step : steps) settings.push_back({method, step, 1, own.bisections});
+        if (method == scene::Method::hermite) {
+            for (const double factor : {0.0625, 0.25, 1.0, 4.0}) {
+                settings.push_back({method, own.step, 1, own.bisections, factor * own.safety});
+            }
+            continue;
+        }
+        for (const double step : steps) {
+            settings.push_back({method, step, 1, own.bisections, own.safety});
+        }
     }
-    if (narrowed) return settings;
+    if (narrowed || own.method == scene::Method::hermite) return settings;
     for (const double factor : {0.25, 4.0}) {
-        settings.push_back({own.method, own.step, factor, own.bisections});
+        settings.push_back({own.method, own.step, factor, own.bisections, own.safety});
     }
     for (const int bisections : {4, 16}) {
-        settings.push_back({own.method, own.step, 1, bisections});
+        settings.push_back({own.method, own.step, 1, bisections, own.safety});
     }
     return settings;
 }

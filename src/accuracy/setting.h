@@ -13,16 +13,18 @@ struct Setting {
     double step = 0;
     double thresholds = 1; // factor on the scene's near, far and horizon
     int bisections = 10;
+    double safety = 32; // of hermite, which has no use for the three above
 };
 
-// "amp-sign step=0.015", and what departs from the scene's thresholds and bisections.
+// "amp-sign step=0.015", and what departs from the scene's thresholds and bisections;
+// "hermite safety=32".
 std::string name(const Setting& setting, const scene::Isolation& scene);
 
 // The scene with the setting in place of its own.
 scene::Scene apply(const Setting& setting, scene::Scene scene);
 
-// Each method at each step; the scene's own method and step also with other thresholds and numbers
-// of bisections. No methods: all. No steps: the scene's, and it times 4 and 2 and down to 1/8.
+// Each method at each step, or hermite with several safeties; the scene's own method and step also
+// with other thresholds and numbers of bisections. No methods: all. No steps: the scene's, and it times 4 and 2 and down to 1/8.
 std::vector<Setting> sweep(const scene::Scene& scene, std::vector<scene::Method> methods,
                            std::vector<double> steps);
 

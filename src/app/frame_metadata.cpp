@@ -25,6 +25,7 @@ image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& 
         {"isomotion:far", isolation.far},
         {"isomotion:horizon", isolation.horizon},
         {"isomotion:bisections", isolation.bisections},
+        {"isomotion:safety", isolation.safety},
         {"isomotion:camera.position", components(now.camera.position)},
         {"isomotion:camera.target", components(now.camera.target)},
         {"isomotion:camera.up", components(now.camera.up)},

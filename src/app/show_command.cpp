@@ -45,9 +45,14 @@ int show(const ShowArguments& arguments) {
     fmt::print("formula   {}\n", scene.surface.field->text);
     fmt::print("timeline  {} frames at {} a second{}\n", scene.timeline.frames,
                animation::to_string(scene.timeline.fps), scene.timeline.loops ? ", a loop" : "");
-    fmt::print("method    {}, step {:g}, near {:g}, far {:g}, horizon {:g}, {} bisections\n",
-               scene::name(isolation.method), isolation.step, isolation.near, isolation.far,
-               isolation.horizon, isolation.bisections);
+    if (isolation.method == scene::Method::hermite) {
+        fmt::print("method    hermite, safety {:g}", isolation.safety);
+    } else {
+        fmt::print("method    {}, step {:g}, near {:g}, far {:g}, horizon {:g}, {} bisections",
+                   scene::name(isolation.method), isolation.step, isolation.near, isolation.far,
+                   isolation.horizon, isolation.bisections);
+    }
+    fmt::print("{}\n", synthesis::uses_beams(scene) ? ", beams" : "");
     fmt::print("frame     {} at t = {:g} s\n", arguments.frame, values.time);
     for (std::size_t k = 0; k < values.tracks.size(); ++k) {
         fmt::print("    {:<28} {:g}{}\n", scene.timeline.animation.tracks()[k].name,

@@ -38,8 +38,8 @@ struct Program {
     int registers = 0;
 };
 
-// `inside` has a bit for each array whose current element the roots may use: one element's part of a
-// sum is a program of its own.
+// `inside` has a bit for each array whose current element the roots may use: one element's part of
+// a sum is a program of its own.
 Program schedule(const Graph& graph, std::span<const NodeId> roots, std::uint32_t inside = 0);
 
 // What one run of the program takes when array k has counts[k] elements.

@@ -65,8 +65,8 @@ std::string glsl_field_and_sums_interval(const Sums& sums, const ArrayPacking& p
 }
 
 std::string glsl_terms_interval(const Sums& sums, const ArrayPacking& packing) {
-    std::string head = "void terms_interval(int e0, vec2 x, vec2 y, vec2 z" +
-                       sum_parameters(sums.count) + ") {\n";
+    std::string head =
+        "void terms_interval(int e0, vec2 x, vec2 y, vec2 z" + sum_parameters(sums.count) + ") {\n";
     const std::size_t texels = (packing[Sums::array].size() + 3) / 4;
     for (std::size_t t = 0; t < texels; ++t) {
         head += fmt::format("    vec4 a0_{0} = array0_texel(e0, {0});\n", t);

@@ -29,8 +29,10 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     if (isolation.method == scene::Method::hermite) {
         // The finest step is where a root that F only touches is taken for one; the longest is what
         // waves of F may not hide in when they end before and begin after it.
-        block.refinement = glm::dvec4(isolation.safety, isolation.limit, 0x1p-10 * footprint,
-                                      0.125 * now.bounds.radius);
+        const double spacing = 0x1p-21 * now.bounds.radius; // some roundings of t
+        block.refinement =
+            glm::dvec4(isolation.safety, isolation.limit, std::max(0x1p-10 * footprint, spacing),
+                       0.125 * now.bounds.radius);
     } else {
         block.refinement = glm::vec4(isolation.bisections, isolation.limit, 0, 0);
     }
@@ -43,10 +45,14 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, int block
     const glm::dvec3 forward = rays.axis / depth;
     const double middle = glm::dot(now.bounds.centre - rays.origin, forward) / depth;
     // As truth's tubes have it (truth/tube.h), with the size of the picture's corner.
-    const auto largest = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    const auto largest = [](const glm::dvec3& v) {
+        return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    };
     const double spread = glm::length(rays.right) + glm::length(rays.up);
     const double reach = now.bounds.radius + spread + largest(now.bounds.centre - rays.origin);
-    const double rounding = 0x1p-24 * (16 * (largest(rays.origin) + spread) + reach * 18 * (1 + (rays.parallel ? 0 : spread / depth)) + 2 * largest(now.bounds.centre));
+    const double rounding = 0x1p-24 * (16 * (largest(rays.origin) + spread) +
+                                       reach * 18 * (1 + (rays.parallel ? 0 : spread / depth)) +
+                                       2 * largest(now.bounds.centre));
     const double half = 1.001 * now.bounds.radius / depth;
     const double pixel = 2 * glm::length(rays.up) / height;
     return glm::dvec4(rays.parallel ? middle - half : std::max(middle - half, -1.0), middle + half,

@@ -288,7 +288,8 @@ struct Renderer::Parts {
             if (has_lists(shaders)) arrays[0].bind_for_lists();
             if (k > 0) beams[k - 1].parts.texture(0).bind(beam_unit());
             level.program.set("tile_origin", glm::ivec2(tile.x, tile.y));
-            level.program.set("list", glm::ivec3(level.first_list, list_length(), level.parts.width()));
+            level.program.set("list",
+                              glm::ivec3(level.first_list, list_length(), level.parts.width()));
             level.parts.bind();
             gpu::set_viewport({0, 0, (tile.width + level.block - 1) / level.block,
                                (tile.height + level.block - 1) / level.block});
@@ -411,8 +412,8 @@ struct Renderer::Parts {
                 };
                 const glm::dvec3 found =
                     hit ? velocity(motion, now, options.width, options.height,
-                                   from.origin + across + double(ends[4 * at]) * way,
-                                   texel(before), texel(after))
+                                   from.origin + across + double(ends[4 * at]) * way, texel(before),
+                                   texel(after))
                         : glm::dvec3(0);
                 const auto pixel =
                     std::size_t(options.height - 1 - (tile.y + y)) * std::size_t(options.width) +

@@ -180,7 +180,7 @@ void read_isolation(Section& document, Isolation& isolation, GivenThresholds& gi
     set("far", 0, isolation.far, given.far);
     set("horizon", 0, isolation.horizon, given.horizon);
     isolation.bisections = section->integer("bisections", 0, 64).value_or(isolation.bisections);
-    isolation.beam = section->boolean("beam").value_or(isolation.beam);
+    if (const auto beam = section->boolean("beam")) isolation.beam = *beam;
     isolation.safety = section->number("safety", 1, 1e6).value_or(isolation.safety);
     isolation.limit = section->integer("limit", 1, 10'000'000).value_or(isolation.limit);
     section->refuse_rest();

@@ -59,14 +59,14 @@ struct Surface {
 
 // The method's settings; lengths in formula coordinates, thresholds in units of F.
 struct Isolation {
-    Method method = Method::amp_sign;
+    Method method = Method::hermite;
     double step = 0;    // b of Eq. 2
     double near = 0;    // tau 1: closer than this the step is halved
     double far = 0;     // tau 2: farther than this it is doubled
     double horizon = 0; // tau 3: near a silhouette (|dF/dt| below this) it is quartered
     int bisections = 10;
-    bool beam = false;    // proved starts for blocks of rays
-    double safety = 16; // of cubics: how many times their estimated error F must keep off 0
+    std::optional<bool> beam; // prove for blocks of rays what they need not march: see uses_beams()
+    double safety = 32; // of cubics: how many times their estimated error F must keep off 0
     int limit = 100'000; // evaluations after which a ray gives up with the verdict step limit
 };
 

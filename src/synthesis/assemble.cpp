@@ -13,10 +13,28 @@
 namespace isomotion::synthesis {
 namespace {
 
+// Bounds of Chebyshev polynomials and of waves cost more than the samples they save.
+bool bounds_pay(const formula::Field& field) {
+    for (std::size_t id = 0; id < field.graph.size(); ++id) {
+        switch (field.graph[formula::NodeId(id)].op) {
+        case formula::Op::chebyshev:
+        case formula::Op::sin:
+        case formula::Op::cos:
+        case formula::Op::tan:
+        case formula::Op::asin:
+        case formula::Op::acos:
+            return false;
+        default:
+            break;
+        }
+    }
+    return true;
+}
+
 FieldStorage storage_of(const scene::Scene& scene) {
     std::vector<int> counts;
     for (const auto& array : scene.timeline.animation.arrays()) counts.push_back(array.count);
-    const bool lists = scene.isolation.beam && !counts.empty() && counts[0] > 8 &&
+    const bool lists = uses_beams(scene) && !counts.empty() && counts[0] > 8 &&
                        formula::sums_of(*scene.surface.field).has_value();
     return field_storage(*scene.surface.field, scene.surface.parameters, counts, lists);
 }
@@ -69,7 +87,7 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Shaders& shade
     text.file(shaders.march_takes_gradient ? "march/gradient_at_root.glsl"
                                            : "march/end_at_root.glsl");
     text.file(method_file(scene));
-    const bool beam = scene.isolation.beam && origin == Origin::eye;
+    const bool beam = uses_beams(scene) && origin == Origin::eye;
     if (beam) text.define("BLOCK", shaders.beams.back().block);
     if (beam && !shaders.arrays.empty() && shaders.arrays[0].has_lists) text.define("LISTS", 1);
     text.file(beam ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
@@ -134,9 +152,10 @@ std::string beam_text(const scene::Scene& scene, int block, int parent, Shaders&
         text.define("TEXELS", shaders.arrays[0].texels);
         if (block > 8) text.define("PIECES", parent > 0 ? 16 : 6);
         add_bounds_of_sums(text, field, *sums, shaders);
-        text.generated("generated: the array and its lists, for writing",
-                       "layout(std430, binding = 0) writeonly buffer Lists { vec4 list_texels[]; };\n"
-                       "uniform ivec3 list; // first element, most of a block, blocks across\n");
+        text.generated(
+            "generated: the array and its lists, for writing",
+            "layout(std430, binding = 0) writeonly buffer Lists { vec4 list_texels[]; };\n"
+            "uniform ivec3 list; // first element, most of a block, blocks across\n");
     } else {
         add_field(text, field, shaders, {FieldFunction::value_interval});
         text.file("march/beam_no_list.glsl");
@@ -323,19 +342,24 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
 
 } // namespace
 
+bool uses_beams(const scene::Scene& scene) {
+    return scene.isolation.beam.value_or(scene.isolation.method == scene::Method::hermite &&
+                                         bounds_pay(*scene.surface.field));
+}
+
 Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels) {
     Shaders shaders;
     static_cast<FieldStorage&>(shaders) = storage_of(scene);
     shaders.vertex = "#version 330 core\n" + read_shader("fullscreen.vert");
-    shaders.shade_vertex = has_flat_shading(scene)
-                               ? "#version 330 core\n#define FLAT_SHADING\n" + read_shader("fullscreen.vert")
-                               : shaders.vertex;
+    shaders.shade_vertex = has_flat_shading(scene) ? "#version 330 core\n#define FLAT_SHADING\n" +
+                                                         read_shader("fullscreen.vert")
+                                                   : shaders.vertex;
     shaders.files.push_back("fullscreen.vert");
     shaders.march_takes_gradient = is_long(scene.surface.field->gradient);
     shaders.samples_derivative =
         shaders.march_takes_gradient || scene.isolation.method != scene::Method::marching;
     shaders.state_textures = scene.isolation.method == scene::Method::hermite ? 3 : 2;
-    if (scene.isolation.beam) {
+    if (uses_beams(scene)) {
         const bool lists = !shaders.arrays.empty() && shaders.arrays[0].has_lists;
         const std::vector<int> blocks = lists ? std::vector{64, 16, 8} : std::vector{8};
         int parent = 0;

@@ -22,12 +22,12 @@ struct BeamShader {
 
 struct Shaders : FieldStorage {
     std::string vertex;
-    std::string shade_vertex; // of shade and whole
-    std::string march;  // one pass of the rays
+    std::string shade_vertex;      // of shade and whole
+    std::string march;             // one pass of the rays
     std::vector<BeamShader> beams; // each within the one before it
-    std::string active; // asks whether rays still march
-    std::string shade;  // the picture from finished rays
-    std::string whole;  // march and shade in one draw, for plain pictures; else empty
+    std::string active;            // asks whether rays still march
+    std::string shade;             // the picture from finished rays
+    std::string whole;             // march and shade in one draw, for plain pictures; else empty
 
     // Of scenes that call for them (see effect_text.h), else empty.
     std::string surface;        // keeps where the rays ended
@@ -45,6 +45,10 @@ struct Shaders : FieldStorage {
     std::vector<Channel> attachments;
     std::vector<std::string> files; // of shaders/, as used
 };
+
+// Whether a scene's rays go by beams: as it says, or else with the method hermite where bounds of
+// the field cost less than what they save.
+bool uses_beams(const scene::Scene& scene);
 
 Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels = {});
 

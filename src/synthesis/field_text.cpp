@@ -92,8 +92,8 @@ FunctionParts parts_of(const formula::Field& field, FieldFunction function) {
 
 } // namespace
 
-FieldStorage field_storage(const formula::Field& field, int parameters,
-                           std::span<const int> counts, bool with_lists) {
+FieldStorage field_storage(const formula::Field& field, int parameters, std::span<const int> counts,
+                           bool with_lists) {
     FieldStorage storage;
     storage.parameter_vectors = std::max(1, (parameters + 3) / 4);
     for (std::size_t a = 0; a < field.packing.size(); ++a) {

@@ -34,8 +34,8 @@ struct FieldStorage {
     std::vector<ArrayStorage> arrays;
 };
 
-FieldStorage field_storage(const formula::Field& field, int parameters,
-                           std::span<const int> counts, bool with_lists = false);
+FieldStorage field_storage(const formula::Field& field, int parameters, std::span<const int> counts,
+                           bool with_lists = false);
 
 // What a shader can ask of a field; see glsl_value(), glsl_value_interval() and their siblings for
 // the signatures. The programs of the intervals are made where they are asked for.
@@ -57,7 +57,6 @@ struct GeneratedFunction {
 
 void add_field(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
                const std::vector<FieldFunction>& functions,
-               const std::vector<GeneratedFunction>& beside = {},
-               bool beside_on_intervals = false);
+               const std::vector<GeneratedFunction>& beside = {}, bool beside_on_intervals = false);
 
 } // namespace isomotion::synthesis

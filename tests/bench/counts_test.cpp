@@ -94,7 +94,8 @@ TEST_P(Counts, AreThoseExpected) {
         Row row;
         try {
             const accuracy::Setting setting{entry.method, on.subject.scene.isolation.step, 1,
-                                            on.subject.scene.isolation.bisections};
+                                            on.subject.scene.isolation.bisections,
+                                            on.subject.scene.isolation.safety};
             const Count counted = count(*context, on, setting);
             const accuracy::Errors& e = counted.errors;
             row = {{}, counted.evaluations_a_ray(), e.missed, e.false_hits, e.wrong_roots};

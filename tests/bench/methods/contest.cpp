@@ -19,7 +19,8 @@ using synthesis::Channel;
 constexpr double minute = 60e3; // ms
 
 Setting setting(const scene::Scene& scene, scene::Method method, int halvings = 0) {
-    return {method, std::ldexp(scene.isolation.step, -halvings), 1, scene.isolation.bisections};
+    return {method, std::ldexp(scene.isolation.step, -halvings), 1, scene.isolation.bisections,
+            scene.isolation.safety};
 }
 
 double ms(const render::Picture& picture) {
