@@ -26,7 +26,7 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     block.picture = glm::vec4(2.0 / width, 2.0 / height, 0, 0);
     block.thresholds = glm::dvec4(isolation.step, isolation.near, isolation.far, isolation.horizon);
     const double footprint = 2 * glm::length(rays.up) / height;
-    if (isolation.method == scene::Method::hermite) {
+    if (isolation.method == scene::Method::hermite || scene::bounds_pieces(isolation.method)) {
         // The finest step is where a root that F only touches is taken for one; the longest is what
         // waves of F may not hide in when they end before and begin after it.
         block.refinement = glm::dvec4(isolation.safety, isolation.limit, 0x1p-10 * footprint,
