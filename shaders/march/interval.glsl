@@ -12,11 +12,9 @@ RayState advance(RayState s, Ray ray, float t, float f, Bounds bounds) {
     bool unknown = im_is_nan(f);
     bool changes = !unknown && (f < 0.0) != (s.f_low.x < 0.0);
     bool monotone = excludes_0(bounds.slope) && !unknown;
-    bool is_finest = h <= refinement.z;
+    bool is_finest = h <= finest_at(t);
     if (excludes_0(bounds.value) || monotone && !changes) return move_on(s, ray, t, f, 2.0 * h);
-    if (changes && (monotone || is_finest)) return isolated(s, s.low, s.high, t);
+    if (monotone) return isolated(s, s.low, s.high, t);
     if (!is_finest) return cut(s, 0.5 * h);
-    if (unknown) return finish(s, VERDICT_NAN);
-    bool bounded = abs(bounds.value.x) < IM_LARGEST && abs(bounds.value.y) < IM_LARGEST;
-    return bounded ? found(s, 0.5 * (s.low + s.high)) : finish(s, VERDICT_STEP_LIMIT);
+    return unknown ? finish(s, VERDICT_NAN) : touches_at(s, 0.5 * (s.low + s.high), bounds);
 }
