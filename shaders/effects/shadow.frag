@@ -43,9 +43,8 @@ void main() {
     Ray ray = shadow_ray(p, max(s.refinements, 0));
     for (int k = 0; k < evaluations_per_pass; ++k) {
         if (s.phase == PHASE_DONE) break;
-        vec2 f = sample_field(ray_point(ray, s.high), ray.direction);
         s.evaluations += 1;
-        int outcome = any_hit(s, ray, f, p.offset);
+        int outcome = any_hit(s, ray, p.offset);
         if (outcome == RAY_GOES_ON && s.evaluations < int(refinement.y)) continue;
         if (outcome == RAY_IS_HIDDEN) s.verdict += 1 << s.refinements;
         s = next_light(s, p);

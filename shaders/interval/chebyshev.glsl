@@ -56,20 +56,23 @@ vec2 im_slope_outside(float degree, float y) {
     return max(slope, vec2(degree * degree));
 }
 
-// Beyond the last extremum of T_n, at cos(pi / n), T_n' rises from 0.
-vec2 im_rising_slope(float degree, vec2 a) {
-    vec2 low = a.x <= 1.0 ? im_slope_inside(degree, a.x) : im_slope_outside(degree, a.x);
-    vec2 high = a.y <= 1.0 ? im_slope_inside(degree, a.y) : im_slope_outside(degree, a.y);
-    return vec2(low.x, high.y);
+// T_n' at a point y >= 0.
+vec2 im_slope_at(float degree, float y) {
+    vec2 inside = im_slope_inside(degree, min(y, 1.0));
+    vec2 outside = im_slope_outside(degree, y);
+    return y <= 1.0 ? inside : outside;
 }
 
 vec2 im_chebyshev_slope(int n, vec2 a) {
     float degree = float(n);
     bool even = (n & 1) == 1;
+    vec2 low_end = im_slope_at(degree, abs(a.x));
+    vec2 high_end = im_slope_at(degree, abs(a.y));
+    // Beyond the last extremum of T_n, at cos(pi / n), T_n' rises from 0.
     float edge = im_cos(3.14159274 / degree) + 1.0e-6;
-    if (a.x >= edge) return im_rising_slope(degree, a);
+    if (a.x >= edge) return vec2(low_end.x, high_end.y);
     if (a.y <= -edge) {
-        vec2 mirrored = im_rising_slope(degree, -a.yx);
+        vec2 mirrored = vec2(high_end.x, low_end.y);
         return even ? mirrored : -mirrored.yx;
     }
     vec2 inner = clamp(a, -1.0, 1.0);
@@ -81,8 +84,7 @@ vec2 im_chebyshev_slope(int n, vec2 a) {
     vec2 slope = im_scale_up(degree, im_divide(sines, size));
     slope = clamp(slope, -degree * degree, degree * degree);
     if (max(-a.x, a.y) <= 1.0) return slope;
-    return im_with_outside(a, slope, im_slope_outside(degree, abs(a.x)),
-                           im_slope_outside(degree, abs(a.y)), even);
+    return im_with_outside(a, slope, low_end, high_end, even);
 }
 
 // Of a higher derivative: `bound` is its value at 1, the largest in [-1, 1].

@@ -4,7 +4,8 @@
 
 const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2;
 
-int any_hit(inout RayState s, Ray ray, vec2 f, float finest) {
+int any_hit(inout RayState s, Ray ray, float finest) {
+    vec2 f = sample_field(ray_point(ray, s.high), ray.direction);
     if (im_is_nan(f.y)) f.y = 0.0;
     bool hidden = s.phase == PHASE_MARCH && root_exists(s.low, s.f_low, s.high, f);
     bool suspected = hidden && (f.x < 0.0) == (s.f_low.x < 0.0);

@@ -1,6 +1,6 @@
 // Marches rays to their first roots, as a state machine: every turn of the loop samples the field
 // once, at one place in the text. Drivers inline the field at each call, so a second call would
-// double the compile time. The method is the file before this one: next_sample() and advance().
+// double the compile time. The method is in the files before this one: turn().
 
 uniform int evaluations_per_pass;
 
@@ -15,9 +15,7 @@ RayState march(Ray ray, RayState s) {
     int turns = s.phase == PHASE_DONE ? 0 : evaluations_per_pass;
     if (turns > 0) {
         do {
-            float t = next_sample(s);
-            vec2 f = sample_field(ray_point(ray, t), sample_direction(s, ray));
-            s = advance(s, ray, t, f);
+            s = turn(s, ray);
             turns -= 1;
         } while (turns > 0 && s.phase != PHASE_DONE);
     }

@@ -127,8 +127,7 @@ struct Renderer::Parts {
         std::vector<int> counts;
         for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
         const formula::Field& field = *scene.surface.field;
-        formula::Cost cost =
-            formula::cost(shaders.samples_derivative ? field.along : field.value, counts);
+        formula::Cost cost = synthesis::cost(field, shaders.samples, counts);
         if (!shaders.surface.empty()) {
             // Up to eight samples at the end of a ray (shaders/effects/end_of_ray.glsl) and five of
             // its surroundings, each in one draw.

@@ -11,6 +11,9 @@ enum class Method {
     amp_sign,   // adaptive steps (Singh & Narayanan 2010, Eq. 2), sign test
     amp_taylor, // adaptive steps, Taylor test (Eq. 3): sees touching roots too
     hermite,    // steps and tests by cubics with an estimated error
+    interval,   // pieces with bounds on F and dF/dt (after Knoll et al. 2009)
+    affine,     // pieces with F in the middle and bounds on dF/dt: first order, interval Newton
+    sphere,     // steps by |F| and bounds on dF/dt (Hart 1996, Galin et al. 2020)
 };
 
 struct MethodName {
@@ -26,7 +29,15 @@ inline constexpr MethodName method_names[] = {
     {Method::amp_taylor, "amp-taylor",
      "the same steps; a root where values or linear extensions enclose 0 (Eq. 3)"},
     {Method::hermite, "hermite", "cubics with an error estimate: steps as long as it allows"},
+    {Method::interval, "interval", "proofs: pieces halved until bounds on F and dF/dt decide"},
+    {Method::affine, "affine", "proofs: the same with F in a piece's middle and bounds on dF/dt"},
+    {Method::sphere, "sphere", "proofs: steps of |F| over the steepest dF/dt ahead"},
 };
+
+// Whether interval arithmetic bounds F and dF/dt over pieces of the ray.
+constexpr bool bounds_pieces(Method method) {
+    return method == Method::interval || method == Method::affine || method == Method::sphere;
+}
 
 constexpr std::string_view name(Method method) {
     for (const auto& entry : method_names) {

@@ -64,7 +64,9 @@ void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin = Origin
 
 void add_isolation(ShaderText& text, const scene::Scene& scene, const Shaders& shaders) {
     const scene::Method method = scene.isolation.method;
-    text.file(shaders.samples_derivative ? "march/sample_along.glsl" : "march/sample_value.glsl");
+    if (scene::bounds_pieces(method)) return text.file("march/piece_bounds.glsl");
+    const bool along = shaders.samples.front() == FieldFunction::along;
+    text.file(along ? "march/sample_along.glsl" : "march/sample_value.glsl");
     if (method == scene::Method::hermite) return;
     text.file(method == scene::Method::marching ? "march/uniform_step.glsl"
                                                 : "march/adaptive_step.glsl");
@@ -72,9 +74,22 @@ void add_isolation(ShaderText& text, const scene::Scene& scene, const Shaders& s
                                                   : "march/sign_test.glsl");
 }
 
-const char* method_file(const scene::Scene& scene) {
-    return scene.isolation.method == scene::Method::hermite ? "march/hermite.glsl"
-                                                            : "march/amp.glsl";
+// turn(), which takes a ray on by what one sample of the field tells.
+void add_turn(ShaderText& text, scene::Method method) {
+    if (scene::bounds_pieces(method)) {
+        text.file("march/close_in.glsl");
+        text.file("march/" + std::string(name(method)) + ".glsl");
+        text.file("march/turn_piece.glsl");
+    } else {
+        text.file(method == scene::Method::hermite ? "march/hermite.glsl" : "march/amp.glsl");
+        text.file("march/turn_point.glsl");
+    }
+}
+
+std::vector<FieldFunction> samples_of(scene::Method method, bool march_takes_gradient) {
+    if (scene::bounds_pieces(method)) return {FieldFunction::value, FieldFunction::along_interval};
+    const bool value_alone = method == scene::Method::marching && !march_takes_gradient;
+    return {value_alone ? FieldFunction::value : FieldFunction::along};
 }
 
 // What else a ray keeps, for each shader that reads its state.
@@ -86,7 +101,7 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Shaders& shade
     add_isolation(text, scene, shaders);
     text.file(shaders.march_takes_gradient ? "march/gradient_at_root.glsl"
                                            : "march/end_at_root.glsl");
-    text.file(method_file(scene));
+    add_turn(text, scene.isolation.method);
     const bool beam = uses_beams(scene) && origin == Origin::eye;
     if (beam) text.define("BLOCK", shaders.beams.back().block);
     if (beam && !shaders.arrays.empty() && shaders.arrays[0].has_lists) text.define("LISTS", 1);
@@ -100,8 +115,7 @@ bool is_long(const formula::Program& gradient) { return gradient.instructions.si
 std::string march_text(const scene::Scene& scene, Shaders& shaders, Origin origin) {
     ShaderText text(shaders.files);
     define_state(text, shaders);
-    add_field(text, *scene.surface.field, shaders,
-              {shaders.samples_derivative ? FieldFunction::along : FieldFunction::value});
+    add_field(text, *scene.surface.field, shaders, shaders.samples);
     add_ray(text, scene, origin);
     add_march(text, scene, shaders, origin);
     text.file("march/store_state.glsl");
@@ -205,8 +219,7 @@ std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
     define_state(text, shaders);
     text.define("LIGHTS", int(scene.lights.size()));
     text.define("SHADOWS", shadow_mask(scene));
-    add_field(text, *scene.surface.field, shaders,
-              {shaders.samples_derivative ? FieldFunction::along : FieldFunction::value});
+    add_field(text, *scene.surface.field, shaders, shaders.samples);
     add_ray(text, scene);
     add_isolation(text, scene, shaders);
     text.file("march/store_state.glsl");
@@ -215,10 +228,11 @@ std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
     add_lights(text, scene);
     text.file("effects/surface_point.glsl");
     text.file("effects/load_surface.glsl");
-    if (scene.isolation.method == scene::Method::hermite) {
+    if (const auto method = scene.isolation.method;
+        method == scene::Method::hermite || scene::bounds_pieces(method)) {
         text.file("march/end_at_root.glsl");
-        text.file("march/hermite.glsl");
-        text.file("march/any_hit_hermite.glsl");
+        add_turn(text, method);
+        text.file("march/any_hit_turn.glsl");
     } else {
         text.file("march/any_hit_amp.glsl");
     }
@@ -276,8 +290,7 @@ std::string whole_text(const scene::Scene& scene, const std::vector<Channel>& ch
     ShaderText text(shaders.files);
     define_state(text, shaders);
     text.define("LIGHTS", int(scene.lights.size()));
-    std::vector<FieldFunction> functions{shaders.samples_derivative ? FieldFunction::along
-                                                                    : FieldFunction::value};
+    std::vector<FieldFunction> functions = shaders.samples;
     if (!shaders.march_takes_gradient) functions.push_back(FieldFunction::gradient);
     add_field(text, *scene.surface.field, shaders, functions);
     add_ray(text, scene);
@@ -356,8 +369,7 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
                                                    : shaders.vertex;
     shaders.files.push_back("fullscreen.vert");
     shaders.march_takes_gradient = is_long(scene.surface.field->gradient);
-    shaders.samples_derivative =
-        shaders.march_takes_gradient || scene.isolation.method != scene::Method::marching;
+    shaders.samples = samples_of(scene.isolation.method, shaders.march_takes_gradient);
     shaders.state_textures = scene.isolation.method == scene::Method::hermite ? 3 : 2;
     if (uses_beams(scene)) {
         const bool lists = !shaders.arrays.empty() && shaders.arrays[0].has_lists;

@@ -37,9 +37,9 @@ struct Shaders : FieldStorage {
     std::string motion;         // of the channel velocity: F at another time
 
     int state_textures = 2; // that a ray's state takes between passes
-    // Whether a march samples F and dF/dt, or F alone; and whether, the formula being long, it also
+    // What a turn of a march asks of the field; and whether, the formula being long, the march also
     // samples the gradient at the root, which else the shade pass does.
-    bool samples_derivative = true;
+    std::vector<FieldFunction> samples;
     bool march_takes_gradient = false;
     // Attachments of the shade pass: 0 colour, 1 verdict and evaluations, then these.
     std::vector<Channel> attachments;

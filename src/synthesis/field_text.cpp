@@ -112,6 +112,38 @@ FieldStorage field_storage(const formula::Field& field, int parameters, std::spa
     return storage;
 }
 
+formula::Cost cost(const formula::Field& field, const std::vector<FieldFunction>& functions,
+                   std::span<const int> counts) {
+    formula::Cost total;
+    for (const FieldFunction function : functions) {
+        const bool on_intervals = function >= FieldFunction::value_interval;
+        formula::Cost one;
+        switch (function) {
+        case FieldFunction::value:
+            one = formula::cost(field.value, counts);
+            break;
+        case FieldFunction::along:
+            one = formula::cost(field.along, counts);
+            break;
+        case FieldFunction::gradient:
+            one = formula::cost(field.gradient, counts);
+            break;
+        case FieldFunction::value_interval:
+            one = formula::cost(formula::enclosure_programs(field).value, counts);
+            break;
+        case FieldFunction::along_interval:
+            one = formula::cost(formula::enclosure_programs(field).along, counts);
+            break;
+        case FieldFunction::gradient_interval:
+            one = formula::cost(formula::enclosure_programs(field).gradient, counts);
+            break;
+        }
+        total.operations += (on_intervals ? interval_operations : 1) * one.operations;
+        total.iterations += one.iterations;
+    }
+    return total;
+}
+
 void add_field(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
                const std::vector<FieldFunction>& functions,
                const std::vector<GeneratedFunction>& beside, bool beside_on_intervals) {

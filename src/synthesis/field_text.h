@@ -48,6 +48,11 @@ enum class FieldFunction {
     gradient_interval
 };
 
+// What one call of each takes. An operation on intervals is counted as so many on numbers.
+inline constexpr double interval_operations = 12;
+formula::Cost cost(const formula::Field& field, const std::vector<FieldFunction>& functions,
+                   std::span<const int> counts);
+
 // A function that reads the field's parameters and arrays but is none of the field's own.
 struct GeneratedFunction {
     std::string from; // what the user wrote

@@ -33,7 +33,7 @@ TEST(Settings, SweepMethodsAndSteps) {
     const scene::Scene scene =
         render::scene_of(render::sphere_scene, {"isolation.step=0.1", "isolation.bisections=7"});
     const auto all = sweep(scene, {}, {});
-    EXPECT_EQ(all.size(), 3u * 6 + 4);
+    EXPECT_EQ(all.size(), std::size(scene::method_names) * 6 + 4);
     EXPECT_EQ(name(all[0], scene.isolation), "marching step=0.4");
     EXPECT_EQ(name(all.back(), scene.isolation), "amp-sign step=0.1 bisections=16");
     const auto few = sweep(scene, {scene::Method::amp_taylor}, {0.3, 0.2});

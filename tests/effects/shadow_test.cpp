@@ -58,7 +58,8 @@ class ConvexShadow : public testing::TestWithParam<std::string> {};
 TEST_P(ConvexShadow, HidesNothingOfItself) {
     for (const char* light : {"direction = [2.1, 1.4, 1.1]", "direction = [-1, 0.3, 0.2]",
                               "direction = [0, 0, 1]", "position = [1.2, 0.9, 2]"}) {
-        for (const char* method : {"marching", "amp-sign", "amp-taylor"}) {
+        for (const char* method :
+             {"marching", "amp-sign", "amp-taylor", "interval", "affine", "sphere"}) {
             SCOPED_TRACE(fmt::format("{}, {}", light, method));
             const std::string more = fmt::format(
                 "[camera]\nposition = [2.1, 1.4, 1.1]\n[isolation]\nmethod = \"{}\"\n", method);

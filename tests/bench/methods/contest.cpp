@@ -126,8 +126,7 @@ double operations(const scene::Scene& scene, scene::Method method) {
     const synthesis::Shaders shaders = synthesis::assemble(with);
     std::vector<int> counts;
     for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
-    const formula::Field& field = *scene.surface.field;
-    return formula::cost(shaders.samples_derivative ? field.along : field.value, counts).operations;
+    return synthesis::cost(*scene.surface.field, shaders.samples, counts).operations;
 }
 
 double ratio(const Timing& slow, const Timing& fast) {

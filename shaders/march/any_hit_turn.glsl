@@ -1,12 +1,14 @@
-// Of shadow rays: any root will do.
+// Of shadow rays: any root will do, so a ray that begins to close in on one is hidden.
 
 const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2;
 
-int any_hit(inout RayState s, Ray ray, vec2 f, float finest) {
-    RayState next = advance(s, ray, s.high, f);
+int any_hit(inout RayState s, Ray ray, float finest) {
+    RayState next = turn(s, ray);
     if (next.phase == PHASE_REFINE) return RAY_IS_HIDDEN;
     if (next.phase == PHASE_DONE) return next.verdict == VERDICT_HIT ? RAY_IS_HIDDEN : RAY_IS_FREE;
+    // They count lights and samples here.
     next.evaluations = s.evaluations;
+    next.refinements = s.refinements;
     s = next;
     return RAY_GOES_ON;
 }

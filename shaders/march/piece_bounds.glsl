@@ -1,0 +1,18 @@
+// Bounds over a piece of a ray, in interval arithmetic. Bounds may be NaN, which comparisons below
+// are written to take for 'may hold 0'.
+struct Bounds {
+    vec2 value; // of F
+    vec2 slope; // of dF/dt, and of every difference quotient in the piece
+};
+
+Bounds bounds_over(Ray ray, vec2 piece, vec3 direction) {
+    vec2 x = im_add(vec2(ray.anchor.x), im_scale(ray.direction.x, piece));
+    vec2 y = im_add(vec2(ray.anchor.y), im_scale(ray.direction.y, piece));
+    vec2 z = im_add(vec2(ray.anchor.z), im_scale(ray.direction.z, piece));
+    vec4 f = field_along_interval(x, y, z, vec2(direction.x), vec2(direction.y), vec2(direction.z));
+    return Bounds(f.xy, f.zw);
+}
+
+bool excludes_0(vec2 a) {
+    return a.x > 0.0 || a.y < 0.0;
+}

@@ -1,0 +1,18 @@
+// Sphere tracing with bounds on the slope ahead (Hart 1996; Galin et al. 2020): a step is as long as
+// F keeps off 0 for certain, and the piece that is bounded follows the step. Where the ray can go
+// less than `finest`, that is the root.
+
+float next_sample(RayState s) {
+    return s.low;
+}
+
+RayState advance(RayState s, Ray ray, float t, float f, Bounds bounds) {
+    float finest = finest_at(t);
+    // Only rounding can step over a root.
+    bool over = !im_is_nan(f) && (f < 0.0) != (s.f_low.x < 0.0);
+    float step = reach(s, f, bounds);
+    bool touches = s.high - s.low <= 4.0 * finest && step < min(finest, s.high - s.low);
+    if (over) return found(s, t);
+    if (touches) return touches_at(s, t + step, bounds);
+    return step_by_slope(s, ray, f, bounds);
+}

@@ -1,0 +1,17 @@
+// Of methods that bound F over the piece [low, high] of the ray and sample it at a point of the
+// piece: next_sample() says which, advance() goes on from there. The first sample is where the ray
+// begins, whatever the method; where it closes in on its root the piece is a point.
+RayState turn(RayState s, Ray ray) {
+    bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
+    if (starts) s.high = min(s.low + refinement.w, ray.t_far);
+    float t = starts ? s.low : refines ? s.f_low.y : s.phase == PHASE_MARCH ? next_sample(s) : s.low;
+    float f = field(ray_point(ray, t));
+    vec2 piece = starts || s.phase == PHASE_MARCH ? vec2(s.low, s.high) : vec2(t);
+    Bounds bounds = bounds_over(ray, piece, sample_direction(s, ray));
+    s.evaluations += 1;
+    float slope = 0.5 * (bounds.slope.x + bounds.slope.y);
+    if (s.phase == PHASE_GRADIENT) return take_slope(s, vec2(f, slope));
+    if (refines) return close_in(s, t, f, slope);
+    if (starts) return step_by_slope(s, ray, f, bounds);
+    return advance(s, ray, t, f, bounds);
+}
