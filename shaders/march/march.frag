@@ -1,9 +1,17 @@
 // Marches rays to their first roots, as a state machine: every turn of the loop samples the field
 // once, at one place in the text. Drivers inline the field at each call, so a second call would
-// double the compile time. The method is the file before this one: advance().
+// double the compile time. The method is the file before this one: advance(), and solve() for what
+// software renderers, which skip no branch, should not go through at every sample.
 
 uniform bool first_pass;
 uniform int evaluations_per_pass;
+
+#ifndef DEGREE
+// Of methods that go from sample to sample.
+RayState solve(RayState s, Ray ray) {
+    return s;
+}
+#endif
 
 RayState begin(Ray ray) {
     RayState s = state_at(ray.t_near);
@@ -23,10 +31,13 @@ void main() {
     int turns = s.phase == PHASE_DONE ? 0 : evaluations_per_pass;
     if (turns > 0) {
         do {
-            float t = next_sample(s);
-            vec2 f = sample_field(ray_point(ray, t), sample_direction(s, ray));
-            s = advance(s, ray, t, f);
-            turns -= 1;
+            do {
+                float t = next_sample(s);
+                vec2 f = sample_field(ray_point(ray, t), sample_direction(s, ray));
+                s = advance(s, ray, t, f);
+                turns -= 1;
+            } while (turns > 0 && s.phase < PHASE_DONE);
+            s = solve(s, ray);
         } while (turns > 0 && s.phase != PHASE_DONE);
     }
     store_state(s);

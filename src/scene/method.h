@@ -11,6 +11,7 @@ enum class Method {
     amp_sign,   // adaptive steps (Singh & Narayanan 2010, Eq. 2), sign test
     amp_taylor, // adaptive steps, Taylor test (Eq. 3): sees touching roots too
     hermite,    // steps and tests by cubics with an estimated error
+    chebyshev,  // the polynomial that F is along the ray, from its degree + 1 samples
 };
 
 struct MethodName {
@@ -26,6 +27,8 @@ inline constexpr MethodName method_names[] = {
     {Method::amp_taylor, "amp-taylor",
      "the same steps; a root where values or linear extensions enclose 0 (Eq. 3)"},
     {Method::hermite, "hermite", "cubics with an error estimate: steps as long as it allows"},
+    {Method::chebyshev, "chebyshev",
+     "for polynomials of degree 1 to 12: the polynomial along the ray, solved"},
 };
 
 constexpr std::string_view name(Method method) {

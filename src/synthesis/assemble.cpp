@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/method_domain.h"
+#include "synthesis/bernstein_text.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/paint_text.h"
 #include "synthesis/shader_files.h"
@@ -40,21 +42,31 @@ void add_isolation(ShaderText& text, const scene::Scene& scene, const Shaders& s
     const scene::Method method = scene.isolation.method;
     text.file("march/store_state.glsl");
     text.file(shaders.samples_derivative ? "march/sample_along.glsl" : "march/sample_value.glsl");
-    if (method == scene::Method::hermite) return;
+    if (method == scene::Method::hermite || method == scene::Method::chebyshev) return;
     text.file(method == scene::Method::marching ? "march/uniform_step.glsl"
                                                 : "march/adaptive_step.glsl");
     text.file(method == scene::Method::amp_taylor ? "march/taylor_test.glsl"
                                                   : "march/sign_test.glsl");
 }
 
-const char* method_file(const scene::Scene& scene) {
-    return scene.isolation.method == scene::Method::hermite ? "march/hermite.glsl"
-                                                            : "march/amp.glsl";
+void add_method(ShaderText& text, const scene::Scene& scene, const Shaders& shaders) {
+    switch (scene.isolation.method) {
+    case scene::Method::hermite:
+        return text.file("march/hermite.glsl");
+    case scene::Method::chebyshev:
+        text.generated("generated: from samples to Bernstein's form",
+                       bernstein_text(shaders.degree));
+        text.file("march/bernstein.glsl");
+        return text.file("march/chebyshev.glsl");
+    default:
+        return text.file("march/amp.glsl");
+    }
 }
 
-// What else a ray keeps, for each shader that reads its state.
+// What else a ray keeps, for each shader that samples along it.
 void define_state(ShaderText& text, const Shaders& shaders) {
     if (shaders.state_textures == 3) text.define("THREE_SAMPLES", 1);
+    if (shaders.degree > 0) text.define("DEGREE", shaders.degree);
 }
 
 // So long that compiling it shows: some 0.2 s on a software renderer, and growing with its length.
@@ -69,7 +81,7 @@ std::string march_text(const scene::Scene& scene, Shaders& shaders, Origin origi
     add_isolation(text, scene, shaders);
     text.file(shaders.march_takes_gradient ? "march/gradient_at_root.glsl"
                                            : "march/end_at_root.glsl");
-    text.file(method_file(scene));
+    add_method(text, scene, shaders);
     text.file("march/march.frag");
     return text.take();
 }
@@ -110,11 +122,15 @@ std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
     add_lights(text, scene);
     text.file("effects/surface_point.glsl");
     text.file("effects/load_surface.glsl");
-    if (scene.isolation.method == scene::Method::hermite) {
+    switch (scene.isolation.method) {
+    case scene::Method::hermite:
+    case scene::Method::chebyshev:
         text.file("march/end_at_root.glsl");
-        text.file("march/hermite.glsl");
-        text.file("march/any_hit_hermite.glsl");
-    } else {
+        add_method(text, scene, shaders);
+        text.file(shaders.degree > 0 ? "march/any_hit_chebyshev.glsl"
+                                     : "march/any_hit_hermite.glsl");
+        break;
+    default:
         text.file("march/any_hit_amp.glsl");
     }
     text.file("effects/shadow.frag");
@@ -204,8 +220,12 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     shaders.vertex = "#version 330 core\n" + read_shader("fullscreen.vert");
     shaders.files.push_back("fullscreen.vert");
     shaders.march_takes_gradient = is_long(scene.surface.field->gradient);
-    shaders.samples_derivative =
-        shaders.march_takes_gradient || scene.isolation.method != scene::Method::marching;
+    if (scene.isolation.method == scene::Method::chebyshev) {
+        shaders.degree = scene::solved_degree(*scene.surface.field);
+    }
+    const bool uses_slopes =
+        scene.isolation.method != scene::Method::marching && shaders.degree == 0;
+    shaders.samples_derivative = shaders.march_takes_gradient || uses_slopes;
     shaders.state_textures = scene.isolation.method == scene::Method::hermite ? 3 : 2;
     shaders.march = march_text(scene, shaders, Origin::eye);
     ShaderText active(shaders.files);
