@@ -11,6 +11,7 @@
 const float NOISE = 4.0 * 5.9604645e-8;
 const int MOST_SPLITS = 32;
 const int MOST_NEWTON_STEPS = 3;
+const int MOST_PIECES = 6;
 
 float next_sample(RayState s) {
     return s.high;
@@ -35,7 +36,9 @@ RayState refine(RayState s, Ray ray, float t, float f) {
     float root = inside ? newton : t;
     s.taken += 1;
     bool last = s.taken >= MOST_NEWTON_STEPS || !inside;
-    if (abs(value) <= level || (last && value < 0.0)) return found(s, root);
+    // A step that floats hardly tell from none, too.
+    bool stands = abs(newton - t) <= 1.0e-6 * abs(ray.t_far - ray.t_near);
+    if (abs(value) <= level || stands || (last && value < 0.0)) return found(s, root);
     s.high = root;
     if (!last) return s;
     // Nothing there: the rest of the ray.
@@ -43,7 +46,8 @@ RayState refine(RayState s, Ray ray, float t, float f) {
     s.high = t;
     s.taken = 0;
     s.phase = PHASE_START;
-    return t < ray.t_far ? s : finish(s, VERDICT_MISS);
+    bool gives_up = s.evaluations > MOST_PIECES * (DEGREE + 2);
+    return t < ray.t_far && !gives_up ? s : finish(s, VERDICT_MISS);
 }
 
 RayState advance(RayState s, Ray ray, float t, vec2 f) {
