@@ -6,7 +6,8 @@
 //
 // Rounding makes the polynomial err by about NOISE times the largest coefficient. A value that near
 // to 0 counts as 0, so that roots which F only touches are found, if a sample of F agrees. If it
-// does not, the rest of the ray is a polynomial anew, more accurate for being shorter.
+// does not, the rest of the ray is a polynomial anew, more accurate for being shorter; a ray that has
+// taken the samples of MOST_PIECES is given up as a miss.
 
 const float NOISE = 4.0 * 5.9604645e-8;
 const int MOST_SPLITS = 32;
@@ -38,7 +39,8 @@ RayState refine(RayState s, Ray ray, float t, float f) {
     bool last = s.taken >= MOST_NEWTON_STEPS || !inside;
     // A step that floats hardly tell from none, too.
     bool stands = abs(newton - t) <= 1.0e-6 * abs(ray.t_far - ray.t_near);
-    if (abs(value) <= level || stands || (last && value < 0.0)) return found(s, root);
+    // Samples err less than coefficients.
+    if (abs(value) <= 0.0625 * level || stands || (last && value < 0.0)) return found(s, root);
     s.high = root;
     if (!last) return s;
     // Nothing there: the rest of the ray.
@@ -87,7 +89,7 @@ RayState solve(RayState s, Ray ray) {
         for (int i = 0; i <= DEGREE; ++i) b[i] = goes_right ? right[i] : goes_left ? left[i] : b[i];
         begins += goes_right ? u * width : 0.0;
         width *= goes_right ? 1.0 - u : goes_left ? u : 1.0;
-        is_there = is_there || searches && near;
+        is_there = is_there || searches && near; // llvmpipe lost it in rays that ended early
         searches = searches && !near && !(goes_right && after.count == 0);
         isolated = isolated || goes_left || goes_right && after.count == 1;
         u = goes_right ? after.first : goes_left ? before.first : u * before.first;
