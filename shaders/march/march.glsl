@@ -15,8 +15,17 @@ RayState march(Ray ray, RayState s) {
     int turns = s.phase == PHASE_DONE ? 0 : evaluations_per_pass;
     if (turns > 0) {
         do {
+#ifdef DEGREE
+            // Software renderers, which skip no branch, should not solve at every sample.
+            do {
+                s = turn(s, ray);
+                turns -= 1;
+            } while (turns > 0 && s.phase < PHASE_DONE);
+            s = solve(s, ray);
+#else
             s = turn(s, ray);
             turns -= 1;
+#endif
         } while (turns > 0 && s.phase != PHASE_DONE);
     }
     return s;

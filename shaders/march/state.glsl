@@ -7,6 +7,7 @@ const int PHASE_MARCH = 1;   // sample `high` next: is there a root in [low, hig
 const int PHASE_REFINE = 2;  // there is one: close in on it
 const int PHASE_GRADIENT = 3; // the root is in `low` and `high`: sample the gradient there
 const int PHASE_DONE = 4;
+const int PHASE_SOLVE = 5; // between two samples: they suffice for solve(); never stored
 
 struct RayState {
     float low;         // t of the last sample before the root; of the root when done
@@ -18,6 +19,11 @@ struct RayState {
     int refinements;   // done so far
 #ifdef THREE_SAMPLES
     vec3 other;        // t, F and dF/dt of one sample more, see hermite.glsl
+#endif
+#ifdef DEGREE
+    // The samples so far of a polynomial. They end with the pass: the next one takes them anew.
+    float samples[DEGREE + 1];
+    int taken;
 #endif
 };
 
@@ -42,6 +48,10 @@ RayState load_state() {
 #ifdef THREE_SAMPLES
     s.other = texelFetch(state_texture_2, at, 0).xyz;
 #endif
+#ifdef DEGREE
+    s.taken = 0;
+    if (s.phase == PHASE_START) s.high = s.low;
+#endif
     return s;
 }
 
@@ -63,6 +73,9 @@ RayState state_at(float t) {
     s.refinements = 0;
 #ifdef THREE_SAMPLES
     s.other = vec3(0.0);
+#endif
+#ifdef DEGREE
+    s.taken = 0;
 #endif
     return s;
 }

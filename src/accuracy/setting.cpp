@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/method_domain.h"
+
 namespace isomotion::accuracy {
 
 std::string name(const Setting& setting, const scene::Isolation& scene) {
@@ -32,9 +34,7 @@ std::vector<Setting> sweep(const scene::Scene& scene, std::vector<scene::Method>
                            std::vector<double> steps) {
     const scene::Isolation& own = scene.isolation;
     const bool narrowed = !methods.empty() || !steps.empty();
-    if (methods.empty()) {
-        for (const auto& entry : scene::method_names) methods.push_back(entry.method);
-    }
+    if (methods.empty()) methods = scene::methods_for(*scene.surface.field);
     if (steps.empty()) {
         for (const double factor : {4.0, 2.0, 1.0, 0.5, 0.25, 0.125}) {
             steps.push_back(factor * own.step);

@@ -25,4 +25,9 @@ inline constexpr double operations_per_draw = 1e10;
 // alone passes the loop limit.
 MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int max_tile);
 
+// `planned`, or more where the samples of a polynomial, which no ray keeps from pass to pass, need
+// it. `iterations` is what the loops of one evaluation add up to; throws std::length_error where a
+// shader can't do so many.
+int evaluations_with_polynomial(int degree, double iterations, int planned);
+
 } // namespace isomotion::render

@@ -146,7 +146,12 @@ struct Renderer::Parts {
         const MarchPlan fitting =
             plan_march(cost, options.width, options.height,
                        std::min(largest_tile, context.info().max_texture_size));
-        return options.plan.value_or(fitting);
+        MarchPlan chosen = options.plan.value_or(fitting);
+        if (shaders.degree > 0) {
+            chosen.evaluations_per_pass = evaluations_with_polynomial(
+                shaders.degree, cost.iterations, chosen.evaluations_per_pass);
+        }
+        return chosen;
     }
 
     void for_each_program(const std::function<void(const gpu::Program&)>& visit) const {

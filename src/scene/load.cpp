@@ -7,6 +7,7 @@
 #include "scene/environment.h"
 #include "scene/lights.h"
 #include "scene/material.h"
+#include "scene/method_domain.h"
 #include "scene/space.h"
 #include "scene/surface.h"
 #include "scene/thresholds.h"
@@ -154,6 +155,7 @@ void read_output(Section& document, Scene& scene) {
 // The catalogue's settings first, the scene's own over them. False where no value was given.
 struct GivenThresholds {
     bool step = false, near = false, far = false, horizon = false;
+    const toml::node* method = nullptr;
 };
 
 void read_isolation(Section& document, Isolation& isolation, GivenThresholds& given) {
@@ -168,6 +170,7 @@ void read_isolation(Section& document, Isolation& isolation, GivenThresholds& gi
                  fmt::format("there is no method '{}'; known: {}", *text, fmt::join(names, ", ")));
         }
         isolation.method = *method;
+        given.method = section->find("method");
     }
     const auto set = [&](const char* name, double least, double& value, bool& known) {
         if (const auto number = section->number(name, least, 1e30)) {
@@ -223,6 +226,9 @@ Scene load(const std::string& name, const std::vector<Override>& overrides) {
 
     scene.timeline.animation = tracks.animate(parts->arrays, seed);
     make_field(*parts);
+    if (const auto why = refusal(scene.isolation.method, *parts->surface.field); !why.empty()) {
+        fail(*given.method, "isolation.method", why);
+    }
     if (painted) scene.material.paint = make_paint(*painted, *parts);
     refuse_unused(*parts, painted ? scene.material.paint->value.get() : nullptr,
                   scene.timeline.animation, tracks);

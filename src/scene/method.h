@@ -14,6 +14,7 @@ enum class Method {
     interval,   // pieces with bounds on F and dF/dt (after Knoll et al. 2009)
     affine,     // pieces with F in the middle and bounds on dF/dt: first order, interval Newton
     sphere,     // steps by |F| and bounds on dF/dt (Hart 1996, Galin et al. 2020)
+    chebyshev,  // the polynomial that F is along the ray, from its degree + 1 samples
 };
 
 struct MethodName {
@@ -32,6 +33,8 @@ inline constexpr MethodName method_names[] = {
     {Method::interval, "interval", "proofs: pieces halved until bounds on F and dF/dt decide"},
     {Method::affine, "affine", "proofs: the same with F in a piece's middle and bounds on dF/dt"},
     {Method::sphere, "sphere", "proofs: steps of |F| over the steepest dF/dt ahead"},
+    {Method::chebyshev, "chebyshev",
+     "for polynomials of degree 1 to 12: the polynomial along the ray, solved"},
 };
 
 // Whether interval arithmetic bounds F and dF/dt over pieces of the ray.

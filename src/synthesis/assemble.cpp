@@ -6,6 +6,8 @@
 
 #include "formula/glsl_interval.h"
 #include "formula/sums.h"
+#include "scene/method_domain.h"
+#include "synthesis/bernstein_text.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/paint_text.h"
 #include "synthesis/shader_files.h"
@@ -67,7 +69,7 @@ void add_isolation(ShaderText& text, const scene::Scene& scene, const Shaders& s
     if (scene::bounds_pieces(method)) return text.file("march/piece_bounds.glsl");
     const bool along = shaders.samples.front() == FieldFunction::along;
     text.file(along ? "march/sample_along.glsl" : "march/sample_value.glsl");
-    if (method == scene::Method::hermite) return;
+    if (method == scene::Method::hermite || method == scene::Method::chebyshev) return;
     text.file(method == scene::Method::marching ? "march/uniform_step.glsl"
                                                 : "march/adaptive_step.glsl");
     text.file(method == scene::Method::amp_taylor ? "march/taylor_test.glsl"
@@ -75,33 +77,42 @@ void add_isolation(ShaderText& text, const scene::Scene& scene, const Shaders& s
 }
 
 // turn(), which takes a ray on by what one sample of the field tells.
-void add_turn(ShaderText& text, scene::Method method) {
+void add_turn(ShaderText& text, const scene::Scene& scene, const Shaders& shaders) {
+    const scene::Method method = scene.isolation.method;
     if (scene::bounds_pieces(method)) {
         text.file("march/close_in.glsl");
         text.file("march/" + std::string(name(method)) + ".glsl");
         text.file("march/turn_piece.glsl");
+        return;
+    }
+    if (method == scene::Method::chebyshev) {
+        text.generated("generated: from samples to Bernstein's form",
+                       bernstein_text(shaders.degree));
+        text.file("march/bernstein.glsl");
+        text.file("march/chebyshev.glsl");
     } else {
         text.file(method == scene::Method::hermite ? "march/hermite.glsl" : "march/amp.glsl");
-        text.file("march/turn_point.glsl");
     }
+    text.file("march/turn_point.glsl");
 }
 
 std::vector<FieldFunction> samples_of(scene::Method method, bool march_takes_gradient) {
     if (scene::bounds_pieces(method)) return {FieldFunction::value, FieldFunction::along_interval};
-    const bool value_alone = method == scene::Method::marching && !march_takes_gradient;
-    return {value_alone ? FieldFunction::value : FieldFunction::along};
+    const bool value_alone = method == scene::Method::marching || method == scene::Method::chebyshev;
+    return {value_alone && !march_takes_gradient ? FieldFunction::value : FieldFunction::along};
 }
 
-// What else a ray keeps, for each shader that reads its state.
+// What else a ray keeps, for each shader that samples along it.
 void define_state(ShaderText& text, const Shaders& shaders) {
     if (shaders.state_textures == 3) text.define("THREE_SAMPLES", 1);
+    if (shaders.degree > 0) text.define("DEGREE", shaders.degree);
 }
 
 void add_march(ShaderText& text, const scene::Scene& scene, const Shaders& shaders, Origin origin) {
     add_isolation(text, scene, shaders);
     text.file(shaders.march_takes_gradient ? "march/gradient_at_root.glsl"
                                            : "march/end_at_root.glsl");
-    add_turn(text, scene.isolation.method);
+    add_turn(text, scene, shaders);
     const bool beam = uses_beams(scene) && origin == Origin::eye;
     if (beam) text.define("BLOCK", shaders.beams.back().block);
     if (beam && !shaders.arrays.empty() && shaders.arrays[0].has_lists) text.define("LISTS", 1);
@@ -231,8 +242,12 @@ std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
     if (const auto method = scene.isolation.method;
         method == scene::Method::hermite || scene::bounds_pieces(method)) {
         text.file("march/end_at_root.glsl");
-        add_turn(text, method);
+        add_turn(text, scene, shaders);
         text.file("march/any_hit_turn.glsl");
+    } else if (method == scene::Method::chebyshev) {
+        text.file("march/end_at_root.glsl");
+        add_turn(text, scene, shaders);
+        text.file("march/any_hit_chebyshev.glsl");
     } else {
         text.file("march/any_hit_amp.glsl");
     }
@@ -370,6 +385,9 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     shaders.files.push_back("fullscreen.vert");
     shaders.march_takes_gradient = is_long(scene.surface.field->gradient);
     shaders.samples = samples_of(scene.isolation.method, shaders.march_takes_gradient);
+    if (scene.isolation.method == scene::Method::chebyshev) {
+        shaders.degree = scene::solved_degree(*scene.surface.field);
+    }
     shaders.state_textures = scene.isolation.method == scene::Method::hermite ? 3 : 2;
     if (uses_beams(scene)) {
         const bool lists = !shaders.arrays.empty() && shaders.arrays[0].has_lists;

@@ -37,6 +37,9 @@ struct Shaders : FieldStorage {
     std::string motion;         // of the channel velocity: F at another time
 
     int state_textures = 2; // that a ray's state takes between passes
+    // Of the polynomial in t that the method chebyshev solves, else 0. A pass must hold its
+    // degree + 1 samples.
+    int degree = 0;
     // What a turn of a march asks of the field; and whether, the formula being long, the march also
     // samples the gradient at the root, which else the shade pass does.
     std::vector<FieldFunction> samples;

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "methods/contest.h"
+#include "scene/method_domain.h"
 
 namespace isomotion::bench {
 namespace {
@@ -88,12 +89,12 @@ TEST_P(Counts, AreThoseExpected) {
     const auto context = gpu::Context::create();
     const Certified on = certified(surface(name), size, {});
     std::map<Key, Row> expected = read_table();
-    for (const auto& entry : scene::method_names) {
-        const Key key(name, entry.name);
+    for (const scene::Method method : scene::methods_for(*on.subject.scene.surface.field)) {
+        const Key key(name, scene::name(method));
         SCOPED_TRACE(fmt::format("{} {}", key.first, key.second));
         Row row;
         try {
-            const accuracy::Setting setting{entry.method, on.subject.scene.isolation.step, 1,
+            const accuracy::Setting setting{method, on.subject.scene.isolation.step, 1,
                                             on.subject.scene.isolation.bisections,
                                             on.subject.scene.isolation.safety};
             const Count counted = count(*context, on, setting);
