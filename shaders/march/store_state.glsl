@@ -12,9 +12,3 @@ void store_state(RayState s) {
     state_2 = vec4(s.other, 0.0);
 #endif
 }
-
-RayState finish(RayState s, int verdict) {
-    s.phase = PHASE_DONE;
-    s.verdict = verdict;
-    return s;
-}

@@ -13,6 +13,7 @@
 #include "render/blocks.h"
 #include "render/effect_uniforms.h"
 #include "render/fingerprint.h"
+#include "render/ray_pass.h"
 #include "render/secondary_rays.h"
 
 namespace isomotion::render {
@@ -68,9 +69,10 @@ struct Renderer::Parts {
         : context(made_in)
         , scene(drawn)
         , options(std::move(wanted))
-        , shaders(synthesis::assemble(scene, options.channels))
+        , shaders(synthesis::assemble(scene, options.channels,
+                                      choose_stage(options.stage, context.info())))
         , plan(make_plan())
-        , march(shaders.vertex, shaders.march, "march")
+        , march(ray_program(shaders, shaders.march, "march"))
         , active(shaders.vertex, shaders.active, "active")
         , shade(shaders.vertex, shaders.shade, "shade")
         , eye_rays(plan.tile_width, plan.tile_height, shaders.state_textures)
@@ -203,14 +205,11 @@ struct Renderer::Parts {
         program.set("evaluations_per_pass", plan.evaluations_per_pass);
         const gpu::Target *from = &targets.odd, *to = &targets.even;
         for (bool first = true;; first = false) {
-            to->bind();
-            gpu::set_viewport(viewport);
             from->texture(0).bind(unit_state_0);
             from->texture(1).bind(unit_state_1);
             if (shaders.state_textures > 2) from->texture(2).bind(unit_state_2);
             program.set("first_pass", first ? 1 : 0);
-            program.use();
-            triangle.draw();
+            run_ray_pass(shaders.stage, program, *to, tile.width, tile.height, triangle);
             ++passes;
 
             to->texture(0).bind(unit_state_0);

@@ -21,7 +21,8 @@ enum class Origin { eye, mirror };
 
 void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin = Origin::eye) {
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
-    text.file("frame.glsl");
+    text.file_of_stage("frame.glsl", "stage/frame.glsl");
+    text.file("march/verdict.glsl");
     text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
     if (origin == Origin::eye) {
         text.file("march/ray.glsl");
@@ -38,7 +39,8 @@ void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin = Origin
 
 void add_isolation(ShaderText& text, const scene::Scene& scene, const Shaders& shaders) {
     const scene::Method method = scene.isolation.method;
-    text.file("march/store_state.glsl");
+    text.file_of_stage("march/store_state.glsl", "stage/store_state.glsl");
+    text.file("march/finish.glsl");
     text.file(shaders.samples_derivative ? "march/sample_along.glsl" : "march/sample_value.glsl");
     if (method == scene::Method::hermite) return;
     text.file(method == scene::Method::marching ? "march/uniform_step.glsl"
@@ -61,7 +63,7 @@ void define_state(ShaderText& text, const Shaders& shaders) {
 bool is_long(const formula::Program& gradient) { return gradient.instructions.size() > 1000; }
 
 std::string march_text(const scene::Scene& scene, Shaders& shaders, Origin origin) {
-    ShaderText text(shaders.files);
+    ShaderText text(shaders.files, shaders.stage);
     define_state(text, shaders);
     add_field(text, *scene.surface.field, shaders,
               {shaders.samples_derivative ? FieldFunction::along : FieldFunction::value});
@@ -70,7 +72,8 @@ std::string march_text(const scene::Scene& scene, Shaders& shaders, Origin origi
     text.file(shaders.march_takes_gradient ? "march/gradient_at_root.glsl"
                                            : "march/end_at_root.glsl");
     text.file(method_file(scene));
-    text.file("march/march.frag");
+    text.file("march/march.glsl");
+    text.file_of_stage("stage/march.frag", "stage/march.comp");
     return text.take();
 }
 
@@ -98,7 +101,7 @@ std::string surface_text(const scene::Scene& scene, Shaders& shaders, Origin ori
 }
 
 std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
-    ShaderText text(shaders.files);
+    ShaderText text(shaders.files, shaders.stage);
     define_state(text, shaders);
     text.define("LIGHTS", int(scene.lights.size()));
     text.define("SHADOWS", shadow_mask(scene));
@@ -117,7 +120,8 @@ std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
     } else {
         text.file("march/any_hit_amp.glsl");
     }
-    text.file("effects/shadow.frag");
+    text.file("effects/shadow.glsl");
+    text.file_of_stage("stage/march.frag", "stage/march.comp");
     return text.take();
 }
 
@@ -198,8 +202,9 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
 
 } // namespace
 
-Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels) {
+Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels, Stage stage) {
     Shaders shaders;
+    shaders.stage = stage;
     static_cast<FieldStorage&>(shaders) = storage_of(scene);
     shaders.vertex = "#version 330 core\n" + read_shader("fullscreen.vert");
     shaders.files.push_back("fullscreen.vert");

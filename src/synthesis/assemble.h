@@ -11,6 +11,7 @@
 #include "scene/scene.h"
 #include "synthesis/channel.h"
 #include "synthesis/field_text.h"
+#include "synthesis/stage.h"
 
 namespace isomotion::synthesis {
 
@@ -27,7 +28,8 @@ struct Shaders : FieldStorage {
     std::string mirror_surface; // keeps where those ended
     std::string motion;         // of the channel velocity: F at another time
 
-    int state_textures = 2; // that a ray's state takes between passes
+    Stage stage = Stage::fragment; // of march, shadow and mirror; the others are of fragments
+    int state_textures = 2;        // that a ray's state takes between passes
     // Whether a march samples F and dF/dt, or F alone; and whether, the formula being long, it also
     // samples the gradient at the root, which else the shade pass does.
     bool samples_derivative = true;
@@ -37,6 +39,7 @@ struct Shaders : FieldStorage {
     std::vector<std::string> files; // of shaders/, as used
 };
 
-Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels = {});
+Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels = {},
+                 Stage stage = Stage::fragment);
 
 } // namespace isomotion::synthesis

@@ -8,10 +8,20 @@
 
 namespace isomotion::synthesis {
 
-ShaderText::ShaderText(std::vector<std::string>& files)
+ShaderText::ShaderText(std::vector<std::string>& files, Stage stage)
     : files_(files)
+    , stage_(stage)
     , text_(read_shader("prelude.glsl")) { // #version must be the very first line
     record("prelude.glsl");
+    if (stage_ == Stage::compute) {
+        text_.replace(0, text_.find('\n'), "#version 430 core");
+        define("WORKGROUP_SIDE", workgroup_side);
+    }
+    file_of_stage("stage/fragment.glsl", "stage/compute.glsl");
+}
+
+void ShaderText::file_of_stage(const std::string& fragment, const std::string& compute) {
+    file(stage_ == Stage::fragment ? fragment : compute);
 }
 
 void ShaderText::file(const std::string& name) {

@@ -57,7 +57,7 @@ TEST_F(Information, ShowFollowsTheFrame) {
     EXPECT_THAT(first, StartsWith("Sphere\nformula   x^2 + y^2 + z^2 - r^2\n"));
     EXPECT_THAT(first, HasSubstr("60 frames at 30000/1001 a second"));
     EXPECT_THAT(first, HasSubstr("amp-sign"));
-    EXPECT_THAT(first, HasSubstr("march/march.frag"));
+    EXPECT_THAT(first, HasSubstr("march/march.glsl"));
     EXPECT_NE(told({"show", "sphere.toml", "--frame", "2"}), first);
 }
 

@@ -11,7 +11,7 @@ RayState begin(Ray ray) {
     return empty ? finish(s, VERDICT_MISS) : s;
 }
 
-void main() {
+void march_pixel() {
     Ray ray = pixel_ray();
     RayState s;
     if (first_pass) {
