@@ -7,6 +7,7 @@ int any_hit(inout RayState s, Ray ray, vec2 f, float finest) {
     if (next.phase == PHASE_REFINE) return RAY_IS_HIDDEN;
     if (next.phase == PHASE_DONE) return next.verdict == VERDICT_HIT ? RAY_IS_HIDDEN : RAY_IS_FREE;
     next.evaluations = s.evaluations;
+    next.refinements = s.refinements; // of shadow rays they count the lights
     s = next;
     return RAY_GOES_ON;
 }

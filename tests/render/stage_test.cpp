@@ -7,6 +7,7 @@
 #include "gpu/compute.h"
 #include "gpu/error.h"
 #include "scene/method.h"
+#include "synthesis/assemble.h"
 
 namespace isomotion::render {
 namespace {
@@ -40,9 +41,8 @@ protected:
 };
 ISOMOTION_ON_EVERY_BACKEND(StageOf);
 
-// Neither side of the picture is a multiple of a work group's. Among the scenes: kinks, a high
-// degree, sums over arrays in a block and in a buffer, a sphere and a box as bounds, gradients that
-// the march takes itself.
+// Neither side of the picture is a multiple of a work group's. Among the scenes: a high degree, a
+// sum over an array in a block, a sphere and a box as bounds.
 TEST_P(StageOf, ChangesNoBitWhateverTheMethod) {
     for (const char* name : {"barth_decic", "goursat", "blobby75", "twisting_superquadric"}) {
         for (const auto& method : scene::method_names) {
@@ -62,6 +62,26 @@ TEST_P(StageOf, ChangesNoBitWhateverTheTilesAndPasses) {
             fmt::format("{}x{}, {}", plan.tile_width, plan.tile_height, plan.evaluations_per_pass));
         expect_same(scene, 31, plan);
     }
+}
+
+// A formula so long that the march takes the gradient too, and an array so long that it is in a
+// texture.
+TEST_P(StageOf, ChangesNoBitOfWhatIsLong) {
+    std::string terms = "x^2 + y^2 + z^2 - 1";
+    for (int k = 1; k < 60; ++k) {
+        terms += fmt::format(" + sin({}*x)*cos({}*y)*sin({}*z + x)/400", k, k + 1, k + 2);
+    }
+    const std::string surface = "[surface]\nbounds = { sphere = 1.5 }\nformula = ";
+    const std::string view = "[camera]\nposition = [5, 0, 0]\n[output]\nsize = [21, 19]\n";
+    const scene::Scene formula = scene_of(surface + '"' + terms + "\"\n" + view);
+    EXPECT_TRUE(synthesis::assemble(formula).march_takes_gradient);
+    expect_same(formula, 1);
+    const scene::Scene array =
+        scene_of(surface + "\"x^2 + y^2 + z^2 - 1 + sum(links, px*sin(x + px))\"\n" +
+                 "[arrays.links]\ncount = 5000\npx = '1e-5*i'\n" + view);
+    EXPECT_EQ(synthesis::assemble(array).arrays.at(0).kind,
+              synthesis::ArrayStorage::Kind::texture_buffer);
+    expect_same(array, 1);
 }
 
 // Mirrored rays and shadow rays are marched by the same stage.
