@@ -38,7 +38,7 @@ struct RenderOptions {
     std::optional<MarchPlan> plan;
     // Told what was mended of the files that the scene names.
     std::function<void(const std::string&)> warn = {};
-    // What marches the rays; it changes no pixel.
+    // What marches the rays; it changes hits by last bits at most.
     StageChoice stage = StageChoice::fragment;
 };
 
