@@ -13,9 +13,3 @@ flat in vec4 thresholds; // step, near, far, horizon of Eq. 2
 // Bisections, or of cubics the safety; most evaluations of a ray; of cubics the finest and the
 // longest step.
 flat in vec4 refinement;
-
-const int VERDICT_MISS = 0;
-const int VERDICT_HIT = 1;
-const int VERDICT_STEP_LIMIT = 2;
-const int VERDICT_NAN = 3;
-const int VERDICT_ZERO_GRADIENT = 4;

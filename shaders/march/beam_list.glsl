@@ -4,7 +4,7 @@
 // when it adds up some ten terms.
 
 vec2 list_of(Beam way, float low, float high, Scale scale) {
-    int first = list.x + (int(gl_FragCoord.y) * list.z + int(gl_FragCoord.x)) * list.y;
+    int first = list.x + (int(pixel_centre.y) * list.z + int(pixel_centre.x)) * list.y;
     float left = 9.53674316e-7;
     int kept = 0;
     for (int e = 0; e < array0_count; ++e) {

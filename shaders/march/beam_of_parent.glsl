@@ -3,7 +3,7 @@ uniform sampler2D beam_texture;
 
 // The part of tau, and the first piece to try.
 vec4 parent_part() {
-    vec4 parent = texelFetch(beam_texture, ivec2(gl_FragCoord.xy) * BLOCK / PARENT_BLOCK, 0);
+    vec4 parent = texelFetch(beam_texture, ivec2(pixel_centre) * BLOCK / PARENT_BLOCK, 0);
 #ifdef TEXELS
     enter_list(parent.zw);
 #endif

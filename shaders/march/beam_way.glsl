@@ -17,7 +17,7 @@ struct Beam {
 };
 
 Beam pixel_beam() {
-    vec2 first = (floor(gl_FragCoord.xy) * float(BLOCK) + picture.zw + 0.5) * picture.xy - 1.0;
+    vec2 first = (floor(pixel_centre) * float(BLOCK) + picture.zw + 0.5) * picture.xy - 1.0;
     vec2 half_size = 0.5 * float(BLOCK - 1) * picture.xy;
     vec2 middle = first + half_size;
     vec3 across = middle.x * ray_right.xyz + middle.y * ray_up.xyz;

@@ -2,7 +2,7 @@
 uniform sampler2D beam_texture;
 
 void enter_beam(inout Ray ray) {
-    vec4 part = texelFetch(beam_texture, ivec2(gl_FragCoord.xy) / BLOCK, 0);
+    vec4 part = texelFetch(beam_texture, ivec2(pixel_centre) / BLOCK, 0);
     ray.t_near = max(ray.t_near, part.x * ray.to_eye);
     ray.t_far = part.x < part.y ? min(ray.t_far, part.y * ray.to_eye) : ray.t_near - 1.0;
 #ifdef LISTS

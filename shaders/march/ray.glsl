@@ -13,7 +13,7 @@ vec3 ray_point(Ray ray, float t) {
 }
 
 Ray pixel_ray() {
-    vec2 at = (gl_FragCoord.xy + picture.zw) * picture.xy - 1.0;
+    vec2 at = (pixel_centre + picture.zw) * picture.xy - 1.0;
     vec3 across = at.x * ray_right.xyz + at.y * ray_up.xyz;
     vec3 from_eye = ray_axis.xyz + ray_axis.w * across;
     float distance_to_eye = length(from_eye);

@@ -34,7 +34,7 @@ uniform sampler2D state_texture_2;
 #endif
 
 RayState load_state() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = ivec2(pixel_centre);
     vec4 a = texelFetch(state_texture_0, at, 0);
     vec4 b = texelFetch(state_texture_1, at, 0);
     RayState s;

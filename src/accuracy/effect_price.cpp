@@ -16,17 +16,20 @@ double median(std::vector<double> values) {
 } // namespace
 
 std::vector<EffectPrice> effect_prices(gpu::Context& context, const scene::Scene& scene, int frame,
-                                       int width, int height, int pairs) {
+                                       int width, int height, int pairs,
+                                       render::StageChoice stage) {
     const auto ms = [&](render::Renderer& renderer, const scene::Scene& drawn) {
         const render::Picture picture = render::expose(renderer, drawn, frame);
         return std::chrono::duration<double, std::milli>(picture.drawing).count();
     };
-    render::Renderer full(context, scene, {width, height, {}, {}});
+    render::RenderOptions options{width, height, {}, {}};
+    options.stage = stage;
+    render::Renderer full(context, scene, options);
     ms(full, scene); // drivers make their code at the first draw
     std::vector<EffectPrice> prices;
     for (const scene::Effect effect : scene::effects(scene)) {
         const scene::Scene less = scene::without(effect, scene);
-        render::Renderer partial(context, less, {width, height, {}, {}});
+        render::Renderer partial(context, less, options);
         ms(partial, less);
         std::vector<double> with, without, difference;
         for (int k = 0; k < pairs; ++k) {

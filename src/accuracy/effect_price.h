@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gpu/context.h"
+#include "render/stage.h"
 #include "scene/effect.h"
 
 namespace isomotion::accuracy {
@@ -17,6 +18,7 @@ struct EffectPrice {
 // Draws a frame with all effects and without each of them in turn, `pairs` times, one right after
 // the other: what else the machine does then weighs on both.
 std::vector<EffectPrice> effect_prices(gpu::Context& context, const scene::Scene& scene, int frame,
-                                       int width, int height, int pairs);
+                                       int width, int height, int pairs,
+                                       render::StageChoice stage = render::StageChoice::fragment);
 
 } // namespace isomotion::accuracy

@@ -25,8 +25,11 @@ Measurement measure_one(gpu::Context& context, const scene::Scene& scene, const 
     found.setting = setting;
     const scene::Scene changed = apply(setting, scene);
     // Errors from one renderer, times from another that writes no channels.
-    render::Renderer looked_at(context, changed, {how.width, how.height, compared_channels, {}});
-    render::Renderer timed(context, changed, {how.width, how.height, {}, {}});
+    render::RenderOptions options{how.width, how.height, {}, {}};
+    options.stage = how.stage;
+    render::Renderer timed(context, changed, options);
+    options.channels = compared_channels;
+    render::Renderer looked_at(context, changed, options);
     Popping popping;
     std::vector<double> ms;
     for (std::size_t k = 0; k < how.frames.size(); ++k) {

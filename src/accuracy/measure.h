@@ -28,6 +28,7 @@ struct Measuring {
     std::vector<int> frames{1};
     int width = 0, height = 0;
     int repeat = 3;
+    render::StageChoice stage = render::StageChoice::fragment;
     std::filesystem::path cache; // of truth, see truth_cache.h; empty for none
     std::function<void(const std::string& what, double part)> progress;
 };

@@ -16,7 +16,8 @@ namespace isomotion::app {
 namespace {
 
 struct AccuracyArguments {
-    std::string scene, frames, size = "256x256", methods, steps, backend = "auto", output;
+    std::string scene, frames, size = "256x256", methods, steps, backend = "auto",
+                               stage = "fragment", output;
     std::vector<std::string> settings;
     std::optional<double> max_wrong, budget_ms;
     int repeat = 3;
@@ -81,8 +82,9 @@ int price_effects(const AccuracyArguments& arguments) {
         return exit_done;
     }
     const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
-    const auto prices = accuracy::effect_prices(*context, scene, frame, scene.output.width,
-                                                scene.output.height, arguments.repeat);
+    const auto prices =
+        accuracy::effect_prices(*context, scene, frame, scene.output.width, scene.output.height,
+                                arguments.repeat, render::parse_stage(arguments.stage));
     fmt::print("{}: {}x{}, frame {}, medians of {} pairs; {}, {}\n", scene.title,
                scene.output.width, scene.output.height, frame, arguments.repeat,
                context->info().renderer, context->info().version);
@@ -103,16 +105,19 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
     measuring.width = scene.output.width;
     measuring.height = scene.output.height;
     measuring.repeat = arguments.repeat;
+    measuring.stage = render::parse_stage(arguments.stage);
     measuring.cache = accuracy::truth_cache_folder();
     const auto settings =
         accuracy::sweep(scene, parse_methods(arguments.methods), parse_steps(arguments.steps));
     const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+    const synthesis::Stage stage = render::choose_stage(measuring.stage, context->info());
     Progress progress("measuring", 1000, arguments.quiet);
     measuring.progress = [&](const std::string& what, double part) {
         progress.show(int(1000 * part), what);
     };
     accuracy::Report report{scene.title,
-                            context->info().renderer + ", " + context->info().version,
+                            fmt::format("{}, {}, {} shaders", context->info().renderer,
+                                        context->info().version, render::name(stage)),
                             scene.isolation,
                             measuring.frames,
                             measuring.width,
@@ -191,6 +196,7 @@ void add_accuracy(CLI::App& app, Action& chosen) {
                       "instead: what each effect of the scene costs, one frame with and without");
     command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
     command->add_option("--backend", a.backend, "auto, egl or osmesa");
+    command->add_option("--stage", a.stage, "fragment, compute or auto, as for render");
     command->add_flag("--quiet", a.quiet, "no table, no progress");
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return accuracy_of(*arguments); }; });

@@ -56,6 +56,7 @@ public:
         : arguments_(arguments)
         , scene_(scene::load(arguments.scene, overrides(arguments)))
         , backend_(gpu::parse_backend(arguments.backend))
+        , stage_(render::parse_stage(arguments.stage))
         , channels_(parse_channels(arguments.channels))
         , frames_(parse_frames())
         , output_(output_name())
@@ -80,11 +81,12 @@ public:
         make_folder(name_.path(frames_.front()));
         if (!arguments_.movie.empty()) make_folder(arguments_.movie);
         const auto context = gpu::Context::create(backend_);
+        const synthesis::Stage stage = render::choose_stage(stage_, context->info());
         if (arguments_.max_wrong && !choose_setting(*context)) return exit_check_failed;
-        say("{}: {} frame{}, {}x{}, {}, step {:g}; {} ({})\n", scene_.title, frames_.size(),
-            frames_.size() == 1 ? "" : "s", scene_.output.width, scene_.output.height,
-            scene::name(scene_.isolation.method), scene_.isolation.step, context->info().renderer,
-            context->info().backend);
+        say("{}: {} frame{}, {}x{}, {}, step {:g}; {} ({}), {} shaders\n", scene_.title,
+            frames_.size(), frames_.size() == 1 ? "" : "s", scene_.output.width,
+            scene_.output.height, scene::name(scene_.isolation.method), scene_.isolation.step,
+            context->info().renderer, context->info().backend, render::name(stage));
         const StopOnSignal stop;
         render_frames(*context, stop);
         if (stop.asked()) return stopped();
@@ -150,6 +152,7 @@ private:
             std::min(1.0, 256.0 / std::max(scene_.output.width, scene_.output.height));
         measuring.width = std::max(1, int(shrink * scene_.output.width + 0.5));
         measuring.height = std::max(1, int(shrink * scene_.output.height + 0.5));
+        measuring.stage = stage_;
         measuring.cache = accuracy::truth_cache_folder();
         std::vector<scene::Method> methods;
         if (!arguments_.method.empty()) methods.push_back(scene_.isolation.method);
@@ -175,11 +178,12 @@ private:
     }
 
     void render_frames(gpu::Context& context, const StopOnSignal& stop) {
+        const auto warn_of_file = [](const std::string& text) {
+            fmt::print(stderr, "warning: {}\n", text);
+        };
         render::Renderer renderer(
             context, scene_,
-            {scene_.output.width, scene_.output.height, channels_, {}, [](const std::string& text) {
-                 fmt::print(stderr, "warning: {}\n", text);
-             }});
+            {scene_.output.width, scene_.output.height, channels_, {}, warn_of_file, stage_});
         const std::string machine = context.info().renderer + context.info().version;
         image::SequenceWriter writer(name_, format_);
         Progress progress("rendering", int(frames_.size()), arguments_.quiet);
@@ -279,6 +283,7 @@ private:
     const RenderArguments& arguments_;
     scene::Scene scene_;
     gpu::Backend backend_;
+    render::StageChoice stage_;
     std::vector<synthesis::Channel> channels_;
     std::vector<int> frames_;
     std::string output_;
@@ -312,6 +317,8 @@ void add_render(CLI::App& app, Action& chosen) {
                      "million, against certified truth; exit code 1 if there is none")
         ->check(CLI::NonNegativeNumber);
     command->add_option("--backend", a.backend, "auto, egl or osmesa");
+    command->add_option("--stage", a.stage,
+                        "shaders that march the rays: fragment, compute, or auto, the faster here");
     command->add_option("--channels", a.channels, "EXR only: z,n,p,verdict,evaluations");
     command->add_option("--bits", a.bits, "of a PNG: 8 or 16")->check(CLI::IsMember({8, 16}));
     command->add_option("--movie", a.movie, "also join the frames: .mp4, .webm or .gif");

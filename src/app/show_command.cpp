@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "render/stage.h"
 #include "scene/effect.h"
 #include "scene/load.h"
 #include "scene/scene_at.h"
@@ -16,6 +17,7 @@ struct ShowArguments {
     std::string scene;
     int frame = 1;
     bool shader = false;
+    std::string stage = "fragment";
     std::vector<std::string> settings;
 };
 
@@ -28,9 +30,23 @@ std::string range_text(const scene::Scene& scene, std::size_t track, double valu
                        range.most);
 }
 
+// No driver is asked here, so nothing can be chosen by one.
+synthesis::Stage stage_of(const ShowArguments& arguments) {
+    switch (render::parse_stage(arguments.stage)) {
+    case render::StageChoice::fragment:
+        return synthesis::Stage::fragment;
+    case render::StageChoice::compute:
+        return synthesis::Stage::compute;
+    case render::StageChoice::automatic:
+        break;
+    }
+    throw std::invalid_argument("--stage auto is up to the driver, which isomotion doctor asks; "
+                                "show one of fragment, compute");
+}
+
 int show(const ShowArguments& arguments) {
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings);
-    const synthesis::Shaders shaders = synthesis::assemble(scene);
+    const synthesis::Shaders shaders = synthesis::assemble(scene, {}, stage_of(arguments));
     if (arguments.shader) {
         for (const std::string* text : {&shaders.march, &shaders.surface, &shaders.mirror,
                                         &shaders.mirror_surface, &shaders.shadow, &shaders.shade}) {
@@ -66,6 +82,7 @@ int show(const ShowArguments& arguments) {
     for (const scene::Effect effect : scene::effects(scene)) called.push_back(scene::name(effect));
     fmt::print("effects   {}\n",
                called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
+    fmt::print("stage     {}\n", render::name(shaders.stage));
     fmt::print("shaders   {}\n", fmt::join(shaders.files, " "));
     return exit_done;
 }
@@ -81,6 +98,8 @@ void add_show(CLI::App& app, Action& chosen) {
         ->check(CLI::Range(1, 10'000'000));
     command->add_option("--set", arguments->settings, "name=value, as for render")
         ->allow_extra_args(false);
+    command->add_option("--stage", arguments->stage,
+                        "shaders that march the rays: fragment or compute");
     command->add_flag("--shader", arguments->shader, "print the assembled GLSL");
     command->callback([arguments, &chosen] { chosen = [arguments] { return show(*arguments); }; });
 }

@@ -16,7 +16,7 @@ public:
 /// around each error.
 class CompileError : public std::runtime_error {
 public:
-    /// `stage` is "vertex", "fragment" or "link"; `source` is empty for "link".
+    /// `stage` is "vertex", "fragment", "compute" or "link"; `source` is empty for "link".
     CompileError(std::string_view label, std::string stage, std::string log,
                  std::string_view source);
 

@@ -1,9 +1,17 @@
 #include "gpu/program.h"
 
+#include "gpu/compute.h"
+#include "gpu/context.h"
+
 #include <glad/gl.h>
 
 namespace isomotion::gpu {
 namespace {
+
+std::string stage_name(GLenum stage) {
+    if (stage == GL_COMPUTE_SHADER) return "compute";
+    return stage == GL_VERTEX_SHADER ? "vertex" : "fragment";
+}
 
 /// Lives until the program is linked.
 class Shader {
@@ -17,8 +25,7 @@ public:
         GLint done = GL_FALSE;
         glGetShaderiv(number_, GL_COMPILE_STATUS, &done);
         if (done) return;
-        const CompileError error(label, stage == GL_VERTEX_SHADER ? "vertex" : "fragment", log(),
-                                 source);
+        const CompileError error(label, stage_name(stage), log(), source);
         glDeleteShader(number_);
         throw error;
     }
@@ -55,12 +62,22 @@ std::string link_log(GLuint program) {
 Program::Program(std::string_view vertex, std::string_view fragment, std::string_view label) {
     const Shader first(GL_VERTEX_SHADER, vertex, label);
     const Shader second(GL_FRAGMENT_SHADER, fragment, label);
+    link({first.number(), second.number()}, label);
+}
+
+Program Program::compute(std::string_view source, std::string_view label) {
+    expect_compute(Context::current()->info(), label);
+    const Shader shader(GL_COMPUTE_SHADER, source, label);
+    Program program;
+    program.link({shader.number()}, label);
+    return program;
+}
+
+void Program::link(std::initializer_list<unsigned> shaders, std::string_view label) const {
     const GLuint program = name_.get();
-    glAttachShader(program, first.number());
-    glAttachShader(program, second.number());
+    for (const GLuint shader : shaders) glAttachShader(program, shader);
     glLinkProgram(program);
-    glDetachShader(program, first.number());
-    glDetachShader(program, second.number());
+    for (const GLuint shader : shaders) glDetachShader(program, shader);
     GLint done = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &done);
     if (!done) throw CompileError(label, "link", link_log(program), {});

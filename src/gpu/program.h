@@ -8,6 +8,7 @@
 #include <glm/vec4.hpp>
 
 #include <functional>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,7 +16,7 @@
 
 namespace isomotion::gpu {
 
-/// A linked vertex and fragment shader.
+/// A linked vertex and fragment shader, or a compute shader.
 ///
 /// A driver drops uniforms and blocks that the shader does not need; setting one that is not there
 /// does nothing.
@@ -24,6 +25,10 @@ public:
     /// `label` names the program in messages. Throws CompileError. Software drivers translate to
     /// machine code at the first draw, not here.
     Program(std::string_view vertex, std::string_view fragment, std::string_view label);
+
+    /// Of a compute shader, which gpu::dispatch() runs. Throws ResourceError where the context has
+    /// none, see gpu/compute.h.
+    static Program compute(std::string_view source, std::string_view label);
 
     void use() const;
 
@@ -46,6 +51,9 @@ public:
     void bind_sampler(std::string_view sampler, int unit) const { set(sampler, unit); }
 
 private:
+    Program() = default;
+    void link(std::initializer_list<unsigned> shaders, std::string_view label) const;
+
     struct Hash : std::hash<std::string_view> {
         using is_transparent = void;
     };

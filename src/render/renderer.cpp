@@ -13,6 +13,7 @@
 #include "render/blocks.h"
 #include "render/effect_uniforms.h"
 #include "render/fingerprint.h"
+#include "render/ray_pass.h"
 #include "render/secondary_rays.h"
 
 namespace isomotion::render {
@@ -76,9 +77,10 @@ struct Renderer::Parts {
         : context(made_in)
         , scene(drawn)
         , options(std::move(wanted))
-        , shaders(synthesis::assemble(scene, options.channels))
+        , shaders(synthesis::assemble(scene, options.channels,
+                                      choose_stage(options.stage, context.info())))
         , plan(make_plan())
-        , one_draw(!shaders.whole.empty())
+        , one_draw(shaders.stage == synthesis::Stage::fragment && !shaders.whole.empty())
         , result(plan.tile_width, plan.tile_height, 2 + int(shaders.attachments.size()))
         , frame(sizeof(FrameBlock))
         , parameters(std::size_t(shaders.parameter_vectors + shaders.count_vectors) * 16)
@@ -105,7 +107,7 @@ struct Renderer::Parts {
     }
 
     void make_passes() {
-        passes.emplace(gpu::Program(shaders.vertex, shaders.march, "march"),
+        passes.emplace(ray_program(shaders, shaders.march, "march"),
                        gpu::Program(shaders.vertex, shaders.active, "active"),
                        gpu::Program(shaders.shade_vertex, shaders.shade, "shade"),
                        RayTargets(plan.tile_width, plan.tile_height, shaders.state_textures));
@@ -236,14 +238,11 @@ struct Renderer::Parts {
         program.set("evaluations_per_pass", plan.evaluations_per_pass);
         const gpu::Target *from = &targets.odd, *to = &targets.even;
         for (bool first = true;; first = false) {
-            to->bind();
-            gpu::set_viewport(viewport);
             from->texture(0).bind(unit_state_0);
             from->texture(1).bind(unit_state_1);
             if (shaders.state_textures > 2) from->texture(2).bind(unit_state_2);
             program.set("first_pass", first ? 1 : 0);
-            program.use();
-            triangle.draw();
+            run_ray_pass(shaders.stage, program, *to, tile.width, tile.height, triangle);
             ++draws;
 
             to->texture(0).bind(unit_state_0);

@@ -12,6 +12,7 @@
 #include "image/frame.h"
 #include "render/march_plan.h"
 #include "render/motion.h"
+#include "render/stage.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
 #include "synthesis/channel.h"
@@ -37,6 +38,8 @@ struct RenderOptions {
     std::optional<MarchPlan> plan;
     // Told what was mended of the files that the scene names.
     std::function<void(const std::string&)> warn = {};
+    // What marches the rays; it changes hits by last bits at most.
+    StageChoice stage = StageChoice::fragment;
 };
 
 class Renderer {

@@ -49,7 +49,8 @@ bool contains(const std::vector<Channel>& channels, Channel channel) {
 
 void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin = Origin::eye) {
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
-    text.file("frame.glsl");
+    text.file_of_stage("frame.glsl", "stage/frame.glsl");
+    text.file("march/verdict.glsl");
     text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
     if (origin == Origin::eye) {
         text.file("march/ray.glsl");
@@ -124,13 +125,14 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Shaders& shade
 bool is_long(const formula::Program& gradient) { return gradient.instructions.size() > 1000; }
 
 std::string march_text(const scene::Scene& scene, Shaders& shaders, Origin origin) {
-    ShaderText text(shaders.files);
+    ShaderText text(shaders.files, shaders.stage);
     define_state(text, shaders);
     add_field(text, *scene.surface.field, shaders, shaders.samples);
     add_ray(text, scene, origin);
     add_march(text, scene, shaders, origin);
-    text.file("march/store_state.glsl");
-    text.file("march/march.frag");
+    text.file_of_stage("march/store_state.glsl", "stage/store_state.glsl");
+    text.file("march/march_pixel.glsl");
+    text.file_of_stage("stage/march.frag", "stage/march.comp");
     return text.take();
 }
 
@@ -170,7 +172,8 @@ std::string beam_text(const scene::Scene& scene, int block, int parent, Shaders&
     const formula::Field& field = *scene.surface.field;
     const auto sums = formula::sums_of(field);
     const bool lists = !shaders.arrays.empty() && shaders.arrays[0].has_lists;
-    ShaderText text(shaders.files, lists ? 430 : 330);
+    ShaderText text(shaders.files);
+    if (lists) text.version(430);
     text.define("BLOCK", block);
     text.define("BOTH_ENDS", lists && block > 8 ? 1 : 0);
     if (lists) {
@@ -226,14 +229,14 @@ std::string surface_text(const scene::Scene& scene, Shaders& shaders, Origin ori
 }
 
 std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
-    ShaderText text(shaders.files);
+    ShaderText text(shaders.files, shaders.stage);
     define_state(text, shaders);
     text.define("LIGHTS", int(scene.lights.size()));
     text.define("SHADOWS", shadow_mask(scene));
     add_field(text, *scene.surface.field, shaders, shaders.samples);
     add_ray(text, scene);
     add_isolation(text, scene, shaders);
-    text.file("march/store_state.glsl");
+    text.file_of_stage("march/store_state.glsl", "stage/store_state.glsl");
     text.file("shade/shading.glsl");
     text.file("shade/hit.glsl");
     add_lights(text, scene);
@@ -251,7 +254,8 @@ std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
     } else {
         text.file("march/any_hit_amp.glsl");
     }
-    text.file("effects/shadow.frag");
+    text.file("effects/shadow.glsl");
+    text.file_of_stage("stage/march.frag", "stage/march.comp");
     return text.take();
 }
 
@@ -375,8 +379,9 @@ bool uses_beams(const scene::Scene& scene) {
                                          bounds_pay(*scene.surface.field));
 }
 
-Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels) {
+Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels, Stage stage) {
     Shaders shaders;
+    shaders.stage = stage;
     static_cast<FieldStorage&>(shaders) = storage_of(scene);
     shaders.vertex = "#version 330 core\n" + read_shader("fullscreen.vert");
     shaders.shade_vertex = has_flat_shading(scene) ? "#version 330 core\n#define FLAT_SHADING\n" +

@@ -11,6 +11,7 @@
 #include "scene/scene.h"
 #include "synthesis/channel.h"
 #include "synthesis/field_text.h"
+#include "synthesis/stage.h"
 
 namespace isomotion::synthesis {
 
@@ -36,7 +37,8 @@ struct Shaders : FieldStorage {
     std::string mirror_surface; // keeps where those ended
     std::string motion;         // of the channel velocity: F at another time
 
-    int state_textures = 2; // that a ray's state takes between passes
+    Stage stage = Stage::fragment; // of march, shadow and mirror; the others are of fragments
+    int state_textures = 2;        // that a ray's state takes between passes
     // Of the polynomial in t that the method chebyshev solves, else 0. A pass must hold its
     // degree + 1 samples.
     int degree = 0;
@@ -53,6 +55,7 @@ struct Shaders : FieldStorage {
 // the field cost less than what they save.
 bool uses_beams(const scene::Scene& scene);
 
-Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels = {});
+Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels = {},
+                 Stage stage = Stage::fragment);
 
 } // namespace isomotion::synthesis

@@ -8,11 +8,24 @@
 
 namespace isomotion::synthesis {
 
-ShaderText::ShaderText(std::vector<std::string>& files, int version)
+ShaderText::ShaderText(std::vector<std::string>& files, Stage stage)
     : files_(files)
+    , stage_(stage)
     , text_(read_shader("prelude.glsl")) { // #version must be the very first line
-    text_.replace(text_.find("330"), 3, std::to_string(version));
     record("prelude.glsl");
+    if (stage_ == Stage::compute) {
+        version(430);
+        define("WORKGROUP_SIDE", workgroup_side);
+    }
+    file_of_stage("stage/fragment.glsl", "stage/compute.glsl");
+}
+
+void ShaderText::version(int glsl) {
+    text_.replace(0, text_.find('\n'), fmt::format("#version {} core", glsl));
+}
+
+void ShaderText::file_of_stage(const std::string& fragment, const std::string& compute) {
+    file(stage_ == Stage::fragment ? fragment : compute);
 }
 
 void ShaderText::file(const std::string& name) {

@@ -6,15 +6,21 @@
 #include <string_view>
 #include <vector>
 
+#include "synthesis/stage.h"
+
 namespace isomotion::synthesis {
 
 class ShaderText {
 public:
     // Begins with the prelude; `files` collects the names of the files of shaders/ that are used.
-    explicit ShaderText(std::vector<std::string>& files, int version = 330);
+    explicit ShaderText(std::vector<std::string>& files, Stage stage = Stage::fragment);
 
+    // Of GLSL, in place of 330.
+    void version(int glsl);
     // Adds a file, once.
     void file(const std::string& name);
+    // The form of a file that the stage has: fragment shaders that of the first name.
+    void file_of_stage(const std::string& fragment, const std::string& compute);
     void define(std::string_view name, int value);
     void generated(std::string_view what, const std::string& text);
 
@@ -24,6 +30,7 @@ private:
     void record(const std::string& name);
 
     std::vector<std::string>& files_;
+    Stage stage_;
     std::string text_;
     std::set<std::string> added_;
 };

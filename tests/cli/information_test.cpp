@@ -33,9 +33,11 @@ TEST_F(Information, HelpNamesEveryCommandAndOption) {
 TEST_F(Information, Version) { EXPECT_THAT(told({"--version"}), StartsWith("isomotion ")); }
 
 TEST_F(Information, ListsWhatThereIs) {
-    EXPECT_THAT(told({"list"}), testing::ContainsRegex("twisting_superquadric +Twisting superquadric\n"));
+    EXPECT_THAT(told({"list"}),
+                testing::ContainsRegex("twisting_superquadric +Twisting superquadric\n"));
     EXPECT_EQ(told({"list"}), told({"list", "animations"}));
-    EXPECT_THAT(told({"list", "surfaces"}), testing::ContainsRegex("blinn_blobby +Blinn's blobby\n"));
+    EXPECT_THAT(told({"list", "surfaces"}),
+                testing::ContainsRegex("blinn_blobby +Blinn's blobby\n"));
     const std::string methods = told({"list", "methods"});
     for (const char* method : {"marching", "amp-sign", "amp-taylor"}) {
         EXPECT_THAT(methods, HasSubstr(method));
@@ -57,8 +59,19 @@ TEST_F(Information, ShowFollowsTheFrame) {
     EXPECT_THAT(first, StartsWith("Sphere\nformula   x^2 + y^2 + z^2 - r^2\n"));
     EXPECT_THAT(first, HasSubstr("60 frames at 30000/1001 a second"));
     EXPECT_THAT(first, HasSubstr("amp-sign"));
-    EXPECT_THAT(first, HasSubstr("march/march.frag"));
+    EXPECT_THAT(first, HasSubstr("march/march.glsl"));
     EXPECT_NE(told({"show", "sphere.toml", "--frame", "2"}), first);
+}
+
+TEST_F(Information, ShowTellsTheStage) {
+    EXPECT_THAT(told({"show", "sphere.toml"}), HasSubstr("\nstage     fragment\n"));
+    const Words by_compute{"show", "sphere.toml", "--stage", "compute"};
+    EXPECT_THAT(told(by_compute), HasSubstr("\nstage     compute\n"));
+    EXPECT_THAT(told({"show", "sphere.toml", "--stage", "compute", "--shader"}),
+                StartsWith("#version 430 core\n"));
+    const Ending ending = run({"show", "sphere.toml", "--stage", "auto"});
+    EXPECT_EQ(ending.code, 2) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("show one of fragment, compute"));
 }
 
 // A frame changes uniforms only.
@@ -87,6 +100,7 @@ TEST_F(Information, DoctorTellsWhatWorks) {
     EXPECT_THAT(ending.out, HasSubstr("\nosmesa "));
     if (ending.code == 0) {
         EXPECT_THAT(ending.out, HasSubstr("OpenGL "));
+        EXPECT_THAT(ending.out, HasSubstr("--stage "));
     }
 }
 

@@ -107,6 +107,25 @@ TEST_F(Machine, OneBackEndIsAskedAlone) {
     EXPECT_THAT(ending.err, Not(HasSubstr("  egl")));
 }
 
+TEST_F(Machine, ComputeShadersBelow43) {
+    Circumstances circumstances = this->circumstances();
+    circumstances.environment["MESA_GL_VERSION_OVERRIDE"] = "4.2";
+    const Ending examined = run({"doctor"}, circumstances);
+    if (examined.out.find("OpenGL 4.2") == std::string::npos) {
+        GTEST_SKIP() << "no driver of Mesa, which alone can be told to pass for an older one";
+    }
+    EXPECT_THAT(examined.out, HasSubstr("--stage compute: needs OpenGL 4.3, this driver has 4.2"));
+    const Words words{"render", "sphere.toml", "--frames", "1", "-o", "a.png", "--stage"};
+    const auto by = [&](const char* stage) {
+        Words all = words;
+        all.push_back(stage);
+        return run(all, circumstances);
+    };
+    expect_refusal(by("compute"), "--stage compute: needs OpenGL 4.3, this driver has 4.2");
+    EXPECT_EQ(names(), std::set<std::string>{"sphere.toml"});
+    EXPECT_EQ(by("auto").code, 0);
+}
+
 TEST_F(Machine, DataThatIsNotThere) {
     Circumstances circumstances = this->circumstances();
     circumstances.environment["ISOMOTION_DATA"] = folder().string();

@@ -26,6 +26,7 @@ const WrongUsage wrong_usages[] = {
     {"step of letters", {"--step", "small"}, "--step small: write a length above 0"},
     {"negative step", {"--step", "-1"}, "--step -1: write a length above 0"},
     {"unknown backend", {"--backend", "dx", "-o", "new/a.####.png"}, "unknown back end 'dx'"},
+    {"unknown stage", {"--stage", "vertex"}, "--stage: there is no stage 'vertex'; known: fragm"},
     {"unknown channel", {"-o", "a.####.exr", "--channels", "z,depth"}, "no channel 'depth'; known"},
     {"channels to PNG", {"-o", "a.####.png", "--channels", "z"}, "write an EXR: -o a.####.exr"},
     {"unknown extension", {"-o", "a.####.jpg"}, "unknown extension .jpg"},

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "render/drawing.h"
+#include "scene/method.h"
 #include "truth/first_root.h"
 
 namespace isomotion::render {
@@ -143,6 +144,43 @@ TEST(Shadow, APointLightCastsNoneFromBehindItself) {
     }
     EXPECT_GT(left, 100);
     EXPECT_EQ(lit, 0);
+}
+
+// A place is lit by the sum of what each light alone would give it, its shadow included.
+TEST(Shadow, OfSeveralLightsAddUp) {
+    const std::vector<std::string> lights{"direction = [1, 2, 3]", "position = [0, 4, 1]",
+                                          "direction = [3, -1, 1]"};
+    const auto torus = [](const char* method, std::span<const std::string> lit) {
+        std::string text =
+            fmt::format("[surface]\nformula = \"(x^2 + y^2 + z^2 + 0.6)^2 - 2.6*(x^2 + z^2)\"\n"
+                        "bounds = {{ sphere = 2 }}\n[material]\ncolor = [1, 1, 1]\n[isolation]\n"
+                        "method = \"{}\"\n[camera]\nposition = [3, 2, 3]\n[output]\n"
+                        "size = [96, 96]\n",
+                        method);
+        for (const std::string& light : lit) text += "[[lights]]\n" + light + "\nshadow = true\n";
+        return scene_of(text);
+    };
+    for (const auto& method : scene::method_names) {
+        const std::string name(method.name);
+        SCOPED_TRACE(name);
+        const Picture all = draw(context(), torus(name.c_str(), lights));
+        std::vector<Picture> alone;
+        for (const std::string& light : lights) {
+            alone.push_back(draw(context(), torus(name.c_str(), std::span(&light, 1))));
+        }
+        EXPECT_GT(count(all, Verdict::hit), 1000);
+        int wrong = 0;
+        std::int64_t evaluations = 0; // the eye's rays are in each of the three
+        for (const Picture& picture : alone) evaluations += picture.evaluations;
+        for (std::size_t k = 0; k < layer(all, "R").size(); ++k) {
+            if (!is_hit(all, k)) continue;
+            double sum = 0.12;
+            for (const Picture& picture : alone) sum += layer(picture, "R")[k] - 0.12;
+            wrong += std::abs(layer(all, "R")[k] - sum) > 1e-5;
+        }
+        EXPECT_EQ(wrong, 0);
+        EXPECT_LE(all.evaluations, evaluations);
+    }
 }
 
 // What certified truth says of the way from a hit to the light.

@@ -1,6 +1,8 @@
 // Assembled shaders compile: on every back end, without `precise`, and in the reference compiler.
 #include <cstdio>
 
+#include "gpu/compute.h"
+#include "scene/method.h"
 #include "scenes.h"
 #include "unit/gpu/every_backend.h"
 
@@ -70,6 +72,28 @@ TEST_P(Compile, EveryAssembly) {
     for (const auto& [name, text] : fragment_texts()) {
         EXPECT_NO_THROW(gpu::Program(vertex_text(), text, name)) << name;
     }
+}
+
+TEST_P(Compile, ComputeShadersOfRays) {
+    if (!gpu::has_compute(context->info())) GTEST_SKIP() << context->info().version;
+    const std::string formula = std::string(all_operations) + " - sum(links, px*z)";
+    const std::string effects =
+        "[material]\nreflection = 'self'\n[[lights]]\ndirection = [1, 2, 3]\nshadow = true\n";
+    for (const auto& entry : scene::method_names) {
+        const std::string method(entry.name);
+        for (const auto& bounds : every_bounds) {
+            const auto scene =
+                scene_of(surface_text(formula, bounds, method) + two_arrays + effects);
+            const Shaders shaders = assemble(scene, {}, Stage::compute);
+            for (const auto& text : {shaders.march, shaders.mirror, shaders.shadow}) {
+                EXPECT_NO_THROW(gpu::Program::compute(text, method)) << method << " in " << bounds;
+            }
+        }
+    }
+    const auto scene = scene_of(surface_text(long_formula()));
+    const Shaders shaders = assemble(scene, {}, Stage::compute);
+    EXPECT_TRUE(shaders.march_takes_gradient);
+    EXPECT_NO_THROW(gpu::Program::compute(shaders.march, "long"));
 }
 
 TEST_P(Compile, WithoutPrecise) {

@@ -30,7 +30,7 @@ RayState next_light(RayState s, SurfacePoint p) {
     return finish(s, s.verdict);
 }
 
-void main() {
+void march_pixel() {
     SurfacePoint p = load_surface();
     RayState s;
     if (first_pass) {

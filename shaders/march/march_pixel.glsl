@@ -2,7 +2,7 @@
 
 uniform bool first_pass;
 
-void main() {
+void march_pixel() {
     Ray ray = pixel_ray();
     enter_beam(ray);
     RayState s;

@@ -1,0 +1,4 @@
+// The viewport is the tile.
+void main() {
+    march_pixel();
+}
