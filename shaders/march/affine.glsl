@@ -1,8 +1,8 @@
 // Marching by first-order bounds: F in the middle of a piece and a bound on its slope bound F over
 // the piece as affine arithmetic does along a ray, with an error that shrinks by the square of the
 // length. Where the slope keeps its sign, Newton's step with all slopes at once leaves what part of
-// the piece a root may be in. In doubt the piece is cut, down to `finest`, where F is taken to touch
-// 0.
+// the piece a root may be in. In doubt the piece is cut, down to the shortest, where F is taken to
+// touch 0.
 
 float next_sample(RayState s) {
     return 0.5 * (s.low + s.high);

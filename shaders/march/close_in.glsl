@@ -19,8 +19,8 @@ RayState move_on(RayState s, Ray ray, float t, float f, float length) {
     return gives_up ? finish(s, VERDICT_STEP_LIMIT) : s;
 }
 
-// From its value f at `low` F comes to 0 no sooner than after |f| over the rate at which it can fall
-// within the piece; where that is beyond the piece, there is no root in it.
+// From its value f at `low` F comes to 0 no sooner than after |f| over the rate at which it can
+// fall within the piece; where that is beyond the piece, there is no root in it.
 float reach(RayState s, float f, Bounds bounds) {
     float fall = f < 0.0 ? bounds.slope.y : -bounds.slope.x;
     float length = s.high - s.low;

@@ -3,10 +3,11 @@
 // begins, whatever the method; where it closes in on its root the piece is a point.
 RayState turn(RayState s, Ray ray) {
     bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
+    bool isolates = s.phase == PHASE_MARCH;
     if (starts) s.high = min(s.low + refinement.w, ray.t_far);
-    float t = starts ? s.low : refines ? s.f_low.y : s.phase == PHASE_MARCH ? next_sample(s) : s.low;
+    float t = isolates ? next_sample(s) : refines ? s.f_low.y : s.low;
     float f = field(ray_point(ray, t));
-    vec2 piece = starts || s.phase == PHASE_MARCH ? vec2(s.low, s.high) : vec2(t);
+    vec2 piece = starts || isolates ? vec2(s.low, s.high) : vec2(t);
     Bounds bounds = bounds_over(ray, piece, sample_direction(s, ray));
     s.evaluations += 1;
     float slope = 0.5 * (bounds.slope.x + bounds.slope.y);

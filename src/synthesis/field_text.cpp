@@ -58,6 +58,26 @@ std::string as_comment(std::string formula) {
     return formula;
 }
 
+bool is_on_intervals(FieldFunction function) { return function >= FieldFunction::value_interval; }
+
+// The instructions behind a function.
+formula::Program program_of(const formula::Field& field, FieldFunction function) {
+    switch (function) {
+    case FieldFunction::value:
+        return field.value;
+    case FieldFunction::along:
+        return field.along;
+    case FieldFunction::gradient:
+        return field.gradient;
+    case FieldFunction::value_interval:
+        return formula::enclosure_programs(field).value;
+    case FieldFunction::along_interval:
+        return formula::enclosure_programs(field).along;
+    default:
+        return formula::enclosure_programs(field).gradient;
+    }
+}
+
 struct FunctionParts {
     std::set<std::string> kernels;
     std::string glsl;
@@ -116,29 +136,8 @@ formula::Cost cost(const formula::Field& field, const std::vector<FieldFunction>
                    std::span<const int> counts) {
     formula::Cost total;
     for (const FieldFunction function : functions) {
-        const bool on_intervals = function >= FieldFunction::value_interval;
-        formula::Cost one;
-        switch (function) {
-        case FieldFunction::value:
-            one = formula::cost(field.value, counts);
-            break;
-        case FieldFunction::along:
-            one = formula::cost(field.along, counts);
-            break;
-        case FieldFunction::gradient:
-            one = formula::cost(field.gradient, counts);
-            break;
-        case FieldFunction::value_interval:
-            one = formula::cost(formula::enclosure_programs(field).value, counts);
-            break;
-        case FieldFunction::along_interval:
-            one = formula::cost(formula::enclosure_programs(field).along, counts);
-            break;
-        case FieldFunction::gradient_interval:
-            one = formula::cost(formula::enclosure_programs(field).gradient, counts);
-            break;
-        }
-        total.operations += (on_intervals ? interval_operations : 1) * one.operations;
+        const formula::Cost one = formula::cost(program_of(field, function), counts);
+        total.operations += (is_on_intervals(function) ? interval_operations : 1) * one.operations;
         total.iterations += one.iterations;
     }
     return total;

@@ -186,6 +186,12 @@ TEST_F(Assemble, AFieldIsCalledFromOnePlace) {
     const Shaders shaders = assemble(scene_of(surface_text("x*y - 1")), every_channel);
     EXPECT_EQ(occurrences(shaders.march, "field_along("), 2) << "its definition and one call";
     EXPECT_EQ(occurrences(shaders.march, "sample_field("), 2);
+    for (const char* method : {"interval", "affine", "sphere"}) {
+        const Shaders on_pieces =
+            assemble(scene_of(surface_text("x*y - 1", every_bounds[0], method)), every_channel);
+        EXPECT_EQ(occurrences(on_pieces.march, "field_along_interval("), 2);
+        EXPECT_EQ(occurrences(on_pieces.march, " field("), 2);
+    }
     EXPECT_EQ(occurrences(shaders.shade, "field_gradient("), 2);
 }
 
@@ -219,7 +225,7 @@ TEST_F(Assemble, EachFileAppearsOnce) {
 
 TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     std::set<std::string> used;
-    const auto* all_kernels = "sqrt(x)/y + exp(x)^y + log(x) + sin(x) + asin(x)";
+    const auto* all_kernels = "sqrt(x)/y + exp(x)^y + log(x) + sin(x) + asin(x) + chebyshev(5, x)";
     for (const auto& method : every_method) {
         for (const auto& bounds : every_bounds) {
             const Shaders shaders =
@@ -227,6 +233,10 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
             used.insert(shaders.files.begin(), shaders.files.end());
         }
     }
+    const Shaders of_shadows = assemble(scene_of(surface_text("x", every_bounds[0], "hermite") +
+                                                 "[[lights]]\ndirection = [1, 1, 1]\n"
+                                                 "shadow = true\n"));
+    used.insert(of_shadows.files.begin(), of_shadows.files.end());
     const Shaders of_long = assemble(scene_of(surface_text(long_formula())));
     used.insert(of_long.files.begin(), of_long.files.end());
     const Shaders of_sides =
@@ -240,10 +250,7 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         const Shaders called = assemble(scene_of(surface_text("x") + effects), {Channel::velocity});
         used.insert(called.files.begin(), called.files.end());
     }
-    std::set<std::string> of_methods = shader_files();
-    // Those of intervals belong to functions that fields have; no method asks for one yet.
-    std::erase_if(of_methods, [](const auto& name) { return name.starts_with("interval/"); });
-    EXPECT_EQ(used, of_methods);
+    EXPECT_EQ(used, shader_files());
 }
 
 TEST_F(Assemble, ShaderFilesAreSmall) {

@@ -34,7 +34,8 @@ inline scene::Scene scene_of(const std::string& text) {
     return scene;
 }
 
-inline const std::vector<std::string> every_method{"marching", "amp-sign", "amp-taylor"};
+inline const std::vector<std::string> every_method{"marching", "amp-sign", "amp-taylor", "hermite",
+                                                   "interval", "affine",   "sphere"};
 inline const std::vector<std::string> every_bounds{"{ sphere = 2 }",
                                                    "{ box = [[-1,-1,-1],[1,2,1]] }"};
 inline const std::vector<Channel> every_channel{Channel::depth, Channel::normal, Channel::position,
