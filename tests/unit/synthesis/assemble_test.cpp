@@ -240,6 +240,11 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         const Shaders called = assemble(scene_of(surface_text("x") + effects), {Channel::velocity});
         used.insert(called.files.begin(), called.files.end());
     }
+    const Shaders by_cubics =
+        assemble(scene_of(surface_text("x", every_bounds[0], "hermite") + every_effect[0]));
+    used.insert(by_cubics.files.begin(), by_cubics.files.end());
+    const Shaders by_compute = assemble(scene_of(surface_text("x")), {}, Stage::compute);
+    used.insert(by_compute.files.begin(), by_compute.files.end());
     std::set<std::string> of_methods = shader_files();
     // Those of intervals belong to functions that fields have; no method asks for one yet.
     std::erase_if(of_methods, [](const auto& name) { return name.starts_with("interval/"); });
