@@ -467,8 +467,8 @@ struct Renderer::Parts {
         }
     }
 
-    // In the memory of `used`, as far as it goes: fresh memory costs as much as reading back.
-    image::Frame blank_frame(image::Frame used) const {
+    // In `memory`, as far as it goes: fresh memory costs as much as reading back.
+    image::Frame blank_frame(image::Frame memory) const {
         image::Frame blank;
         blank.width = options.width;
         blank.height = options.height;
@@ -476,7 +476,7 @@ struct Renderer::Parts {
         const auto add = [&](std::string_view name) {
             const std::size_t k = blank.channels.size();
             std::vector<float> samples;
-            if (k < used.channels.size()) samples = std::move(used.channels[k].samples);
+            if (k < memory.channels.size()) samples = std::move(memory.channels[k].samples);
             samples.resize(area);
             blank.channels.push_back({std::string(name), std::move(samples)});
         };
@@ -594,7 +594,8 @@ std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& a
     const synthesis::Shaders& shaders = p.shaders;
     for (const auto& level : shaders.beams) print.add(level.text);
     for (const std::string* text :
-         {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.shade}) {
+         {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.mirror,
+          &shaders.mirror_surface, &shaders.motion, &shaders.shade}) {
         print.add(*text);
     }
     const auto add_field = [&](const scene::SceneAt& at) {

@@ -250,6 +250,8 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         const Shaders called = assemble(scene_of(surface_text("x") + effects), {Channel::velocity});
         used.insert(called.files.begin(), called.files.end());
     }
+    const Shaders by_compute = assemble(scene_of(surface_text("x")), {}, Stage::compute);
+    used.insert(by_compute.files.begin(), by_compute.files.end());
     EXPECT_EQ(used, shader_files());
 }
 
