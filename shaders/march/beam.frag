@@ -15,7 +15,11 @@ void main() {
     float longest = whole.z, piece = longest;
     bool backwards = false, open = low < high;
     Scale scale = no_scale();
-    for (int k = 0; k < beam_evaluations; ++k) {
+    int evaluations = beam_evaluations;
+#ifdef TEXELS
+    evaluations = min(evaluations, 20000 / max(array0_count, 1)); // as in beam_list.glsl
+#endif
+    for (int k = 0; k < evaluations; ++k) {
         float a = backwards ? max(high - piece, low) : low;
         float b = backwards ? high : min(low + piece, high);
         vec2 x, y, z;

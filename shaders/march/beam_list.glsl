@@ -7,12 +7,14 @@ vec2 list_of(Beam way, float low, float high, Scale scale) {
     int first = list.x + (int(pixel_centre.y) * list.z + int(pixel_centre.x)) * list.y;
     float left = 9.53674316e-7;
     int kept = 0;
+    // Loops must end before drivers end them, silently.
+    int pieces = clamp(20000 / max(array0_count, 1), 1, PIECES);
     for (int e = 0; e < array0_count; ++e) {
         float largest = 0.0;
-        for (int k = 0; k < PIECES; ++k) {
+        for (int k = 0; k < pieces; ++k) {
             vec2 x, y, z;
-            float a = mix(low, high, float(k) / float(PIECES));
-            float b = mix(low, high, float(k + 1) / float(PIECES));
+            float a = mix(low, high, float(k) / float(pieces));
+            float b = mix(low, high, float(k + 1) / float(pieces));
             if (box_of(way, a, b, x, y, z)) largest = max(largest, part_of_sums(e, x, y, z, scale));
         }
         if (largest <= 0.125 * left) {

@@ -3,6 +3,9 @@
 // double the compile time. The method is in the files before this one: turn().
 
 uniform int evaluations_per_pass;
+#ifdef LISTS
+uniform float element_budget;
+#endif
 
 RayState begin(Ray ray) {
     RayState s = state_at(ray.t_near);
@@ -13,6 +16,10 @@ RayState begin(Ray ray) {
 RayState march(Ray ray, RayState s) {
     // Software renderers go through a loop's body once more after a break at its top.
     int turns = s.phase == PHASE_DONE ? 0 : evaluations_per_pass;
+#ifdef LISTS
+    // Loops must end before drivers end them.
+    turns = min(turns, max(1, int(element_budget) / max(array0_count, 1)));
+#endif
     if (turns > 0) {
         do {
 #ifdef DEGREE

@@ -10,6 +10,7 @@ std::string name(const Setting& setting, const scene::Isolation& scene) {
     if (setting.method == scene::Method::hermite) {
         return fmt::format("hermite safety={:g}", setting.safety);
     }
+    if (!scene::takes_steps(setting.method)) return std::string(scene::name(setting.method));
     std::string text = fmt::format("{} step={:g}", scene::name(setting.method), setting.step);
     if (setting.thresholds != 1) text += fmt::format(" thresholds*{:g}", setting.thresholds);
     if (setting.bisections != scene.bisections) {
@@ -48,11 +49,15 @@ std::vector<Setting> sweep(const scene::Scene& scene, std::vector<scene::Method>
             }
             continue;
         }
+        if (!scene::takes_steps(method)) {
+            settings.push_back({method, own.step, 1, own.bisections, own.safety});
+            continue;
+        }
         for (const double step : steps) {
             settings.push_back({method, step, 1, own.bisections, own.safety});
         }
     }
-    if (narrowed || own.method == scene::Method::hermite) return settings;
+    if (narrowed || !scene::takes_steps(own.method)) return settings;
     for (const double factor : {0.25, 4.0}) {
         settings.push_back({own.method, own.step, factor, own.bisections, own.safety});
     }

@@ -21,6 +21,9 @@ struct ContextInfo {
     std::string backend; ///< how it was reached: "egl-device", "egl-surfaceless", "osmesa"
     std::string vendor, renderer, version, glsl_version;
     int major = 0, minor = 0;
+    bool has(int wanted_major, int wanted_minor) const {
+        return major > wanted_major || (major == wanted_major && minor >= wanted_minor);
+    }
     int max_texture_size = 0;
     int max_uniform_block_size = 0;  ///< bytes
     int max_texture_buffer_size = 0; ///< texels

@@ -52,6 +52,10 @@ private:
     std::optional<gpu::TextureBuffer> buffer_;
 };
 
+// Elements that a list of those that matter in a beam is reckoned with; rays with longer ones take
+// more passes.
+constexpr int usual_list = 64;
+
 bool has_lists(const synthesis::Shaders& shaders) {
     return !shaders.arrays.empty() && shaders.arrays[0].has_lists;
 }
@@ -78,9 +82,11 @@ struct Renderer::Parts {
         , scene(drawn)
         , options(std::move(wanted))
         , shaders(synthesis::assemble(scene, options.channels,
-                                      choose_stage(options.stage, context.info())))
+                                      choose_stage(options.stage, context.info()),
+                                      context.info().has(4, 3)))
         , plan(make_plan())
-        , one_draw(shaders.stage == synthesis::Stage::fragment && !shaders.whole.empty())
+        , one_draw(shaders.stage == synthesis::Stage::fragment && !shaders.whole.empty() &&
+                   plan.evaluations_per_pass > 1)
         , result(plan.tile_width, plan.tile_height, 2 + int(shaders.attachments.size()))
         , frame(sizeof(FrameBlock))
         , parameters(std::size_t(shaders.parameter_vectors + shaders.count_vectors) * 16)
@@ -129,6 +135,7 @@ struct Renderer::Parts {
         std::vector<int> counts;
         for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
         const formula::Field& field = *scene.surface.field;
+        if (has_lists(shaders)) counts[0] = std::min(counts[0], usual_list);
         formula::Cost cost = synthesis::cost(field, shaders.samples, counts);
         if (!shaders.surface.empty()) {
             // Up to eight samples at the end of a ray (shaders/effects/end_of_ray.glsl) and five of
@@ -149,6 +156,12 @@ struct Renderer::Parts {
             plan_march(cost, options.width, options.height,
                        std::min(largest_tile, context.info().max_texture_size));
         MarchPlan chosen = options.plan.value_or(fitting);
+        // One draw marches and shades.
+        const double with_shade =
+            (loop_iterations_per_pass - shade_iterations(counts)) / (1 + cost.iterations);
+        if (!shaders.whole.empty() && with_shade >= 1) {
+            chosen.evaluations_per_pass = std::min(chosen.evaluations_per_pass, int(with_shade));
+        }
         if (shaders.degree > 0) {
             chosen.evaluations_per_pass = evaluations_with_polynomial(
                 shaders.degree, cost.iterations, chosen.evaluations_per_pass);
@@ -215,7 +228,7 @@ struct Renderer::Parts {
         }
         for (const Beams& level : beams) {
             level.program.set("beam", beam_range(now, options.width, options.height, level.block));
-            level.program.set("beam_evaluations", 64);
+            level.program.set("beam_evaluations", beam_evaluations());
         }
         frame.bind(binding_frame);
         shading.bind(binding_shading);
@@ -236,6 +249,7 @@ struct Renderer::Parts {
         const gpu::Rectangle viewport{0, 0, tile.width, tile.height};
         program.set("tile_origin", glm::ivec2(tile.x, tile.y));
         program.set("evaluations_per_pass", plan.evaluations_per_pass);
+        program.set("element_budget", element_budget());
         const gpu::Target *from = &targets.odd, *to = &targets.even;
         for (bool first = true;; first = false) {
             from->texture(0).bind(unit_state_0);
@@ -281,8 +295,35 @@ struct Renderer::Parts {
 
     // Elements in a list of one beam; longer ones go on with the list they come from.
     int list_length() const {
+        if (!has_lists(shaders)) return 0;
         constexpr int longest = 256;
-        return has_lists(shaders) ? std::min(longest, shaders.arrays[0].capacity) : 0;
+        int blocks = 1;
+        for (const auto& level : shaders.beams) {
+            blocks += ((plan.tile_width + level.block - 1) / level.block) *
+                      ((plan.tile_height + level.block - 1) / level.block);
+        }
+        const auto& array = shaders.arrays[0];
+        const int room = context.info().max_texture_buffer_size / array.texels - array.capacity;
+        return std::max(0, std::min({longest, array.capacity, room / blocks}));
+    }
+
+    // What fits into the loops of a beam's shader; with lists it is less where these are long.
+    int beam_evaluations() const {
+        constexpr double most = 64;
+        std::vector<int> counts;
+        for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
+        const double sums = formula::cost(scene.surface.field->value, counts).iterations;
+        const double fitting = 0.5 * loop_iterations_per_pass / (1 + sums);
+        return int(has_lists(shaders) ? most : std::min(most, fitting));
+    }
+
+    // How many elements the evaluations of one draw may go through, all together, where only lists
+    // tell their number.
+    float element_budget() const {
+        const auto once = std::vector<int>(shaders.arrays.size(), 1);
+        const double loops =
+            std::max(1.0, synthesis::cost(*scene.surface.field, shaders.samples, once).iterations);
+        return float(0.8 * loop_iterations_per_pass / loops);
     }
 
     void draw_beams(const gpu::Rectangle& tile) {
@@ -332,6 +373,7 @@ struct Renderer::Parts {
         gpu::set_viewport({0, 0, tile.width, tile.height});
         whole->set("tile_origin", glm::ivec2(tile.x, tile.y));
         whole->set("evaluations_per_pass", plan.evaluations_per_pass);
+        whole->set("element_budget", element_budget());
         whole->use();
         triangle.draw();
     }

@@ -37,6 +37,11 @@ inline constexpr MethodName method_names[] = {
      "for polynomials of degree 1 to 12: the polynomial along the ray, solved"},
 };
 
+// Whether a step of the scene's decides where the ray is sampled.
+constexpr bool takes_steps(Method method) {
+    return method == Method::marching || method == Method::amp_sign || method == Method::amp_taylor;
+}
+
 // Whether interval arithmetic bounds F and dF/dt over pieces of the ray.
 constexpr bool bounds_pieces(Method method) {
     return method == Method::interval || method == Method::affine || method == Method::sphere;

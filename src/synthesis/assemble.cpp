@@ -33,10 +33,13 @@ bool bounds_pay(const formula::Field& field) {
     return true;
 }
 
-FieldStorage storage_of(const scene::Scene& scene) {
+FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers) {
     std::vector<int> counts;
     for (const auto& array : scene.timeline.animation.arrays()) counts.push_back(array.count);
-    const bool lists = uses_beams(scene) && !counts.empty() && counts[0] > 8 &&
+    // Beyond the most elements the loops of a beam's shader end too soon.
+    constexpr int fewest = 9, most = 20'000;
+    const bool lists = writes_buffers && uses_beams(scene) && !counts.empty() &&
+                       counts[0] >= fewest && counts[0] <= most &&
                        formula::sums_of(*scene.surface.field).has_value();
     return field_storage(*scene.surface.field, scene.surface.parameters, counts, lists);
 }
@@ -99,7 +102,8 @@ void add_turn(ShaderText& text, const scene::Scene& scene, const Shaders& shader
 
 std::vector<FieldFunction> samples_of(scene::Method method, bool march_takes_gradient) {
     if (scene::bounds_pieces(method)) return {FieldFunction::value, FieldFunction::along_interval};
-    const bool value_alone = method == scene::Method::marching || method == scene::Method::chebyshev;
+    const bool value_alone =
+        method == scene::Method::marching || method == scene::Method::chebyshev;
     return {value_alone && !march_takes_gradient ? FieldFunction::value : FieldFunction::along};
 }
 
@@ -379,10 +383,11 @@ bool uses_beams(const scene::Scene& scene) {
                                          bounds_pay(*scene.surface.field));
 }
 
-Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels, Stage stage) {
+Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels, Stage stage,
+                 bool writes_buffers) {
     Shaders shaders;
     shaders.stage = stage;
-    static_cast<FieldStorage&>(shaders) = storage_of(scene);
+    static_cast<FieldStorage&>(shaders) = storage_of(scene, writes_buffers);
     shaders.vertex = "#version 330 core\n" + read_shader("fullscreen.vert");
     shaders.shade_vertex = has_flat_shading(scene) ? "#version 330 core\n#define FLAT_SHADING\n" +
                                                          read_shader("fullscreen.vert")

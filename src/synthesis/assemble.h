@@ -55,7 +55,8 @@ struct Shaders : FieldStorage {
 // the field cost less than what they save.
 bool uses_beams(const scene::Scene& scene);
 
+// `writes_buffers`: shaders may (OpenGL 4.3), which the lists of beams need.
 Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels = {},
-                 Stage stage = Stage::fragment);
+                 Stage stage = Stage::fragment, bool writes_buffers = true);
 
 } // namespace isomotion::synthesis
