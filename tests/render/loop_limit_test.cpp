@@ -23,6 +23,7 @@ cy = "0.6*sin(2*pi*i/3)"
 cz = "0*i"
 weight = "{}"
 [isolation]
+method = "amp-sign"
 step = 0.05
 near = 0.4
 far = 0.49

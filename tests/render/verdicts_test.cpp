@@ -43,14 +43,15 @@ TEST_P(Verdicts, NaNIsReportedAndPaintedMagenta) {
 }
 
 TEST_P(Verdicts, ARayThatGivesUpIsNoMiss) {
-    const Picture picture = draw_formula("x^2 + y^2 + z^2 - 1e-4", "[isolation]\nlimit = 5\n");
+    const Picture picture = draw_formula("x^2 + y^2 + z^2 - 1e-4", "[isolation]\nmethod = 'amp-sign'\nlimit = 5\n");
     EXPECT_GT(count(picture, Verdict::step_limit), 500);
     EXPECT_EQ(count(picture, Verdict::hit), 0);
 }
 
 // A step below the spacing of floats would stand still for ever.
 TEST_P(Verdicts, AStepTooSmallForFloatEndsInTheStepLimit) {
-    const Picture picture = draw_formula("x^2 + y^2 + z^2 - 1", "[isolation]\nstep = 1e-12\n");
+    const Picture picture = draw_formula(
+        "x^2 + y^2 + z^2 - 1", "[isolation]\nmethod = 'amp-sign'\nstep = 1e-12\n");
     EXPECT_GT(count(picture, Verdict::step_limit), 500);
     EXPECT_EQ(count(picture, Verdict::hit), 0);
 }

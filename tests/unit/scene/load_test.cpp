@@ -126,7 +126,9 @@ TEST_F(Load, DefaultsOfTheSmallestScene) {
     EXPECT_EQ(scene.title, "scene");
     EXPECT_EQ(scene.timeline.fps, (animation::FrameRate{30, 1}));
     EXPECT_EQ(scene.timeline.frames, 1);
-    EXPECT_EQ(scene.isolation.method, Method::amp_sign);
+    EXPECT_EQ(scene.isolation.method, Method::hermite);
+    EXPECT_EQ(scene.isolation.safety, 32);
+    EXPECT_FALSE(scene.isolation.beam);
     EXPECT_EQ(scene.isolation.step, 0.02); // a hundredth of the bounds' radius
     EXPECT_EQ(scene.isolation.bisections, 10);
     EXPECT_EQ(scene.isolation.limit, 100'000);

@@ -68,7 +68,8 @@ TEST_F(ValueMistakes, OutOfRange) {
     expect_in("isolation", "bisections = 65", "bisections: must be from 0 to 64, not 65");
     expect_in("isolation", "limit = 0", "limit: must be from 1 to 10000000, not 0");
     expect_in("isolation", "method = \"newton\"",
-              "method: there is no method 'newton'; known: marching, amp-sign, amp-taylor");
+              "method: there is no method 'newton'; known: marching, amp-sign, amp-taylor, "
+              "hermite, interval, affine, sphere, chebyshev");
 }
 
 TEST_F(ValueMistakes, FrameRates) {

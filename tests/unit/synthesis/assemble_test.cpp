@@ -64,7 +64,7 @@ cy = 'cos(t*i)'
 k = 9
 w = 4
 [isolation]
-method = "amp-sign"
+method = "hermite"
 step = 0.5
 near = 0.1
 far = 0.2
@@ -249,6 +249,14 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     for (const auto& effects : every_effect) {
         const Shaders called = assemble(scene_of(surface_text("x") + effects), {Channel::velocity});
         used.insert(called.files.begin(), called.files.end());
+    }
+    const std::vector<std::string> of_methods{
+        surface_text("x^3 - y", every_bounds[0], "chebyshev") + every_effect[0],
+        surface_text("x", every_bounds[0], "hermite"), surface_text("x", every_bounds[1], "hermite"),
+        blobs(75, "hermite"), blobs(75, "hermite", every_bounds[1])};
+    for (const auto& text : of_methods) {
+        const Shaders shaders = assemble(scene_of(text));
+        used.insert(shaders.files.begin(), shaders.files.end());
     }
     const Shaders by_compute = assemble(scene_of(surface_text("x")), {}, Stage::compute);
     used.insert(by_compute.files.begin(), by_compute.files.end());

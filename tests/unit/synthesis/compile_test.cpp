@@ -79,8 +79,7 @@ TEST_P(Compile, ComputeShadersOfRays) {
     const std::string formula = std::string(all_operations) + " - sum(links, px*z)";
     const std::string effects =
         "[material]\nreflection = 'self'\n[[lights]]\ndirection = [1, 2, 3]\nshadow = true\n";
-    for (const auto& entry : scene::method_names) {
-        const std::string method(entry.name);
+    for (const auto& method : every_method) {
         for (const auto& bounds : every_bounds) {
             const auto scene =
                 scene_of(surface_text(formula, bounds, method) + two_arrays + effects);
