@@ -22,7 +22,7 @@ TEST_P(HermiteOfCatalogue, NoCertainPixelIsWrong) {
     for (const Known& known :
          {Known{"torus"}, Known{"cayley"}, Known{"ding_dong"}, Known{"barth_sextic"},
           Known{"blobby75"}, Known{"chmutov_8"}, Known{"goursat"}, Known{"heart"}, Known{"kummer"},
-          Known{"tangle"}, Known{"wyvill_soft_objects"}, Known{"superquadric", 12}}) {
+          Known{"tangle"}, Known{"wyvill_soft_objects"}, Known{"superquadric", 36}}) {
         SCOPED_TRACE(known.name);
         const scene::Scene scene =
             scene::load(known.name, {"output.size=[64,64]", "isolation.method=\"hermite\""});
