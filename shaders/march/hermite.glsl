@@ -60,14 +60,18 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     y = dips ? y : 0.5 * h;
     float least = upright * (f0 + y * (m0 + y * (c2 + (y - h) * c3)));
     float in_step = 4.0 * y * (h - y) * per_h * per_h;
-    bool clear = least > error * in_step * in_step;
+    // How far rounding moves a sample; all that keeps a cubic off a double root where it is exact.
+    float rounding = 3.81469727e-6 * longest;
+    bool clear = least > error * in_step * in_step + 0.25 * rounding * max(abs(m0), abs(f.y));
     float middle = upright * (0.5 * (f0 + f.x) + 0.125 * h * (m0 - f.y));
 
     bool is_finest = h <= finest;
     bool free = same_side && clear && middle > error && !refines;
     bool isolated = !same_side && !refines && !starts &&
                     (is_finest || (clear || !dips) && error < 0.5 * max(abs(f0), abs(f.x)));
-    bool touches = same_side && !free && is_finest && !refines && !starts;
+    // A sample that lies on a double root itself leaves none inside of the steps beside it.
+    bool on_root = abs(f.x) <= 4.0 * abs(c2 + 2.0 * h * c3) * rounding * rounding;
+    bool touches = same_side && (on_root || !free && is_finest) && !refines && !starts;
     bool closes_in = isolated || refines;
     bool moves = starts || free || refines && same_side;
 
@@ -87,7 +91,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     s.refinements = refines ? s.refinements + 1 : 0;
     s.phase = closes_in ? PHASE_REFINE : PHASE_MARCH;
     if (nan) return finish(s, VERDICT_NAN);
-    if (close || narrow || touches) return found(s, close ? newton : touches ? cut : clamp(between, begins, ends));
+    if (close || narrow || touches) return found(s, close ? newton : !touches ? clamp(between, begins, ends) : on_root ? t : cut);
     if (left) return finish(s, VERDICT_MISS);
     // A step below the spacing of floats would stand still.
     if (s.evaluations >= int(refinement.y) || !(s.high > s.low)) return finish(s, VERDICT_STEP_LIMIT);

@@ -218,11 +218,7 @@ struct Renderer::Parts {
         upload_field(now);
         const auto shades = shading_block(scene, now, options.width, options.height);
         shading.update(std::as_bytes(std::span(shades)));
-        for (const auto& [name, value] : effect_uniforms(scene, now)) {
-            for_each_program([&, &name = name, &value = value](const gpu::Program& program) {
-                std::visit([&](const auto& v) { program.set(name, v); }, value);
-            });
-        }
+        for_each_program([&](const gpu::Program& program) { set_effects(program, now); });
         if (environment) {
             environment->bind(unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units);
         }
@@ -232,6 +228,12 @@ struct Renderer::Parts {
         }
         frame.bind(binding_frame);
         shading.bind(binding_shading);
+    }
+
+    void set_effects(const gpu::Program& program, const scene::SceneAt& now) const {
+        for (const auto& [name, value] : effect_uniforms(scene, now)) {
+            std::visit([&, &name = name](const auto& v) { program.set(name, v); }, value);
+        }
     }
 
     void upload_field(const scene::SceneAt& at) {
@@ -349,7 +351,8 @@ struct Renderer::Parts {
 
     // Draws a tile into `result` and reads its record into `pixels`. Returns its rays, or null if
     // they were not kept.
-    const gpu::Target* draw_tile(const gpu::Rectangle& tile, int& draws) {
+    const gpu::Target* draw_tile(const gpu::Rectangle& tile, const scene::SceneAt& now,
+                                 int& draws) {
         if (!beams.empty()) draw_beams(tile);
         if (one_draw) {
             draw_whole(tile);
@@ -361,6 +364,7 @@ struct Renderer::Parts {
             make_passes();
             for (const gpu::Program* program : {&passes->march, &passes->active, &passes->shade}) {
                 connect(*program);
+                set_effects(*program, now);
             }
         }
         const gpu::Target& rays = draw_in_passes(tile, draws);
@@ -615,7 +619,7 @@ Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const M
         for (int x = 0; x < p.options.width; x += p.plan.tile_width) {
             const gpu::Rectangle tile{x, y, std::min(p.plan.tile_width, p.options.width - x),
                                       std::min(p.plan.tile_height, p.options.height - y)};
-            const gpu::Target* rays = p.draw_tile(tile, picture.passes);
+            const gpu::Target* rays = p.draw_tile(tile, now, picture.passes);
             p.count_tile(tile, picture);
             p.copy_pixels(tile, record);
             if (p.moved && motion) p.draw_velocity(tile, *rays, now, *motion, picture.frame);

@@ -1,0 +1,219 @@
+// Beams leave out no part of a ray that has a root: pictures with and without them agree, whatever
+// the camera.
+#include "render/drawing.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scene/load.h"
+
+namespace isomotion::render {
+namespace {
+
+std::vector<std::string> animations() {
+    std::vector<std::string> names;
+    for (const auto& file :
+         std::filesystem::directory_iterator(ISOMOTION_SOURCE_DIR "/animations")) {
+        if (file.path().extension() == ".toml") names.push_back(file.path().stem());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+// As amp-sign's steps depend on where a ray begins, and a beam moves that, a picture may find roots
+// that another steps over; so each is held against three finer ones.
+struct Comparison {
+    int hits = 0;  // without beams
+    int lost = 0;  // of them, not even at the finest step with beams
+    int later = 0; // of them, a root behind by more than steps explain
+};
+
+class Beams : public Drawing {
+protected:
+    static constexpr const char* size = "output.size=[97,61]"; // no multiple of any block
+
+    static scene::Scene with(const scene::Scene& scene, bool beam, double finer) {
+        scene::Scene changed = scene;
+        changed.isolation.method = scene::Method::amp_sign;
+        changed.isolation.beam = beam;
+        changed.isolation.step /= finer;
+        // The picture alone is compared, and secondary rays cost.
+        return changed;
+    }
+
+    Picture look(const scene::Scene& scene, const scene::SceneAt& now, const scene::Aim& aim) {
+        Renderer renderer(*context, scene,
+                          {scene.output.width,
+                           scene.output.height,
+                           {synthesis::Channel::verdict, synthesis::Channel::position},
+                           {}});
+        return renderer.draw(now, aim);
+    }
+
+    Comparison compare(const scene::Scene& scene, const scene::SceneAt& now,
+                       const scene::Aim& aim = {}) {
+        Comparison result;
+        const Picture plain = look(with(scene, false, 1), now, aim);
+        const Picture beams = look(with(scene, true, 1), now, aim);
+        std::vector<Picture> finer;
+        const auto channel = [](const Picture& picture, const char* name) {
+            return std::span<const float>(picture.frame.find(name)->samples);
+        };
+        const auto found = [&](const Picture& picture, std::size_t k) {
+            const auto verdict = Verdict(int(channel(picture, "verdict")[k]));
+            return verdict == Verdict::hit || verdict == Verdict::zero_gradient;
+        };
+        // Depth along the picture's axis tells the first root from later ones.
+        const glm::dvec3 ahead = glm::normalize(now.camera.target - now.camera.position);
+        const auto depth = [&](const Picture& picture, std::size_t k) {
+            const glm::dvec3 p(channel(picture, "P.X")[k], channel(picture, "P.Y")[k],
+                               channel(picture, "P.Z")[k]);
+            return glm::dot(p - now.placement.translate, ahead);
+        };
+        const double near = 0.02 * now.bounds.radius * now.placement.scale;
+        const auto is_lost = [&](const Picture& a, std::size_t k) { return !found(a, k); };
+        const auto is_later = [&](const Picture& a, std::size_t k) {
+            return found(a, k) && depth(a, k) > depth(plain, k) + near;
+        };
+        for (std::size_t k = 0; k < channel(plain, "verdict").size(); ++k) {
+            if (!found(plain, k)) continue;
+            ++result.hits;
+            bool lost = is_lost(beams, k), later = is_later(beams, k);
+            for (std::size_t f = 0; (lost || later) && f < 2; ++f) {
+                if (f == finer.size()) {
+                    finer.push_back(look(with(scene, true, f == 0 ? 5 : 23), now, aim));
+                }
+                lost = lost && is_lost(finer[f], k);
+                later = later && is_later(finer[f], k);
+            }
+            result.lost += lost;
+            result.later += later;
+        }
+        return result;
+    }
+};
+ISOMOTION_ON_EVERY_BACKEND(Beams);
+
+scene::SceneAt moment(const scene::Scene& scene) {
+    return scene::at(scene, scene.timeline.values(scene.output.poster));
+}
+
+TEST_P(Beams, LoseNoHitOfAnyAnimation) {
+    int scenes = 0;
+    for (const auto& name : animations()) {
+        SCOPED_TRACE(name);
+        scene::Scene scene = scene::load(name, {size});
+        // What is compared is the eye's rays.
+        scene.material.reflection = scene::Material::Reflection::none;
+        scene.material.paint.reset();
+        scene.environment.reset();
+        scene.occlusion.reset();
+        scene.ground.reset();
+        for (auto& light : scene.lights) light.shadow = false;
+        if (scene.surface.field->value.instructions.size() > 400) continue; // slow to compile
+        const Comparison result = compare(scene, moment(scene));
+        EXPECT_GT(result.hits, 100);
+        EXPECT_EQ(result.lost, 0) << "of " << result.hits;
+        EXPECT_EQ(result.later, 0) << "of " << result.hits;
+        ++scenes;
+    }
+    EXPECT_GT(scenes, 30);
+}
+
+// Kinds of field: a polynomial in a box and in a sphere, kinks, powers, sums by lists.
+constexpr const char* kinds[] = {"torus", "cayley", "superquadric", "blobby75",
+                                 "wyvill_soft_objects"};
+
+TEST_P(Beams, LoseNoHitWhereverTheCameraIs) {
+    for (const char* name : kinds) {
+        const scene::Scene scene = scene::load(name, {size});
+        const scene::SceneAt now = moment(scene);
+        const glm::dvec3 target = now.camera.target;
+        const glm::dvec3 back = now.camera.position - target;
+        for (const double distance : {0.05, 0.3, 0.6, 1.0, 30.0, 1e5}) {
+            for (const bool parallel : {false, true}) {
+                SCOPED_TRACE(fmt::format("{} from {}, parallel {}", name, distance, parallel));
+                scene::SceneAt from = now;
+                from.camera.position = target + distance * back;
+                if (distance > 1) from.camera.zoom *= distance;
+                if (parallel) {
+                    from.camera.projection = scene::Camera::Projection::orthographic;
+                    from.camera.height = 2.2 * now.bounds.radius * now.placement.scale;
+                    from.camera.zoom = 1;
+                }
+                if (distance < 0.5) from.camera.fov = 100;
+                const Comparison result = compare(scene, from);
+                EXPECT_EQ(result.lost, 0) << "of " << result.hits;
+                EXPECT_EQ(result.later, 0) << "of " << result.hits;
+                if (distance >= 1) {
+                    EXPECT_GT(result.hits, 100);
+                }
+            }
+        }
+    }
+}
+
+TEST_P(Beams, LoseNoHitOfAnyAimOfALens) {
+    for (const char* name : {"torus", "superquadric", "blobby75"}) {
+        const scene::Scene scene = scene::load(name, {size});
+        scene::SceneAt now = moment(scene);
+        const double distance = glm::length(now.camera.position - now.camera.target);
+        for (const bool parallel : {false, true}) {
+            if (parallel) {
+                now.camera.projection = scene::Camera::Projection::orthographic;
+                now.camera.height = 2.2 * now.bounds.radius * now.placement.scale;
+            }
+            for (const double aperture : {0.05, 0.8}) {
+                now.camera.aperture = aperture * distance;
+                for (const double focus : {0.5, 1.0, 1.4}) {
+                    now.camera.focus = focus * distance;
+                    for (const scene::Aim aim :
+                         {scene::Aim{{0.49, -0.49}, {1, 0}}, scene::Aim{{-0.3, 0.2}, {-0.6, 0.8}},
+                          scene::Aim{{0, 0}, {0, -1}}}) {
+                        SCOPED_TRACE(fmt::format("{}, aperture {}, focus {}, lens {} {}, {}", name,
+                                                 aperture, focus, aim.lens.x, aim.lens.y,
+                                                 parallel ? "parallel" : "from the eye"));
+                        const Comparison result = compare(scene, now, aim);
+                        EXPECT_EQ(result.lost, 0) << "of " << result.hits;
+                        EXPECT_EQ(result.later, 0) << "of " << result.hits;
+                    }
+                }
+            }
+        }
+    }
+}
+
+// Pictures of a single pixel, of less than a block, of one more than blocks; and in tiles that no
+// block fits, where a beam's pixels are counted from the tile's corner.
+TEST_P(Beams, PicturesOfAnySizeAndTiling) {
+    for (const auto& [width, height] :
+         {std::pair{1, 1}, {3, 7}, {8, 8}, {9, 17}, {64, 65}, {129, 5}}) {
+        const scene::Scene scene =
+            scene::load("blobby75", {fmt::format("output.size=[{},{}]", width, height)});
+        const Comparison result = compare(scene, moment(scene));
+        EXPECT_EQ(result.lost, 0) << width << " x " << height;
+        EXPECT_EQ(result.later, 0) << width << " x " << height;
+    }
+    for (const char* name : {"torus", "blobby75"}) {
+        const scene::Scene scene =
+            scene::load(name, {size, "isolation.method=\"hermite\"", "isolation.beam=true"});
+        const int frame = scene.output.poster;
+        const Picture whole = draw(*context, scene, frame);
+        for (const MarchPlan plan :
+             {MarchPlan{16, 16, 64}, MarchPlan{37, 23, 300}, MarchPlan{64, 61, 64}}) {
+            SCOPED_TRACE(
+                fmt::format("{} in tiles of {} x {}", name, plan.tile_width, plan.tile_height));
+            const Picture tiled = draw(*context, scene, frame, plan);
+            const auto &a = whole.frame.find("verdict")->samples,
+                       &b = tiled.frame.find("verdict")->samples;
+            int different = 0;
+            for (std::size_t k = 0; k < a.size(); ++k) different += a[k] != b[k];
+            EXPECT_LE(different, 1);
+        }
+    }
+}
+
+} // namespace
+} // namespace isomotion::render
