@@ -14,9 +14,8 @@ void main() {
     float low = whole.x, high = whole.y;
     float longest = whole.z, piece = longest;
     bool backwards = false, open = low < high;
-    Scale scale = no_scale();
     int evaluations = beam_evaluations;
-#ifdef TEXELS
+#ifdef LISTS
     evaluations = min(evaluations, 20000 / max(array0_count, 1)); // as in beam_list.glsl
 #endif
     for (int k = 0; k < evaluations; ++k) {
@@ -24,14 +23,18 @@ void main() {
         float b = backwards ? high : min(low + piece, high);
         vec2 x, y, z;
         bool inside = box_of(way, a, b, x, y, z);
-        Scale here;
-        vec2 f = bound_of_field(x, y, z, here);
+        vec2 f = field_interval(x, y, z);
+#ifdef LISTS
+        // What the lists of both levels before this one may have left out.
+        vec2 rest, factor;
+        rest_and_factor_interval(x, y, z, rest, factor);
+        f += vec2(-2.5, 2.5) * LEFT_OUT * im_abs(rest).y;
+#endif
         if (!inside || f.x > 0.0 || f.y < 0.0) {
             if (backwards) high = a; else low = b;
             piece *= 2.0;
         } else {
             piece *= 0.5;
-            scale = backwards ? scale : here;
         }
         open = open && low < high;
         if (piece < beam.z) {
@@ -42,10 +45,10 @@ void main() {
         if (!open) break;
     }
     part = vec4(low, open ? high : low, 0.0, 0.0);
-#ifdef TEXELS
+#ifdef LISTS
     part.zw = vec2(float(array0_count), float(array0_first));
 #endif
 #ifdef PIECES
-    if (open) part.zw = list_of(way, low, high, scale);
+    if (open) part.zw = list_of(way, low, high);
 #endif
 }

@@ -1,21 +1,31 @@
-// The elements of the array that matter in a beam: what an element's terms add to the sums is bounded
-// in pieces of the beam. Elements are left out whose terms, all together, stay below 2^-20 of the
-// sums, as large as these are where the beam may first meet the surface: float32 loses as much
-// when it adds up some ten terms.
+// The elements of the array that matter in a beam. F is factor * sum + rest, so at a root the sum is as
+// large as rest / factor. Elements are left out whose terms, bounded in pieces of the beam and all
+// together, stay below LEFT_OUT of that: float32 loses as much when it adds up some ten terms.
 
-vec2 list_of(Beam way, float low, float high, Scale scale) {
+vec2 list_of(Beam way, float low, float high) {
     int first = list.x + (int(pixel_centre.y) * list.z + int(pixel_centre.x)) * list.y;
-    float left = 9.53674316e-7;
-    int kept = 0;
     // Loops must end before drivers end them, silently.
     int pieces = clamp(20000 / max(array0_count, 1), 1, PIECES);
+    float left = IM_SATURATION;
+    for (int k = 0; k < pieces; ++k) {
+        vec2 x, y, z, rest, factor;
+        float a = mix(low, high, float(k) / float(pieces));
+        float b = mix(low, high, float(k + 1) / float(pieces));
+        if (!box_of(way, a, b, x, y, z)) continue;
+        rest_and_factor_interval(x, y, z, rest, factor);
+        float least = im_abs(rest).x, most = im_abs(factor).y;
+        left = most < IM_SATURATION ? min(left, LEFT_OUT * least / max(most, 1.0e-30)) : 0.0;
+    }
+    int kept = 0;
     for (int e = 0; e < array0_count; ++e) {
         float largest = 0.0;
         for (int k = 0; k < pieces; ++k) {
             vec2 x, y, z;
             float a = mix(low, high, float(k) / float(pieces));
             float b = mix(low, high, float(k + 1) / float(pieces));
-            if (box_of(way, a, b, x, y, z)) largest = max(largest, part_of_sums(e, x, y, z, scale));
+            if (box_of(way, a, b, x, y, z)) {
+                largest = max(largest, im_abs(term_interval(e, x, y, z)).y);
+            }
         }
         if (largest <= 0.125 * left) {
             left -= largest;

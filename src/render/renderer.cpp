@@ -56,10 +56,6 @@ private:
 // more passes.
 constexpr int usual_list = 64;
 
-bool has_lists(const synthesis::Shaders& shaders) {
-    return !shaders.arrays.empty() && shaders.arrays[0].has_lists;
-}
-
 // What `layers` of EXR an attachment of the shade pass fills, and from which components.
 std::vector<image::Channel*> targets_of(image::Frame& frame, synthesis::Channel channel) {
     std::vector<image::Channel*> targets;
@@ -135,7 +131,7 @@ struct Renderer::Parts {
         std::vector<int> counts;
         for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
         const formula::Field& field = *scene.surface.field;
-        if (has_lists(shaders)) counts[0] = std::min(counts[0], usual_list);
+        if (synthesis::has_lists(shaders)) counts[0] = std::min(counts[0], usual_list);
         formula::Cost cost = synthesis::cost(field, shaders.samples, counts);
         if (!shaders.surface.empty()) {
             // Up to eight samples at the end of a ray (shaders/effects/end_of_ray.glsl) and five of
@@ -277,6 +273,7 @@ struct Renderer::Parts {
     void make_arrays() {
         int lists = 0;
         for (const auto& level : shaders.beams) {
+            if (!level.makes_lists) continue;
             lists += ((plan.tile_width + level.block - 1) / level.block) *
                      ((plan.tile_height + level.block - 1) / level.block) * list_length();
         }
@@ -286,21 +283,22 @@ struct Renderer::Parts {
     // Each level's beams lie in those of the level before, and so do their lists of elements.
     void make_beams() {
         int first = shaders.arrays.empty() ? 0 : shaders.arrays[0].capacity;
-        for (const auto& [block, text] : shaders.beams) {
+        for (const auto& [block, makes_lists, text] : shaders.beams) {
             const int across = (plan.tile_width + block - 1) / block;
             const int down = (plan.tile_height + block - 1) / block;
             beams.push_back({gpu::Program(shaders.vertex, text, fmt::format("beam {}", block)),
                              gpu::Target(across, down), block, first});
-            first += across * down * list_length();
+            if (makes_lists) first += across * down * list_length();
         }
     }
 
     // Elements in a list of one beam; longer ones go on with the list they come from.
     int list_length() const {
-        if (!has_lists(shaders)) return 0;
+        if (!synthesis::has_lists(shaders)) return 0;
         constexpr int longest = 256;
         int blocks = 1;
         for (const auto& level : shaders.beams) {
+            if (!level.makes_lists) continue;
             blocks += ((plan.tile_width + level.block - 1) / level.block) *
                       ((plan.tile_height + level.block - 1) / level.block);
         }
@@ -316,7 +314,7 @@ struct Renderer::Parts {
         for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
         const double sums = formula::cost(scene.surface.field->value, counts).iterations;
         const double fitting = 0.5 * loop_iterations_per_pass / (1 + sums);
-        return int(has_lists(shaders) ? most : std::min(most, fitting));
+        return int(synthesis::has_lists(shaders) ? most : std::min(most, fitting));
     }
 
     // How many elements the evaluations of one draw may go through, all together, where only lists
@@ -331,7 +329,7 @@ struct Renderer::Parts {
     void draw_beams(const gpu::Rectangle& tile) {
         for (std::size_t k = 0; k < beams.size(); ++k) {
             const Beams& level = beams[k];
-            if (has_lists(shaders)) arrays[0].bind_for_lists();
+            if (synthesis::has_lists(shaders)) arrays[0].bind_for_lists();
             if (k > 0) beams[k - 1].parts.texture(0).bind(beam_unit());
             level.program.set("tile_origin", glm::ivec2(tile.x, tile.y));
             level.program.set("list",
@@ -341,7 +339,7 @@ struct Renderer::Parts {
                                (tile.height + level.block - 1) / level.block});
             level.program.use();
             triangle.draw();
-            if (has_lists(shaders)) arrays[0].wait_for_lists();
+            if (synthesis::has_lists(shaders)) arrays[0].wait_for_lists();
         }
         beams.back().parts.texture(0).bind(beam_unit());
     }

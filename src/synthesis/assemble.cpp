@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "formula/glsl_interval.h"
-#include "formula/sums.h"
+#include "formula/linear_sum.h"
 #include "scene/method_domain.h"
 #include "synthesis/bernstein_text.h"
 #include "synthesis/effect_text.h"
@@ -40,7 +40,7 @@ FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers) {
     constexpr int fewest = 9, most = 20'000;
     const bool lists = writes_buffers && uses_beams(scene) && !counts.empty() &&
                        counts[0] >= fewest && counts[0] <= most &&
-                       formula::sums_of(*scene.surface.field).has_value();
+                       formula::linear_sum(*scene.surface.field).has_value();
     return field_storage(*scene.surface.field, scene.surface.parameters, counts, lists);
 }
 
@@ -120,7 +120,7 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Shaders& shade
     add_turn(text, scene, shaders);
     const bool beam = uses_beams(scene) && origin == Origin::eye;
     if (beam) text.define("BLOCK", shaders.beams.back().block);
-    if (beam && !shaders.arrays.empty() && shaders.arrays[0].has_lists) text.define("LISTS", 1);
+    if (beam && has_lists(shaders)) text.define("LISTS", 1);
     text.file(beam ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
     text.file("march/march.glsl");
 }
@@ -140,71 +140,50 @@ std::string march_text(const scene::Scene& scene, Shaders& shaders, Origin origi
     return text.take();
 }
 
-// The bound of F over a box, and for lists what an element adds to its sums.
-void add_bounds_of_sums(ShaderText& text, const formula::Field& field, const formula::Sums& sums,
-                        const FieldStorage& storage) {
-    std::string members, zeros, declared, passed, sizes, parts;
-    for (int k = 0; k < sums.count; ++k) {
-        const char* comma = k > 0 ? ", " : "";
-        members += fmt::format("    float s{};\n", k);
-        zeros += fmt::format("{}0.0", comma);
-        declared += fmt::format("{}s{}", comma, k);
-        passed += fmt::format(", s{}", k);
-        sizes += fmt::format("{0}max(-s{1}.x, s{1}.y)", comma, k);
-        parts += fmt::format("    largest = max(largest, scale.s{0} < IM_SATURATION ? max(-s{0}.x, "
-                             "s{0}.y) / scale.s{0} : 1.0);\n",
-                             k);
-    }
-    GeneratedFunction bounds{field.text, formula::interval_kernels_used(sums.with_field),
-                             formula::glsl_field_and_sums_interval(sums, field.packing) +
-                                 formula::glsl_terms_interval(sums, field.packing)};
-    add_field(text, field, storage, {}, {std::move(bounds)}, true);
-    text.generated("generated: how large the sums are",
-                   fmt::format("struct Scale {{\n{0}}};\n\n"
-                               "Scale no_scale() {{ return Scale({1}); }}\n\n"
-                               "vec2 bound_of_field(vec2 x, vec2 y, vec2 z, out Scale scale) {{\n"
-                               "    vec2 f, {2};\n    field_and_sums_interval(x, y, z, f{3});\n"
-                               "    scale = Scale({4});\n    return f;\n}}\n\n"
-                               "float part_of_sums(int e, vec2 x, vec2 y, vec2 z, Scale scale) {{\n"
-                               "    vec2 {2};\n    terms_interval(e, x, y, z{3});\n"
-                               "    float largest = 0.0;\n{5}    return largest;\n}}\n",
-                               members, zeros, declared, passed, sizes, parts));
+// What lists of elements need: the bound of F, and of what an element adds to its sum.
+void add_bounds_of_sum(ShaderText& text, const formula::Field& field, const FieldStorage& storage) {
+    const formula::LinearSum sum = formula::linear_sum(field).value();
+    std::set<std::string> kernels = formula::interval_kernels_used(sum.rest_and_factor);
+    kernels.merge(formula::interval_kernels_used(sum.term));
+    add_field(text, field, storage, {FieldFunction::value_interval},
+              {{field.text, std::move(kernels),
+                formula::glsl_rest_and_factor_interval(sum, field.packing) +
+                    formula::glsl_term_interval(sum, field.packing)}},
+              true);
 }
 
 // `parent`: pixels across the beams that these lie in, or 0.
-std::string beam_text(const scene::Scene& scene, int block, int parent, Shaders& shaders) {
+std::string beam_text(const scene::Scene& scene, const BeamShader& beam, int parent,
+                      Shaders& shaders) {
     const formula::Field& field = *scene.surface.field;
-    const auto sums = formula::sums_of(field);
-    const bool lists = !shaders.arrays.empty() && shaders.arrays[0].has_lists;
     ShaderText text(shaders.files);
-    if (lists) text.version(430);
-    text.define("BLOCK", block);
-    text.define("BOTH_ENDS", lists && block > 8 ? 1 : 0);
-    if (lists) {
+    if (beam.makes_lists) text.version(430);
+    text.define("BLOCK", beam.block);
+    text.define("BOTH_ENDS", int(beam.makes_lists));
+    if (has_lists(shaders)) {
+        text.define("LISTS", 1);
+        text.generated("2^-20", "#define LEFT_OUT 9.53674316e-7\n");
+        add_bounds_of_sum(text, field, shaders);
+    } else {
+        add_field(text, field, shaders, {FieldFunction::value_interval});
+    }
+    if (beam.makes_lists) {
         text.define("TEXELS", shaders.arrays[0].texels);
-        if (block > 8) text.define("PIECES", parent > 0 ? 16 : 6);
-        add_bounds_of_sums(text, field, *sums, shaders);
+        text.define("PIECES", parent > 0 ? 16 : 6);
         text.generated(
             "generated: the array and its lists, for writing",
             "layout(std430, binding = 0) writeonly buffer Lists { vec4 list_texels[]; };\n"
             "uniform ivec3 list; // first element, most of a block, blocks across\n");
-    } else {
-        add_field(text, field, shaders, {FieldFunction::value_interval});
-        text.file("march/beam_no_list.glsl");
     }
     text.file("frame.glsl");
     text.generated("generated: least and most tau, the shortest piece; rounding, a length",
                    "uniform vec4 beam;\n");
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
-    if (parent > 0) {
-        text.define("PARENT_BLOCK", parent);
-        text.file("march/beam_of_parent.glsl");
-    } else {
-        text.file("march/beam_whole.glsl");
-    }
+    if (parent > 0) text.define("PARENT_BLOCK", parent);
+    text.file(parent > 0 ? "march/beam_of_parent.glsl" : "march/beam_whole.glsl");
     text.file("march/beam_way.glsl");
-    if (lists && block > 8) text.file("march/beam_list.glsl");
+    if (beam.makes_lists) text.file("march/beam_list.glsl");
     text.file("march/beam.frag");
     return text.take();
 }
@@ -400,12 +379,14 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     }
     shaders.state_textures = scene.isolation.method == scene::Method::hermite ? 3 : 2;
     if (uses_beams(scene)) {
-        const bool lists = !shaders.arrays.empty() && shaders.arrays[0].has_lists;
-        const std::vector<int> blocks = lists ? std::vector{64, 16, 8} : std::vector{8};
+        shaders.beams =
+            has_lists(shaders)
+                ? std::vector<BeamShader>{{64, true, {}}, {16, true, {}}, {8, false, {}}}
+                : std::vector<BeamShader>{{8, false, {}}};
         int parent = 0;
-        for (const int block : blocks) {
-            shaders.beams.push_back({block, beam_text(scene, block, parent, shaders)});
-            parent = block;
+        for (BeamShader& beam : shaders.beams) {
+            beam.text = beam_text(scene, beam, parent, shaders);
+            parent = beam.block;
         }
     }
     shaders.march = march_text(scene, shaders, Origin::eye);

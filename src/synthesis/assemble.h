@@ -17,7 +17,8 @@ namespace isomotion::synthesis {
 
 // Finds which part of their way the rays of each block of pixels need to march.
 struct BeamShader {
-    int block = 0; // pixels across
+    int block = 0;            // pixels across
+    bool makes_lists = false; // of the array's elements that matter in a beam
     std::string text;
 };
 

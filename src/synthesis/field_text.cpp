@@ -112,6 +112,10 @@ FunctionParts parts_of(const formula::Field& field, FieldFunction function) {
 
 } // namespace
 
+bool has_lists(const FieldStorage& storage) {
+    return !storage.arrays.empty() && storage.arrays[0].has_lists;
+}
+
 FieldStorage field_storage(const formula::Field& field, int parameters, std::span<const int> counts,
                            bool with_lists) {
     FieldStorage storage;

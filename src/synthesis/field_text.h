@@ -34,6 +34,8 @@ struct FieldStorage {
     std::vector<ArrayStorage> arrays;
 };
 
+bool has_lists(const FieldStorage& storage);
+
 FieldStorage field_storage(const formula::Field& field, int parameters, std::span<const int> counts,
                            bool with_lists = false);
 
