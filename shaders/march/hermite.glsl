@@ -20,7 +20,7 @@ float inverse_cubic(vec2 f0, vec2 f1, float h) {
 }
 
 RayState advance(RayState s, Ray ray, float t, vec2 f) {
-    float safety = refinement.x, finest = refinement.z, longest = refinement.w;
+    float safety = refinement.x, finest = refinement.z, longest = min(refinement.w, 0.25 * (ray.t_far - ray.t_near));
     s.evaluations += 1;
     if (s.phase == PHASE_GRADIENT) return take_slope(s, f);
     bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
@@ -61,7 +61,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float least = upright * (f0 + y * (m0 + y * (c2 + (y - h) * c3)));
     float in_step = 4.0 * y * (h - y) * per_h * per_h;
     // How far rounding moves a sample; all that keeps a cubic off a double root where it is exact.
-    float rounding = 3.81469727e-6 * longest;
+    float rounding = 3.81469727e-6 * refinement.w;
     bool clear = least > error * in_step * in_step + 0.25 * rounding * max(abs(m0), abs(f.y));
     float middle = upright * (0.5 * (f0 + f.x) + 0.125 * h * (m0 - f.y));
 
