@@ -1,7 +1,7 @@
 // One pass of the proofs of rays that were marched to their ends.
 uniform sampler2D proof_texture_0;
 uniform sampler2D proof_texture_1;
-uniform bool first_pass;
+uniform int start; // 0: go on; 1: begin; 2: begin anew where closer bounds may help
 
 layout(location = 0) out vec4 proof_0; // outcome, t of what is settled; the rest for the next pass
 layout(location = 1) out vec4 proof_1;
@@ -20,13 +20,11 @@ void main() {
     bool empty = !(ray.t_near <= ray.t_far);
     ray.t_near -= tube.z;
     ray.t_far += tube.z;
-    ProofState s;
-    if (first_pass) {
+    ProofState s = load_proof();
+    if (start == 1 || start == 2 && (s.outcome == PROOF_SIGN || s.outcome == PROOF_HIDDEN)) {
         s = begin_proof(ray, hit, ended.low);
         if (empty) s.outcome = hit ? PROOF_SIGN : PROOF_MISS;
         if (!hit && ended.verdict != VERDICT_MISS) s.outcome = PROOF_NONE;
-    } else {
-        s = load_proof();
     }
     int turns = s.outcome == PROOF_UNFINISHED ? pieces_per_pass : 0;
     if (turns > 0) {

@@ -46,8 +46,7 @@ ProofState prove_piece(ProofState s, Ray ray, bool hit) {
     float low = max(s.settled - s.piece, ray.t_near);
     float high = s.at_root ? s.settled + min(s.piece, tube.w) : s.settled;
     float sample_at = s.at_root ? s.settled : low;
-    Box point = box_around(ray, sample_at, sample_at);
-    vec2 there = field_interval(point.x, point.y, point.z);
+    vec2 there = value_at(ray, sample_at);
     vec4 f = bounds_over(ray, box_around(ray, low, high));
     s.pieces += 1;
 

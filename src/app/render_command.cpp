@@ -326,7 +326,8 @@ void add_render(CLI::App& app, Action& chosen) {
     command->add_option("--backend", a.backend, "auto, egl or osmesa");
     command->add_option("--stage", a.stage,
                         "shaders that march the rays: fragment, compute, or auto, the faster here");
-    command->add_option("--channels", a.channels, "EXR only: z,n,p,verdict,evaluations,velocity,proof");
+    command->add_option("--channels", a.channels,
+                        "EXR only: z,n,p,verdict,evaluations,velocity,proof");
     command->add_flag("--certify", a.certify,
                       "prove by interval arithmetic, pixel by pixel, that hits are first roots and "
                       "misses are none; tells how many are proved");

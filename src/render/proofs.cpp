@@ -12,12 +12,12 @@
 namespace isomotion::render {
 namespace {
 
-int plan_pieces(const synthesis::Shaders& shaders, const scene::Scene& scene,
-                const MarchPlan& plan) {
+int plan_pieces(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
+                synthesis::ProofBounds bounds) {
     std::vector<int> counts;
     for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
     const formula::Cost piece =
-        synthesis::cost(*scene.surface.field, synthesis::proof_samples, counts);
+        synthesis::cost(*scene.surface.field, synthesis::proof_samples(bounds), counts);
     const double by_loops = loop_iterations_per_pass / (1 + piece.iterations);
     if (by_loops < 1) {
         throw std::length_error(
@@ -52,16 +52,27 @@ std::string summary(const ProofCounts& counts) {
 
 Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
                int first_unit)
-    : program_(shaders.vertex, shaders.proof, "proof")
+    : natural_{gpu::Program(shaders.vertex, shaders.proof, "proof"),
+               plan_pieces(shaders, scene, plan, synthesis::ProofBounds::natural)}
+    , sharp_{gpu::Program(shaders.vertex, shaders.sharp_proof, "sharp proof"),
+             plan_pieces(shaders, scene, plan, synthesis::ProofBounds::by_gradient)}
     , unfinished_(shaders.vertex, shaders.unfinished, "unfinished proofs")
     , states_(plan.tile_width, plan.tile_height, units)
+    , from_(&states_.odd)
+    , to_(&states_.even)
     , nowhere_(plan.tile_width, plan.tile_height)
     , frame_(sizeof(FrameBlock))
-    , first_unit_(first_unit)
-    , pieces_per_pass_(plan_pieces(shaders, scene, plan)) {
-    program_.bind_sampler("proof_texture_0", first_unit);
-    program_.bind_sampler("proof_texture_1", first_unit + 1);
+    , first_unit_(first_unit) {
+    for_each_program([&](const gpu::Program& program) {
+        program.bind_sampler("proof_texture_0", first_unit);
+        program.bind_sampler("proof_texture_1", first_unit + 1);
+    });
     unfinished_.bind_sampler("proof_texture_0", first_unit);
+}
+
+void Proofs::for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
+    visit(natural_.program);
+    visit(sharp_.program);
 }
 
 void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
@@ -74,10 +85,11 @@ void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int wi
     const double spread = glm::length(rays.right) + glm::length(rays.up);
     const double direction =
         3 * 16 * 0x1p-24 * (1 + (rays.parallel ? 0 : spread / glm::length(rays.axis)));
-    program_.set("tube", glm::vec4(0.75 * margin, direction, margin, footprint / 8));
-    program_.set("shortest_piece", float(std::max(margin, footprint / 256)));
-    program_.set("most_pieces", most_pieces);
-    program_.set("pieces_per_pass", pieces_per_pass_);
+    for_each_program([&](const gpu::Program& program) {
+        program.set("tube", glm::vec4(0.75 * margin, direction, margin, footprint / 8));
+        program.set("shortest_piece", float(std::max(margin, footprint / 256)));
+        program.set("most_pieces", most_pieces);
+    });
 
     FrameBlock block = frame_block(scene, now, width, height, aim);
     const auto more = float(margin);
@@ -90,30 +102,34 @@ void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int wi
     frame_.update(std::as_bytes(std::span(&block, 1)));
 }
 
-void Proofs::prove(const gpu::Rectangle& tile, unsigned binding, std::span<float> record) {
-    frame_.bind(binding);
+void Proofs::finish(const gpu::Rectangle& tile, const Pass& pass, Start start) {
     const glm::ivec2 origin(tile.x, tile.y);
-    program_.set("tile_origin", origin);
-    unfinished_.set("tile_origin", origin);
-    const gpu::Target *from = &states_.odd, *to = &states_.even;
-    for (bool first = true, active = true; active; first = false) {
-        for (int k = 0; k < units; ++k) from->texture(k).bind(first_unit_ + k);
-        program_.set("first_pass", first ? 1 : 0);
-        to->bind();
+    pass.program.set("tile_origin", origin);
+    pass.program.set("pieces_per_pass", pass.pieces);
+    for (bool active = true; active; start = Start::go_on) {
+        for (int k = 0; k < units; ++k) from_->texture(k).bind(first_unit_ + k);
+        pass.program.set("start", int(start));
+        to_->bind();
         gpu::set_viewport({0, 0, tile.width, tile.height});
-        program_.use();
+        pass.program.use();
         triangle_.draw();
 
-        to->texture(0).bind(first_unit_);
+        to_->texture(0).bind(first_unit_);
         nowhere_.bind();
         unfinished_.use();
         still_active_.begin();
         triangle_.draw();
         still_active_.end();
         active = still_active_.any_passed();
-        std::swap(from, to);
+        std::swap(from_, to_);
     }
-    from->read(0, 0, 0, tile.width, tile.height, record);
+}
+
+void Proofs::prove(const gpu::Rectangle& tile, unsigned binding, std::span<float> record) {
+    frame_.bind(binding);
+    finish(tile, natural_, Start::begin);
+    finish(tile, sharp_, Start::again);
+    from_->read(0, 0, 0, tile.width, tile.height, record);
 }
 
 } // namespace isomotion::render

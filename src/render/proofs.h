@@ -1,13 +1,15 @@
 // Proves, pixel by pixel, that the march found the first root of a ray, or rightly found none.
 //
 // A pass after the march bounds F and dF/dt over pieces of the ray in float32 interval arithmetic
-// (shaders/proof/prove.glsl). Each ray is as thick as all that float32 may have made of it, see
-// truth/tube.h: what is proved holds for the ray that was drawn, on any driver. A proved hit is a
-// simple root, the ray's first, within an eighth of a pixel's width of the place that was found.
+// (shaders/proof/prove.glsl); what stays undecided is tried again with closer bounds. Each ray is
+// as thick as all that float32 may have made of it, see truth/tube.h: what is proved holds for the
+// ray that was drawn, on any driver. A proved hit is a simple root, the ray's first, within an
+// eighth of a pixel's width of the place that was found.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -54,7 +56,7 @@ public:
     Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
            int first_unit);
 
-    const gpu::Program& program() const { return program_; }
+    void for_each_program(const std::function<void(const gpu::Program&)>& visit) const;
 
     // For the frame that is drawn next. Afterwards the frame's own block must be bound again.
     void upload(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
@@ -66,13 +68,23 @@ public:
     void prove(const gpu::Rectangle& tile, unsigned binding, std::span<float> record);
 
 private:
-    gpu::Program program_, unfinished_;
+    enum class Start { go_on, begin, again };
+    struct Pass {
+        gpu::Program program;
+        int pieces; // at most
+    };
+    // Draws passes until all proofs are finished.
+    void finish(const gpu::Rectangle& tile, const Pass& pass, Start start);
+
+    Pass natural_, sharp_;
+    gpu::Program unfinished_;
     RayTargets states_;
-    gpu::Target nowhere_; // the query's draws go there
+    const gpu::Target *from_, *to_; // of states_
+    gpu::Target nowhere_;           // the query's draws go there
     gpu::UniformBuffer frame_;
     gpu::SamplesQuery still_active_;
     gpu::Fullscreen triangle_;
-    int first_unit_, pieces_per_pass_;
+    int first_unit_;
 };
 
 } // namespace isomotion::render

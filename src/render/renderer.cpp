@@ -166,7 +166,7 @@ struct Renderer::Parts {
         }
         if (secondary) secondary->for_each_program(visit);
         if (moved) visit(moved->program);
-        if (proofs) visit(proofs->program());
+        if (proofs) proofs->for_each_program(visit);
         for (const Beams& level : beams) visit(level.program);
     }
 

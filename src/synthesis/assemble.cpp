@@ -420,7 +420,8 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
         shaders.motion = motion_text(scene, shaders);
     }
     if (scene.isolation.certify) {
-        shaders.proof = proof_text(scene, shaders);
+        shaders.proof = proof_text(scene, shaders, ProofBounds::natural);
+        shaders.sharp_proof = proof_text(scene, shaders, ProofBounds::by_gradient);
         shaders.unfinished = unfinished_proofs_text(shaders.files);
     }
     shaders.shade = shade_text(scene, channels, shaders);

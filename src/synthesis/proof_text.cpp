@@ -4,13 +4,19 @@
 
 namespace isomotion::synthesis {
 
-std::string proof_text(const scene::Scene& scene, Shaders& shaders) {
+std::vector<FieldFunction> proof_samples(ProofBounds bounds) {
+    std::vector samples{FieldFunction::value_interval, FieldFunction::along_interval};
+    if (bounds == ProofBounds::by_gradient) samples.push_back(FieldFunction::gradient_interval);
+    return samples;
+}
+
+std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds bounds) {
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     // Beams that leave out elements which matter little prove nothing about the whole sum.
     const bool lists = !shaders.arrays.empty() && shaders.arrays[0].has_lists;
     const bool beam = !shaders.beams.empty() && !lists;
     ShaderText text(shaders.files);
-    add_field(text, *scene.surface.field, shaders, proof_samples);
+    add_field(text, *scene.surface.field, shaders, proof_samples(bounds));
     text.file("frame.glsl");
     text.file("march/verdict.glsl");
     text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
@@ -21,6 +27,8 @@ std::string proof_text(const scene::Scene& scene, Shaders& shaders) {
     text.file("proof/outcome.glsl");
     text.file("proof/tube.glsl");
     text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");
+    text.file(bounds == ProofBounds::natural ? "proof/value_over_box.glsl"
+                                             : "proof/value_by_gradient.glsl");
     text.file("proof/prove.glsl");
     text.file("proof/proof.frag");
     return text.take();

@@ -166,6 +166,23 @@ TEST_F(Assemble, TheBoundsShapeChangesOneFile) {
     EXPECT_EQ(box.active, sphere.active);
 }
 
+// Proofs are shaders of their own: no other text knows whether they are asked for.
+TEST_F(Assemble, ProofsChangeNoOtherShader) {
+    for (const auto& bounds : every_bounds) {
+        const std::string text = surface_text("x*y - 1", bounds);
+        const Shaders plain = assemble(scene_of(text), every_channel);
+        const Shaders proving = assemble(scene_of(text + "certify = true\n"), every_channel);
+        expect_same_text(plain, proving);
+        ASSERT_EQ(plain.beams.size(), proving.beams.size());
+        for (std::size_t k = 0; k < plain.beams.size(); ++k) {
+            EXPECT_EQ(plain.beams[k].text, proving.beams[k].text);
+        }
+        EXPECT_THAT(plain.proof + plain.sharp_proof + plain.unfinished, IsEmpty());
+        EXPECT_THAT(proving.proof, HasSubstr("proof/prove.glsl"));
+        for (const auto& name : plain.files) EXPECT_FALSE(name.starts_with("proof/")) << name;
+    }
+}
+
 TEST_F(Assemble, ASumStaysOneLoopAndOneSizeOfText) {
     const Shaders few = assemble(scene_of(blobs_text(75)));
     const Shaders many = assemble(scene_of(blobs_text(5000)));
@@ -249,6 +266,10 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     for (const auto& effects : every_effect) {
         const Shaders called = assemble(scene_of(surface_text("x") + effects), {Channel::velocity});
         used.insert(called.files.begin(), called.files.end());
+    }
+    for (const auto& bounds : every_bounds) {
+        const Shaders proving = assemble(scene_of(surface_text("x", bounds) + "certify = true\n"));
+        used.insert(proving.files.begin(), proving.files.end());
     }
     const Shaders by_compute = assemble(scene_of(surface_text("x")), {}, Stage::compute);
     used.insert(by_compute.files.begin(), by_compute.files.end());
