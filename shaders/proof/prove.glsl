@@ -35,7 +35,6 @@ ProofState begin_proof(Ray ray, bool hit, float root) {
 
 // All from t on is settled; F there is at least as far from 0 as `value`.
 ProofState settle(ProofState s, Ray ray, bool hit, float t, float value) {
-    s.piece = 2.0 * max(s.settled - t, shortest_piece);
     s.settled = t;
     s.value = value;
     s.at_root = false;
@@ -72,17 +71,31 @@ ProofState prove_piece(ProofState s, Ray ray, bool hit) {
                                              far > 0.0 && cross_at > deep);
     float kept = near > 0.0 ? near : max(f.x, -f.y);
 
+    // How long the next piece may be, from how far this one was from the other outcome. Slopes over
+    // a piece spread about as it is long, so what keeps F off 0 falls by its square.
+    float spread = 0.5 * (f.w - f.z), middle = 0.5 * abs(f.z + f.w);
+    float by_root = 0.8 * middle / spread;
+    float by_value = max(near > 0.0 ? max(cross_at / deep, near / (fall * h)) : 0.0, far / (rise * h));
+    float least = s.at_root ? 0.125 : !is_free ? 0.15 : natural ? 2.0 : 1.0;
+    float most = s.at_root || !is_free ? 0.7 : 4.0;
+    float part = s.at_root ? by_root : 0.9 * sqrt(by_value);
+    part = part > least ? min(part, most) : least; // also where it is not a number
+    // No shorter piece could bring Newton's step close enough.
+    bool hopeless = s.at_root && max(-there.x, there.y) > tube.w * max(-f.z, f.w);
+    float length = s.settled - low;
+
     bool succeeds = s.at_root ? isolates : is_free;
     if (succeeds) {
         float value = s.at_root ? (f.z > 0.0 ? -1.0 : 1.0) * max(ahead, 0.0)
                                 : (near > 0.0 ? below : f.y < 0.0) ? -kept : kept;
+        s.piece = max(s.at_root ? 2.0 * length : part * length, shortest_piece);
         s = settle(s, ray, hit, low, value);
     } else {
-        s.piece = (s.at_root ? 0.25 : 0.5) * (s.at_root ? s.settled - low : high - low);
+        s.piece = part * length;
         bool bounded = abs(f.x) < IM_SATURATION && abs(f.y) < IM_SATURATION &&
                        abs(f.z) < IM_SATURATION && abs(f.w) < IM_SATURATION;
         int why = !bounded ? PROOF_UNBOUNDED : s.at_root ? PROOF_SIGN : PROOF_HIDDEN;
-        if (!(s.piece >= shortest_piece)) s = conclude(s, why);
+        if (hopeless || !(s.piece >= shortest_piece)) s = conclude(s, why);
     }
     if (s.outcome == PROOF_UNFINISHED && s.pieces >= most_pieces) s = conclude(s, PROOF_BUDGET);
     return s;

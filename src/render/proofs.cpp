@@ -86,7 +86,7 @@ void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int wi
     const double direction =
         3 * 16 * 0x1p-24 * (1 + (rays.parallel ? 0 : spread / glm::length(rays.axis)));
     for_each_program([&](const gpu::Program& program) {
-        program.set("tube", glm::vec4(0.75 * margin, direction, margin, footprint / 8));
+        program.set("tube", glm::vec4(0.55 * margin, direction, margin, footprint / 8));
         program.set("shortest_piece", float(std::max(margin, footprint / 256)));
         program.set("most_pieces", most_pieces);
     });

@@ -85,7 +85,8 @@ TEST_P(Certify, ADoubleRootIsNeitherProvedNorDisproved) {
     const Picture once = draw_formula("x^2 + y^2 + z^2 - 1");
     const Picture twice = draw_formula("(x^2 + y^2 + z^2 - 1)^2");
     EXPECT_EQ(count(twice, Proof::hit), 0);
-    EXPECT_GT(count(twice, Proof::sign) + count(twice, Proof::hidden), count(once, Proof::hit));
+    EXPECT_GT(count(once, Proof::hit), 1500);
+    EXPECT_GE(count(twice, Proof::sign) + count(twice, Proof::hidden), count(once, Proof::hit));
     EXPECT_LE(count(twice, Proof::miss), count(once, Proof::miss));
     EXPECT_GT(count(twice, Proof::miss), 0);
 }
@@ -125,11 +126,11 @@ TEST_P(Certify, APoleIsNoRoot) {
 }
 
 TEST_P(Certify, EveryPixelHasAnOutcome) {
-    const Picture tired = draw_formula("x^2 + y^2 + z^2 - 1e-4", "limit = 2");
-    EXPECT_EQ(count(tired, Proof::none), render::count(tired, render::Verdict::step_limit));
-    EXPECT_GT(count(tired, Proof::none), 100);
+    const Picture undefined = draw_formula("log(x - 2) + y"); // x < 2 everywhere in the bounds
+    EXPECT_EQ(count(undefined, Proof::none), render::count(undefined, render::Verdict::nan));
+    EXPECT_GT(count(undefined, Proof::none), 2000);
     std::int64_t all = 0;
-    for (const auto n : tired.proofs) all += n;
+    for (const auto n : undefined.proofs) all += n;
     EXPECT_EQ(all, side * side);
 }
 
