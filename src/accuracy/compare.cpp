@@ -34,6 +34,18 @@ Fault judge(const truth::FirstRoot& root, bool hit, double t, double footprint) 
     return t > double(root.high) + footprint ? Fault::wrong_root : Fault::none;
 }
 
+// Whether what was proved of a pixel cannot be, by what is certain of its ray. A proof tells more
+// than judge() asks: its root is within an eighth of the pixel's width of where it was drawn, and
+// twice that is left to the rounding of positions.
+bool contradicts(render::Proof proof, Fault fault, const truth::FirstRoot& root, double t,
+                 double footprint) {
+    if (!render::is_proved(proof)) return false;
+    if (fault == Fault::undecided) return false;
+    if (fault != Fault::none) return true;
+    return proof == render::Proof::hit && root.answer == truth::Answer::hit &&
+           (t < double(root.low) - 0.25 * footprint || t > double(root.high) + 0.25 * footprint);
+}
+
 } // namespace
 
 void Errors::add(const Errors& other) {
@@ -45,6 +57,8 @@ void Errors::add(const Errors& other) {
     undecided += other.undecided;
     nan += other.nan;
     step_limit += other.step_limit;
+    for (std::size_t k = 0; k < proofs.size(); ++k) proofs[k] += other.proofs[k];
+    contradicted += other.contradicted;
     for (const auto& [mine, theirs] : {std::pair{&depth, &other.depth}, {&normal, &other.normal}}) {
         const auto middle = std::ptrdiff_t(mine->size());
         mine->insert(mine->end(), theirs->begin(), theirs->end());
@@ -62,6 +76,7 @@ Errors compare(const scene::Scene& scene, const scene::SceneAt& now, const image
     const truth::Tubes tubes(now, truth.width, truth.height);
     formula::FieldEvaluator<double> field(*scene.surface.field);
     const auto bindings = formula::convert<double>(now.bindings);
+    const image::Channel* proofs = drawn.find("proof");
     Errors errors;
     errors.pixels = std::int64_t(truth.width) * truth.height;
     errors.faults.resize(truth.roots.size());
@@ -85,6 +100,11 @@ Errors compare(const scene::Scene& scene, const scene::SceneAt& now, const image
         errors.false_hits += fault == Fault::false_hit;
         errors.wrong_roots += fault == Fault::wrong_root;
         errors.undecided += fault == Fault::undecided;
+        if (proofs) {
+            const auto proof = render::Proof(int(proofs->samples[pixel]));
+            ++errors.proofs[std::size_t(proof)];
+            errors.contradicted += contradicts(proof, fault, root, t, tube.footprint);
+        }
         if (!hit || fault != Fault::none || root.answer != truth::Answer::hit) continue;
 
         const double certain = 0.5 * (double(root.low) + double(root.high));

@@ -26,6 +26,10 @@ struct Errors {
     std::int64_t pixels = 0, rays = 0; // rays: pixels that meet the bounds
     std::int64_t missed = 0, false_hits = 0, wrong_roots = 0, undecided = 0;
     std::int64_t nan = 0, step_limit = 0;
+    // Of pictures with the channel proof: outcomes, and proofs that truth certainly contradicts,
+    // which is a bug of one of the two.
+    render::ProofCounts proofs{};
+    std::int64_t contradicted = 0;
     // Of hits on the certified root: distance along the ray in widths of the pixel, angle of the
     // normal in degrees. Sorted.
     std::vector<float> depth, normal;

@@ -142,19 +142,26 @@ std::string page(const Report& report, const fs::path& folder,
     html +=
         "<table><tr><th>setting<th>ms<th>spread<th>evaluations a ray<th>ns<th>wrong ppm<th>"
         "missed<th>false<th>wrong root<th>depth p50, p99, max<th>normal p50, p99, max<th>NaN<th>"
-        "limit<th>undecided<th>pops</tr>\n";
+        "limit<th>undecided<th>pops";
+    const bool proofs = report.isolation.certify;
+    html += proofs ? "<th>proved %<th>contradicted</tr>\n" : "</tr>\n";
     const std::vector<bool> best = on_front(report);
     for (std::size_t k = 0; k < report.measurements.size(); ++k) {
         const Measurement& m = report.measurements[k];
         const Errors& e = m.errors;
         html += fmt::format(
             "<tr{}><td>{}<td>{:.2f}<td>{:.0f}%<td>{:.1f}<td>{:.1f}<td>{:.1f}<td>{}<td>{}<td>{}<td>"
-            "{:.2g}, {:.2g}, {:.2g}<td>{:.2g}, {:.2g}, {:.2g}<td>{}<td>{}<td>{}<td>{}</tr>\n",
+            "{:.2g}, {:.2g}, {:.2g}<td>{:.2g}, {:.2g}, {:.2g}<td>{}<td>{}<td>{}<td>{}",
             best[k] ? " class=\"front\"" : "", label(report, k), m.ms, 100 * m.spread,
             m.evaluations_a_ray(), m.ns_an_evaluation(), e.wrong_ppm(), e.missed, e.false_hits,
             e.wrong_roots, quantile(e.depth, 0.5), quantile(e.depth, 0.99), quantile(e.depth, 1),
             quantile(e.normal, 0.5), quantile(e.normal, 0.99), quantile(e.normal, 1), e.nan,
             e.step_limit, e.undecided, m.pops);
+        if (proofs) {
+            html += fmt::format("<td>{:.3f}<td>{}", 100 * render::proved_part(e.proofs),
+                                e.contradicted);
+        }
+        html += "</tr>\n";
     }
     html +=
         "</table>\n<p>Depth in widths of a pixel along the ray, normals in degrees. Below, wrong "
@@ -177,6 +184,8 @@ std::string table(const Report& report) {
         "{:>5}\n",
         "setting", "ms", "+-", "evals", "ns", "wrong ppm", "missed", "false", "root", "depth99",
         "norm99", "NaN", "limit", "undec", "pops");
+    const bool proofs = report.isolation.certify;
+    if (proofs) text.insert(text.size() - 1, fmt::format(" {:>8} {:>6}", "proved %", "contra"));
     const std::vector<bool> best = on_front(report);
     for (std::size_t k = 0; k < report.measurements.size(); ++k) {
         const Measurement& m = report.measurements[k];
@@ -187,6 +196,11 @@ std::string table(const Report& report) {
                             m.evaluations_a_ray(), m.ns_an_evaluation(), e.wrong_ppm(), e.missed,
                             e.false_hits, e.wrong_roots, quantile(e.depth, 0.99),
                             quantile(e.normal, 0.99), e.nan, e.step_limit, e.undecided, m.pops);
+        if (proofs) {
+            text.insert(text.size() - 1,
+                        fmt::format(" {:>8.3f} {:>6}", 100 * render::proved_part(e.proofs),
+                                    e.contradicted));
+        }
     }
     return text;
 }
@@ -196,7 +210,9 @@ std::string csv(const Report& report) {
         "method,step,thresholds,bisections,safety,ms,spread,evaluations_per_ray,ns_per_evaluation,"
         "pixels,"
         "rays,missed,false_hits,wrong_roots,wrong_ppm,depth_p50,depth_p99,depth_max,normal_p50,"
-        "normal_p99,normal_max,nan,step_limit,undecided,pops\n";
+        "normal_p99,normal_max,nan,step_limit,undecided,pops";
+    const bool proofs = report.isolation.certify;
+    text += proofs ? ",proved,contradicted\n" : "\n";
     for (const Measurement& m : report.measurements) {
         const Errors& e = m.errors;
         text +=
@@ -210,7 +226,11 @@ std::string csv(const Report& report) {
                 text += fmt::format("{:.4g},", quantile(*values, part));
             }
         }
-        text += fmt::format("{},{},{},{}\n", e.nan, e.step_limit, e.undecided, m.pops);
+        text += fmt::format("{},{},{},{}", e.nan, e.step_limit, e.undecided, m.pops);
+        if (proofs) {
+            text += fmt::format(",{:.6f},{}", render::proved_part(e.proofs), e.contradicted);
+        }
+        text += "\n";
     }
     return text;
 }
@@ -253,6 +273,10 @@ std::string json(const Report& report) {
                                         {"undecided", e.undecided},
                                         {"pops", m.pops},
                                         {"front", bool(best[k])}});
+        if (report.isolation.certify) {
+            root["measurements"].back()["proved"] = render::proved_part(e.proofs);
+            root["measurements"].back()["contradicted"] = e.contradicted;
+        }
     }
     return root.dump(2) + "\n";
 }

@@ -21,7 +21,7 @@ struct AccuracyArguments {
     std::vector<std::string> settings;
     std::optional<double> max_wrong, budget_ms;
     int repeat = 3;
-    bool quiet = false, effects = false;
+    bool quiet = false, effects = false, certify = false;
 };
 
 std::vector<std::string> listed(const std::string& text) {
@@ -68,6 +68,7 @@ scene::Scene load(const AccuracyArguments& arguments) {
     as_render.scene = arguments.scene;
     as_render.size = arguments.size;
     as_render.settings = arguments.settings;
+    as_render.certify = arguments.certify;
     return scene::load(arguments.scene, overrides(as_render));
 }
 
@@ -194,6 +195,9 @@ void add_accuracy(CLI::App& app, Action& chosen) {
         ->check(CLI::Range(1, 1000));
     command->add_flag("--effects", a.effects,
                       "instead: what each effect of the scene costs, one frame with and without");
+    command->add_flag(
+        "--certify", a.certify,
+        "prove pixels as render does; tells how many, and which proofs truth refutes");
     command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
     command->add_option("--backend", a.backend, "auto, egl or osmesa");
     command->add_option("--stage", a.stage, "fragment, compute or auto, as for render");

@@ -49,6 +49,7 @@ std::string method_key(const std::string& text) {
 
 std::vector<scene::Override> overrides(const RenderArguments& arguments) {
     std::vector<scene::Override> all = arguments.settings;
+    if (arguments.certify) all.push_back("isolation.certify=true");
     if (!arguments.method.empty()) all.push_back(method_key(arguments.method));
     if (!arguments.step.empty()) all.push_back(step_key(arguments.step));
     if (!arguments.size.empty()) all.push_back(size_key(arguments.size));

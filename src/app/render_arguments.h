@@ -17,7 +17,7 @@ struct RenderArguments {
     std::vector<std::string> settings;
     std::optional<double> max_wrong; // ppm
     int bits = 8;
-    bool resume = false, quiet = false;
+    bool resume = false, quiet = false, certify = false;
 };
 
 // Each of these throws std::invalid_argument with a message that names the option as it was

@@ -38,12 +38,14 @@ void make_folder(const fs::path& file) {
 // What a sequence's rays went through, over all frames.
 struct Totals {
     std::array<std::int64_t, 5> verdicts{};
+    render::ProofCounts proofs{};
     std::int64_t evaluations = 0;
     std::chrono::duration<double> drawing{};
     int drawn = 0, reused = 0, kept = 0;
 
     void add(const render::Picture& picture) {
         for (std::size_t v = 0; v < verdicts.size(); ++v) verdicts[v] += picture.verdicts[v];
+        for (std::size_t k = 0; k < proofs.size(); ++k) proofs[k] += picture.proofs[k];
         evaluations += picture.evaluations;
         drawing += picture.drawing;
         ++drawn;
@@ -71,6 +73,10 @@ public:
             throw std::invalid_argument(
                 fmt::format("--channels: a PNG holds the picture alone; write an EXR: -o {}",
                             fs::path(output_).replace_extension(".exr").string()));
+        }
+        if (!scene_.isolation.certify &&
+            std::ranges::find(channels_, synthesis::Channel::proof) != channels_.end()) {
+            throw std::invalid_argument("--channels proof: nothing is proved without --certify");
         }
         check_movie();
         check_values();
@@ -263,6 +269,7 @@ private:
                 say("{} {} {}", v == 0 ? "" : ",", totals_.verdicts[v], render::verdict_names[v]);
             }
             say("\n");
+            if (scene_.isolation.certify) say("{}\n", render::summary(totals_.proofs));
         }
         if (const int n = totals_.reused; n > 0) {
             say("{} frame{} equal to the one before\n", n, n == 1 ? "" : "s");
@@ -319,7 +326,11 @@ void add_render(CLI::App& app, Action& chosen) {
     command->add_option("--backend", a.backend, "auto, egl or osmesa");
     command->add_option("--stage", a.stage,
                         "shaders that march the rays: fragment, compute, or auto, the faster here");
-    command->add_option("--channels", a.channels, "EXR only: z,n,p,verdict,evaluations");
+    command->add_option("--channels", a.channels,
+                        "EXR only: z,n,p,verdict,evaluations,velocity,proof");
+    command->add_flag("--certify", a.certify,
+                      "prove by interval arithmetic, pixel by pixel, that hits are first roots and "
+                      "misses are none; tells how many are proved");
     command->add_option("--bits", a.bits, "of a PNG: 8 or 16")->check(CLI::IsMember({8, 16}));
     command->add_option("--movie", a.movie, "also join the frames: .mp4, .webm or .gif");
     command->add_flag("--resume", a.resume, "keep files that these settings would render again");

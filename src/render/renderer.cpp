@@ -104,6 +104,7 @@ struct Renderer::Parts {
             moved.emplace(gpu::Program(shaders.vertex, shaders.motion, "motion"),
                           gpu::Target(plan.tile_width, plan.tile_height));
         }
+        if (!shaders.proof.empty()) proofs.emplace(shaders, scene, plan, beam_unit() + 1);
         for_each_program([&](const gpu::Program& program) { connect(program); });
         pixels.resize(std::size_t(plan.tile_width) * std::size_t(plan.tile_height) * 4);
     }
@@ -174,6 +175,7 @@ struct Renderer::Parts {
         }
         if (secondary) secondary->for_each_program(visit);
         if (moved) visit(moved->program);
+        if (proofs) proofs->for_each_program(visit);
         for (const Beams& level : beams) visit(level.program);
     }
 
@@ -222,6 +224,7 @@ struct Renderer::Parts {
             level.program.set("beam", beam_range(now, options.width, options.height, level.block));
             level.program.set("beam_evaluations", beam_evaluations());
         }
+        if (proofs) proofs->upload(scene, now, options.width, options.height, aim);
         frame.bind(binding_frame);
         shading.bind(binding_shading);
     }
@@ -472,6 +475,19 @@ struct Renderer::Parts {
         }
     }
 
+    // Proves the rays of a tile; counts and, where wanted, keeps the outcomes.
+    void prove_tile(const gpu::Rectangle& tile, const gpu::Target& rays, Picture& picture) {
+        rays.texture(0).bind(unit_state_0);
+        rays.texture(1).bind(unit_state_1);
+        const auto count = std::size_t(tile.width) * std::size_t(tile.height) * 4;
+        proofs->prove(tile, binding_frame, std::span(pixels).first(count));
+        frame.bind(binding_frame);
+        for (std::size_t k = 0; k < count; k += 4) ++picture.proofs[std::size_t(pixels[k])];
+        if (wants(synthesis::Channel::proof)) {
+            copy_pixels(tile, targets_of(picture.frame, synthesis::Channel::proof));
+        }
+    }
+
     // Copies components of one attachment into channels, rows from the top.
     void read_tile(const gpu::Rectangle& tile, int attachment,
                    const std::vector<image::Channel*>& channels) {
@@ -583,6 +599,7 @@ struct Renderer::Parts {
         int first_list; // element of the array's buffer
     };
     std::vector<Beams> beams;
+    std::optional<Proofs> proofs; // of scenes that ask for them
     gpu::Fullscreen triangle;
     gpu::SamplesQuery still_active;
     image::Frame used;         // whose memory the next picture may have
@@ -620,6 +637,7 @@ Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const M
             const gpu::Target* rays = p.draw_tile(tile, now, picture.passes);
             p.count_tile(tile, picture);
             p.copy_pixels(tile, record);
+            if (p.proofs) p.prove_tile(tile, *rays, picture);
             if (p.moved && motion) p.draw_velocity(tile, *rays, now, *motion, picture.frame);
             p.read_tile(tile, 0, {channel(0), channel(1), channel(2), channel(3)});
             for (std::size_t a = 0; a < p.shaders.attachments.size(); ++a) {
@@ -659,6 +677,7 @@ std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& a
         std::visit([&](const auto& v) { print.add_values(std::span(&v, 1)); }, value);
     }
     print.add(p.environment_print);
+    if (!shaders.proof.empty()) print.add(shaders.proof);
     if (motion) {
         add_field(motion->before);
         add_field(motion->after);

@@ -12,6 +12,7 @@
 #include "image/frame.h"
 #include "render/march_plan.h"
 #include "render/motion.h"
+#include "render/proofs.h"
 #include "render/stage.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
@@ -27,6 +28,7 @@ struct Picture {
     image::Frame frame;                      // R G B A and the channels asked for; no metadata
     std::array<std::int64_t, 5> verdicts{};  // rays by Verdict
     std::int64_t evaluations = 0;            // of the field, all rays together
+    ProofCounts proofs{};                    // pixels by Proof; none unless certified
     int passes = 0;                          // march draws, all tiles together
     std::chrono::duration<double> drawing{}; // upload to read-back
 };

@@ -184,6 +184,7 @@ void read_isolation(Section& document, Isolation& isolation, GivenThresholds& gi
     set("horizon", 0, isolation.horizon, given.horizon);
     isolation.bisections = section->integer("bisections", 0, 64).value_or(isolation.bisections);
     if (const auto beam = section->boolean("beam")) isolation.beam = *beam;
+    isolation.certify = section->boolean("certify").value_or(isolation.certify);
     isolation.safety = section->number("safety", 1, 1e6).value_or(isolation.safety);
     isolation.limit = section->integer("limit", 1, 10'000'000).value_or(isolation.limit);
     section->refuse_rest();

@@ -66,6 +66,7 @@ struct Isolation {
     double horizon = 0; // tau 3: near a silhouette (|dF/dt| below this) it is quartered
     int bisections = 10;
     std::optional<bool> beam; // prove for blocks of rays what they need not march: see uses_beams()
+    bool certify = false; // prove by intervals, on the GPU, where rays ended: render/proofs.h
     double safety = 32; // of cubics: how many times their estimated error F must keep off 0
     int limit = 100'000; // evaluations after which a ray gives up with the verdict step limit
 };

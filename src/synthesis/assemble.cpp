@@ -10,6 +10,7 @@
 #include "synthesis/bernstein_text.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/paint_text.h"
+#include "synthesis/proof_text.h"
 #include "synthesis/shader_files.h"
 
 namespace isomotion::synthesis {
@@ -286,7 +287,8 @@ bool has_flat_shading(const scene::Scene& scene) {
 // March and picture in one, where nothing but the picture needs to know where rays ended.
 std::string whole_text(const scene::Scene& scene, const std::vector<Channel>& channels,
                        Shaders& shaders) {
-    if (keeps_surfaces(scene) || scene.material.paint || contains(channels, Channel::velocity)) {
+    if (keeps_surfaces(scene) || scene.material.paint || contains(channels, Channel::velocity) ||
+        scene.isolation.certify) {
         return {};
     }
     ShaderText text(shaders.files);
@@ -402,6 +404,11 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     }
     if (contains(channels, Channel::velocity)) {
         shaders.motion = motion_text(scene, shaders);
+    }
+    if (scene.isolation.certify) {
+        shaders.proof = proof_text(scene, shaders, ProofBounds::natural);
+        shaders.sharp_proof = proof_text(scene, shaders, ProofBounds::by_gradient);
+        shaders.unfinished = unfinished_proofs_text(shaders.files);
     }
     shaders.shade = shade_text(scene, channels, shaders);
     shaders.whole = whole_text(scene, channels, shaders);

@@ -38,6 +38,11 @@ struct Shaders : FieldStorage {
     std::string mirror_surface; // keeps where those ended
     std::string motion;         // of the channel velocity: F at another time
 
+    // Of scenes that ask for proofs (Isolation::certify), else empty.
+    std::string proof;       // one pass of them
+    std::string sharp_proof; // one of those that take closer bounds
+    std::string unfinished;  // asks whether proofs go on
+
     Stage stage = Stage::fragment; // of march, shadow and mirror; the others are of fragments
     int state_textures = 2;        // that a ray's state takes between passes
     // Of the polynomial in t that the method chebyshev solves, else 0. A pass must hold its

@@ -7,7 +7,7 @@
 
 namespace isomotion::synthesis {
 
-enum class Channel { depth, normal, position, verdict, evaluations, velocity };
+enum class Channel { depth, normal, position, verdict, evaluations, velocity, proof };
 
 struct ChannelName {
     Channel channel;
@@ -23,6 +23,7 @@ inline const std::vector<ChannelName>& channel_names() {
         {Channel::verdict, "verdict", {"verdict"}},
         {Channel::evaluations, "evaluations", {"evaluations"}},
         {Channel::velocity, "velocity", {"velocity.N", "velocity.X", "velocity.Y"}},
+        {Channel::proof, "proof", {"proof", "proof.T"}},
     };
     return names;
 }

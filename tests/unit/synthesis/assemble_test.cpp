@@ -166,6 +166,23 @@ TEST_F(Assemble, TheBoundsShapeChangesOneFile) {
     EXPECT_EQ(box.active, sphere.active);
 }
 
+// Proofs are shaders of their own: no other text knows whether they are asked for.
+TEST_F(Assemble, ProofsChangeNoOtherShader) {
+    for (const auto& bounds : every_bounds) {
+        const std::string text = surface_text("x*y - 1", bounds);
+        const Shaders plain = assemble(scene_of(text), every_channel);
+        const Shaders proving = assemble(scene_of(text + "certify = true\n"), every_channel);
+        expect_same_text(plain, proving);
+        ASSERT_EQ(plain.beams.size(), proving.beams.size());
+        for (std::size_t k = 0; k < plain.beams.size(); ++k) {
+            EXPECT_EQ(plain.beams[k].text, proving.beams[k].text);
+        }
+        EXPECT_THAT(plain.proof + plain.sharp_proof + plain.unfinished, IsEmpty());
+        EXPECT_THAT(proving.proof, HasSubstr("proof/prove.glsl"));
+        for (const auto& name : plain.files) EXPECT_FALSE(name.starts_with("proof/")) << name;
+    }
+}
+
 TEST_F(Assemble, ASumStaysOneLoopAndOneSizeOfText) {
     const Shaders few = assemble(scene_of(blobs_text(75)));
     const Shaders many = assemble(scene_of(blobs_text(5000)));
@@ -250,11 +267,15 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         const Shaders called = assemble(scene_of(surface_text("x") + effects), {Channel::velocity});
         used.insert(called.files.begin(), called.files.end());
     }
-    const std::vector<std::string> of_methods{
-        surface_text("x^3 - y", every_bounds[0], "chebyshev") + every_effect[0],
-        surface_text("x", every_bounds[0], "hermite"), surface_text("x", every_bounds[1], "hermite"),
-        blobs(75, "hermite"), blobs(75, "hermite", every_bounds[1])};
-    for (const auto& text : of_methods) {
+    std::vector<std::string> texts{surface_text("x^3 - y", every_bounds[0], "chebyshev") +
+                                   every_effect[0]};
+    for (const auto& bounds : every_bounds) {
+        texts.push_back(surface_text("x", bounds) + "certify = true
+");
+        texts.push_back(surface_text("x", bounds, "hermite"));
+        texts.push_back(blobs_text(75, bounds, "hermite"));
+    }
+    for (const auto& text : texts) {
         const Shaders shaders = assemble(scene_of(text));
         used.insert(shaders.files.begin(), shaders.files.end());
     }

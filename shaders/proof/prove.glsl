@@ -1,0 +1,102 @@
+// Proves where a ray ended, by bounds on F and dF/dt over pieces of all that float32 may make of it.
+//
+// First the root: over a piece about it where dF/dt keeps off 0, Newton's step with all values of F
+// at the root and all slopes (Moore 1966) tells where each ray has its one root, if that step stays
+// in the piece. Then what is before, backwards from there: F keeps off 0 in a piece by its natural
+// bound, or as its values at both ends, which the neighbour shares, are too far from 0 for its slope.
+
+uniform int pieces_per_pass;
+uniform int most_pieces;
+
+struct ProofState {
+    float settled;  // from here on to the end of the ray's part nothing is left to prove
+    float value;    // F there is at least so far from 0, on this side; 0: unknown
+    float piece;    // the next one's length
+    int outcome;
+    bool at_root;   // the next piece is about the root
+    int pieces;     // so far
+};
+
+ProofState conclude(ProofState s, int outcome) {
+    s.outcome = outcome;
+    return s;
+}
+
+ProofState begin_proof(Ray ray, bool hit, float root) {
+    ProofState s;
+    s.settled = hit ? root : ray.t_far;
+    s.value = 0.0;
+    s.piece = max(s.settled - ray.t_near, shortest_piece);
+    s.outcome = PROOF_UNFINISHED;
+    s.at_root = hit;
+    s.pieces = 0;
+    return s;
+}
+
+// All from t on is settled; F there is at least as far from 0 as `value`.
+ProofState settle(ProofState s, Ray ray, bool hit, float t, float value) {
+    s.settled = t;
+    s.value = value;
+    s.at_root = false;
+    return t <= ray.t_near ? conclude(s, hit ? PROOF_HIT : PROOF_MISS) : s;
+}
+
+ProofState prove_piece(ProofState s, Ray ray, bool hit) {
+    float low = max(s.settled - s.piece, ray.t_near);
+    float high = s.at_root ? s.settled + min(s.piece, tube.w) : s.settled;
+    float sample_at = s.at_root ? s.settled : low;
+    vec2 there = value_at(ray, sample_at);
+    vec4 f = bounds_over(ray, box_around(ray, low, high));
+    s.pieces += 1;
+
+    // The root. Half a millionth more than float32 can lose in these lines.
+    precise float steepness = max(f.z, -f.w); // the least, if positive
+    precise float off = max(-there.x, there.y) / steepness * 1.000002 + 4.76837158e-7 * abs(s.settled);
+    bool isolates = steepness > 0.0 && off <= high - s.settled && off <= s.settled - low &&
+                    s.settled - off > 2.0 * tube.z - ray.to_eye &&
+                    inside_bounds(ray_point(ray, s.settled - off)) &&
+                    inside_bounds(ray_point(ray, s.settled + off));
+    precise float ahead = steepness * (0.999998 * (s.settled - low) - off);
+
+    // What is before, upright: F > 0 at the sample.
+    bool below = there.y < 0.0;
+    float near = below ? -there.y : there.x, far = below ? -s.value : s.value;
+    float fall = max(below ? f.w : -f.z, 0.0), rise = max(below ? -f.z : f.w, 0.0);
+    precise float h = (high - low) * 1.000002;
+    // Two lines that F stays above, one from either end, cross above 0.
+    precise float cross_at = near * rise + far * fall;
+    precise float deep = fall * rise * h * 1.000002 + 1.0e-34 * (1.0 + h);
+    bool natural = f.x > 0.0 || f.y < 0.0;
+    bool is_free = natural || near > 0.0 && (near > fall * h || far > rise * h ||
+                                             far > 0.0 && cross_at > deep);
+    float kept = near > 0.0 ? near : max(f.x, -f.y);
+
+    // How long the next piece may be, from how far this one was from the other outcome. Slopes over
+    // a piece spread about as it is long, so what keeps F off 0 falls by its square.
+    float spread = 0.5 * (f.w - f.z), middle = 0.5 * abs(f.z + f.w);
+    float by_root = 0.8 * middle / spread;
+    float by_value = max(near > 0.0 ? max(cross_at / deep, near / (fall * h)) : 0.0, far / (rise * h));
+    float least = s.at_root ? 0.125 : !is_free ? 0.15 : natural ? 2.0 : 1.0;
+    float most = s.at_root || !is_free ? 0.7 : 4.0;
+    float part = s.at_root ? by_root : 0.9 * sqrt(by_value);
+    part = part > least ? min(part, most) : least; // also where it is not a number
+    // No shorter piece could bring Newton's step close enough.
+    bool hopeless = s.at_root && max(-there.x, there.y) > tube.w * max(-f.z, f.w);
+    float length = s.settled - low;
+
+    bool succeeds = s.at_root ? isolates : is_free;
+    if (succeeds) {
+        float value = s.at_root ? (f.z > 0.0 ? -1.0 : 1.0) * max(ahead, 0.0)
+                                : (near > 0.0 ? below : f.y < 0.0) ? -kept : kept;
+        s.piece = max(s.at_root ? 2.0 * length : part * length, shortest_piece);
+        s = settle(s, ray, hit, low, value);
+    } else {
+        s.piece = part * length;
+        bool bounded = abs(f.x) < IM_SATURATION && abs(f.y) < IM_SATURATION &&
+                       abs(f.z) < IM_SATURATION && abs(f.w) < IM_SATURATION;
+        int why = !bounded ? PROOF_UNBOUNDED : s.at_root ? PROOF_SIGN : PROOF_HIDDEN;
+        if (hopeless || !(s.piece >= shortest_piece)) s = conclude(s, why);
+    }
+    if (s.outcome == PROOF_UNFINISHED && s.pieces >= most_pieces) s = conclude(s, PROOF_BUDGET);
+    return s;
+}

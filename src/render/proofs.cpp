@@ -1,0 +1,135 @@
+#include "render/proofs.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "render/blocks.h"
+#include "synthesis/proof_text.h"
+
+namespace isomotion::render {
+namespace {
+
+int plan_pieces(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
+                synthesis::ProofBounds bounds) {
+    std::vector<int> counts;
+    for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
+    const formula::Cost piece =
+        synthesis::cost(*scene.surface.field, synthesis::proof_samples(bounds), counts);
+    const double by_loops = loop_iterations_per_pass / (1 + piece.iterations);
+    if (by_loops < 1) {
+        throw std::length_error(
+            fmt::format("a proof bounds {:.0f} terms for every piece; a shader can sum {:.0f}: "
+                        "draw fewer elements or without certify",
+                        piece.iterations, loop_iterations_per_pass - 1));
+    }
+    const double pixels = double(plan.tile_width) * plan.tile_height;
+    const double by_work = operations_per_draw / (pixels * (piece.operations + 100));
+    return int(std::clamp(std::min(by_work, by_loops), 1.0, double(Proofs::most_pieces)));
+}
+
+} // namespace
+
+double proved_part(const ProofCounts& counts) {
+    const auto all = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+    const auto proved = counts[std::size_t(Proof::hit)] + counts[std::size_t(Proof::miss)];
+    return all > 0 ? double(proved) / double(all) : 0;
+}
+
+std::string summary(const ProofCounts& counts) {
+    const auto all = double(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
+    std::string text = fmt::format("proved {:.2f} %", 100 * proved_part(counts));
+    const char* before = "; not proved: ";
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+        if (is_proved(Proof(k)) || counts[k] == 0) continue;
+        text += fmt::format("{}{:.2f} % {}", before, 100 * double(counts[k]) / all, proof_names[k]);
+        before = ", ";
+    }
+    return text;
+}
+
+Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
+               int first_unit)
+    : natural_{gpu::Program(shaders.vertex, shaders.proof, "proof"),
+               plan_pieces(shaders, scene, plan, synthesis::ProofBounds::natural)}
+    , sharp_{gpu::Program(shaders.vertex, shaders.sharp_proof, "sharp proof"),
+             plan_pieces(shaders, scene, plan, synthesis::ProofBounds::by_gradient)}
+    , unfinished_(shaders.vertex, shaders.unfinished, "unfinished proofs")
+    , states_(plan.tile_width, plan.tile_height, units)
+    , from_(&states_.odd)
+    , to_(&states_.even)
+    , nowhere_(plan.tile_width, plan.tile_height)
+    , frame_(sizeof(FrameBlock))
+    , first_unit_(first_unit) {
+    for_each_program([&](const gpu::Program& program) {
+        program.bind_sampler("proof_texture_0", first_unit);
+        program.bind_sampler("proof_texture_1", first_unit + 1);
+    });
+    unfinished_.bind_sampler("proof_texture_0", first_unit);
+}
+
+void Proofs::for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
+    visit(natural_.program);
+    visit(sharp_.program);
+}
+
+void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+                    const scene::Aim& aim) {
+    const scene::Rays rays = scene::rays(now, width, height, aim);
+    const double footprint = 2 * glm::length(rays.up) / height;
+    // Of truth's tubes what a point may be off by, four times over: the rays here and those marched
+    // are each within once that of the exact one.
+    const double margin = beam_range(now, width, height, 1).w;
+    const double spread = glm::length(rays.right) + glm::length(rays.up);
+    const double direction =
+        3 * 16 * 0x1p-24 * (1 + (rays.parallel ? 0 : spread / glm::length(rays.axis)));
+    for_each_program([&](const gpu::Program& program) {
+        program.set("tube", glm::vec4(0.55 * margin, direction, margin, footprint / 8));
+        program.set("shortest_piece", float(std::max(margin, footprint / 256)));
+        program.set("most_pieces", most_pieces);
+    });
+
+    FrameBlock block = frame_block(scene, now, width, height, aim);
+    const auto more = float(margin);
+    if (now.bounds.shape == scene::Bounds::Shape::sphere) {
+        block.bounds_min.w += more;
+    } else {
+        block.bounds_min -= more;
+        block.bounds_max += more;
+    }
+    frame_.update(std::as_bytes(std::span(&block, 1)));
+}
+
+void Proofs::finish(const gpu::Rectangle& tile, const Pass& pass, Start start) {
+    const glm::ivec2 origin(tile.x, tile.y);
+    pass.program.set("tile_origin", origin);
+    pass.program.set("pieces_per_pass", pass.pieces);
+    for (bool active = true; active; start = Start::go_on) {
+        for (int k = 0; k < units; ++k) from_->texture(k).bind(first_unit_ + k);
+        pass.program.set("start", int(start));
+        to_->bind();
+        gpu::set_viewport({0, 0, tile.width, tile.height});
+        pass.program.use();
+        triangle_.draw();
+
+        to_->texture(0).bind(first_unit_);
+        nowhere_.bind();
+        unfinished_.use();
+        still_active_.begin();
+        triangle_.draw();
+        still_active_.end();
+        active = still_active_.any_passed();
+        std::swap(from_, to_);
+    }
+}
+
+void Proofs::prove(const gpu::Rectangle& tile, unsigned binding, std::span<float> record) {
+    frame_.bind(binding);
+    finish(tile, natural_, Start::begin);
+    finish(tile, sharp_, Start::again);
+    from_->read(0, 0, 0, tile.width, tile.height, record);
+}
+
+} // namespace isomotion::render

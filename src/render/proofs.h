@@ -1,0 +1,90 @@
+// Proves, pixel by pixel, that the march found the first root of a ray, or rightly found none.
+//
+// A pass after the march bounds F and dF/dt over pieces of the ray in float32 interval arithmetic
+// (shaders/proof/prove.glsl); what stays undecided is tried again with closer bounds. Each ray is
+// as thick as all that float32 may have made of it, see truth/tube.h: what is proved holds for the
+// ray that was drawn, on any driver. A proved hit is a simple root, the ray's first, within an
+// eighth of a pixel's width of the place that was found.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/draw.h"
+#include "gpu/program.h"
+#include "gpu/query.h"
+#include "gpu/target.h"
+#include "render/march_plan.h"
+#include "render/secondary_rays.h"
+#include "scene/rays.h"
+#include "scene/scene_at.h"
+
+namespace isomotion::render {
+
+// The codes of the channel proof.
+enum class Proof {
+    none,      // the march ended with neither a root nor a miss
+    hit,       // proved
+    miss,      // proved
+    hidden,    // a root may lie before the one found, or where none was
+    sign,      // F may not change its sign, or more than once, where the root was found
+    budget,    // too many pieces
+    unbounded, // F or its slope has no bound on some piece
+};
+inline constexpr std::array<std::string_view, 7> proof_names{
+    "not looked at", "hit", "miss", "may be hidden", "sign undecided", "budget", "unbounded"};
+using ProofCounts = std::array<std::int64_t, proof_names.size()>; // of pixels, by Proof
+
+constexpr bool is_proved(Proof proof) { return proof == Proof::hit || proof == Proof::miss; }
+double proved_part(const ProofCounts& counts); // 0 to 1
+// "proved 99.3 %; not proved: 0.5 % sign undecided, 0.2 % may be hidden"
+std::string summary(const ProofCounts& counts);
+
+class Proofs {
+public:
+    static constexpr int units = 2;
+    // Pieces after which a ray's proof is given up.
+    static constexpr int most_pieces = 128;
+    // Takes texture units from `first_unit` on. Throws std::length_error if the formula sums too
+    // many terms for a shader.
+    Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
+           int first_unit);
+
+    void for_each_program(const std::function<void(const gpu::Program&)>& visit) const;
+
+    // For the frame that is drawn next. Afterwards the frame's own block must be bound again.
+    void upload(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+                const scene::Aim& aim);
+
+    // Proves the rays of a tile, whose states are bound where the march reads them. Four floats a
+    // pixel, rows from the bottom: Proof, the t down to which the ray is settled, and two more.
+    // `binding` is that of the block Frame, which is left changed.
+    void prove(const gpu::Rectangle& tile, unsigned binding, std::span<float> record);
+
+private:
+    enum class Start { go_on, begin, again };
+    struct Pass {
+        gpu::Program program;
+        int pieces; // at most
+    };
+    // Draws passes until all proofs are finished.
+    void finish(const gpu::Rectangle& tile, const Pass& pass, Start start);
+
+    Pass natural_, sharp_;
+    gpu::Program unfinished_;
+    RayTargets states_;
+    const gpu::Target *from_, *to_; // of states_
+    gpu::Target nowhere_;           // the query's draws go there
+    gpu::UniformBuffer frame_;
+    gpu::SamplesQuery still_active_;
+    gpu::Fullscreen triangle_;
+    int first_unit_;
+};
+
+} // namespace isomotion::render

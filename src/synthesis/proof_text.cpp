@@ -1,0 +1,43 @@
+#include "synthesis/proof_text.h"
+
+#include "synthesis/shader_text.h"
+
+namespace isomotion::synthesis {
+
+std::vector<FieldFunction> proof_samples(ProofBounds bounds) {
+    std::vector samples{FieldFunction::value_interval, FieldFunction::along_interval};
+    if (bounds == ProofBounds::by_gradient) samples.push_back(FieldFunction::gradient_interval);
+    return samples;
+}
+
+std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds bounds) {
+    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+    // Beams that leave out elements which matter little prove nothing about the whole sum.
+    const bool lists = !shaders.arrays.empty() && shaders.arrays[0].has_lists;
+    const bool beam = !shaders.beams.empty() && !lists;
+    ShaderText text(shaders.files);
+    add_field(text, *scene.surface.field, shaders, proof_samples(bounds));
+    text.file("frame.glsl");
+    text.file("march/verdict.glsl");
+    text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
+    text.file("march/ray.glsl");
+    text.file("march/state.glsl");
+    if (beam) text.define("BLOCK", shaders.beams.back().block);
+    text.file(beam ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
+    text.file("proof/outcome.glsl");
+    text.file("proof/tube.glsl");
+    text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");
+    text.file(bounds == ProofBounds::natural ? "proof/value_over_box.glsl"
+                                             : "proof/value_by_gradient.glsl");
+    text.file("proof/prove.glsl");
+    text.file("proof/proof.frag");
+    return text.take();
+}
+
+std::string unfinished_proofs_text(std::vector<std::string>& files) {
+    ShaderText text(files);
+    text.file("proof/unfinished.frag");
+    return text.take();
+}
+
+} // namespace isomotion::synthesis

@@ -1,0 +1,174 @@
+// What --certify calls proved is true: held against closed forms and certified truth, also where
+// the march is wrong.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "accuracy/compare.h"
+#include "render/drawing.h"
+#include "truth/certify.h"
+
+namespace isomotion::accuracy {
+namespace {
+
+using render::Picture, render::Proof, render::scene_of;
+
+constexpr int side = 64;
+
+std::vector<synthesis::Channel> channels() {
+    auto all = render::every_channel;
+    all.push_back(synthesis::Channel::proof);
+    return all;
+}
+
+Picture certified(gpu::Context& context, const scene::Scene& scene, int frame = 1) {
+    render::Renderer renderer(context, scene,
+                              {scene.output.width, scene.output.height, channels(), {}});
+    return renderer.draw(scene::at(scene, scene.timeline.values(frame)));
+}
+
+std::int64_t count(const Picture& picture, Proof proof) {
+    return picture.proofs[std::size_t(proof)];
+}
+
+class Certify : public render::Drawing {
+protected:
+    // Seen along -x, a pixel 2.4 / 64 wide.
+    Picture draw_formula(const std::string& formula, const std::string& isolation = {}) {
+        return certified(*context, scene_of(fmt::format(R"(
+[surface]
+formula = "{}"
+bounds = {{ sphere = 1.5 }}
+[camera]
+position = [5, 0, 0]
+projection = "orthographic"
+height = 2.4
+[output]
+size = [{}, {}]
+[isolation]
+certify = true
+{})",
+                                                        formula, side, side, isolation)));
+    }
+};
+ISOMOTION_ON_EVERY_BACKEND(Certify);
+
+TEST_P(Certify, ASphereIsProvedAndIsWhereItIs) {
+    const Picture picture = draw_formula("x^2 + y^2 + z^2 - 1");
+    const double pixel = 2.4 / side;
+    int hits = 0, misses = 0;
+    for (int row = 0; row < side; ++row) {
+        for (int column = 0; column < side; ++column) {
+            const auto at = [&](const char* name) {
+                return double(picture.frame.find(name)->samples[std::size_t(row * side + column)]);
+            };
+            const double middle = 0.5 * (side - 1);
+            const double off = std::hypot(column - middle, row - middle) * pixel;
+            const auto proof = Proof(int(at("proof")));
+            hits += proof == Proof::hit;
+            misses += proof == Proof::miss;
+            if (proof == Proof::miss) {
+                EXPECT_GE(off, 1);
+            }
+            if (proof == Proof::hit) {
+                ASSERT_LT(off, 1);
+                EXPECT_NEAR(at("P.X"), std::sqrt(1 - off * off), pixel / 8);
+            }
+        }
+    }
+    EXPECT_EQ(hits, count(picture, Proof::hit));
+    EXPECT_EQ(misses, count(picture, Proof::miss));
+    EXPECT_GT(hits + misses, 0.995 * side * side);
+}
+
+// Where F only touches 0 nothing tells a root from none.
+TEST_P(Certify, ADoubleRootIsNeitherProvedNorDisproved) {
+    const Picture once = draw_formula("x^2 + y^2 + z^2 - 1");
+    const Picture twice = draw_formula("(x^2 + y^2 + z^2 - 1)^2");
+    EXPECT_EQ(count(twice, Proof::hit), 0);
+    EXPECT_GT(count(once, Proof::hit), 1500);
+    EXPECT_GE(count(twice, Proof::sign) + count(twice, Proof::hidden), count(once, Proof::hit));
+    EXPECT_LE(count(twice, Proof::miss), count(once, Proof::miss));
+    EXPECT_GT(count(twice, Proof::miss), 0);
+}
+
+// Uniform steps go over two sheets 1e-4 apart, which half of the picture has, and a kink that
+// reaches 0 by half of that.
+TEST_P(Certify, WhatTheMarchStepsOverIsNeverProved) {
+    for (const char* sheets : {"(x - 0.2)^2 - 2.5e-9 + 0*y", "abs(x - 0.2) - 5e-5"}) {
+        SCOPED_TRACE(sheets);
+        const std::string steps = "method = \"marching\"\nstep = 0.0137\n";
+        const Picture gone = draw_formula(sheets, steps);
+        EXPECT_GT(render::count(gone, render::Verdict::miss), 3000); // else nothing is tested
+        const std::int64_t beside = draw_formula("x - 0.2").verdicts[0];
+        EXPECT_LE(count(gone, Proof::miss), beside);
+        // ... and with a plane behind them, which the march hits.
+        const Picture behind =
+            draw_formula(fmt::format("({})*(x + 0.3)", std::string(sheets)), steps);
+        EXPECT_GT(render::count(behind, render::Verdict::hit), 2000);
+        EXPECT_LT(count(behind, Proof::hit), render::count(behind, render::Verdict::hit) / 4);
+        const auto& proof = behind.frame.find("proof")->samples;
+        const auto& x = behind.frame.find("P.X")->samples;
+        for (std::size_t k = 0; k < proof.size(); ++k) {
+            // Rays beside the sheets' disk may meet the plane first.
+            const double y = double(behind.frame.find("P.Y")->samples[k]);
+            const double z = double(behind.frame.find("P.Z")->samples[k]);
+            if (Proof(int(proof[k])) != Proof::hit || x[k] > 0) continue;
+            EXPECT_GT(0.04 + y * y + z * z, 1.5 * 1.5 - 1e-4) << k;
+        }
+    }
+}
+
+TEST_P(Certify, APoleIsNoRoot) {
+    const Picture pole = draw_formula("1/(x - 0.2)");
+    EXPECT_EQ(count(pole, Proof::hit), 0);
+    const Picture jump = draw_formula("sign(x - 0.2)");
+    EXPECT_EQ(count(jump, Proof::miss), draw_formula("x - 0.2").verdicts[0]);
+}
+
+TEST_P(Certify, EveryPixelHasAnOutcome) {
+    const Picture undefined = draw_formula("log(x - 2) + y"); // x < 2 everywhere in the bounds
+    EXPECT_EQ(count(undefined, Proof::none), render::count(undefined, render::Verdict::nan));
+    EXPECT_GT(count(undefined, Proof::none), 2000);
+    std::int64_t all = 0;
+    for (const auto n : undefined.proofs) all += n;
+    EXPECT_EQ(all, side * side);
+}
+
+struct Cheap {
+    const char* animation;
+    double proved; // at least this part
+};
+
+void PrintTo(const Cheap& cheap, std::ostream* out) { *out << cheap.animation; }
+
+class CertifyAnimation : public testing::TestWithParam<Cheap> {};
+
+TEST_P(CertifyAnimation, IsNotContradictedByTruth) {
+    const scene::Scene scene =
+        scene::load(GetParam().animation, {"isolation.certify=true", "output.samples=1",
+                                           fmt::format("output.size=[{},{}]", side, side)});
+    const int frame = scene.output.poster;
+    const scene::SceneAt now =
+        scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(frame)));
+    const truth::Truth truth = truth::certify(scene, now, side, side);
+    for (const auto backend : {gpu::Backend::egl, gpu::Backend::osmesa}) {
+        const auto context = gpu::open_if_available(backend);
+        if (!context) continue;
+        render::Renderer renderer(*context, scene, {side, side, channels(), {}});
+        const Picture picture = renderer.draw(now);
+        const Errors errors = compare(scene, now, picture.frame, truth);
+        EXPECT_EQ(errors.contradicted, 0);
+        EXPECT_EQ(errors.proofs, picture.proofs);
+        EXPECT_GE(render::proved_part(errors.proofs), GetParam().proved);
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Cheap, CertifyAnimation,
+                         testing::Values(Cheap{"torus", 0.98}, Cheap{"cassini", 0.98},
+                                         Cheap{"cayley", 0.98}, Cheap{"clebsch", 0.98},
+                                         Cheap{"ding_dong", 0.98}, Cheap{"goursat", 0.98},
+                                         Cheap{"heart", 0.98}, Cheap{"kummer", 0.95},
+                                         Cheap{"tangle", 0.95}, Cheap{"barth_sextic", 0.95}),
+                         [](const auto& tested) { return std::string(tested.param.animation); });
+
+} // namespace
+} // namespace isomotion::accuracy
