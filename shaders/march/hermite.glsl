@@ -20,7 +20,8 @@ float inverse_cubic(vec2 f0, vec2 f1, float h) {
 }
 
 RayState advance(RayState s, Ray ray, float t, vec2 f) {
-    float safety = refinement.x, finest = refinement.z, longest = min(refinement.w, 0.25 * (ray.t_far - ray.t_near));
+    float safety = refinement.x, finest = refinement.z,
+          longest = clamp(0.25 * (ray.t_far - ray.t_near), refinement.z, refinement.w);
     s.evaluations += 1;
     if (s.phase == PHASE_GRADIENT) return take_slope(s, f);
     bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
@@ -69,8 +70,9 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     bool free = same_side && clear && middle > error && !refines;
     bool isolated = !same_side && !refines && !starts &&
                     (is_finest || (clear || !dips) && error < 0.5 * max(abs(f0), abs(f.x)));
-    // A sample that lies on a double root itself leaves none inside of the steps beside it.
-    bool on_root = abs(f.x) <= 4.0 * abs(c2 + 2.0 * h * c3) * rounding * rounding;
+    // A sample that lies on a double root itself leaves none inside of the steps beside it. Steps of
+    // a few roundings tell nothing of curvature.
+    bool on_root = h > finest && abs(f.x) <= 4.0 * abs(c2 + 2.0 * h * c3) * rounding * rounding;
     bool touches = same_side && (on_root || !free && is_finest) && !refines && !starts;
     bool closes_in = isolated || refines;
     bool moves = starts || free || refines && same_side;

@@ -270,8 +270,7 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     std::vector<std::string> texts{surface_text("x^3 - y", every_bounds[0], "chebyshev") +
                                    every_effect[0]};
     for (const auto& bounds : every_bounds) {
-        texts.push_back(surface_text("x", bounds) + "certify = true
-");
+        texts.push_back(surface_text("x", bounds) + "certify = true\n");
         texts.push_back(surface_text("x", bounds, "hermite"));
         texts.push_back(blobs_text(75, bounds, "hermite"));
     }
