@@ -1,0 +1,25 @@
+// Betti numbers of the solid {F < 0} in the bounds, and of its surface.
+#pragma once
+
+#include <compare>
+
+namespace isomotion::topology {
+
+struct Betti {
+    int components = 0; // b0
+    int tunnels = 0;    // b1
+    int voids = 0;      // b2
+
+    int euler() const { return components - tunnels + voids; }
+    bool is_possible() const { return components >= 0 && tunnels >= 0 && voids >= 0; }
+    auto operator<=>(const Betti&) const = default;
+};
+
+// Of the closed surface that bounds a solid: each component of the solid and each void has one
+// component of surface, each tunnel a handle, which is two loops.
+constexpr Betti surface_of(const Betti& solid) {
+    const int components = solid.components + solid.voids;
+    return {components, 2 * solid.tunnels, components};
+}
+
+} // namespace isomotion::topology

@@ -1,0 +1,83 @@
+// What happens to the topology of a moving surface, and when: the events of an animation in order.
+//
+// The solid is {F < 0} inside the bounds. An event is a point (x, y, z, t) with F = 0 and
+// grad F = 0: there the solid gains or loses a handle of the critical point's Morse index (Milnor
+// 1963; Hart 1998; Stander and Hart 1997). On a face, an edge or at the corner of the bounds the
+// gradient is that along the face or the edge (stratified Morse theory): `stratum` counts the
+// coordinates that are free.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formula/interval.h"
+#include "topology/betti.h"
+
+namespace isomotion::topology {
+
+enum class Kind {
+    unknown, // not told apart: see Event::proof
+    birth,
+    death,
+    merge,
+    split,
+    tunnel_forms,
+    tunnel_closes,
+    tunnel_opens,
+    tunnel_breaks,
+    void_forms,
+    void_fills,
+    void_opens,
+    void_born,
+    none, // on the bounds, where the capped solid does not change
+};
+
+std::string_view name(Kind kind); // "tunnel forms"
+std::optional<Kind> parse_kind(std::string_view text);
+
+// What an event of this kind adds to the solid's Betti numbers.
+Betti change(Kind kind);
+
+// The kinds that a critical point may have by its index (0 to 3) and direction: one or two.
+// `grows`: F falls there, the solid gains a handle.
+std::vector<Kind> kinds_of(int index, bool grows);
+
+struct Event {
+    formula::Interval time;                  // seconds; holds the exact time
+    std::array<formula::Interval, 3> where;  // formula coordinates; hold the exact point
+    int stratum = 3;                         // 3: inside; 2, 1, 0: on a face, an edge, a corner
+    int index = 0;                           // of F along the stratum
+    bool grows = false;
+    Kind kind = Kind::unknown;
+    bool is_proved = false; // that it exists, is alone in its enclosure, its index and direction
+    // How the kind is known: "index", "path", "counting", "frames"; empty if it isn't.
+    std::string kind_proof;
+    std::optional<Betti> before, after; // of the solid; empty where unknown
+};
+
+// A place where events may be that are not told apart: a degenerate critical point, a singular
+// curve. Never given a kind.
+struct Unresolved {
+    formula::Interval time;
+    std::array<formula::Interval, 3> where;
+    std::string why;
+    std::optional<Betti> before, after;
+};
+
+// All that is known of an animation from one time to another.
+struct Timeline {
+    formula::Interval range; // of time, seconds
+    std::vector<Event> events;         // by time
+    std::vector<Unresolved> unresolved; // by time
+    std::optional<Betti> start, end;   // of the solid
+    bool start_is_proved = false, end_is_proved = false;
+    bool is_proved = false;   // that no event is missing (Events::is_proved and kinds apart)
+    std::vector<std::string> doubts; // failed consistency checks and interruptions, in words
+    // Everything: no event missing, each proved and its kind known, both ends proved, no doubts.
+    bool is_complete() const;
+};
+
+} // namespace isomotion::topology
