@@ -1,4 +1,4 @@
-// Betti numbers of the solid {F < 0} in the bounds, and of its surface.
+// Betti numbers of the solid inside the bounds, and of its surface.
 #pragma once
 
 #include <compare>

@@ -1,6 +1,7 @@
 // What happens to the topology of a moving surface, and when: the events of an animation in order.
 //
-// The solid is {F < 0} inside the bounds. An event is a point (x, y, z, t) with F = 0 and
+// The solid is where F has the sign that it doesn't have on the bounds (solid.h); below it is {F < 0}
+// and for the other sign F is -F. An event is a point (x, y, z, t) with F = 0 and
 // grad F = 0: there the solid gains or loses a handle of the critical point's Morse index (Milnor
 // 1963; Hart 1998; Stander and Hart 1997). On a face, an edge or at the corner of the bounds the
 // gradient is that along the face or the edge (stratified Morse theory): `stratum` counts the
