@@ -1,11 +1,11 @@
 // What happens to the topology of a moving surface, and when: the events of an animation in order.
 //
-// The solid is where F has the sign that it doesn't have on the bounds (solid.h); below it is {F < 0}
-// and for the other sign F is -F. An event is a point (x, y, z, t) with F = 0 and
-// grad F = 0: there the solid gains or loses a handle of the critical point's Morse index (Milnor
-// 1963; Hart 1998; Stander and Hart 1997). On a face, an edge or at the corner of the bounds the
-// gradient is that along the face or the edge (stratified Morse theory): `stratum` counts the
-// coordinates that are free.
+// The solid is where F has the sign that it doesn't have on the bounds (solid.h); below it is {F <
+// 0} and for the other sign F is -F. An event is a point (x, y, z, t) with F = 0 and grad F = 0:
+// there the solid gains or loses a handle of the critical point's Morse index (Milnor 1963; Hart
+// 1998; Stander and Hart 1997). On a face, an edge or at the corner of the bounds the gradient is
+// that along the face or the edge (stratified Morse theory): `stratum` counts the coordinates that
+// are free.
 #pragma once
 
 #include <array>
@@ -47,10 +47,10 @@ Betti change(Kind kind);
 std::vector<Kind> kinds_of(int index, bool grows);
 
 struct Event {
-    formula::Interval time;                  // seconds; holds the exact time
-    std::array<formula::Interval, 3> where;  // formula coordinates; hold the exact point
-    int stratum = 3;                         // 3: inside; 2, 1, 0: on a face, an edge, a corner
-    int index = 0;                           // of F along the stratum
+    formula::Interval time;                 // seconds; holds the exact time
+    std::array<formula::Interval, 3> where; // formula coordinates; hold the exact point
+    int stratum = 3;                        // 3: inside; 2, 1, 0: on a face, an edge, a corner
+    int index = 0;                          // of F along the stratum
     bool grows = false;
     Kind kind = Kind::unknown;
     bool is_proved = false; // that it exists, is alone in its enclosure, its index and direction
@@ -70,12 +70,12 @@ struct Unresolved {
 
 // All that is known of an animation from one time to another.
 struct Timeline {
-    formula::Interval range; // of time, seconds
-    std::vector<Event> events;         // by time
+    formula::Interval range;            // of time, seconds
+    std::vector<Event> events;          // by time
     std::vector<Unresolved> unresolved; // by time
-    std::optional<Betti> start, end;   // of the solid
+    std::optional<Betti> start, end;    // of the solid
     bool start_is_proved = false, end_is_proved = false;
-    bool is_proved = false;   // that no event is missing (Events::is_proved and kinds apart)
+    bool is_proved = false;          // that no event is missing (Events::is_proved and kinds apart)
     std::vector<std::string> doubts; // failed consistency checks and interruptions, in words
     // Everything: no event missing, each proved and its kind known, both ends proved, no doubts.
     bool is_complete() const;

@@ -24,7 +24,7 @@ struct Box {
 // What can be asked of F over a box: enclosures of all values there.
 template<class T> struct Jet {
     T value{};
-    std::array<T, 4> gradient{};            // F_x F_y F_z F_t
+    std::array<T, 4> gradient{};               // F_x F_y F_z F_t
     std::array<std::array<T, 4>, 4> hessian{}; // symmetric; [3][3], F_tt, is left 0: nothing asks
 };
 
