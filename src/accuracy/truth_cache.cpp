@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "image/file.h"
-#include "render/fingerprint.h"
+#include "scene/fingerprint.h"
 
 namespace isomotion::accuracy {
 namespace fs = std::filesystem;
@@ -19,7 +19,7 @@ static_assert(std::is_trivially_copyable_v<truth::FirstRoot>);
 
 std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
                         const truth::Budget& budget) {
-    render::Fingerprint print;
+    scene::Fingerprint print;
     print.add(version).add(scene.surface.field->text);
     const auto add_values = [&](std::initializer_list<double> values) {
         print.add_values(std::span(values.begin(), values.size()));
@@ -46,7 +46,7 @@ std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, in
 // After the version: evaluations, then the roots, then the fingerprint of both.
 struct Contents {
     std::string bytes;
-    std::string sum() const { return render::Fingerprint().add(bytes).text(); }
+    std::string sum() const { return scene::Fingerprint().add(bytes).text(); }
 };
 
 std::optional<truth::Truth> read(const fs::path& file, int width, int height) {

@@ -17,8 +17,8 @@
 #include "image/movie.h"
 #include "image/sequence.h"
 #include "render/exposure.h"
-#include "render/fingerprint.h"
 #include "render/renderer.h"
+#include "scene/fingerprint.h"
 #include "scene/load.h"
 
 namespace isomotion::app {
@@ -226,7 +226,7 @@ private:
     // Pixels, file format and everything else that the file records.
     std::string file_fingerprint(const std::string& pixels, const std::string& machine,
                                  const image::Metadata& metadata) const {
-        render::Fingerprint print;
+        scene::Fingerprint print;
         print.add(pixels).add(machine).add(ISOMOTION_VERSION).add(std::to_string(int(format_)));
         for (const auto& entry : metadata) print.add(entry.name).add(image::to_text(entry.value));
         return print.text();

@@ -12,9 +12,9 @@
 #include "image/environment.h"
 #include "render/blocks.h"
 #include "render/effect_uniforms.h"
-#include "render/fingerprint.h"
 #include "render/ray_pass.h"
 #include "render/secondary_rays.h"
+#include "scene/fingerprint.h"
 
 namespace isomotion::render {
 namespace {
@@ -122,7 +122,8 @@ struct Renderer::Parts {
             options.warn(image::mending(scene.environment->map, map.mended));
         }
         environment.emplace(gpu::Format::rgba32f, map.width, map.height, map.texels);
-        environment_print = Fingerprint().add_values(std::span<const float>(map.texels)).text();
+        environment_print =
+            scene::Fingerprint().add_values(std::span<const float>(map.texels)).text();
         const int unit = unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units;
         passes->shade.bind_sampler("environment_map", unit);
         environment->bind(unit);
@@ -652,7 +653,7 @@ Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const M
 std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& aim,
                                   const Motion* motion) const {
     const Parts& p = *parts_;
-    Fingerprint print;
+    scene::Fingerprint print;
     const synthesis::Shaders& shaders = p.shaders;
     for (const auto& level : shaders.beams) print.add(level.text);
     for (const std::string* text :

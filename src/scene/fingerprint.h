@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace isomotion::render {
+namespace isomotion::scene {
 
 // FNV-1a on 128 bits: no defence against an adversary, but a stale frame is none.
 class Fingerprint {
@@ -23,4 +23,4 @@ private:
         (static_cast<unsigned __int128>(0x6c62272e07bb0142u) << 64) | 0x62b821756295c58du;
 };
 
-} // namespace isomotion::render
+} // namespace isomotion::scene

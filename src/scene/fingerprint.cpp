@@ -1,8 +1,8 @@
-#include "render/fingerprint.h"
+#include "scene/fingerprint.h"
 
 #include <fmt/format.h>
 
-namespace isomotion::render {
+namespace isomotion::scene {
 
 Fingerprint& Fingerprint::add(std::span<const std::byte> bytes) {
     constexpr auto prime = (static_cast<unsigned __int128>(0x1000000u) << 64) | 0x13bu;
@@ -22,4 +22,4 @@ std::string Fingerprint::text() const {
     return fmt::format("{:016x}{:016x}", std::uint64_t(hash_ >> 64), std::uint64_t(hash_));
 }
 
-} // namespace isomotion::render
+} // namespace isomotion::scene
