@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "image/base64.h"
 #include "image/encode.h"
 #include "image/file.h"
 
@@ -98,21 +99,6 @@ void plot(const Report& report, const fs::path& folder) {
     }
 }
 
-std::string base64(std::span<const std::byte> bytes) {
-    constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t k = 0; k < bytes.size(); k += 3) {
-        unsigned word = 0;
-        for (std::size_t j = 0; j < 3; ++j) {
-            word = word << 8 | (k + j < bytes.size() ? unsigned(bytes[k + j]) : 0);
-        }
-        for (std::size_t j = 0; j < 4; ++j) {
-            text += k + j > bytes.size() ? '=' : digits[word >> (18 - 6 * j) & 63];
-        }
-    }
-    return text;
-}
-
 std::string text_of(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
@@ -171,7 +157,7 @@ std::string page(const Report& report, const fs::path& folder,
         html +=
             fmt::format("<figure><img width=\"256\" src=\"data:image/png;base64,{}\"><figcaption>"
                         "{}</figcaption></figure>\n",
-                        base64(pictures[k]), label(report, k));
+                        image::base64(pictures[k]), label(report, k));
     }
     return html + "</html>\n";
 }

@@ -36,6 +36,8 @@ public:
     int most() const; // elements at one time
     double first_time() const { return rows_.times.front(); }
     double last_time() const { return rows_.times.back(); }
+    const Rows& rows() const { return rows_; }
+    Interpolation interpolation() const { return interpolation_; }
 
 private:
     static constexpr std::size_t none = std::size_t(-1);

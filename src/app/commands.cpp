@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
     add_show(app, chosen);
     add_list(app, chosen);
     add_accuracy(app, chosen);
+    add_topology(app, chosen);
     add_doctor(app, chosen);
     try {
         app.parse(argc, argv);

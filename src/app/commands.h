@@ -16,6 +16,7 @@ enum ExitCode {
     exit_done = 0,
     exit_check_failed = 1,
     exit_usage = 2,         // a wrong command line or scene
+    exit_incomplete = 2,    // of a check: neither passed nor failed
     exit_machine = 3,       // no GL, disk full, unwritable
     exit_interrupted = 130, // Ctrl-C, as shells count it
 };
@@ -26,6 +27,7 @@ void add_render(CLI::App& app, Action& chosen);
 void add_list(CLI::App& app, Action& chosen);
 void add_show(CLI::App& app, Action& chosen);
 void add_accuracy(CLI::App& app, Action& chosen);
+void add_topology(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
 
 int run(int argc, char** argv);

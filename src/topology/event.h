@@ -57,6 +57,8 @@ struct Event {
     // How the kind is known: "index", "path", "counting", "frames"; empty if it isn't.
     std::string kind_proof;
     std::optional<Betti> before, after; // of the solid; empty where unknown
+
+    bool operator==(const Event&) const = default;
 };
 
 // A place where events may be that are not told apart: a degenerate critical point, a singular
@@ -66,6 +68,8 @@ struct Unresolved {
     std::array<formula::Interval, 3> where;
     std::string why;
     std::optional<Betti> before, after;
+
+    bool operator==(const Unresolved&) const = default;
 };
 
 // All that is known of an animation from one time to another.
@@ -79,6 +83,7 @@ struct Timeline {
     std::vector<std::string> doubts; // failed consistency checks and interruptions, in words
     // Everything: no event missing, each proved and its kind known, both ends proved, no doubts.
     bool is_complete() const;
+    bool operator==(const Timeline&) const = default;
 };
 
 } // namespace isomotion::topology

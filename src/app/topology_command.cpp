@@ -1,0 +1,205 @@
+#include <cmath>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "animation/frame_range.h"
+#include "app/commands.h"
+#include "app/progress.h"
+#include "app/stop_on_signal.h"
+#include "gpu/context.h"
+#include "gpu/error.h"
+#include "image/base64.h"
+#include "image/encode.h"
+#include "image/file.h"
+#include "render/renderer.h"
+#include "scene/load.h"
+#include "topology/analyse.h"
+#include "topology/betti_csv.h"
+#include "topology/expectation.h"
+#include "topology/plot.h"
+#include "topology/summary.h"
+#include "topology/telling.h"
+#include "topology/timeline_file.h"
+
+namespace isomotion::app {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t most_thumbnails = 8;
+constexpr int thumbnail_size = 192; // shown at half of it: sharp on screens of fine pixels
+
+struct TopologyArguments {
+    std::string scene, frames, certify = "full", output, csv, plot, check, backend = "auto";
+    std::vector<std::string> settings;
+    double dt = 1e-9;
+    bool quiet = false;
+};
+
+void check_extension(const char* option, const std::string& file, const char* extension) {
+    if (file.empty() || fs::path(file).extension() == extension) return;
+    throw std::invalid_argument(fmt::format("{} {}: the name must end in {}: {}", option, file,
+                                            extension,
+                                            fs::path(file).replace_extension(extension).string()));
+}
+
+topology::Certify parse_certify(const std::string& text) {
+    if (text == "off") return topology::Certify::off;
+    if (text == "fast") return topology::Certify::fast;
+    if (text == "full") return topology::Certify::full;
+    throw std::invalid_argument(fmt::format("--certify {}: write off, fast or full", text));
+}
+
+// First and last of what is searched, all time in between included.
+std::pair<int, int> span_of(const std::string& text, const scene::Scene& scene) {
+    if (text.empty()) {
+        if (scene.timeline.frames > 1) return {1, scene.timeline.frames};
+        throw std::invalid_argument(
+            "the scene has one frame, in which nothing happens; a timeline needs two: set frames "
+            "in its [time], or --frames 1-100");
+    }
+    const auto frames = animation::parse_frame_range(text);
+    const bool is_span =
+        frames.size() > 1 && frames.back() - frames.front() + 1 == std::ptrdiff_t(frames.size());
+    if (!is_span || !std::ranges::is_sorted(frames)) {
+        throw std::invalid_argument(fmt::format(
+            "--frames {}: topology searches a span with all time in it; write 1-10", text));
+    }
+    return {frames.front(), frames.back()};
+}
+
+void write_text(const std::string& file, const std::string& text) {
+    if (const fs::path folder = fs::path(file).parent_path(); !folder.empty()) {
+        std::error_code error;
+        fs::create_directories(folder, error);
+        if (error && !fs::is_directory(folder)) {
+            throw image::FileError(folder, "the folder cannot be created", error.value());
+        }
+    }
+    image::write_whole(file, std::as_bytes(std::span(text)));
+}
+
+// Pictures of the frames that tell most; none where there is no driver to draw them.
+std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& arguments,
+                                               const topology::Record& record,
+                                               const StopOnSignal& stop) {
+    std::vector<scene::Override> settings = arguments.settings;
+    settings.push_back(fmt::format("output.size=[{0},{0}]", thumbnail_size));
+    const scene::Scene scene = scene::load(arguments.scene, settings);
+    std::vector<topology::Thumbnail> thumbnails;
+    try {
+        const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+        render::Renderer renderer(*context, scene, {thumbnail_size, thumbnail_size, {}, {}, {}});
+        const auto frames = topology::telling_frames(record, most_thumbnails);
+        Progress progress("drawing", int(frames.size()), arguments.quiet);
+        for (std::size_t k = 0; k < frames.size() && !stop.asked(); ++k) {
+            progress.show(int(k));
+            const double whole = std::floor(frames[k]);
+            const auto values = scene.timeline.values(std::int64_t(whole), frames[k] - whole);
+            const render::Picture picture = renderer.draw(scene::at(scene, values));
+            const auto png = image::encode(picture.frame, image::Format::png8);
+            thumbnails.push_back({frames[k], "data:image/png;base64," + image::base64(png)});
+        }
+    } catch (const gpu::Unavailable&) {
+        fmt::print(stderr, "warning: no OpenGL here: {} has no pictures of the surface\n",
+                   arguments.plot);
+    }
+    return thumbnails;
+}
+
+topology::Record analysed(const TopologyArguments& arguments, const scene::Scene& scene,
+                          std::pair<int, int> frames, const StopOnSignal& stop) {
+    topology::Analysing how;
+    how.certify = parse_certify(arguments.certify);
+    how.first = frames.first;
+    how.last = frames.second;
+    Progress progress("topology", 1000, arguments.quiet);
+    how.progress = [&](const std::string& what, double part) {
+        progress.show(int(1000 * part), what);
+    };
+    how.stop = [&] { return stop.asked(); };
+    topology::Record record{{}, topology::analyse(scene, how)};
+    record.subject = topology::subject_of(scene, record.timeline.range);
+    return record;
+}
+
+int judged(const TopologyArguments& arguments, const topology::Expectation& expectation,
+           const topology::Record& record) {
+    const topology::Check check = topology::check(expectation, record, arguments.dt);
+    const std::string text = topology::text(check, arguments.check);
+    switch (check.outcome()) {
+    case topology::Outcome::passes:
+        if (!arguments.quiet) fmt::print("{}", text);
+        return exit_done;
+    case topology::Outcome::differs:
+        fmt::print(stderr, "{}", text);
+        return exit_check_failed;
+    case topology::Outcome::incomplete:
+        break;
+    }
+    fmt::print(stderr, "{}", text);
+    return exit_incomplete;
+}
+
+int topology_of(const TopologyArguments& arguments) {
+    // What can be known to fail is told before minutes of searching.
+    check_extension("-o", arguments.output, ".json");
+    check_extension("--csv", arguments.csv, ".csv");
+    check_extension("--plot", arguments.plot, ".svg");
+    parse_certify(arguments.certify);
+    gpu::parse_backend(arguments.backend);
+    const scene::Scene scene = scene::load(arguments.scene, arguments.settings);
+    const auto frames = span_of(arguments.frames, scene);
+    std::optional<topology::Expectation> expectation;
+    if (!arguments.check.empty()) {
+        expectation = topology::read_expectation(arguments.check, scene.timeline.fps);
+    }
+    const StopOnSignal stop;
+    const topology::Record record = analysed(arguments, scene, frames, stop);
+    const bool is_whole = !stop.asked();
+    if (!arguments.quiet) fmt::print("{}", topology::summary(record));
+    if (!arguments.output.empty()) write_text(arguments.output, topology::to_json(record));
+    if (!arguments.csv.empty()) write_text(arguments.csv, topology::betti_csv(record));
+    if (!arguments.plot.empty()) {
+        write_text(arguments.plot,
+                   topology::plot_svg(record, thumbnails_of(arguments, record, stop)));
+    }
+    const int code = expectation ? judged(arguments, *expectation, record) : exit_done;
+    if (is_whole) return code;
+    fmt::print(stderr, "interrupted; what was written is what was known\n");
+    return exit_interrupted;
+}
+
+} // namespace
+
+void add_topology(CLI::App& app, Action& chosen) {
+    const auto arguments = std::make_shared<TopologyArguments>();
+    TopologyArguments& a = *arguments;
+    CLI::App* command = app.add_subcommand(
+        "topology", "when parts of the surface merge, split, open and close; proved, and checked");
+    command->add_option("scene", a.scene, "a scene file or the name of an animation")->required();
+    command->add_option("--frames", a.frames,
+                        "1-10: from frame 1 to frame 10 with all time between (default: all)");
+    command->add_option("--certify", a.certify,
+                        "off: sample; fast: search and prove events; full: prove all that can be "
+                        "(default)");
+    command->add_option("-o,--output", a.output, "file for the timeline: NAME.timeline.json");
+    command->add_option("--csv", a.csv, "file for Betti numbers, frame by frame: NAME.betti.csv");
+    command->add_option("--plot", a.plot, "file for a picture of the timeline: NAME.svg");
+    command->add_option("--check", a.check,
+                        "hold the timeline against this file: one written with -o, or claims in "
+                        "JSON or TOML; exit code 1 if it differs, 2 if it could not be decided");
+    command
+        ->add_option("--dt", a.dt,
+                     "seconds by which events may have moved from a checked timeline's")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
+    command->add_option("--backend", a.backend, "auto, egl or osmesa; for the pictures of --plot");
+    command->add_flag("--quiet", a.quiet, "no summary, no progress");
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return topology_of(*arguments); }; });
+}
+
+} // namespace isomotion::app

@@ -1,0 +1,33 @@
+// The timeline of a scene: every change of the topology of its surface within the bounds.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "scene/scene.h"
+#include "topology/event.h"
+
+namespace isomotion::topology {
+
+enum class Certify {
+    off,  // sample: signs of F on a grid, frame by frame; nothing is proved
+    fast, // search and prove events, without proofs of the kinds that need paths
+    full, // prove all that can be
+};
+
+struct Analysing {
+    Certify certify = Certify::full;
+    int first = 1, last = 0; // frames, first < last; 0: the scene's last
+    int threads = 0;         // 0: as many as the machine runs at once
+    // Called from one thread at a time; `part` in [0, 1] of what `what` is.
+    std::function<void(const std::string& what, double part)> progress;
+    // Asked often. Once true, the timeline returned has what is known so far: it is not proved and
+    // its doubts say why.
+    std::function<bool()> stop;
+};
+
+// The timeline's range is from the time of the first frame to that of the last. The same for any
+// number of threads. Throws SceneError where values leave their range.
+Timeline analyse(const scene::Scene& scene, const Analysing& how = {});
+
+} // namespace isomotion::topology

@@ -1,0 +1,28 @@
+// What came of holding a timeline against an expectation.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace isomotion::topology {
+
+enum class Outcome {
+    passes,
+    differs,
+    incomplete, // nothing differs for certain, and something could not be decided
+};
+
+// A line each, without its end.
+struct Check {
+    std::vector<std::string> differences;
+    std::vector<std::string> undecided;
+    std::vector<std::string> notes; // worth knowing, decides nothing
+    std::size_t agreed = 0;         // events or claims
+
+    Outcome outcome() const {
+        if (!differences.empty()) return Outcome::differs;
+        return undecided.empty() ? Outcome::passes : Outcome::incomplete;
+    }
+};
+
+} // namespace isomotion::topology

@@ -1,0 +1,138 @@
+#include "topology/steps.h"
+
+#include <algorithm>
+
+namespace isomotion::topology {
+namespace {
+
+Betti sum(const Betti& a, const Betti& b) {
+    return {a.components + b.components, a.tunnels + b.tunnels, a.voids + b.voids};
+}
+
+std::vector<Moment> moments_of(const Timeline& timeline) {
+    std::vector<Moment> single;
+    for (std::size_t k = 0; k < timeline.events.size(); ++k) {
+        if (timeline.events[k].kind == Kind::none) continue;
+        single.push_back({timeline.events[k].time, {k}, {}});
+    }
+    for (std::size_t k = 0; k < timeline.unresolved.size(); ++k) {
+        single.push_back({timeline.unresolved[k].time, {}, {k}});
+    }
+    std::ranges::stable_sort(single, {}, [](const Moment& moment) { return moment.time.lo; });
+    std::vector<Moment> merged;
+    for (Moment& moment : single) {
+        if (merged.empty() || merged.back().time.hi < moment.time.lo) {
+            merged.push_back(std::move(moment));
+            continue;
+        }
+        Moment& last = merged.back();
+        last.time = formula::hull(last.time, moment.time);
+        last.events.insert(last.events.end(), moment.events.begin(), moment.events.end());
+        last.unresolved.insert(last.unresolved.end(), moment.unresolved.begin(),
+                               moment.unresolved.end());
+    }
+    for (Moment& moment : merged) std::ranges::sort(moment.events); // the timeline's own order
+    return merged;
+}
+
+// Before the first and after the last of a moment, by whichever of its parts says so.
+std::optional<Betti> before(const Timeline& timeline, const Moment& moment) {
+    std::optional<Betti> found;
+    double first = formula::infinity;
+    const auto consider = [&](const auto& part) {
+        if (!part.before || part.time.lo >= first) return;
+        found = part.before;
+        first = part.time.lo;
+    };
+    for (const std::size_t k : moment.events) consider(timeline.events[k]);
+    for (const std::size_t k : moment.unresolved) consider(timeline.unresolved[k]);
+    return found;
+}
+
+std::optional<Betti> after(const Timeline& timeline, const Moment& moment) {
+    std::optional<Betti> found;
+    double last = -formula::infinity;
+    const auto consider = [&](const auto& part) {
+        if (!part.after || part.time.hi < last) return;
+        found = part.after;
+        last = part.time.hi;
+    };
+    for (const std::size_t k : moment.events) consider(timeline.events[k]);
+    for (const std::size_t k : moment.unresolved) consider(timeline.unresolved[k]);
+    return found;
+}
+
+// Of all its events together; empty if some are of unknown kind.
+std::optional<Betti> change(const Timeline& timeline, const Moment& moment) {
+    if (!moment.unresolved.empty()) return std::nullopt;
+    Betti all;
+    for (const std::size_t k : moment.events) {
+        if (timeline.events[k].kind == Kind::unknown) return std::nullopt;
+        all = sum(all, change(timeline.events[k].kind));
+    }
+    return all;
+}
+
+bool is_certain(const Timeline& timeline, const Moment& moment) {
+    return moment.unresolved.empty() &&
+           std::ranges::all_of(moment.events, [&](const std::size_t k) {
+               return timeline.events[k].is_proved && timeline.events[k].kind != Kind::unknown;
+           });
+}
+
+void mark_proved(const Timeline& timeline, Steps& all) {
+    auto& steps = all.steps;
+    steps.front().is_proved = timeline.start_is_proved && timeline.start;
+    steps.back().is_proved |= timeline.end_is_proved && timeline.end;
+    if (!timeline.is_proved || !timeline.doubts.empty()) {
+        // Between the ends there may be events that nobody found: only the ends themselves hold.
+        for (Step* step : {&steps.front(), &steps.back()}) step->is_proved = false;
+        return;
+    }
+    for (std::size_t k = 0; k < all.moments.size(); ++k) {
+        steps[k + 1].is_proved |= steps[k].is_proved && is_certain(timeline, all.moments[k]);
+    }
+    for (std::size_t k = all.moments.size(); k-- > 0;) {
+        steps[k].is_proved |= steps[k + 1].is_proved && is_certain(timeline, all.moments[k]);
+    }
+}
+
+} // namespace
+
+const Step* Steps::at(double time) const {
+    const auto found = std::ranges::find_if(
+        steps, [&](const Step& step) { return formula::contains(step.time, time); });
+    if (found == steps.end()) return nullptr;
+    // A step ends where a moment's enclosure begins: that instant may be the event's.
+    const auto in = [&](const Moment& moment) { return formula::contains(moment.time, time); };
+    return std::ranges::any_of(moments, in) ? nullptr : &*found;
+}
+
+Steps steps_of(const Timeline& timeline) {
+    Steps all;
+    all.moments = moments_of(timeline);
+    const std::size_t count = all.moments.size();
+    all.steps.resize(count + 1);
+    double begin = timeline.range.lo;
+    for (std::size_t k = 0; k <= count; ++k) {
+        const auto within = [&](double time) { return std::clamp(time, begin, timeline.range.hi); };
+        const double end = k < count ? within(all.moments[k].time.lo) : timeline.range.hi;
+        all.steps[k].time = {begin, end};
+        if (k < count) begin = within(all.moments[k].time.hi);
+    }
+    all.steps.front().solid = timeline.start;
+    for (std::size_t k = 0; k < count; ++k) {
+        auto& here = all.steps[k].solid;
+        auto& next = all.steps[k + 1].solid;
+        if (!here) here = before(timeline, all.moments[k]);
+        next = after(timeline, all.moments[k]);
+        if (const auto add = change(timeline, all.moments[k]); !next && here && add) {
+            next = sum(*here, *add);
+        }
+    }
+    if (!all.steps.back().solid) all.steps.back().solid = timeline.end;
+    mark_proved(timeline, all);
+    return all;
+}
+
+} // namespace isomotion::topology

@@ -1,0 +1,68 @@
+#include "topology/summary.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "topology/words.h"
+
+namespace isomotion::topology {
+namespace {
+
+std::string from_to(const char* thing, int Betti::*number, const Timeline& timeline) {
+    const auto text = [&](const std::optional<Betti>& solid) {
+        return solid ? std::to_string((*solid).*number) : "?";
+    };
+    return fmt::format("{} -> {} {}", text(timeline.start), text(timeline.end), thing);
+}
+
+std::int64_t events_that_change(const Timeline& timeline) {
+    return std::ranges::count_if(timeline.events,
+                                 [](const Event& event) { return event.kind != Kind::none; });
+}
+
+} // namespace
+
+std::string tally(const Timeline& timeline) {
+    std::string text;
+    const auto add = [&](Kind kind) {
+        const auto number = std::ranges::count(timeline.events, kind, &Event::kind);
+        if (number == 0) return;
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", counted(number, kind));
+    };
+    for (int k = int(Kind::birth); k <= int(Kind::none); ++k) add(Kind(k));
+    add(Kind::unknown);
+    return text.empty() ? "no event" : text;
+}
+
+std::string summary(const Record& record) {
+    const Timeline& timeline = record.timeline;
+    const auto fps = record.subject.fps;
+    std::string text = fmt::format(
+        "{}: frames {} to {}, {:.6g} to {:.6g} s\n", record.subject.title,
+        frame_text(frame_at(fps, timeline.range.lo)), frame_text(frame_at(fps, timeline.range.hi)),
+        timeline.range.lo, timeline.range.hi);
+    text += fmt::format("{}, {}, {}\n", from_to("components", &Betti::components, timeline),
+                        from_to("tunnels", &Betti::tunnels, timeline),
+                        from_to("voids", &Betti::voids, timeline));
+    if (const auto number = events_that_change(timeline); number > 0) {
+        text += fmt::format("{} event{}: ", number, number == 1 ? "" : "s");
+    }
+    text += tally(timeline);
+    if (!timeline.events.empty()) {
+        const auto frame = [&](const Event& event) {
+            return frame_text(frames_at(fps, event.time));
+        };
+        text += timeline.events.size() == 1
+                    ? fmt::format("; at frame {}", frame(timeline.events.front()))
+                    : fmt::format("; first at frame {}, last at {}", frame(timeline.events.front()),
+                                  frame(timeline.events.back()));
+    }
+    const auto reasons = gaps(timeline, fps);
+    if (reasons.empty()) return text + "\ncomplete, all proved\n";
+    text += "\nINCOMPLETE\n";
+    for (const std::string& reason : reasons) text += fmt::format("    {}\n", reason);
+    return text;
+}
+
+} // namespace isomotion::topology

@@ -1,0 +1,117 @@
+// The command `topology`: its files, its checks and its errors.
+#include "cli.h"
+
+namespace isomotion::cli {
+namespace {
+
+class Topology : public Cli {
+protected:
+    Topology() {
+        write("two.json", R"({"components": {"1": 2}})");
+        write("mege.json", R"({"events": ["no split", "mege at frame 3"]})");
+        write("cut.timeline.json", R"({"format": "isomotion topology timeline", "version": 1)");
+        write("new.timeline.json", R"({"format": "isomotion topology timeline", "version": 9})");
+        files_ = names();
+    }
+    Ending topology(Words arguments) const {
+        arguments.insert(arguments.begin(), {"topology", "sphere.toml"});
+        return run(arguments);
+    }
+
+    std::set<std::string> files_;
+};
+
+TEST_F(Topology, AMistakeIsToldBeforeAnythingIsSearched) {
+    const std::pair<Words, const char*> wrongs[] = {
+        {{"--nope"}, "--nope"},
+        {{"--certify", "maybe"}, "--certify maybe: write off, fast or full"},
+        {{"--frames", "abc"}, "'abc' is not a frame range"},
+        {{"--frames", "5"}, "--frames 5: topology searches a span with all time in it; write 1-10"},
+        {{"--frames", "1-9x2"}, "--frames 1-9x2: topology searches a span"},
+        {{"--frames", "1,5"}, "--frames 1,5: topology searches a span"},
+        {{"--frames", "9-1"}, "--frames 9-1: topology searches a span"},
+        {{"-o", "a.txt"}, "-o a.txt: the name must end in .json: a.json"},
+        {{"--csv", "a"}, "--csv a: the name must end in .csv: a.csv"},
+        {{"--plot", "new/a.png"}, "--plot new/a.png: the name must end in .svg: new/a.svg"},
+        {{"--backend", "dx"}, "unknown back end 'dx'"},
+        {{"--dt", "-1"}, "--dt"},
+        {{"--set", "rr=1"}, "parameters.rr: nothing uses this parameter"},
+        {{"--check", "none.json"}, "none.json: no such file"},
+        {{"--check", "mege.json"},
+         "mege.json: events[1]: \"mege at frame 3\": there is no event 'mege'; did you mean "
+         "'merge'?"},
+        {{"--check", "cut.timeline.json"}, "cut.timeline.json: not valid JSON: parse error at"},
+        {{"--check", "new.timeline.json"}, "new.timeline.json: version: is 9, which this program"},
+        {{"--set", "time.frames=1"}, "the scene has one frame, in which nothing happens"},
+    };
+    for (const auto& [arguments, message] : wrongs) {
+        SCOPED_TRACE(message);
+        const Ending ending = topology(arguments);
+        EXPECT_EQ(ending.code, 2) << ending;
+        EXPECT_THAT(ending.err, HasSubstr(message));
+        EXPECT_THAT(ending.out, IsEmpty());
+        EXPECT_EQ(names(), files_);
+    }
+}
+
+TEST_F(Topology, WritesItsFilesAndMakesTheirFolders) {
+    const Ending ending =
+        topology({"--frames", "2-4", "--certify", "off", "-o", "new/s.timeline.json", "--csv",
+                  "new/s.betti.csv", "--plot", "new/s.svg"});
+    EXPECT_EQ(ending.code, 0) << ending;
+    EXPECT_THAT(ending.out, StartsWith("Sphere: frames 2 to 4, "));
+    EXPECT_THAT(bytes("new/s.timeline.json"), HasSubstr("\"frames_per_second\": \"30000/1001\""));
+    const std::string table = bytes("new/s.betti.csv");
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);
+    EXPECT_THAT(bytes("new/s.svg"), HasSubstr("data:image/png;base64,iVBOR"));
+    expect_only_whole_files();
+}
+
+TEST_F(Topology, WithoutADriverThePlotHasNoPictures) {
+    Circumstances circumstances = this->circumstances();
+    const Ending ending = run({"topology", "sphere.toml", "--frames", "1-2", "--certify", "off",
+                               "--plot", "s.svg", "--backend", "egl"},
+                              [&] {
+                                  circumstances.environment["__EGL_VENDOR_LIBRARY_DIRS"] = "/none";
+                                  circumstances.environment["__EGL_VENDOR_LIBRARY_FILENAMES"] =
+                                      "/none.json";
+                                  return circumstances;
+                              }());
+    EXPECT_EQ(ending.code, 0) << ending;
+    EXPECT_THAT(bytes("s.svg"), StartsWith("<svg"));
+    if (ending.err.empty()) GTEST_SKIP() << "there is an EGL that needs no vendor";
+    EXPECT_THAT(ending.err, HasSubstr("no OpenGL here: s.svg has no pictures"));
+    EXPECT_THAT(bytes("s.svg"), Not(HasSubstr("<image")));
+}
+
+TEST_F(Topology, QuietSaysNothing) {
+    const Ending ending = topology({"--frames", "1-3", "--certify", "off", "--quiet"});
+    EXPECT_EQ(ending.code, 0) << ending;
+    EXPECT_EQ(ending.out + ending.err, "");
+}
+
+// Of the same run, a check passes if all is proved, and says so if not.
+TEST_F(Topology, ACheckOfItselfPassesExactlyIfItIsProved) {
+    const Ending first = topology({"--frames", "1-3", "-o", "s.timeline.json"});
+    EXPECT_EQ(first.code, 0) << first;
+    const bool is_proved = first.out.find("\ncomplete, all proved\n") != std::string::npos;
+    const Ending again = topology({"--frames", "1-3", "--check", "s.timeline.json"});
+    EXPECT_EQ(again.code, is_proved ? 0 : 2) << again;
+    if (is_proved) {
+        EXPECT_THAT(again.out, HasSubstr("s.timeline.json: passes, "));
+    } else {
+        EXPECT_THAT(again.err, HasSubstr("s.timeline.json: INCOMPLETE, neither passed nor failed"));
+    }
+}
+
+// There is one sphere: the claim of two never passes.
+TEST_F(Topology, AWrongClaimNeverPasses) {
+    const Ending ending = topology({"--frames", "1-3", "--check", "two.json"});
+    EXPECT_TRUE(ending.code == 1 || ending.code == 2) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("components.1 = 2: "));
+    // Sampling proves nothing, so nothing fails either.
+    EXPECT_EQ(topology({"--frames", "1-3", "--certify", "off", "--check", "two.json"}).code, 2);
+}
+
+} // namespace
+} // namespace isomotion::cli
