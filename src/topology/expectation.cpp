@@ -25,6 +25,7 @@ constexpr NumberName number_names[] = {
     {"components", &Betti::components}, {"tunnels", &Betti::tunnels}, {"voids", &Betti::voids}};
 
 std::optional<double> decimal(std::string_view text) {
+    if (text.empty() || text.front() == '.') return {}; // "5...9" has a dot too many
     double value = 0;
     const char* last = text.data() + text.size();
     const auto [end, error] = std::from_chars(text.data(), last, value, std::chars_format::fixed);

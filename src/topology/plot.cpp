@@ -35,7 +35,11 @@ constexpr Mark marks[] = {
 std::string escaped(const std::string& text) {
     std::string safe;
     for (const char c : text) {
-        safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
+        safe += c == '<'   ? "&lt;"
+                : c == '>' ? "&gt;"
+                : c == '&' ? "&amp;"
+                : c == '"' ? "&quot;"
+                           : std::string(1, c);
     }
     return safe;
 }
@@ -105,6 +109,11 @@ private:
         }
         draw("<text x=\"16\" y=\"64\" fill=\"{}\">{}</text>", complete ? "#117733" : "#b03a00",
              escaped(verdict));
+        if (!complete) {
+            draw("<text x=\"{:.1f}\" y=\"64\" text-anchor=\"end\" font-size=\"10\" "
+                 "fill=\"#555\">hollow, dashed: not proved; hatched: unknown</text>",
+                 width - right);
+        }
         y_ = 84;
     }
 
@@ -136,11 +145,12 @@ private:
         }
         if (most == 0 && !always) return;
         y_ += gap;
-        const double foot = y_ + panel_height, scale = (panel_height - 8) / std::max(1, most);
+        const int step = int(std::max(1.0, nice_step(std::max(1, most), 4)));
+        const int ceiling = step * std::max(1, (most + step - 1) / step);
+        const double foot = y_ + panel_height, scale = (panel_height - 8) / ceiling;
         const auto y = [&](int value) { return foot - scale * value; };
         draw("<text x=\"16\" y=\"{:.1f}\" font-weight=\"bold\">{}</text>", y_ + 14, label);
-        const int step = int(std::max(1.0, nice_step(std::max(1, most), 4)));
-        for (int tick = 0; tick <= std::max(1, most); tick += step) {
+        for (int tick = 0; tick <= ceiling; tick += step) {
             draw("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"#e4e4e4\"/><text x=\"{:.1f}\" "
                  "y=\"{:.1f}\" text-anchor=\"end\" font-size=\"10\">{}</text>",
                  left, y(tick), width - right, left - 6, y(tick) + 3.5, tick);
@@ -202,7 +212,7 @@ private:
         const auto sign = [&](double at) {
             return known ? triangle(at, middle, mark.adds) : diamond(at, middle);
         };
-        lane_frame(known ? std::string(name(mark.kind)) : "of unknown kind", std::size_t(count),
+        lane_frame(known ? std::string(name(mark.kind)) : "unknown", std::size_t(count),
                    mark.colour, sign(22));
         for (const Event& event : timeline_.events) {
             if (event.kind != mark.kind) continue;
@@ -233,8 +243,9 @@ private:
         const double foot = y_ + 6;
         draw("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"#222\"/>", left, foot, width - right);
         const double step = nice_step(last_ - first_, 12);
-        for (double tick = std::ceil(first_ / step - 1e-9) * step; tick <= last_ + 1e-9 * step;
-             tick += step) {
+        const double begin = std::ceil(first_ / step - 1e-9) * step;
+        for (int k = 0; begin + k * step <= last_ + 1e-9 * step; ++k) {
+            const double tick = begin + k * step;
             draw("<path d=\"M{0:.1f} {1:.1f}v5\" stroke=\"#222\"/><text x=\"{0:.1f}\" "
                  "y=\"{2:.1f}\" text-anchor=\"middle\" font-size=\"10\">{3:.6g}</text>",
                  x(tick), foot, foot + 17, tick);

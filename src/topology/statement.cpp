@@ -46,6 +46,7 @@ struct Written {
     int decimals = 0;
 };
 std::optional<Written> written(std::string_view word) {
+    if (word.empty() || word.front() == '.') return {}; // "12...13" has a dot too many
     Written number;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number.value,
                                               std::chars_format::fixed);
@@ -276,7 +277,7 @@ Count count(const Statement& statement, const Timeline& timeline, animation::Fra
 bool reaches_beyond(const Statement& statement, const Timeline& timeline,
                     animation::FrameRate fps) {
     const double first = frame_at(fps, timeline.range.lo), last = frame_at(fps, timeline.range.hi);
-    constexpr double slack = 0.5; // "at frame 1" is 0.5 to 1.5
+    constexpr double slack = 0.5 + 2e-6; // "at frame 1" is 0.5 to 1.5
     const Interval asked = statement.frames;
     return (std::isfinite(asked.lo) && (asked.lo < first - slack || asked.lo > last)) ||
            (std::isfinite(asked.hi) && (asked.hi > last + slack || asked.hi < first));

@@ -12,7 +12,9 @@ namespace {
 using animation::Animation;
 using scene::Fingerprint;
 
-void add_number(Fingerprint& print, double value) { print.add_values(std::span<const double>(&value, 1)); }
+void add_number(Fingerprint& print, double value) {
+    print.add_values(std::span<const double>(&value, 1));
+}
 
 // Tracks that something in the formula's surface moves by, what their expressions name included.
 class Needed {

@@ -32,7 +32,8 @@ std::string tally(const Timeline& timeline) {
     };
     for (int k = int(Kind::birth); k <= int(Kind::none); ++k) add(Kind(k));
     add(Kind::unknown);
-    return text.empty() ? "no event" : text;
+    if (!text.empty()) return text;
+    return timeline.is_proved ? "no event" : "no event found";
 }
 
 std::string summary(const Record& record) {

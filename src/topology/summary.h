@@ -11,7 +11,8 @@ namespace isomotion::topology {
 // when, and whether that is all and proved, or what is missing. Lines with their ends.
 std::string summary(const Record& record);
 
-// "74 merges, 68 tunnels form": in the order of Kind; "no event".
+// "74 merges, 68 tunnels form": in the order of Kind; "no event", or where that is not
+// proved "no event found".
 std::string tally(const Timeline& timeline);
 
 } // namespace isomotion::topology

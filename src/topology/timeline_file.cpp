@@ -139,9 +139,10 @@ void check_point(JsonObject& object, const Point& where) {
         }
     }
     if (const auto written = object.find("radius"); written && !written->is_null()) {
-        if (!is_near(written->number(), radius(where))) {
+        const double follows = radius(where);
+        if (!(std::abs(written->number() - follows) <= 1e-6 * follows)) {
             written->fail(
-                fmt::format("contradicts 'where', which is in a ball of {:.10g}", radius(where)));
+                fmt::format("contradicts 'where', which is in a ball of {:.10g}", follows));
         }
     }
 }

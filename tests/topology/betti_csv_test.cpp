@@ -22,9 +22,9 @@ TEST(BettiCsv, HasALineForEachFrame) {
     ASSERT_EQ(lines.size(), 102u); // frames 1 to 101
     EXPECT_EQ(lines[0], "frame,b0,b1,b2,surface_b0,surface_b1,surface_b2,proved,to_next_event,"
                         "from_last_event");
-    EXPECT_EQ(lines[1], "1,3,0,0,3,0,0,1,9.5,");
-    EXPECT_EQ(lines[10], "10,3,0,0,3,0,0,1,0.5,");
-    EXPECT_EQ(lines[11], "11,2,0,0,2,0,0,1,9.25,0.5");
+    EXPECT_EQ(lines[1], "1,3,0,0,3,0,3,1,9.5,");
+    EXPECT_EQ(lines[10], "10,3,0,0,3,0,3,1,0.5,");
+    EXPECT_EQ(lines[11], "11,2,0,0,2,0,2,1,9.25,0.5");
     EXPECT_EQ(lines[50], "50,1,1,0,1,2,1,1,40.7,9.8");
     EXPECT_EQ(lines[101], "101,1,0,0,1,0,1,1,,10.3");
 }

@@ -62,10 +62,13 @@ TEST(Compare, SaysOneLineForEachEdit) {
 
     Record more = story();
     more.timeline.events.push_back(event_at(95, Kind::birth, {0, 0, 0.9}));
+    more.timeline.end->components += 1;
     EXPECT_THAT(compare(story(), more, dt).differences,
-                ElementsAre(StartsWith("extra: birth at frame 95 (9.4 s), near (0, 0, 0.9)")));
+                ElementsAre(StartsWith("extra: birth at frame 95 (9.4 s), near (0, 0, 0.9)"),
+                            StartsWith("betti: at the end, frame 101: 2 components, ")));
     EXPECT_THAT(compare(more, story(), dt).differences,
-                ElementsAre(StartsWith("missing: birth at frame 95 (9.4 s), near (0, 0, 0.9)")));
+                ElementsAre(StartsWith("missing: birth at frame 95 (9.4 s), near (0, 0, 0.9)"),
+                            StartsWith("betti: at the end, frame 101: 1 component, ")));
 
     Record end = story();
     end.timeline.events.back().after = end.timeline.end = Betti{1, 3, 0};

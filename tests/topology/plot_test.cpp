@@ -33,7 +33,7 @@ void expect_well_formed(const std::string& svg) {
     }
     EXPECT_TRUE(open.empty());
     EXPECT_EQ(svg.substr(covered), "\n");
-    EXPECT_FALSE(std::regex_search(svg, std::regex("&(?!amp;|lt;|quot;)")));
+    EXPECT_FALSE(std::regex_search(svg, std::regex("&(?!amp;|lt;|gt;|quot;)")));
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
     EXPECT_THAT(svg, Not(HasSubstr("inf")));
 }

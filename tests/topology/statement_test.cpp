@@ -119,7 +119,7 @@ TEST(Statement, HoldsOrFailsByACompleteTimeline) {
           "no event between frames 50 and 90", "merge at time 0.95"}) {
         EXPECT_EQ(judged({text}, timeline).truth, Truth::holds) << text;
     }
-    for (const char* text : {"merge", "3 merges", "split", "merge at frame 10", "at least 3 merges",
+    for (const char* text : {"merge", "3 merges", "split", "merge at frame 12", "at least 3 merges",
                              "at most 1 merge", "no events", "merge at frame 12..13"}) {
         EXPECT_EQ(judged({text}, timeline).truth, Truth::fails) << text;
     }

@@ -20,18 +20,17 @@ fps = 25
 frames = 50
 [surface]
 formula = "sum(blobs, exp(-((x-cx)^2 + y^2 + z^2)/r^2)) - level"
-bounds = { box = [[-2, -2, -2], [2, 2, "2 + depth"]] }
+bounds = { box = [[-2, -2, -2], [2, 2, "2 + 0.01*t"]] }
 [parameters]
 level = "0.5*speed"
 speed = "0.1 + t"
-depth = "0.01*t"
 [arrays.blobs]
 count = 3
 cx = "i - 1 + 0*random(i, 1)"
 r = 0.5
 [camera]
 position = [9, "t", 0]
-[[light]]
+[[lights]]
 direction = [1, 1, 1]
 )toml";
     }
@@ -47,9 +46,9 @@ TEST_F(SubjectOf, TheFingerprintKnowsWhatMovesTheSurface) {
     EXPECT_EQ(plain, fingerprint(load()));
     EXPECT_EQ(plain.size(), 32u);
     for (const char* setting :
-         {"level=0.5*speed+0", "speed=0.2", "depth=0.02*t", "arrays.blobs.r=0.6",
-          "arrays.blobs.count=4", "arrays.blobs.cx=i", "time.seed=1",
-          "surface.bounds={box=[[-2,-2,-2],[2,2,3]]}", "surface.bounds={sphere=3}",
+         {"level=0.5*speed+0", "speed=0.2", "arrays.blobs.r=0.6", "arrays.blobs.count=4",
+          "arrays.blobs.cx=i", "time.seed=1", "surface.bounds={box=[[-2,-2,-2],[2,2,3]]}",
+          "surface.bounds={sphere=3}",
           "surface.formula=\"sum(blobs, exp(-((x-cx)^2+y^2+z^2)/r^2))-level\""}) {
         EXPECT_NE(fingerprint(load({setting})), plain) << setting;
     }
@@ -59,7 +58,7 @@ TEST_F(SubjectOf, TheFingerprintKnowsNothingElse) {
     const std::string plain = fingerprint(load());
     for (const char* setting :
          {"camera.fov=20", "camera.position=[1,2,9]", "time.frames=99", "output.size=[9,9]",
-          "title=\"Other\"", "surface.placement={scale=2}", "isolation.step=0.01"}) {
+          "surface.placement={scale=2}", "isolation.step=0.01"}) {
         EXPECT_EQ(fingerprint(load({setting})), plain) << setting;
     }
 }
