@@ -1,5 +1,6 @@
-// Shadow rays: from every place to every light that casts shadows, one light after the other. Of the
-// ray's state `refinements` counts the lights and `verdict` holds a bit for each that is hidden.
+// Shadow rays: from every place to every light that casts shadows, one light after the other. Of
+// the ray's state `refinements` counts the lights and `verdict` holds a bit for each that is
+// hidden.
 
 uniform bool first_pass;
 uniform int evaluations_per_pass;

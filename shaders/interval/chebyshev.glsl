@@ -1,4 +1,5 @@
-// im_chebyshev, im_chebyshev_slope, im_chebyshev_steep on intervals. Needs arithmetic.glsl, exp.glsl, trig.glsl, divide.glsl, inverse_trig.glsl, math/log.glsl.
+// im_chebyshev, im_chebyshev_slope, im_chebyshev_steep on intervals. Needs arithmetic.glsl,
+// exp.glsl, trig.glsl, divide.glsl, inverse_trig.glsl, math/log.glsl.
 //
 // T_n(cos h) = cos(n h) and T_n(cosh t) = cosh(n t); angles carry their error along. Degree n >= 2.
 

@@ -1,6 +1,7 @@
-// The elements of the array that matter in a beam. F is factor * sum + rest, so at a root the sum is as
-// large as rest / factor. Elements are left out whose terms, bounded in pieces of the beam and all
-// together, stay below LEFT_OUT of that: float32 loses as much when it adds up some ten terms.
+// The elements of the array that matter in a beam. F is factor * sum + rest, so at a root the sum
+// is as large as rest / factor. Elements are left out whose terms, bounded in pieces of the beam
+// and all together, stay below LEFT_OUT of that: float32 loses as much when it adds up some ten
+// terms.
 
 vec2 list_of(Beam way, float low, float high) {
     int first = list.x + (int(pixel_centre.y) * list.z + int(pixel_centre.x)) * list.y;

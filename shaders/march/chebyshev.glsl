@@ -1,13 +1,14 @@
 // For polynomials F in x, y and z: along the ray F is a polynomial in t, known from DEGREE + 1
-// samples. Its first root is approached from the left: where the polygon of Bernstein's coefficients
-// first meets 0 (Morken & Reimers 2007), the polynomial is split; what is free of sign changes is
-// left behind, what has one isolates the root, and a left part with more is split closer. Samples
-// of F at the root, and Newton steps, then take away the rounding of the coefficients.
+// samples. Its first root is approached from the left: where the polygon of Bernstein's
+// coefficients first meets 0 (Morken & Reimers 2007), the polynomial is split; what is free of sign
+// changes is left behind, what has one isolates the root, and a left part with more is split
+// closer. Samples of F at the root, and Newton steps, then take away the rounding of the
+// coefficients.
 //
 // Rounding makes the polynomial err by about NOISE times the largest coefficient. A value that near
 // to 0 counts as 0, so that roots which F only touches are found, if a sample of F agrees. If it
-// does not, the rest of the ray is a polynomial anew, more accurate for being shorter; a ray that has
-// taken the samples of MOST_PIECES is given up as a miss.
+// does not, the rest of the ray is a polynomial anew, more accurate for being shorter; a ray that
+// has taken the samples of MOST_PIECES is given up as a miss.
 
 const float NOISE = 4.0 * 5.9604645e-8;
 const int MOST_SPLITS = 32;

@@ -50,7 +50,8 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float off = f0 + o * (m0 + o * (c2 + p * c3)) - s.other.y;
     float bend = m0 + o * (2.0 * c2 + (o + 2.0 * p) * c3) - s.other.z;
     float scale = 0.25 * h * h / (o * p);
-    float error = o == 0.0 ? abs(c3) * h * h * h : safety * scale * scale * (abs(off) + abs(0.5 * bend * o * p / (o + p)));
+    float measured = scale * scale * (abs(off) + abs(0.5 * bend * o * p / (o + p)));
+    float error = o == 0.0 ? abs(c3) * h * h * h : safety * measured;
 
     // Where it is least, for F > 0 at 0, and else largest.
     float upright = f0 < 0.0 ? -1.0 : 1.0;
@@ -70,9 +71,10 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     bool free = same_side && clear && middle > error && !refines;
     bool isolated = !same_side && !refines && !starts &&
                     (is_finest || (clear || !dips) && error < 0.5 * max(abs(f0), abs(f.x)));
-    // A sample that lies on a double root itself leaves none inside of the steps beside it. Steps of
-    // a few roundings tell nothing of curvature.
-    bool on_root = h > finest && abs(f.x) <= 4.0 * abs(c2 + 2.0 * h * c3) * rounding * rounding;
+    // A sample that lies on a double root itself leaves none inside of the steps beside it. The
+    // finest steps tell nothing of curvature.
+    float touching = h > finest ? 4.0 * abs(c2 + 2.0 * h * c3) * rounding * rounding : 0.0;
+    bool on_root = abs(f.x) <= touching;
     bool touches = same_side && (on_root || !free && is_finest) && !refines && !starts;
     bool closes_in = isolated || refines;
     bool moves = starts || free || refines && same_side;
@@ -93,9 +95,11 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     s.refinements = refines ? s.refinements + 1 : 0;
     s.phase = closes_in ? PHASE_REFINE : PHASE_MARCH;
     if (nan) return finish(s, VERDICT_NAN);
-    if (close || narrow || touches) return found(s, close ? newton : !touches ? clamp(between, begins, ends) : on_root ? t : cut);
+    if (close) return found(s, newton);
+    if (narrow) return found(s, clamp(between, begins, ends));
+    if (touches) return found(s, on_root ? t : cut);
     if (left) return finish(s, VERDICT_MISS);
     // A step below the spacing of floats would stand still.
-    if (s.evaluations >= int(refinement.y) || !(s.high > s.low)) return finish(s, VERDICT_STEP_LIMIT);
-    return s;
+    bool stands = !(s.high > s.low) || s.evaluations >= int(refinement.y);
+    return stands ? finish(s, VERDICT_STEP_LIMIT) : s;
 }

@@ -1,9 +1,11 @@
-// Proves where a ray ended, by bounds on F and dF/dt over pieces of all that float32 may make of it.
+// Proves where a ray ended, by bounds on F and dF/dt over pieces of all that float32 may make of
+// it.
 //
 // First the root: over a piece about it where dF/dt keeps off 0, Newton's step with all values of F
 // at the root and all slopes (Moore 1966) tells where each ray has its one root, if that step stays
 // in the piece. Then what is before, backwards from there: F keeps off 0 in a piece by its natural
-// bound, or as its values at both ends, which the neighbour shares, are too far from 0 for its slope.
+// bound, or as its values at both ends, which the neighbour shares, are too far from 0 for its
+// slope.
 
 uniform int pieces_per_pass;
 uniform int most_pieces;
@@ -75,7 +77,8 @@ ProofState prove_piece(ProofState s, Ray ray, bool hit) {
     // a piece spread about as it is long, so what keeps F off 0 falls by its square.
     float spread = 0.5 * (f.w - f.z), middle = 0.5 * abs(f.z + f.w);
     float by_root = 0.8 * middle / spread;
-    float by_value = max(near > 0.0 ? max(cross_at / deep, near / (fall * h)) : 0.0, far / (rise * h));
+    float by_near = near > 0.0 ? max(cross_at / deep, near / (fall * h)) : 0.0;
+    float by_value = max(by_near, far / (rise * h));
     float least = s.at_root ? 0.125 : !is_free ? 0.15 : natural ? 2.0 : 1.0;
     float most = s.at_root || !is_free ? 0.7 : 4.0;
     float part = s.at_root ? by_root : 0.9 * sqrt(by_value);

@@ -24,8 +24,8 @@ std::string name(const Setting& setting, const scene::Isolation& scene);
 scene::Scene apply(const Setting& setting, scene::Scene scene);
 
 // Each method once: at each step those that take steps, hermite with several safeties; the scene's
-// own method and step also with other thresholds and numbers of bisections. No methods: all that can draw it. No steps: the
-// scene's, and it times 4 and 2 and down to 1/8.
+// own method and step also with other thresholds and numbers of bisections. No methods: all that
+// can draw it. No steps: the scene's, and it times 4 and 2 and down to 1/8.
 std::vector<Setting> sweep(const scene::Scene& scene, std::vector<scene::Method> methods,
                            std::vector<double> steps);
 

@@ -4,12 +4,13 @@
 
 #include <fmt/format.h>
 
-#include "gpu/buffer.h"
 #include "gpu/draw.h"
 #include "gpu/program.h"
 #include "gpu/query.h"
 #include "gpu/target.h"
 #include "image/environment.h"
+#include "render/array_buffer.h"
+#include "render/beam_pass.h"
 #include "render/blocks.h"
 #include "render/effect_uniforms.h"
 #include "render/ray_pass.h"
@@ -21,36 +22,6 @@ namespace {
 
 enum Binding : unsigned { binding_frame, binding_parameters, binding_shading, binding_arrays };
 enum Unit : int { unit_state_0, unit_state_1, unit_state_2, unit_arrays };
-
-// An array's elements on the GPU, in whichever storage the assembly chose.
-class ArrayBuffer {
-public:
-    ArrayBuffer(const synthesis::ArrayStorage& storage, int lists) {
-        const auto elements = std::size_t(storage.capacity + (storage.has_lists ? lists : 0));
-        const std::size_t texels = elements * std::size_t(storage.texels);
-        if (storage.kind == synthesis::ArrayStorage::Kind::uniform_block) {
-            block_.emplace(texels * sizeof(glm::vec4));
-        } else {
-            buffer_.emplace(texels);
-        }
-    }
-    void update(std::span<const glm::vec4> texels) {
-        if (texels.empty()) return;
-        if (block_) block_->update(std::as_bytes(texels));
-        if (buffer_) buffer_->update(texels);
-    }
-    void bind(std::size_t index) const {
-        if (block_) block_->bind(binding_arrays + unsigned(index));
-        if (buffer_) buffer_->bind(unit_arrays + int(index));
-    }
-    // As the buffer 0 that shaders write, and then for those that read it.
-    void bind_for_lists() const { buffer_->bind_storage(0); }
-    void wait_for_lists() const { buffer_->wait_for_storage(); }
-
-private:
-    std::optional<gpu::UniformBuffer> block_;
-    std::optional<gpu::TextureBuffer> buffer_;
-};
 
 // Elements that a list of those that matter in a beam is reckoned with; rays with longer ones take
 // more passes.
@@ -87,7 +58,13 @@ struct Renderer::Parts {
         , frame(sizeof(FrameBlock))
         , parameters(std::size_t(shaders.parameter_vectors + shaders.count_vectors) * 16)
         , shading((7 + 2 * scene.lights.size()) * sizeof(glm::vec4)) {
-        make_arrays();
+        if (!shaders.beams.empty()) {
+            beams.emplace(shaders, scene, plan, context.info().max_texture_buffer_size,
+                          beam_unit());
+        }
+        for (const auto& storage : shaders.arrays) {
+            arrays.emplace_back(storage, storage.has_lists ? beams->listed() : 0);
+        }
         if (one_draw) {
             whole.emplace(shaders.shade_vertex, shaders.whole, "whole");
         } else {
@@ -98,7 +75,6 @@ struct Renderer::Parts {
                               unit_arrays + int(shaders.arrays.size()));
             secondary->connect(passes->shade);
         }
-        make_beams();
         if (scene.environment) load_environment();
         if (!shaders.motion.empty()) {
             moved.emplace(gpu::Program(shaders.vertex, shaders.motion, "motion"),
@@ -177,7 +153,7 @@ struct Renderer::Parts {
         if (secondary) secondary->for_each_program(visit);
         if (moved) visit(moved->program);
         if (proofs) proofs->for_each_program(visit);
-        for (const Beams& level : beams) visit(level.program);
+        if (beams) beams->for_each_program(visit);
     }
 
     // What the loops of one shaded pixel add up to.
@@ -221,10 +197,7 @@ struct Renderer::Parts {
         if (environment) {
             environment->bind(unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units);
         }
-        for (const Beams& level : beams) {
-            level.program.set("beam", beam_range(now, options.width, options.height, level.block));
-            level.program.set("beam_evaluations", beam_evaluations());
-        }
+        if (beams) beams->upload(now, options.width, options.height);
         if (proofs) proofs->upload(scene, now, options.width, options.height, aim);
         frame.bind(binding_frame);
         shading.bind(binding_shading);
@@ -241,7 +214,7 @@ struct Renderer::Parts {
         parameters.bind(binding_parameters);
         for (std::size_t a = 0; a < arrays.size(); ++a) {
             arrays[a].update(array_texels(scene, shaders, at, a));
-            arrays[a].bind(a);
+            arrays[a].bind(binding_arrays + unsigned(a), unit_arrays + int(a));
         }
     }
 
@@ -274,53 +247,6 @@ struct Renderer::Parts {
         }
     }
 
-    void make_arrays() {
-        int lists = 0;
-        for (const auto& level : shaders.beams) {
-            if (!level.makes_lists) continue;
-            lists += ((plan.tile_width + level.block - 1) / level.block) *
-                     ((plan.tile_height + level.block - 1) / level.block) * list_length();
-        }
-        for (const auto& storage : shaders.arrays) arrays.emplace_back(storage, lists);
-    }
-
-    // Each level's beams lie in those of the level before, and so do their lists of elements.
-    void make_beams() {
-        int first = shaders.arrays.empty() ? 0 : shaders.arrays[0].capacity;
-        for (const auto& [block, makes_lists, text] : shaders.beams) {
-            const int across = (plan.tile_width + block - 1) / block;
-            const int down = (plan.tile_height + block - 1) / block;
-            beams.push_back({gpu::Program(shaders.vertex, text, fmt::format("beam {}", block)),
-                             gpu::Target(across, down), block, first});
-            if (makes_lists) first += across * down * list_length();
-        }
-    }
-
-    // Elements in a list of one beam; longer ones go on with the list they come from.
-    int list_length() const {
-        if (!synthesis::has_lists(shaders)) return 0;
-        constexpr int longest = 256;
-        int blocks = 1;
-        for (const auto& level : shaders.beams) {
-            if (!level.makes_lists) continue;
-            blocks += ((plan.tile_width + level.block - 1) / level.block) *
-                      ((plan.tile_height + level.block - 1) / level.block);
-        }
-        const auto& array = shaders.arrays[0];
-        const int room = context.info().max_texture_buffer_size / array.texels - array.capacity;
-        return std::max(0, std::min({longest, array.capacity, room / blocks}));
-    }
-
-    // What fits into the loops of a beam's shader; with lists it is less where these are long.
-    int beam_evaluations() const {
-        constexpr double most = 64;
-        std::vector<int> counts;
-        for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
-        const double sums = formula::cost(scene.surface.field->value, counts).iterations;
-        const double fitting = 0.5 * loop_iterations_per_pass / (1 + sums);
-        return int(synthesis::has_lists(shaders) ? most : std::min(most, fitting));
-    }
-
     // How many elements the evaluations of one draw may go through, all together, where only lists
     // tell their number.
     float element_budget() const {
@@ -330,23 +256,6 @@ struct Renderer::Parts {
         return float(0.8 * loop_iterations_per_pass / loops);
     }
 
-    void draw_beams(const gpu::Rectangle& tile) {
-        for (std::size_t k = 0; k < beams.size(); ++k) {
-            const Beams& level = beams[k];
-            if (synthesis::has_lists(shaders)) arrays[0].bind_for_lists();
-            if (k > 0) beams[k - 1].parts.texture(0).bind(beam_unit());
-            level.program.set("tile_origin", glm::ivec2(tile.x, tile.y));
-            level.program.set("list",
-                              glm::ivec3(level.first_list, list_length(), level.parts.width()));
-            level.parts.bind();
-            gpu::set_viewport({0, 0, (tile.width + level.block - 1) / level.block,
-                               (tile.height + level.block - 1) / level.block});
-            level.program.use();
-            triangle.draw();
-            if (synthesis::has_lists(shaders)) arrays[0].wait_for_lists();
-        }
-        beams.back().parts.texture(0).bind(beam_unit());
-    }
     int beam_unit() const {
         return unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units + 1;
     }
@@ -355,7 +264,7 @@ struct Renderer::Parts {
     // they were not kept.
     const gpu::Target* draw_tile(const gpu::Rectangle& tile, const scene::SceneAt& now,
                                  int& draws) {
-        if (!beams.empty()) draw_beams(tile);
+        if (beams) beams->draw(tile, synthesis::has_lists(shaders) ? &arrays[0] : nullptr);
         if (one_draw) {
             draw_whole(tile);
             ++draws;
@@ -593,13 +502,7 @@ struct Renderer::Parts {
         gpu::Target field;
     };
     std::optional<Moved> moved; // of the channel velocity
-    struct Beams {
-        gpu::Program program;
-        gpu::Target parts;
-        int block;
-        int first_list; // element of the array's buffer
-    };
-    std::vector<Beams> beams;
+    std::optional<BeamPass> beams;
     std::optional<Proofs> proofs; // of scenes that ask for them
     gpu::Fullscreen triangle;
     gpu::SamplesQuery still_active;

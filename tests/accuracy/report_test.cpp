@@ -53,8 +53,9 @@ TEST(Report, TableMarksTheFront) {
 
 TEST(Report, CsvAndJsonSayTheSame) {
     const Report report = two_settings();
-    EXPECT_THAT(csv(report), HasSubstr("\namp-sign,0.1,1,10,10.0000,0.0000,100.000,16666.667,6,6,"
-                                       "1,0,0,166666.667,0.25,0.25,0.25,0,0,0,0,0,0,0\n"));
+    EXPECT_THAT(csv(report),
+                HasSubstr("\namp-sign,0.1,1,10,32,10.0000,0.0000,100.000,16666.667,6,6,"
+                          "1,0,0,166666.667,0.25,0.25,0.25,0,0,0,0,0,0,0\n"));
     const auto parsed = nlohmann::json::parse(json(report));
     EXPECT_EQ(parsed["version"], 1);
     EXPECT_EQ(parsed["scene"], report.title);

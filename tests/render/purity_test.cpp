@@ -64,7 +64,7 @@ TEST_P(Purity, FingerprintsTellPicturesApart) {
     EXPECT_NE(base, print(scene, 11));
     for (const char* change :
          {"m=2", "camera.fov=30", "material.color=[1,0,0]", "output.size=[16,17]",
-          "isolation.safety=9", "isolation.beam=false", "isolation.method=\"marching\"",
+          "isolation.safety=9", "isolation.beam=true", "isolation.method=\"marching\"",
           "output.background=[0,0,0]"}) {
         const scene::Scene changed =
             scene::load("twisting_superquadric", {"output.size=[16,16]", change});

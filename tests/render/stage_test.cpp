@@ -60,7 +60,7 @@ ISOMOTION_ON_EVERY_BACKEND(StageOf);
 // Neither side of the picture is a multiple of a work group's. Among the scenes: a high degree, a
 // sum over an array in a block, a sphere and a box as bounds.
 TEST_P(StageOf, ChangesLastBitsAtMostWhateverTheMethod) {
-    for (const char* name : {"barth_decic", "goursat", "blobby75", "twisting_superquadric"}) {
+    for (const char* name : {"barth_sextic", "goursat", "blobby75", "twisting_superquadric"}) {
         for (const auto method : scene::methods_for(*scene::load(name).surface.field)) {
             SCOPED_TRACE(fmt::format("{} {}", name, scene::name(method)));
             expect_same(

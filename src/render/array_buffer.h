@@ -1,0 +1,42 @@
+// An array's elements on the GPU, in whichever storage the assembly chose.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "gpu/buffer.h"
+#include "synthesis/assemble.h"
+
+namespace isomotion::render {
+
+class ArrayBuffer {
+public:
+    // `lists`: further elements' places, for lists of those that matter in beams.
+    ArrayBuffer(const synthesis::ArrayStorage& storage, int lists) {
+        const std::size_t texels =
+            std::size_t(storage.capacity + lists) * std::size_t(storage.texels);
+        if (storage.kind == synthesis::ArrayStorage::Kind::uniform_block) {
+            block_.emplace(texels * sizeof(glm::vec4));
+        } else {
+            buffer_.emplace(texels);
+        }
+    }
+    void update(std::span<const glm::vec4> texels) {
+        if (texels.empty()) return;
+        if (block_) block_->update(std::as_bytes(texels));
+        if (buffer_) buffer_->update(texels);
+    }
+    void bind(unsigned binding, int unit) const {
+        if (block_) block_->bind(binding);
+        if (buffer_) buffer_->bind(unit);
+    }
+    // As the buffer 0 that shaders write, and then for those that read it.
+    void bind_for_lists() const { buffer_->bind_storage(0); }
+    void wait_for_lists() const { buffer_->wait_for_storage(); }
+
+private:
+    std::optional<gpu::UniformBuffer> block_;
+    std::optional<gpu::TextureBuffer> buffer_;
+};
+
+} // namespace isomotion::render
