@@ -19,9 +19,6 @@ using formula::Node;
 using formula::NodeId;
 using formula::Op;
 
-// A term that is no more than this part of the largest one is left out of a sum.
-constexpr double negligible = 1e-12;
-
 NodeId derivative(Graph& g, NodeId root, std::size_t by) {
     std::vector<NodeId> direction(most_variables, g.constant(0));
     direction[by] = g.constant(1);
@@ -310,7 +307,7 @@ std::vector<Interval> Enclosures::inward(const Box& box) {
     return slopes;
 }
 
-Elements Enclosures::near(const Box& box, const Elements& from) {
+Elements Enclosures::near(const Box& box, const Elements& from, double negligible) {
     const MovingField::Culling& culling = field_.culling_;
     if (culling.array < 0) return from;
     const auto n = std::size_t(field_.variables_), sums = std::size_t(culling.sums);

@@ -97,8 +97,9 @@ public:
     explicit Enclosures(const MovingField& field);
 
     const Elements& all() const { return all_; }
-    // Those of `from` that matter in the box, which `from` must hold for.
-    Elements near(const Box& box, const Elements& from);
+    // Those of `from` that matter in the box, which `from` must hold for: of which some term is
+    // more than `negligible` times the largest such term.
+    Elements near(const Box& box, const Elements& from, double negligible);
 
     // Jets without second derivatives, and with them.
     void slopes(const Elements& elements, std::span<const Box> boxes,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <mutex>
+#include <memory>
 #include <thread>
 
 #include "topology/krawczyk.h"
@@ -19,61 +19,108 @@ bool holds_zero(const Interval& a) { return a.lo <= 0 && 0 <= a.hi; }
 // A box is divided into this many tasks, whatever the number of threads.
 constexpr std::size_t tasks_at_least = 64;
 // Boxes this much smaller than the one whose elements they share get elements of their own.
-constexpr double family = 0.3;
-// Smaller boxes than this part of the domain keep what they have: few elements are left then.
-constexpr double last_family = 0.01;
+constexpr double family = 0.4;
+// Smaller boxes than this part of the domain keep what they have.
+constexpr double last_family = 1e-3;
+// What no box below may miss, as a part of the largest term; and with the square of the box's size
+// what the box itself won't notice.
+constexpr double negligible = 1e-12, coarse = 1e-3;
+// Boxes evaluated together.
+constexpr std::size_t together = 64;
 // With more unresolved boxes than this in a task the smallest box grows: a curve of them.
 constexpr std::size_t too_many = 256;
 
 class Task {
 public:
-    Task(const MovingField& field, const Searching& searching)
+    Task(const MovingField& field, const Searching& searching, Enclosures& enclosures,
+         Numbers& numbers)
         : field_(field)
         , searching_(searching)
         , n_(std::size_t(field.variables()))
         , d_(n_ - 1)
         , smallest_(searching.smallest)
-        , enclosures_(field)
-        , numbers_(field) {}
+        , enclosures_(enclosures)
+        , numbers_(numbers) {}
 
     Found run(const Box& box) {
-        std::vector<Box> stack{box};
-        std::vector<Elements> elements{enclosures_.all()};
-        struct Family {
-            Box box;
-            std::shared_ptr<const Elements> from;
-        };
-        std::vector<Family> families{{box, std::make_shared<Elements>(enclosures_.all())}};
+        std::vector<Family> families{{{box}, std::make_shared<Elements>(enclosures_.all())}};
+        std::vector<Box> batch, smaller;
         while (!families.empty()) {
-            const Family now = families.back();
+            Family now = std::move(families.back());
             families.pop_back();
-            const bool narrows = spatial_size(now.box) > last_family;
-            const auto own = narrows ? std::make_shared<const Elements>(
-                                           enclosures_.near(now.box, *now.from))
-                                     : now.from;
-            const double size = spatial_size(now.box);
-            std::vector<Box> wave{now.box};
-            while (!wave.empty()) {
+            const Box around = hull_of(now.boxes);
+            const double size = spatial_size(around);
+            const bool narrows = size > last_family;
+            Elements own;
+            if (narrows) {
+                now.elements = std::make_shared<Elements>(
+                    enclosures_.near(around, *now.elements, negligible));
+                own = enclosures_.near(around, *now.elements, coarse * size * size);
+            } else {
+                own = *now.elements;
+            }
+            smaller.clear();
+            while (!now.boxes.empty()) {
                 if (searching_.stop.stop_requested()) {
                     found_.is_interrupted = true;
                     return std::move(found_);
                 }
+                const std::size_t count = std::min(together, now.boxes.size());
+                batch.assign(now.boxes.end() - std::ptrdiff_t(count), now.boxes.end());
+                now.boxes.resize(now.boxes.size() - count);
                 next_.clear();
-                step(*own, wave);
-                wave.clear();
+                step(own, batch);
                 for (const Box& child : next_) {
-                    if (narrows && spatial_size(child) <= family * size) {
-                        families.push_back({child, own});
-                    } else {
-                        wave.push_back(child);
-                    }
+                    const bool leaves = narrows && spatial_size(child) <= family * size;
+                    (leaves ? smaller : now.boxes).push_back(child);
                 }
             }
+            split_family(smaller, now.elements, families);
         }
         return std::move(found_);
     }
 
 private:
+    // Boxes near each other that share the elements that matter there.
+    struct Family {
+        std::vector<Box> boxes;
+        std::shared_ptr<const Elements> elements;
+    };
+
+    Box hull_of(const std::vector<Box>& boxes) const {
+        Box all = boxes[0];
+        for (const Box& box : boxes) {
+            for (std::size_t k = 0; k < n_; ++k) all[k] = hull(all[k], box[k]);
+        }
+        return all;
+    }
+
+    // By halves of the longest side, until each family is small or few.
+    void split_family(std::vector<Box> boxes, const std::shared_ptr<const Elements>& elements,
+                      std::vector<Family>& families) const {
+        if (boxes.size() <= together / 2) {
+            if (!boxes.empty()) families.push_back({std::move(boxes), elements});
+            return;
+        }
+        const Box around = hull_of(boxes);
+        std::size_t side = 0;
+        for (std::size_t k = 1; k < n_; ++k) {
+            if (part(around, k) > part(around, side)) side = k;
+        }
+        const double at = mid(around[side]);
+        const auto upper = std::partition(boxes.begin(), boxes.end(), [&](const Box& box) {
+            return mid(box[side]) <= at;
+        });
+        std::vector<Box> rest(upper, boxes.end());
+        boxes.erase(upper, boxes.end());
+        if (boxes.empty() || rest.empty()) {
+            families.push_back({boxes.empty() ? std::move(rest) : std::move(boxes), elements});
+            return;
+        }
+        split_family(std::move(boxes), elements, families);
+        split_family(std::move(rest), elements, families);
+    }
+
     // The largest side in space, as a part of the domain's; on corners the clock's.
     double spatial_size(const Box& box) const {
         double size = 0;
@@ -115,20 +162,43 @@ private:
             return is_known(box) || enclosures_.place(box) == Enclosures::Place::outside;
         });
         found_.boxes += std::int64_t(wave.size());
+        centres_.clear();
         enclosures_.slopes(elements, wave, jets_);
-        std::size_t kept = 0;
-        for (std::size_t b = 0; b < wave.size(); ++b) {
-            if (may_be_critical(jets_[b])) wave[kept++] = wave[b];
-        }
-        wave.resize(kept);
+        keep(wave, [&](std::size_t b) { return may_be_critical(jets_[b]); });
         if (wave.empty()) return;
-        enclosures_.jets(elements, wave, jets_);
         centres_.clear();
         for (const Box& box : wave) centres_.push_back(at_point(middle(box)));
+        enclosures_.values(elements, centres_, values_);
+        keep(wave, [&](std::size_t b) {
+            return holds_zero(mean_value(wave[b], centres_[b], values_[b], jets_[b].slope));
+        });
+        if (wave.empty()) return;
+        enclosures_.jets(elements, wave, jets_);
         enclosures_.slopes(elements, centres_, at_centres_);
         for (std::size_t b = 0; b < wave.size(); ++b) {
             settle(wave[b], jets_[b], at_centres_[b]);
         }
+    }
+
+    // Of the boxes, and of what is known of them.
+    template<class Test> void keep(std::vector<Box>& wave, Test&& test) {
+        std::size_t kept = 0;
+        for (std::size_t b = 0; b < wave.size(); ++b) {
+            if (!test(b)) continue;
+            wave[kept] = wave[b];
+            jets_[kept] = jets_[b];
+            if (b < centres_.size()) centres_[kept] = centres_[b];
+            ++kept;
+        }
+        wave.resize(kept);
+        if (centres_.size() > kept) centres_.resize(kept);
+    }
+
+    // F over the box by its value in the middle and its slopes.
+    Interval mean_value(const Box& box, const Box& centre, Interval value,
+                        const std::array<Interval, most_variables>& slope) const {
+        for (std::size_t k = 0; k < n_; ++k) value = value + slope[k] * (box[k] - centre[k]);
+        return value;
     }
 
     // Mean values: with the derivatives over the box, values keep near those in its middle.
@@ -141,9 +211,7 @@ private:
             jet.slope[i] = intersect(jet.slope[i], slope);
             if (is_empty(jet.slope[i]) || !holds_zero(jet.slope[i])) return false;
         }
-        Interval first = at_m.value;
-        for (std::size_t k = 0; k < n_; ++k) first = first + jet.slope[k] * off[k];
-        if (!holds_zero(first)) return false;
+        if (!holds_zero(mean_value(box, at_point(m), at_m.value, jet.slope))) return false;
         // In space to second order.
         Interval second = at_m.value + jet.slope[d_] * off[d_];
         for (std::size_t i = 0; i < d_; ++i) {
@@ -310,11 +378,12 @@ private:
     const Searching& searching_;
     std::size_t n_, d_;
     double smallest_;
-    Enclosures enclosures_;
-    Numbers numbers_;
+    Enclosures& enclosures_;
+    Numbers& numbers_;
     Found found_;
     std::vector<Box> next_, centres_;
     std::vector<IntervalJet> jets_, at_centres_;
+    std::vector<Interval> values_;
 };
 
 bool meet(const Box& a, const Box& b) {
@@ -405,8 +474,10 @@ Found search(const MovingField& field, const Searching& searching) {
     std::vector<Found> parts(boxes.size());
     std::atomic<std::size_t> next{0}, done{0};
     const auto work = [&] {
+        Enclosures enclosures(field);
+        Numbers numbers(field);
         for (std::size_t k = next++; k < boxes.size(); k = next++) {
-            parts[k] = Task(field, searching).run(boxes[k]);
+            parts[k] = Task(field, searching, enclosures, numbers).run(boxes[k]);
             if (searching.progress) searching.progress(double(++done) / double(boxes.size()));
         }
     };
