@@ -24,7 +24,7 @@ constexpr double family = 0.4;
 constexpr double last_family = 1e-3;
 // What no box below may miss, as a part of the largest term; and with the square of the box's size
 // what the box itself won't notice.
-constexpr double negligible = 1e-12, coarse = 1e-3;
+constexpr double negligible = 1e-12, coarse = 1e-2;
 // Boxes evaluated together.
 constexpr std::size_t together = 64;
 // With more unresolved boxes than this in a task the smallest box grows: a curve of them.
@@ -264,7 +264,7 @@ private:
                 if (is_empty(box[i])) return;
                 if (before > 0) shrinks *= (box[i].hi - box[i].lo) / before;
             }
-            if (shrinks < 0.4) {
+            if (shrinks < 0.6) {
                 next_.push_back(box);
                 return;
             }
