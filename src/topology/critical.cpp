@@ -11,6 +11,7 @@
 #include "topology/motion.h"
 #include "topology/moving_field.h"
 #include "topology/search.h"
+#include "topology/sphere.h"
 
 namespace isomotion::topology {
 namespace {
@@ -33,6 +34,13 @@ public:
         for (const Box& box : found.unresolved) {
             unresolved(field, box, "a critical point may be degenerate, or there may be several");
         }
+    }
+
+    void add_reaching(const MovingField& field, std::stop_token stop) {
+        constexpr std::size_t most = 4096;
+        const std::vector<Box> boxes =
+            merged(on_the_sphere(field, most, stop), field.domain(), 1e-6);
+        for (const Box& box : boxes) unresolved(field, box, "the surface may reach the sphere");
     }
 
 private:
@@ -169,6 +177,7 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range, const
             const Found found = search(field, searching);
             if (cost) cost->boxes += found.boxes;
             events.add(field, found);
+            if (motion.shape == scene::Bounds::Shape::sphere) events.add_reaching(field, how.stop);
             if (found.is_interrupted) {
                 timeline.is_proved = false;
                 timeline.doubts.push_back("the search for events was interrupted");

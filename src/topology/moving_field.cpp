@@ -136,7 +136,6 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum)
         }
         conditions.push_back(reach);
     }
-    conditions_ = int(conditions.size());
     place_ = formula::schedule(g, conditions);
 
     std::vector<NodeId> inward;
@@ -289,17 +288,22 @@ Jet<Interval> Enclosures::jet(const Box& box) {
     return one[0];
 }
 
+std::span<const Interval> Enclosures::conditions(const Box& box) {
+    conditions_.resize(field_.place_.outputs.size());
+    place_.point(all_.bindings, box, conditions_);
+    return conditions_;
+}
+
 Enclosures::Place Enclosures::place(const Box& box) {
-    std::array<Interval, 2 * 3 + 1> conditions;
-    place_.point(all_.bindings, box,
-                 std::span(conditions).first(std::size_t(field_.conditions_)));
     bool inside = true;
-    for (std::size_t k = 0; k < std::size_t(field_.conditions_); ++k) {
-        if (conditions[k].hi < 0) return Place::outside;
-        inside &= conditions[k].lo > 0;
+    for (const Interval& condition : conditions(box)) {
+        if (condition.hi < 0) return Place::outside;
+        inside &= condition.lo > 0;
     }
     return inside ? Place::inside : Place::unknown;
 }
+
+Interval Enclosures::reach(const Box& box) { return conditions(box).back(); }
 
 std::vector<Interval> Enclosures::inward(const Box& box) {
     std::vector<Interval> slopes(field_.inward_.outputs.size());

@@ -82,7 +82,6 @@ private:
     formula::Program numbers_; // the same for doubles
     formula::Program place_;  // at least 0 in the closed stratum, for each condition
     formula::Program inward_; // derivatives of F inwards along the fixed axes
-    int conditions_ = 0;
 };
 
 // The elements that matter, and what the others add to each sum.
@@ -111,11 +110,15 @@ public:
                 std::vector<formula::Interval>& values);
 
     enum class Place { outside, inside, unknown };
-    Place place(const Box& box);
+    Place place(const Box& box); // in the stratum
+    // r^2 - |x - c|^2 of the sphere that bounds the inside.
+    formula::Interval reach(const Box& box);
     // The derivatives of F inwards along the fixed axes.
     std::vector<formula::Interval> inward(const Box& box);
 
 private:
+    // At least 0 in the closed stratum.
+    std::span<const formula::Interval> conditions(const Box& box);
     void load(const Elements& elements, std::span<const Box> boxes);
     void run(formula::Evaluator<formula::Interval>& program, const Elements& elements,
              std::size_t outputs);
@@ -124,6 +127,7 @@ private:
     Elements all_;
     formula::Evaluator<formula::Interval> value_, slope_, jet_, place_, inward_, terms_;
     std::vector<std::vector<formula::Interval>> inputs_, outputs_;
+    std::vector<formula::Interval> conditions_;
 };
 
 // Evaluates at points, with all elements.

@@ -14,7 +14,9 @@ Timeline inside(Timeline timeline) {
 
 // Of one gyroid cell and a bit: points where all three products have their extremes.
 std::vector<Group> gyroid_inside() {
-    return {{0.5, 4, 0, true}, {2 - std::sqrt(2), 6, 1, true}};
+    const double root = std::sqrt(2);
+    return {
+        {0.5, 8, 0, true}, {2 - root, 18, 1, true}, {2 + root, 18, 2, true}, {3.5, 8, 3, true}};
 }
 
 TEST(Events, OfTwoGaussiansIsOneMerge) {
@@ -49,11 +51,11 @@ TEST(Events, OfTheChmutovOcticAreAtOddLevels) {
     const Moving octic{"chebyshev(8, x) + chebyshev(8, y) + chebyshev(8, z) + c",
                        "{ box = [[-1.04593, -1.04593, -1.04593], [1.04593, 1.04593, 1.04593]] }",
                        "c = \"t - 3.5\""};
-    // 343 of products of critical points; beyond |x| = cos(pi/8) there are none.
-    expect_events(inside(events_of(octic, 0, 7)), {{0.5, 64, 3, false},
-                                                   {2.5, 144, 2, false},
-                                                   {4.5, 108, 1, false},
-                                                   {6.5, 27, 0, false}});
+    // Four minima and three maxima along each axis.
+    expect_events(inside(events_of(octic, 0, 7)), {{0.5, 27, 3, false},
+                                                   {2.5, 108, 2, false},
+                                                   {4.5, 144, 1, false},
+                                                   {6.5, 64, 0, false}});
 }
 
 TEST(Events, OfAGyroidInABoxAreItsOwnAndThoseOfItsFaces) {
@@ -137,7 +139,7 @@ TEST(Events, AtATurnOfTheMotionAreUnresolved) {
                         "{ box = [[-2.5, -2.5, -2.5], [2.5, 2.5, 2.5]] }",
                         "c = \"-2 + 2*cos(2*pi*t)\""};
     const Timeline timeline = events_of(tangle, -0.5, 0.5);
-    EXPECT_TRUE(timeline.events.empty());
+    EXPECT_TRUE(inside(timeline).events.empty());
     ASSERT_EQ(timeline.unresolved.size(), 1u);
     EXPECT_TRUE(contains(timeline.unresolved[0].time, 0.0));
 }
@@ -203,6 +205,18 @@ TEST(Events, OfABallThatRunsAgainstAWallAreOnTheWall) {
         EXPECT_EQ(event.kind, Kind::none);
         EXPECT_NEAR(middle(event.time), 0.5, 1e-12);
     }
+}
+
+TEST(Events, WhereTheSurfaceReachesTheSphereAreUnresolved) {
+    // A ball of radius 1 leaves a sphere of radius 2 when its centre is at 1.
+    const Moving ball{"(x - p)^2 + y^2 + z^2 - 1", "{ sphere = 2 }", "p = \"t\""};
+    EXPECT_TRUE(events_of(ball, 0, 0.9).is_proved) << described(events_of(ball, 0, 0.9));
+    const Timeline timeline = events_of(ball, 0, 2);
+    EXPECT_FALSE(timeline.is_proved);
+    ASSERT_FALSE(timeline.unresolved.empty());
+    EXPECT_LE(timeline.unresolved.front().time.lo, 1);
+    EXPECT_GE(timeline.unresolved.front().time.lo, 0.8);
+    EXPECT_GE(timeline.unresolved.back().time.hi, 2);
 }
 
 TEST(Events, DoNotDependOnTheNumberOfThreads) {
