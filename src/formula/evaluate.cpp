@@ -9,6 +9,15 @@
 #include "formula/interval_operations.h"
 #include "formula/operations.h"
 
+// Loops over lanes for wider registers too, where the processor has them; the values are the same,
+// for nothing is contracted.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__)
+#define ISOMOTION_CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define ISOMOTION_CLONES
+#endif
+
 namespace isomotion::formula {
 
 double random_unit(std::uint64_t seed, double i, double k) {
@@ -118,7 +127,7 @@ void Evaluator<T>::together(const Bindings<T>& bindings,
 
 template<class T>
 template<int Count>
-void Evaluator<T>::run(const Bindings<T>& bindings, std::span<const T> inputs) {
+ISOMOTION_CLONES void Evaluator<T>::run(const Bindings<T>& bindings, std::span<const T> inputs) {
     using Do = Operations<T>;
     const auto& code = program_->instructions;
     loops_.clear();

@@ -272,7 +272,9 @@ private:
         divide(box, slopes);
     }
 
-    // The side by which the equations vary most: of each equation its part by each side, summed.
+    // Halves twice the side by which the equations vary most: of each equation its part by each
+    // side, summed. Into four since second derivatives cost more than they exclude: they are worth
+    // evaluating at every other halving.
     void divide(const Box& box, const IntervalMatrix& slopes) {
         std::array<double, most_variables> smear{};
         for (std::size_t i = 0; i < n_; ++i) {
@@ -285,29 +287,44 @@ private:
             if (!(all > 0) || std::isinf(all)) continue;
             for (std::size_t k = 0; k < n_; ++k) smear[k] += parts[k] / all;
         }
-        std::size_t side = n_;
+        const auto first = side_to_halve(box, smear);
+        if (!first) {
+            found_.unresolved.push_back(box);
+            if (found_.unresolved.size() % too_many == 0) smallest_ *= 4;
+            return;
+        }
+        smear[*first] /= 2;
+        for (const Box& half : halves(box, *first)) {
+            const auto second = side_to_halve(half, smear);
+            if (second) {
+                for (const Box& quarter : halves(half, *second)) next_.push_back(quarter);
+            } else {
+                next_.push_back(half);
+            }
+        }
+    }
+
+    std::optional<std::size_t>
+    side_to_halve(const Box& box, const std::array<double, most_variables>& smear) const {
         double most = 0, widest = 0;
         for (std::size_t k = 0; k < n_; ++k) widest = std::max(widest, part(box, k));
+        std::optional<std::size_t> side;
         for (std::size_t k = 0; k < n_; ++k) {
             const double width = part(box, k);
             // Slivers help nobody.
             if (!(width > smallest_) || width < widest / 64) continue;
             const double by = smear[k] + 1e-3 * width / widest;
-            if (by > most) {
-                most = by;
-                side = k;
-            }
+            if (by <= most) continue;
+            most = by;
+            side = k;
         }
-        if (side == n_) {
-            found_.unresolved.push_back(box);
-            if (found_.unresolved.size() % too_many == 0) smallest_ *= 4;
-            return;
-        }
-        const double at = mid(box[side]);
-        Box low = box, high = box;
-        low[side].hi = high[side].lo = at;
-        next_.push_back(low);
-        next_.push_back(high);
+        return side;
+    }
+
+    static std::array<Box, 2> halves(const Box& box, std::size_t side) {
+        std::array<Box, 2> two{box, box};
+        two[0][side].hi = two[1][side].lo = mid(box[side]);
+        return two;
     }
 
     // Newton's method, then a proof that an inflated box around the limit and the box has one root.
