@@ -1,0 +1,15 @@
+// Where a moving surface may reach the sphere that bounds it.
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "topology/moving_field.h"
+
+namespace isomotion::topology {
+
+// Boxes that hold all points of the surface on the sphere; none where it provably keeps off. Boxes
+// are divided until there are about `most`.
+std::vector<Box> on_the_sphere(const MovingField& inside, std::size_t most, std::stop_token stop);
+
+} // namespace isomotion::topology
