@@ -61,7 +61,7 @@ TEST(FrameSigns, TheSameForAnyNumberOfThreads) {
 }
 
 TEST(FrameSigns, BlobbyFallsTogether) {
-    const scene::Scene scene = animation("blobby75");
+    const scene::Scene scene = animated("blobby75");
     EXPECT_EQ(solid_side(scene), Side::positive);
     for (const auto& [time, expected] :
          {std::pair{0.0, Betti{75, 0, 0}}, std::pair{2.0, Betti{1, 0, 0}}}) {

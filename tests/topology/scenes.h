@@ -29,7 +29,7 @@ inline scene::Scene still(const std::string& formula, const std::string& bounds)
 }
 
 // Of the repository.
-inline scene::Scene animation(const std::string& name) {
+inline scene::Scene animated(const std::string& name) {
     setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1);
     return scene::load(fmt::format("{}/animations/{}.toml", ISOMOTION_SOURCE_DIR, name));
 }
