@@ -296,6 +296,18 @@ void FrameField::tighten(const Near& near, std::span<const SpaceBox> boxes,
     }
 }
 
+SpaceHessian FrameField::hessian(const Near& near, const SpaceBox& box) {
+    SpaceHessian hessian;
+    for (auto& row : hessian) row.fill(Interval::entire());
+    if (!is_smooth_) return hessian;
+    run(near, {&box, 1}, 2);
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j)
+            hessian[i][j] = of_solid(whole_[2]->outputs[second[i][j]][0]);
+    }
+    return hessian;
+}
+
 FrameField::Near FrameField::nearer(const Near& near, int k) const {
     const std::size_t order = is_smooth_ ? 2 : 1;
     Near nearer;

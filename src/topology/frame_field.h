@@ -18,6 +18,7 @@
 namespace isomotion::topology {
 
 using SpaceBox = std::array<formula::Interval, 3>;
+using SpaceHessian = std::array<std::array<formula::Interval, 3>, 3>;
 
 struct ValueAndGradient {
     formula::Interval value;
@@ -48,6 +49,9 @@ public:
                  std::span<ValueAndGradient> out);
     void values(const Near& near, std::span<const SpaceBox> boxes,
                 std::span<formula::Interval> out);
+
+    // Second derivatives; without bounds where the formula has kinks.
+    SpaceHessian hessian(const Near& near, const SpaceBox& box);
 
     // Without the elements that hardly change in the k-th box of the last call of tighten(), which
     // was given this `near`.
