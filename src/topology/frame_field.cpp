@@ -83,6 +83,26 @@ std::vector<NodeId> below(const Graph& graph, NodeId root,
     return found;
 }
 
+bool is_kink(const Node& node) {
+    switch (node.op) {
+    case Op::abs:
+    case Op::sign:
+    case Op::sqrt:
+    case Op::log:
+    case Op::asin:
+    case Op::acos:
+    case Op::floor:
+    case Op::min:
+    case Op::max:
+    case Op::power:
+    case Op::random:
+    case Op::select:
+        return true;
+    default:
+        return false;
+    }
+}
+
 bool is_sum(const Node& node) { return node.op == Op::sum; }
 
 // Sums whose terms are functions of the place and of one element.
@@ -116,29 +136,36 @@ NodeId slope(Graph& graph, NodeId root, std::size_t axis, bool inputs_move) {
     return formula::differentiate(graph, root, leaf, formula::Slopes::generalized);
 }
 
-// Formulas that have second derivatives wherever they have a bounded value.
-bool is_smooth(const Graph& graph, NodeId root) {
-    return below(graph, root,
-                 [](const Node& node) {
-                     switch (node.op) {
-                     case Op::abs:
-                     case Op::sign:
-                     case Op::sqrt:
-                     case Op::log:
-                     case Op::asin:
-                     case Op::acos:
-                     case Op::floor:
-                     case Op::min:
-                     case Op::max:
-                     case Op::power:
-                     case Op::random:
-                     case Op::select:
-                         return true;
-                     default:
-                         return false;
-                     }
-                 })
-        .empty();
+// What must not be 0 in a box, so that the formula has second derivatives there: slopes of slopes
+// do not enclose what happens across a kink. Empty if that can't be told.
+std::optional<std::vector<NodeId>> kinks(Graph& g, NodeId root) {
+    std::vector<NodeId> found;
+    for (NodeId id : below(g, root, is_kink)) {
+        const Node node = g[id]; // a copy: the graph grows
+        if (node.arrays != 0) return std::nullopt;
+        const NodeId a = node.children[0], b = node.children[1];
+        switch (node.op) {
+        case Op::abs:
+        case Op::sqrt:
+        case Op::log:
+        case Op::power:
+            found.push_back(a);
+            break;
+        case Op::min:
+        case Op::max:
+        case Op::select:
+            found.push_back(g.subtract(a, b));
+            break;
+        default:
+            return std::nullopt;
+        }
+        for (std::size_t k = 0; k < node.arity; ++k) {
+            const auto deeper = kinks(g, node.children[k]);
+            if (!deeper) return std::nullopt;
+            found.insert(found.end(), deeper->begin(), deeper->end());
+        }
+    }
+    return found;
 }
 
 ValueAndGradient at(const std::vector<std::vector<Interval>>& outputs, std::size_t k) {
@@ -157,6 +184,8 @@ FrameField::ByOrder FrameField::by_order(Graph& graph, NodeId root, bool inputs_
         for (std::size_t j = i; j < 3; ++j)
             outputs.push_back(slope(graph, outputs[1 + i], j, inputs_move));
     }
+    const auto sharp = kinks(graph, root);
+    if (sharp) outputs.insert(outputs.end(), sharp->begin(), sharp->end());
     made[2] = std::make_unique<Runner>(formula::schedule(graph, outputs));
     return made;
 }
@@ -164,8 +193,7 @@ FrameField::ByOrder FrameField::by_order(Graph& graph, NodeId root, bool inputs_
 FrameField::FrameField(const formula::Field& field, formula::Bindings<Interval> bindings,
                        Side solid)
     : bindings_(std::move(bindings))
-    , solid_(solid)
-    , is_smooth_(is_smooth(field.graph, field.root)) {
+    , solid_(solid) {
     Graph graph = field.graph;
     const std::vector<NodeId> sums = plain_sums(graph, field.root);
     for (NodeId sum : sums) {
@@ -181,6 +209,7 @@ FrameField::FrameField(const formula::Field& field, formula::Bindings<Interval> 
             return std::optional(g.input(first_input + int(which)));
         })(body);
         made.term = by_order(graph, term, false);
+        is_bent_ &= below(graph, term, is_kink).empty();
     }
     const NodeId whole = Replacement(graph, [&](Graph& g, const Node&, NodeId id) {
         const auto which = std::ranges::find(sums, id);
@@ -188,6 +217,7 @@ FrameField::FrameField(const formula::Field& field, formula::Bindings<Interval> 
         return std::optional(g.input(sum_input(std::size_t(which - sums.begin()))));
     })(field.root);
     whole_ = by_order(graph, whole, true);
+    is_bent_ &= kinks(graph, whole).has_value();
     inputs_.resize(std::size_t(sum_input(sums_.size())));
 }
 
@@ -268,13 +298,14 @@ void FrameField::values(const Near& near, std::span<const SpaceBox> boxes,
 
 void FrameField::tighten(const Near& near, std::span<const SpaceBox> boxes,
                          std::span<ValueAndGradient> out) {
-    if (!is_smooth_) return run(near, boxes, 1);
+    if (!is_bent_) return run(near, boxes, 1);
     std::vector<SpaceBox> middles;
     for (const SpaceBox& box : boxes) middles.push_back({mid(box[0]), mid(box[1]), mid(box[2])});
     std::vector<ValueAndGradient> at_middle(boxes.size());
     over(near, middles, at_middle);
     run(near, boxes, 2);
     for (std::size_t b = 0; b < boxes.size(); ++b) {
+        if (!is_smooth_in(b)) continue;
         Interval value = at_middle[b].value;
         for (std::size_t i = 0; i < 3; ++i) {
             const Interval step = boxes[b][i] - middles[b][i];
@@ -296,11 +327,18 @@ void FrameField::tighten(const Near& near, std::span<const SpaceBox> boxes,
     }
 }
 
+bool FrameField::is_smooth_in(std::size_t box) const {
+    const auto& outputs = whole_[2]->outputs;
+    return std::all_of(outputs.begin() + std::ptrdiff_t(orders[2]), outputs.end(),
+                       [&](const auto& kink) { return mignitude(kink[box]) > 0; });
+}
+
 SpaceHessian FrameField::hessian(const Near& near, const SpaceBox& box) {
     SpaceHessian hessian;
     for (auto& row : hessian) row.fill(Interval::entire());
-    if (!is_smooth_) return hessian;
+    if (!is_bent_) return hessian;
     run(near, {&box, 1}, 2);
+    if (!is_smooth_in(0)) return hessian;
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j)
             hessian[i][j] = of_solid(whole_[2]->outputs[second[i][j]][0]);
@@ -309,7 +347,7 @@ SpaceHessian FrameField::hessian(const Near& near, const SpaceBox& box) {
 }
 
 FrameField::Near FrameField::nearer(const Near& near, int k) const {
-    const std::size_t order = is_smooth_ ? 2 : 1;
+    const std::size_t order = is_bent_ ? 2 : 1;
     Near nearer;
     for (std::size_t s = 0; s < sums_.size(); ++s) {
         const Elements& elements = near[s];

@@ -81,6 +81,8 @@ private:
     };
     static ByOrder by_order(formula::Graph& graph, formula::NodeId root, bool inputs_move);
 
+    // Of a box of the last run of order 2: no kink.
+    bool is_smooth_in(std::size_t box) const;
     // G and its derivatives over the boxes are then in the outputs of `whole_`.
     void run(const Near& near, std::span<const SpaceBox> boxes, int order);
     formula::Interval of_solid(formula::Interval f) const {
@@ -91,7 +93,7 @@ private:
     Side solid_;
     std::vector<Sum> sums_;
     ByOrder whole_;
-    bool is_smooth_;
+    bool is_bent_ = true; // second derivatives are enclosed where no kink is
     std::vector<std::vector<formula::Interval>> inputs_, term_inputs_;
 };
 

@@ -86,12 +86,18 @@ bool is_degenerate_between(const Timeline& timeline, double from, double to) {
     });
 }
 
+// A search that is complete but for its degenerate places proves nothing whole, but has no doubts.
+bool is_whole_elsewhere(const Timeline& timeline) {
+    return timeline.is_proved || (!timeline.unresolved.empty() && timeline.doubts.empty());
+}
+
 // Counts between frames, and asks for more of these where that doesn't do.
 class Counting {
 public:
     Counting(Timeline& timeline, const KindProofs& proofs)
         : timeline_(timeline)
         , proofs_(proofs)
+        , nothing_missing_(is_whole_elsewhere(timeline))
         , frames_left_(proofs.frame ? proofs.most_frames : 0) {}
 
     struct Frame {
@@ -101,9 +107,9 @@ public:
     };
 
     void between(const Frame& from, const Frame& to) {
-        const bool is_whole =
-            timeline_.is_proved && !is_degenerate_between(timeline_, from.time, to.time);
-        const std::span<Event> events(&timeline_.events[from.at], to.at - from.at);
+        const auto events = std::span(timeline_.events).subspan(from.at, to.at - from.at);
+        const bool is_whole = nothing_missing_ && std::ranges::all_of(events, &Event::is_proved) &&
+                              !is_degenerate_between(timeline_, from.time, to.time);
         if (is_whole && !count_kinds(events, from.betti, to.betti)) {
             timeline_.doubts.push_back(
                 fmt::format("no kinds of the events from {} s to {} s agree with the frames",
@@ -156,9 +162,66 @@ private:
 
     Timeline& timeline_;
     const KindProofs& proofs_;
+    const bool nothing_missing_; // but in degenerate places
     int frames_left_;
     std::vector<Frame> frames_;
 };
+
+// The ends, and frames close about degenerate places.
+std::vector<Counting::Frame> known_frames(const Timeline& timeline, const KindProofs& proofs) {
+    std::vector<Counting::Frame> known;
+    if (timeline.start && timeline.start_is_proved)
+        known.push_back({0, timeline.range.lo, *timeline.start});
+    if (proofs.frame) {
+        // Where something happens, and between: joined where they overlap.
+        std::vector<std::pair<Interval, bool>> moments; // true: degenerate
+        for (const Event& event : timeline.events) moments.emplace_back(event.time, false);
+        for (const Unresolved& place : timeline.unresolved) moments.emplace_back(place.time, true);
+        std::ranges::sort(moments, {}, [](const auto& moment) { return moment.first.lo; });
+        std::vector<std::pair<Interval, bool>> joined;
+        for (const auto& [time, is_degenerate] : moments) {
+            if (!joined.empty() && time.lo <= joined.back().first.hi) {
+                joined.back().first = hull(joined.back().first, time);
+                joined.back().second |= is_degenerate;
+            } else {
+                joined.emplace_back(time, is_degenerate);
+            }
+        }
+        for (std::size_t k = 0; k <= joined.size(); ++k) {
+            const bool beside_degenerate =
+                (k > 0 && joined[k - 1].second) || (k < joined.size() && joined[k].second);
+            if (!beside_degenerate) continue;
+            const double from = k > 0 ? joined[k - 1].first.hi : timeline.range.lo;
+            const double to = k < joined.size() ? joined[k].first.lo : timeline.range.hi;
+            const double time = from / 2 + to / 2;
+            if (!(from < time && time < to)) continue;
+            const auto before = std::ranges::count_if(
+                timeline.events, [&](const Event& event) { return event.time.hi < time; });
+            if (const auto betti = proofs.frame(time))
+                known.push_back({std::size_t(before), time, *betti});
+        }
+    }
+    if (timeline.end && timeline.end_is_proved)
+        known.push_back({timeline.events.size(), timeline.range.hi, *timeline.end});
+    return known;
+}
+
+// Betti numbers beside degenerate places, where no event lies between these and the frame.
+void describe_unresolved(Timeline& timeline, std::span<const Counting::Frame> frames) {
+    for (Unresolved& place : timeline.unresolved) {
+        const auto is_quiet = [&](double from, double to) {
+            return std::ranges::none_of(timeline.events, [&](const Event& event) {
+                return event.time.hi >= from && event.time.lo <= to;
+            });
+        };
+        for (const auto& frame : frames) {
+            if (frame.time < place.time.lo && is_quiet(frame.time, place.time.lo))
+                place.before = frame.betti;
+            if (frame.time > place.time.hi && !place.after && is_quiet(place.time.hi, frame.time))
+                place.after = frame.betti;
+        }
+    }
+}
 
 // From a known frame on, as far as kinds are known.
 void read_off(Timeline& timeline, const Counting::Frame& frame) {
@@ -205,7 +268,7 @@ void check(Timeline& timeline) {
     bool all_known = true;
     for (const Event& event : timeline.events) {
         const std::vector<Kind> kinds = kinds_of(event.index, event.grows);
-        if (event.kind == Kind::none) continue;
+        if (event.kind == Kind::none || kinds.empty()) continue;
         // Whatever the kind, the Euler number changes by the index.
         euler += change(kinds.front()).euler();
         all_known &= event.kind != Kind::unknown;
@@ -270,29 +333,23 @@ bool count_kinds(std::span<Event> events, const Betti& before, const Betti& afte
 
 void find_kinds(Timeline& timeline, const KindProofs& proofs) {
     settle_by_index(timeline);
-    const bool has_ends =
-        timeline.start && timeline.end && timeline.start_is_proved && timeline.end_is_proved;
-    const Counting::Frame first{0, timeline.range.lo, timeline.start.value_or(Betti{})};
-    const Counting::Frame last{timeline.events.size(), timeline.range.hi,
-                               timeline.end.value_or(Betti{})};
-    std::vector<Counting::Frame> frames;
+    const std::vector<Counting::Frame> known = known_frames(timeline, proofs);
+    std::vector<Counting::Frame> frames = known;
+    const auto count = [&] {
+        Counting counting(timeline, proofs);
+        for (std::size_t k = 1; k < known.size(); ++k) counting.between(known[k - 1], known[k]);
+        for (const auto& frame : std::move(counting).frames()) frames.push_back(frame);
+    };
     // Coarse paths are quick and leave little to count; fine ones are for what counting leaves.
     constexpr std::array coarse{32, 64}, fine{128, 256};
     settle_by_path(timeline, proofs, coarse);
-    const auto count = [&] {
-        if (!has_ends) return;
-        Counting counting(timeline, proofs);
-        counting.between(first, last);
-        for (const auto& frame : std::move(counting).frames()) frames.push_back(frame);
-    };
     count();
     if (std::ranges::any_of(timeline.events, is_open)) {
         settle_by_path(timeline, proofs, fine);
         count();
     }
-    if (timeline.start) read_off(timeline, first);
     for (const auto& frame : frames) read_off(timeline, frame);
-    if (timeline.end) read_off(timeline, last);
+    describe_unresolved(timeline, known);
     check(timeline);
 }
 

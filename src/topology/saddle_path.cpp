@@ -172,32 +172,34 @@ std::optional<std::array<SpacePoint, 2>> both_sides(const Region& region, const 
     return std::nullopt;
 }
 
-// A path down from a point, each step in a box that is in the region. The point itself is known as
-// well as `from` says.
+// A path down from a point, each step in a box that is in the region, along the axes that are free.
 struct Descent {
     std::vector<SpacePoint> points;
     bool leaves_bounds = false;
 };
 
-Descent descend(const Region& region, const SpaceBox& from, double step, double longest) {
-    Descent path{{middle(from)}};
+Descent descend(const Region& region, const SpacePoint& from, const std::array<bool, 3>& free,
+                double step, double longest) {
+    Descent path{{from}};
     constexpr int most_steps = 400;
     for (int k = 0; k < most_steps; ++k) {
         const SpacePoint p = path.points.back();
-        const SpaceBox known = k == 0 ? from : point_box(p);
-        if (region.is_outside(known)) {
+        if (region.is_outside(point_box(p))) {
             path.leaves_bounds = true;
             break;
         }
         const auto slopes = region.over(point_box(p)).gradient;
         SpacePoint down{-mid(slopes[0]), -mid(slopes[1]), -mid(slopes[2])};
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!free[i]) down[i] = 0;
+        }
         const double steepness = length(down);
         if (!(steepness > 0)) break;
         for (double& c : down) c /= steepness;
         SpacePoint q = along(p, step, down);
         int halvings = 0;
         while (halvings < 30 &&
-               (!region.may_hold(q) || !region.holds(hull_of(known, point_box(q))))) {
+               (!region.may_hold(q) || !region.holds(hull_of(point_box(p), point_box(q))))) {
             step /= 2;
             q = along(p, step, down);
             ++halvings;
@@ -332,13 +334,17 @@ bool sides_are_joined(const Moment& moment, const Event& event, int cells) {
         const SpacePoint& side = (*sides)[k];
         SpacePoint away;
         for (std::size_t i = 0; i < 3; ++i) away[i] = side[i] - mid(event.where[i]);
-        // On a wall the side is where the wall is.
+        // On a wall the side is where the wall is; from there a little inwards.
         const std::array<bool, 3> free = free_axes(event, moment.box);
-        SpaceBox from = point_box(side);
+        SpaceBox on_wall = point_box(side);
+        SpacePoint from = side;
         for (std::size_t i = 0; i < 3; ++i) {
-            if (!free[i]) from[i] = event.where[i];
+            if (free[i]) continue;
+            on_wall[i] = event.where[i];
+            from[i] += 1e-7 * (mid(moment.box[i]) - side[i]);
         }
-        const Descent path = descend(region, from, length(away) / 4, grid.size());
+        if (event.stratum < 3 && !region.holds(hull_of(on_wall, point_box(from)))) return false;
+        const Descent path = descend(region, from, free, length(away) / 4, grid.size());
         const auto start = grid.start(path);
         if (!start) return false;
         starts[k] = *start;
