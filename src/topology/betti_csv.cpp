@@ -31,10 +31,10 @@ std::string betti_csv(const Record& record) {
         const double time = clock.time(frame);
         if (time < range.lo) continue;
         double next = formula::infinity, last = formula::infinity;
-        for (const Moment& moment : steps.moments) {
-            const formula::Interval frames = frames_at(clock.fps, moment.time);
-            if (moment.time.hi >= time) next = std::min(next, std::max(0.0, frames.lo - frame));
-            if (moment.time.lo <= time) last = std::min(last, std::max(0.0, frame - frames.hi));
+        for (const Instant& instant : steps.instants) {
+            const formula::Interval frames = frames_at(clock.fps, instant.time);
+            if (instant.time.hi >= time) next = std::min(next, std::max(0.0, frames.lo - frame));
+            if (instant.time.lo <= time) last = std::min(last, std::max(0.0, frame - frames.hi));
         }
         const Step* step = steps.at(time);
         const bool is_known = step && step->solid;

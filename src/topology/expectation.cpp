@@ -111,9 +111,9 @@ Judgement judge(const BettiClaim& claim, const Record& found, const Steps& steps
         if (judgement.truth == Truth::holds) judgement = {Truth::open, std::move(why)};
     };
     if (is_point(claim.frames)) {
-        for (const Moment& moment : steps.moments) {
-            if (touches(moment.time)) {
-                return {Truth::open, "that is the moment of an event; ask a little before or "
+        for (const Instant& instant : steps.instants) {
+            if (touches(instant.time)) {
+                return {Truth::open, "that is the instant of an event; ask a little before or "
                                      "after it"};
             }
         }

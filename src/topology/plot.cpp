@@ -157,9 +157,9 @@ private:
         }
         for (std::size_t k = 0; k < steps_.steps.size(); ++k) {
             const Step& here = steps_.steps[k];
-            // A step ends in the middle of the moment after it, narrow as those are.
+            // A step ends in the middle of the instant after it, narrow as those are.
             const double from = k > 0 ? moment_x(k - 1) : x(first_);
-            const double to = k < steps_.moments.size() ? moment_x(k) : x(last_);
+            const double to = k < steps_.instants.size() ? moment_x(k) : x(last_);
             if (!here.solid) {
                 draw("<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.1f}\" "
                      "fill=\"url(#unknown)\"/>",
@@ -182,7 +182,7 @@ private:
         y_ = foot;
     }
     double moment_x(std::size_t k) const {
-        return clamped(mid(frames_at(fps_, steps_.moments[k].time)));
+        return clamped(mid(frames_at(fps_, steps_.instants[k].time)));
     }
 
     void lane_frame(const std::string& label, std::size_t count, const char* colour,

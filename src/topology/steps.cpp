@@ -9,8 +9,8 @@ Betti sum(const Betti& a, const Betti& b) {
     return {a.components + b.components, a.tunnels + b.tunnels, a.voids + b.voids};
 }
 
-std::vector<Moment> moments_of(const Timeline& timeline) {
-    std::vector<Moment> single;
+std::vector<Instant> instants_of(const Timeline& timeline) {
+    std::vector<Instant> single;
     for (std::size_t k = 0; k < timeline.events.size(); ++k) {
         if (timeline.events[k].kind == Kind::none) continue;
         single.push_back({timeline.events[k].time, {k}, {}});
@@ -18,25 +18,25 @@ std::vector<Moment> moments_of(const Timeline& timeline) {
     for (std::size_t k = 0; k < timeline.unresolved.size(); ++k) {
         single.push_back({timeline.unresolved[k].time, {}, {k}});
     }
-    std::ranges::stable_sort(single, {}, [](const Moment& moment) { return moment.time.lo; });
-    std::vector<Moment> merged;
-    for (Moment& moment : single) {
-        if (merged.empty() || merged.back().time.hi < moment.time.lo) {
-            merged.push_back(std::move(moment));
+    std::ranges::stable_sort(single, {}, [](const Instant& instant) { return instant.time.lo; });
+    std::vector<Instant> merged;
+    for (Instant& instant : single) {
+        if (merged.empty() || merged.back().time.hi < instant.time.lo) {
+            merged.push_back(std::move(instant));
             continue;
         }
-        Moment& last = merged.back();
-        last.time = formula::hull(last.time, moment.time);
-        last.events.insert(last.events.end(), moment.events.begin(), moment.events.end());
-        last.unresolved.insert(last.unresolved.end(), moment.unresolved.begin(),
-                               moment.unresolved.end());
+        Instant& last = merged.back();
+        last.time = formula::hull(last.time, instant.time);
+        last.events.insert(last.events.end(), instant.events.begin(), instant.events.end());
+        last.unresolved.insert(last.unresolved.end(), instant.unresolved.begin(),
+                               instant.unresolved.end());
     }
-    for (Moment& moment : merged) std::ranges::sort(moment.events); // the timeline's own order
+    for (Instant& instant : merged) std::ranges::sort(instant.events); // the timeline's own order
     return merged;
 }
 
-// Before the first and after the last of a moment, by whichever of its parts says so.
-std::optional<Betti> before(const Timeline& timeline, const Moment& moment) {
+// Before the first and after the last of an instant, by whichever of its parts says so.
+std::optional<Betti> before(const Timeline& timeline, const Instant& instant) {
     std::optional<Betti> found;
     double first = formula::infinity;
     const auto consider = [&](const auto& part) {
@@ -44,12 +44,12 @@ std::optional<Betti> before(const Timeline& timeline, const Moment& moment) {
         found = part.before;
         first = part.time.lo;
     };
-    for (const std::size_t k : moment.events) consider(timeline.events[k]);
-    for (const std::size_t k : moment.unresolved) consider(timeline.unresolved[k]);
+    for (const std::size_t k : instant.events) consider(timeline.events[k]);
+    for (const std::size_t k : instant.unresolved) consider(timeline.unresolved[k]);
     return found;
 }
 
-std::optional<Betti> after(const Timeline& timeline, const Moment& moment) {
+std::optional<Betti> after(const Timeline& timeline, const Instant& instant) {
     std::optional<Betti> found;
     double last = -formula::infinity;
     const auto consider = [&](const auto& part) {
@@ -57,25 +57,25 @@ std::optional<Betti> after(const Timeline& timeline, const Moment& moment) {
         found = part.after;
         last = part.time.hi;
     };
-    for (const std::size_t k : moment.events) consider(timeline.events[k]);
-    for (const std::size_t k : moment.unresolved) consider(timeline.unresolved[k]);
+    for (const std::size_t k : instant.events) consider(timeline.events[k]);
+    for (const std::size_t k : instant.unresolved) consider(timeline.unresolved[k]);
     return found;
 }
 
 // Of all its events together; empty if some are of unknown kind.
-std::optional<Betti> change(const Timeline& timeline, const Moment& moment) {
-    if (!moment.unresolved.empty()) return std::nullopt;
+std::optional<Betti> change(const Timeline& timeline, const Instant& instant) {
+    if (!instant.unresolved.empty()) return std::nullopt;
     Betti all;
-    for (const std::size_t k : moment.events) {
+    for (const std::size_t k : instant.events) {
         if (timeline.events[k].kind == Kind::unknown) return std::nullopt;
         all = sum(all, change(timeline.events[k].kind));
     }
     return all;
 }
 
-bool is_certain(const Timeline& timeline, const Moment& moment) {
-    return moment.unresolved.empty() &&
-           std::ranges::all_of(moment.events, [&](const std::size_t k) {
+bool is_certain(const Timeline& timeline, const Instant& instant) {
+    return instant.unresolved.empty() &&
+           std::ranges::all_of(instant.events, [&](const std::size_t k) {
                return timeline.events[k].is_proved && timeline.events[k].kind != Kind::unknown;
            });
 }
@@ -89,11 +89,11 @@ void mark_proved(const Timeline& timeline, Steps& all) {
         for (Step* step : {&steps.front(), &steps.back()}) step->is_proved = false;
         return;
     }
-    for (std::size_t k = 0; k < all.moments.size(); ++k) {
-        steps[k + 1].is_proved |= steps[k].is_proved && is_certain(timeline, all.moments[k]);
+    for (std::size_t k = 0; k < all.instants.size(); ++k) {
+        steps[k + 1].is_proved |= steps[k].is_proved && is_certain(timeline, all.instants[k]);
     }
-    for (std::size_t k = all.moments.size(); k-- > 0;) {
-        steps[k].is_proved |= steps[k + 1].is_proved && is_certain(timeline, all.moments[k]);
+    for (std::size_t k = all.instants.size(); k-- > 0;) {
+        steps[k].is_proved |= steps[k + 1].is_proved && is_certain(timeline, all.instants[k]);
     }
 }
 
@@ -103,30 +103,30 @@ const Step* Steps::at(double time) const {
     const auto found = std::ranges::find_if(
         steps, [&](const Step& step) { return formula::contains(step.time, time); });
     if (found == steps.end()) return nullptr;
-    // A step ends where a moment's enclosure begins: that instant may be the event's.
-    const auto in = [&](const Moment& moment) { return formula::contains(moment.time, time); };
-    return std::ranges::any_of(moments, in) ? nullptr : &*found;
+    // A step ends where an instant's enclosure begins: that instant may be the event's.
+    const auto in = [&](const Instant& instant) { return formula::contains(instant.time, time); };
+    return std::ranges::any_of(instants, in) ? nullptr : &*found;
 }
 
 Steps steps_of(const Timeline& timeline) {
     Steps all;
-    all.moments = moments_of(timeline);
-    const std::size_t count = all.moments.size();
+    all.instants = instants_of(timeline);
+    const std::size_t count = all.instants.size();
     all.steps.resize(count + 1);
     double begin = timeline.range.lo;
     for (std::size_t k = 0; k <= count; ++k) {
         const auto within = [&](double time) { return std::clamp(time, begin, timeline.range.hi); };
-        const double end = k < count ? within(all.moments[k].time.lo) : timeline.range.hi;
+        const double end = k < count ? within(all.instants[k].time.lo) : timeline.range.hi;
         all.steps[k].time = {begin, end};
-        if (k < count) begin = within(all.moments[k].time.hi);
+        if (k < count) begin = within(all.instants[k].time.hi);
     }
     all.steps.front().solid = timeline.start;
     for (std::size_t k = 0; k < count; ++k) {
         auto& here = all.steps[k].solid;
         auto& next = all.steps[k + 1].solid;
-        if (!here) here = before(timeline, all.moments[k]);
-        next = after(timeline, all.moments[k]);
-        if (const auto add = change(timeline, all.moments[k]); !next && here && add) {
+        if (!here) here = before(timeline, all.instants[k]);
+        next = after(timeline, all.instants[k]);
+        if (const auto add = change(timeline, all.instants[k]); !next && here && add) {
             next = sum(*here, *add);
         }
     }

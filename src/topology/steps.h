@@ -9,25 +9,25 @@
 namespace isomotion::topology {
 
 // Events that are not told apart in time, their enclosures overlapping, and what is unresolved
-// among them. Events on the bounds that change nothing (Kind::none) are in no moment.
-struct Moment {
+// among them. Events on the bounds that change nothing (Kind::none) are in no instant.
+struct Instant {
     formula::Interval time;
     std::vector<std::size_t> events, unresolved; // positions in the timeline's lists
 };
 
 struct Step {
-    formula::Interval time;     // from the end of a moment to the beginning of the next
+    formula::Interval time;     // from the end of an instant to the beginning of the next
     std::optional<Betti> solid; // as far as the timeline says
     // `solid` follows from a proved end by proved events of known kinds, none of them missing.
     bool is_proved = false;
 };
 
-// steps[k] comes before moments[k]; there is one step more than moments.
+// steps[k] comes before instants[k]; there is one step more than instants.
 struct Steps {
     std::vector<Step> steps;
-    std::vector<Moment> moments;
+    std::vector<Instant> instants;
 
-    // The step that holds a time; null at a moment and out of range.
+    // The step that holds a time; null at an instant and out of range.
     const Step* at(double time) const;
 };
 

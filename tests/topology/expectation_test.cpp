@@ -50,9 +50,9 @@ TEST(Expectation, ClaimsOfBettiNumbers) {
 }
 
 TEST(Expectation, AtTheMomentOfAnEventNumbersAreOpen) {
-    const Check moment = of(R"({"components": {"10.5": 3}})");
-    EXPECT_EQ(moment.outcome(), Outcome::incomplete);
-    EXPECT_THAT(moment.undecided, ElementsAre(HasSubstr("ask a little before or after it")));
+    const Check instant = of(R"({"components": {"10.5": 3}})");
+    EXPECT_EQ(instant.outcome(), Outcome::incomplete);
+    EXPECT_THAT(instant.undecided, ElementsAre(HasSubstr("ask a little before or after it")));
     const Check beyond = of(R"({"components": {"102": 1}})");
     EXPECT_THAT(beyond.undecided, ElementsAre("components.102 = 1: searched were frames 1 to 101"));
 }

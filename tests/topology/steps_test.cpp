@@ -20,7 +20,7 @@ TEST(Steps, FollowFromTheStartAndLastFromEventToEvent) {
     EXPECT_EQ(all.at(0), &all.steps[0]);
     EXPECT_EQ(all.at(2), &all.steps[2]);
     EXPECT_EQ(all.at(10), &all.steps[4]);
-    EXPECT_EQ(all.at(0.95), nullptr) << "the moment of the first merge";
+    EXPECT_EQ(all.at(0.95), nullptr) << "the instant of the first merge";
     EXPECT_EQ(all.at(10.01), nullptr);
     EXPECT_EQ(all.at(-1e-9), nullptr);
 }
@@ -36,8 +36,8 @@ TEST(Steps, EventsThatAreNotToldApartAreOneMoment) {
     record.timeline.end = std::nullopt;
     record.timeline.end_is_proved = false;
     const Steps all = steps_of(record.timeline);
-    ASSERT_EQ(all.moments.size(), 2u);
-    EXPECT_EQ(all.moments[0].events.size(), 4u);
+    ASSERT_EQ(all.instants.size(), 2u);
+    EXPECT_EQ(all.instants[0].events.size(), 4u);
     EXPECT_EQ(all.steps[1].solid, (Betti{1, 0, 0}));
     EXPECT_EQ(all.steps[2].solid, (Betti{1, 0, 1})) << "by the change of its kind";
     EXPECT_TRUE(all.steps[2].is_proved);
@@ -47,8 +47,8 @@ TEST(Steps, WhatDoesNotChangeTheSolidIsNoMoment) {
     Record record = story();
     record.timeline.events.insert(record.timeline.events.begin(), event_at(5, Kind::none));
     const Steps all = steps_of(record.timeline);
-    EXPECT_EQ(all.moments.size(), 4u);
-    EXPECT_EQ(all.moments.front().events, std::vector<std::size_t>{1});
+    EXPECT_EQ(all.instants.size(), 4u);
+    EXPECT_EQ(all.instants.front().events, std::vector<std::size_t>{1});
 }
 
 TEST(Steps, ProofsReachFromBothEndsToTheDoubtfulEvent) {

@@ -1,0 +1,14 @@
+// A scene's field at the time of an event, for saddle_path.h.
+#pragma once
+
+#include "scene/scene_at.h"
+#include "topology/saddle_path.h"
+
+namespace isomotion::topology {
+
+// `bindings` enclose the values at all times of the event's enclosure; the bounds may be off by a
+// billionth of their size. Not for several threads at once. The field must outlive it.
+Moment field_moment(const formula::Field& field, formula::Bindings<formula::Interval> bindings,
+                    const scene::BoundsAt& bounds, Side solid);
+
+} // namespace isomotion::topology

@@ -1,0 +1,356 @@
+#include "topology/kinds.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Interval;
+
+// Of the two kinds of an event, the one that changes b1.
+Kind by_path(const Event& event) {
+    if (event.index == 1) return event.grows ? Kind::tunnel_forms : Kind::tunnel_breaks;
+    return event.grows ? Kind::tunnel_closes : Kind::tunnel_opens;
+}
+
+// ... and the other one: it changes b0 (index 1) or b2 (index 2).
+Kind by_parts(const Event& event) {
+    if (event.index == 1) return event.grows ? Kind::merge : Kind::split;
+    return event.grows ? Kind::void_forms : Kind::void_opens;
+}
+
+bool is_open(const Event& event) {
+    return event.kind == Kind::unknown && (event.index == 1 || event.index == 2);
+}
+
+void settle(Event& event, Kind kind, const char* proof) {
+    event.kind = kind;
+    event.kind_proof = proof;
+}
+
+// `change` is what these events of one index add to b0 (1) or b2 (2): each of them adds `parts` or
+// nothing.
+bool force(std::vector<Event*> events, int change, int Betti::*number, const char* proof) {
+    int least = 0, most = 0;
+    for (const Event* event : events) {
+        const int parts = topology::change(by_parts(*event)).*number;
+        (parts < 0 ? least : most) += parts;
+    }
+    if (change < least || change > most) return false;
+    if (change != least && change != most) return true;
+    for (Event* event : events) {
+        const int parts = topology::change(by_parts(*event)).*number;
+        const bool changes_parts = (parts < 0) == (change == least) && least != most;
+        settle(*event, changes_parts ? by_parts(*event) : by_path(*event), proof);
+    }
+    return true;
+}
+
+void settle_by_index(Timeline& timeline) {
+    for (Event& event : timeline.events) {
+        if (event.kind != Kind::unknown) {
+            if (event.kind_proof.empty() && event.kind != Kind::none) event.kind_proof = "index";
+            continue;
+        }
+        const std::vector<Kind> kinds = kinds_of(event.index, event.grows);
+        if (kinds.size() == 1) settle(event, kinds.front(), "index");
+    }
+}
+
+void settle_by_path(Timeline& timeline, const KindProofs& proofs, std::span<const int> cells) {
+    if (!proofs.moment) return;
+    for (Event& event : timeline.events) {
+        if (!is_open(event) || !event.is_proved) continue;
+        const Moment moment = proofs.moment(event);
+        for (int n : cells) {
+            if (!sides_are_joined(moment, event, n)) continue;
+            settle(event, by_path(event), "path");
+            break;
+        }
+    }
+}
+
+// Between these events, counted from 0 to all, no time of two events overlaps: a frame may be had.
+struct Gap {
+    std::size_t at; // before this event
+    double time;
+    double width;
+};
+
+bool is_degenerate_between(const Timeline& timeline, double from, double to) {
+    return std::ranges::any_of(timeline.unresolved, [&](const Unresolved& place) {
+        return place.time.hi >= from && place.time.lo <= to;
+    });
+}
+
+// A search that is complete but for its degenerate places proves nothing whole, but has no doubts.
+bool is_whole_elsewhere(const Timeline& timeline) {
+    return timeline.is_proved || (!timeline.unresolved.empty() && timeline.doubts.empty());
+}
+
+// Counts between frames, and asks for more of these where that doesn't do.
+class Counting {
+public:
+    Counting(Timeline& timeline, const KindProofs& proofs)
+        : timeline_(timeline)
+        , proofs_(proofs)
+        , nothing_missing_(is_whole_elsewhere(timeline))
+        , frames_left_(proofs.frame ? proofs.most_frames : 0) {}
+
+    struct Frame {
+        std::size_t at; // before this event
+        double time;
+        Betti betti;
+    };
+
+    void between(const Frame& from, const Frame& to) {
+        const auto events = std::span(timeline_.events).subspan(from.at, to.at - from.at);
+        const bool is_whole = nothing_missing_ && std::ranges::all_of(events, &Event::is_proved) &&
+                              !is_degenerate_between(timeline_, from.time, to.time);
+        if (is_whole && !count_kinds(events, from.betti, to.betti)) {
+            timeline_.doubts.push_back(
+                fmt::format("no kinds of the events from {} s to {} s agree with the frames",
+                            from.time, to.time));
+            return;
+        }
+        if (std::ranges::none_of(events, is_open) && is_whole) return;
+        for (const Gap& gap : gaps(from, to)) {
+            if (frames_left_ == 0) return;
+            --frames_left_;
+            const auto betti = proofs_.frame(gap.time);
+            if (!betti) continue;
+            const Frame middle{gap.at, gap.time, *betti};
+            frames_.push_back(middle);
+            between(from, middle);
+            between(middle, to);
+            return;
+        }
+    }
+
+    // Those asked for, by time.
+    std::vector<Frame> frames() && {
+        std::ranges::sort(frames_, {}, &Frame::time);
+        return std::move(frames_);
+    }
+
+private:
+    // Where a frame would part the open events: the widest first, if they leave events of both
+    // directions apart.
+    std::vector<Gap> gaps(const Frame& from, const Frame& to) const {
+        std::vector<Gap> found;
+        double end = from.time; // of all events so far
+        std::size_t open_before = 0, open = 0;
+        for (std::size_t k = from.at; k < to.at; ++k) open += is_open(timeline_.events[k]);
+        for (std::size_t k = from.at; k < to.at; ++k) {
+            const Event& event = timeline_.events[k];
+            const bool is_between = open_before > 0 && open_before < open;
+            if (is_between && event.time.lo > end &&
+                !is_degenerate_between(timeline_, end, event.time.lo)) {
+                found.push_back({k, end / 2 + event.time.lo / 2, event.time.lo - end});
+            }
+            end = std::max(end, event.time.hi);
+            open_before += is_open(event);
+        }
+        std::ranges::sort(found, std::greater{}, &Gap::width);
+        constexpr std::size_t most_tries = 4;
+        if (found.size() > most_tries) found.resize(most_tries);
+        return found;
+    }
+
+    Timeline& timeline_;
+    const KindProofs& proofs_;
+    const bool nothing_missing_; // but in degenerate places
+    int frames_left_;
+    std::vector<Frame> frames_;
+};
+
+// The ends, and frames close about degenerate places.
+std::vector<Counting::Frame> known_frames(const Timeline& timeline, const KindProofs& proofs) {
+    std::vector<Counting::Frame> known;
+    if (timeline.start && timeline.start_is_proved)
+        known.push_back({0, timeline.range.lo, *timeline.start});
+    if (proofs.frame) {
+        // Where something happens, and between: joined where they overlap.
+        std::vector<std::pair<Interval, bool>> moments; // true: degenerate
+        for (const Event& event : timeline.events) moments.emplace_back(event.time, false);
+        for (const Unresolved& place : timeline.unresolved) moments.emplace_back(place.time, true);
+        std::ranges::sort(moments, {}, [](const auto& moment) { return moment.first.lo; });
+        std::vector<std::pair<Interval, bool>> joined;
+        for (const auto& [time, is_degenerate] : moments) {
+            if (!joined.empty() && time.lo <= joined.back().first.hi) {
+                joined.back().first = hull(joined.back().first, time);
+                joined.back().second |= is_degenerate;
+            } else {
+                joined.emplace_back(time, is_degenerate);
+            }
+        }
+        for (std::size_t k = 0; k <= joined.size(); ++k) {
+            const bool beside_degenerate =
+                (k > 0 && joined[k - 1].second) || (k < joined.size() && joined[k].second);
+            if (!beside_degenerate) continue;
+            const double from = k > 0 ? joined[k - 1].first.hi : timeline.range.lo;
+            const double to = k < joined.size() ? joined[k].first.lo : timeline.range.hi;
+            const double time = from / 2 + to / 2;
+            if (!(from < time && time < to)) continue;
+            const auto before = std::ranges::count_if(
+                timeline.events, [&](const Event& event) { return event.time.hi < time; });
+            if (const auto betti = proofs.frame(time))
+                known.push_back({std::size_t(before), time, *betti});
+        }
+    }
+    if (timeline.end && timeline.end_is_proved)
+        known.push_back({timeline.events.size(), timeline.range.hi, *timeline.end});
+    return known;
+}
+
+// Betti numbers beside degenerate places, where no event lies between these and the frame.
+void describe_unresolved(Timeline& timeline, std::span<const Counting::Frame> frames) {
+    for (Unresolved& place : timeline.unresolved) {
+        const auto is_quiet = [&](double from, double to) {
+            return std::ranges::none_of(timeline.events, [&](const Event& event) {
+                return event.time.hi >= from && event.time.lo <= to;
+            });
+        };
+        for (const auto& frame : frames) {
+            if (frame.time < place.time.lo && is_quiet(frame.time, place.time.lo))
+                place.before = frame.betti;
+            if (frame.time > place.time.hi && !place.after && is_quiet(place.time.hi, frame.time))
+                place.after = frame.betti;
+        }
+    }
+}
+
+// From a known frame on, as far as kinds are known.
+void read_off(Timeline& timeline, const Counting::Frame& frame) {
+    const auto ok = [&](const Event& event) { return event.kind != Kind::unknown; };
+    const auto add = [](Betti a, const Betti& b, int sign) {
+        a.components += sign * b.components;
+        a.tunnels += sign * b.tunnels;
+        a.voids += sign * b.voids;
+        return a;
+    };
+    Betti now = frame.betti;
+    double time = frame.time;
+    for (std::size_t k = frame.at; k < timeline.events.size(); ++k) {
+        Event& event = timeline.events[k];
+        if (event.before || is_degenerate_between(timeline, time, event.time.hi)) break;
+        event.before = now;
+        if (!ok(event)) break;
+        now = add(now, change(event.kind), 1);
+        event.after = now;
+        time = event.time.hi;
+    }
+    now = frame.betti;
+    time = frame.time;
+    for (std::size_t k = frame.at; k-- > 0;) {
+        Event& event = timeline.events[k];
+        if (event.after || is_degenerate_between(timeline, event.time.lo, time)) break;
+        event.after = now;
+        if (!ok(event)) break;
+        now = add(now, change(event.kind), -1);
+        event.before = now;
+        time = event.time.lo;
+    }
+}
+
+std::string text(const Betti& b) {
+    return fmt::format("({}, {}, {})", b.components, b.tunnels, b.voids);
+}
+
+// Every count that must come out.
+void check(Timeline& timeline) {
+    const auto doubt = [&](std::string words) { timeline.doubts.push_back(std::move(words)); };
+    int euler = 0;
+    Betti sum{};
+    bool all_known = true;
+    for (const Event& event : timeline.events) {
+        const std::vector<Kind> kinds = kinds_of(event.index, event.grows);
+        if (event.kind == Kind::none || kinds.empty()) continue;
+        // Whatever the kind, the Euler number changes by the index.
+        euler += change(kinds.front()).euler();
+        all_known &= event.kind != Kind::unknown;
+        sum.components += change(event.kind).components;
+        sum.tunnels += change(event.kind).tunnels;
+        sum.voids += change(event.kind).voids;
+        if (event.kind != Kind::unknown && std::ranges::find(kinds, event.kind) == kinds.end()) {
+            doubt(fmt::format("the event at {} s is no {}: index {}", mid(event.time),
+                              name(event.kind), event.index));
+        }
+        for (const auto& betti : {event.before, event.after}) {
+            if (betti && !betti->is_possible())
+                doubt(fmt::format("Betti numbers {} at {} s", text(*betti), mid(event.time)));
+        }
+    }
+    for (std::size_t k = 1; k < timeline.events.size(); ++k) {
+        const auto &a = timeline.events[k - 1].after, &b = timeline.events[k].before;
+        if (a && b && *a != *b && timeline.unresolved.empty()) {
+            doubt(fmt::format("Betti numbers {} and {} between {} s and {} s", text(*a), text(*b),
+                              mid(timeline.events[k - 1].time), mid(timeline.events[k].time)));
+        }
+    }
+    if (!timeline.start || !timeline.end || !timeline.unresolved.empty()) return;
+    const int expected = timeline.end->euler() - timeline.start->euler();
+    if (euler != expected) {
+        doubt(fmt::format("the events change the Euler number by {}, from start to end it changes "
+                          "by {}",
+                          euler, expected));
+    }
+    const Betti end{timeline.start->components + sum.components,
+                    timeline.start->tunnels + sum.tunnels, timeline.start->voids + sum.voids};
+    if (all_known && end != *timeline.end) {
+        doubt(fmt::format("the events lead from {} to {}, the end is {}", text(*timeline.start),
+                          text(end), text(*timeline.end)));
+    }
+}
+
+} // namespace
+
+bool count_kinds(std::span<Event> events, const Betti& before, const Betti& after) {
+    int of_components = after.components - before.components, of_voids = after.voids - before.voids;
+    std::vector<Event*> first, second;
+    for (Event& event : events) {
+        if (is_open(event)) {
+            (event.index == 1 ? first : second).push_back(&event);
+            continue;
+        }
+        of_components -= change(event.kind).components;
+        of_voids -= change(event.kind).voids;
+    }
+    // Two frames about one moment are a closer look than counting.
+    const bool is_one_moment = std::ranges::all_of(
+        events, [&](const Event& event) { return event.time.lo <= events.front().time.hi; });
+    const char* proof = is_one_moment ? "frames" : "counting";
+    const bool agree = force(first, of_components, &Betti::components, proof) &&
+                       force(second, of_voids, &Betti::voids, proof);
+    if (!agree) {
+        for (Event* event : first) settle(*event, Kind::unknown, "");
+    }
+    return agree;
+}
+
+void find_kinds(Timeline& timeline, const KindProofs& proofs) {
+    settle_by_index(timeline);
+    const std::vector<Counting::Frame> known = known_frames(timeline, proofs);
+    std::vector<Counting::Frame> frames = known;
+    const auto count = [&] {
+        Counting counting(timeline, proofs);
+        for (std::size_t k = 1; k < known.size(); ++k) counting.between(known[k - 1], known[k]);
+        for (const auto& frame : std::move(counting).frames()) frames.push_back(frame);
+    };
+    // Coarse paths are quick and leave little to count; fine ones are for what counting leaves.
+    constexpr std::array coarse{32, 64}, fine{128, 256};
+    settle_by_path(timeline, proofs, coarse);
+    count();
+    if (std::ranges::any_of(timeline.events, is_open)) {
+        settle_by_path(timeline, proofs, fine);
+        count();
+    }
+    for (const auto& frame : frames) read_off(timeline, frame);
+    describe_unresolved(timeline, known);
+    check(timeline);
+}
+
+} // namespace isomotion::topology

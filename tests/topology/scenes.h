@@ -1,0 +1,51 @@
+// Scenes at one time, for tests of topology.
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "scene/load.h"
+#include "scene/scene_at.h"
+
+namespace isomotion::topology {
+
+inline scene::Scene scene_of(const std::string& text) {
+    setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1);
+    const auto file = std::filesystem::temp_directory_path() /
+                      fmt::format("isomotion-topology-{}.toml", getpid());
+    std::ofstream(file) << text;
+    scene::Scene scene = scene::load(file.string());
+    std::filesystem::remove(file);
+    return scene;
+}
+
+inline scene::Scene still(const std::string& formula, const std::string& bounds) {
+    return scene_of(fmt::format("[surface]\nformula = '''{}'''\nbounds = {}\n", formula, bounds));
+}
+
+// Of the repository.
+inline scene::Scene animated(const std::string& name) {
+    setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1);
+    return scene::load(fmt::format("{}/animations/{}.toml", ISOMOTION_SOURCE_DIR, name));
+}
+
+// What a scene's field needs at one time.
+struct Frame {
+    formula::Bindings<double> numbers;
+    formula::Bindings<formula::Interval> intervals;
+    scene::BoundsAt bounds;
+
+    Frame(const scene::Scene& scene, double time) {
+        const scene::SceneAt now = scene::at(scene, scene.timeline.animation.at(time));
+        numbers = formula::convert<double>(now.bindings);
+        intervals = formula::convert<formula::Interval>(numbers);
+        bounds = now.bounds;
+    }
+};
+
+} // namespace isomotion::topology
