@@ -1,15 +1,129 @@
 #include "topology/analyse.h"
 
-namespace isomotion::topology {
+#include <algorithm>
+#include <stop_token>
+#include <thread>
 
-// Nothing is searched yet: what is known is the range.
+#include <fmt/format.h>
+
+#include "topology/critical.h"
+#include "topology/frame_signs.h"
+#include "topology/moving_frame.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Interval;
+
+// Passes on what was asked by std::function to searches that ask a token.
+class Asking {
+public:
+    explicit Asking(const Analysing& how)
+        : how_(how) {}
+
+    std::stop_token token() const { return source_.get_token(); }
+    bool stopped() const {
+        if (how_.stop && how_.stop()) source_.request_stop();
+        return source_.stop_requested();
+    }
+    void show(const char* what, double part) const {
+        stopped();
+        if (how_.progress) how_.progress(what, part);
+    }
+
+private:
+    const Analysing& how_;
+    mutable std::stop_source source_;
+};
+
+int threads_of(const Analysing& how) {
+    return how.threads > 0 ? how.threads : std::max(1, int(std::thread::hardware_concurrency()));
+}
+
+// Signs on a grid at each frame. Where two frames differ something happened in between.
+Timeline sampled(const scene::Scene& scene, Side side, const Analysing& how, int first, int last,
+                 const Asking& asking) {
+    constexpr int grid = 64;
+    Timeline timeline;
+    timeline.range = {scene.timeline.time(first), scene.timeline.time(last)};
+    timeline.doubts.push_back(
+        fmt::format("nothing was proved: signs on a grid of {0}x{0}x{0}, frame by frame", grid));
+    std::optional<Betti> before;
+    double since = 0;
+    for (int frame = first; frame <= last; ++frame) {
+        if (asking.stopped()) {
+            timeline.doubts.push_back("interrupted");
+            return timeline;
+        }
+        const animation::Values values = scene.timeline.values(frame);
+        const scene::SceneAt now = scene::at(scene, values);
+        const Betti here =
+            betti(frame_signs(*scene.surface.field, formula::convert<double>(now.bindings),
+                              now.bounds, side, grid, how.threads));
+        if (before && *before != here) {
+            std::array<Interval, 3> where;
+            for (int k = 0; k < 3; ++k) {
+                where[std::size_t(k)] = {now.bounds.min[k], now.bounds.max[k]};
+            }
+            timeline.unresolved.push_back(
+                {{since, values.time}, where, "these two frames differ", before, here});
+        }
+        if (!before) timeline.start = here;
+        timeline.end = before = here;
+        since = values.time;
+        asking.show("sampling", double(frame - first + 1) / (last - first + 1));
+    }
+    return timeline;
+}
+
+Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Interval range,
+                const Asking& asking) {
+    EventSearch searching;
+    searching.threads = threads_of(how);
+    searching.stop = asking.token();
+    searching.progress = [&](double part) { asking.show("events", part); };
+    Timeline timeline = find_events(scene, side, range, searching);
+
+    const MovingFrames frames(scene, side, range);
+    const auto prove_end = [&](double time, std::optional<Betti>& betti, bool& is_proved) {
+        if (asking.stopped()) return;
+        const CertifiedFrame frame = frames.certify(time);
+        betti = frame.betti;
+        is_proved = betti.has_value();
+        if (is_proved) return;
+        timeline.doubts.push_back(
+            fmt::format("the frame at {:g} s is not proved: {}", time, frame.why));
+    };
+    asking.show("first and last frame", 0);
+    prove_end(range.lo, timeline.start, timeline.start_is_proved);
+    asking.show("first and last frame", 0.5);
+    prove_end(range.hi, timeline.end, timeline.end_is_proved);
+
+    KindProofs proofs = frames.proofs();
+    const auto moment = proofs.moment;
+    std::size_t tried = 0;
+    proofs.moment = [&, moment](const Event& event) {
+        asking.show("kinds", double(tried++) / double(timeline.events.size()));
+        return moment(event);
+    };
+    if (asking.stopped()) {
+        if (timeline.is_proved) timeline.doubts.push_back("interrupted before kinds were proved");
+        proofs = {};
+    }
+    find_kinds(timeline, proofs);
+    if (asking.stopped()) timeline.is_proved = false;
+    return timeline;
+}
+
+} // namespace
+
 Timeline analyse(const scene::Scene& scene, const Analysing& how) {
     const int last = how.last == 0 ? scene.timeline.frames : how.last;
-    Timeline timeline;
-    timeline.range = {scene.timeline.time(how.first), scene.timeline.time(last)};
-    timeline.doubts.push_back("nothing was searched");
-    if (how.stop && how.stop()) timeline.doubts.push_back("interrupted");
-    return timeline;
+    const Side side = solid_side(scene);
+    const Asking asking(how);
+    if (how.certify == Certify::off) return sampled(scene, side, how, how.first, last, asking);
+    const Interval range{scene.timeline.time(how.first), scene.timeline.time(last)};
+    return proved(scene, side, how, range, asking);
 }
 
 } // namespace isomotion::topology
