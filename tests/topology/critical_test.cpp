@@ -104,7 +104,7 @@ TEST(Events, OfATorusThatMeetsItselfAreNotIsolated) {
     // As a polynomial it is singular in two points of the axis from r = R on: a curve in time.
     const Moving torus{"(x^2 + y^2 + z^2 + 1 - r^2)^2 - 4*(x^2 + y^2)", "{ sphere = 3 }",
                        "r = \"0.5 + t\""};
-    const Timeline timeline = events_of(torus, 0, 1, Side::negative, {.smallest = 1e-3});
+    const Timeline timeline = events_of(torus, 0, 1, Side::negative, {.smallest = 4e-3});
     EXPECT_FALSE(timeline.is_proved);
     EXPECT_FALSE(timeline.unresolved.empty());
     const auto holds = [&](double t, double z) {
