@@ -33,7 +33,8 @@ public:
     // at or before `time`; at a sample's own time its values are exact.
     formula::ArrayColumns<double> at(double time) const;
 
-    // How elements move between two neighbouring samples: from `begin` to `end`, in a straight line.
+    // How elements move between two neighbouring samples: from `begin` to `end`, in a straight
+    // line.
     struct Span {
         formula::ArrayColumns<double> begin, end; // one that stays has the same in both
         double begin_time = 0, end_time = 0;

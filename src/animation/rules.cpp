@@ -1,7 +1,6 @@
 #include "animation/rules.h"
 
 #include <algorithm>
-#include <set>
 
 #include "formula/parser.h"
 #include "formula/substitute.h"
@@ -23,20 +22,21 @@ std::map<double, bool> knots_of(const Keys& keys) {
 
 } // namespace
 
-std::vector<Knot> knots(const Animation& animation, formula::Interval range) {
+std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula::Interval range) {
     std::map<double, bool> all;
     const auto add = [&](double time, bool jumps) {
         if (range.lo < time && time < range.hi) all[time] |= jumps;
     };
-    for (const Track& track : animation.tracks()) {
-        const auto* keys = std::get_if<Keys>(&track.source);
+    for (const int track : parts.tracks) {
+        const auto* keys = std::get_if<Keys>(&animation.tracks()[std::size_t(track)].source);
         if (!keys) continue;
         for (const auto& [time, jumps] : knots_of(*keys)) add(time, jumps);
     }
-    for (const Array& array : animation.arrays()) {
-        if (!array.samples) continue;
-        const std::vector<double>& times = array.samples->times();
-        for (std::size_t k = 0; k < times.size(); ++k) add(times[k], array.samples->jumps(k));
+    for (const int array : parts.arrays) {
+        const auto& samples = animation.arrays()[std::size_t(array)].samples;
+        if (!samples) continue;
+        const std::vector<double>& times = samples->times();
+        for (std::size_t k = 0; k < times.size(); ++k) add(times[k], samples->jumps(k));
     }
     std::vector<Knot> knots;
     for (const auto& [time, jumps] : all) knots.push_back({time, jumps});
@@ -56,6 +56,7 @@ int Rules::index_field(int array) const {
 }
 
 NodeId Rules::track(int k) {
+    used_.tracks.insert(k);
     if (driver_ && driver_->track == k) return driver_->node;
     if (const auto known = tracks_.find(k); known != tracks_.end()) return known->second;
     const TrackSource& source = animation_.tracks()[std::size_t(k)].source;
@@ -71,6 +72,7 @@ NodeId Rules::track(int k) {
 }
 
 NodeId Rules::field(int a, int f) {
+    used_.arrays.insert(a);
     const Array& array = animation_.arrays()[std::size_t(a)];
     const FieldSource& source = array.fields[std::size_t(f)].source;
     if (const auto* number = std::get_if<double>(&source)) return graph_.constant(*number);
@@ -80,10 +82,8 @@ NodeId Rules::field(int a, int f) {
     const ElementSamples::Span span = array.samples->span(within_);
     if (!(span.begin_time < span.end_time)) return listed;
     const NodeId begin = graph_.constant(span.begin_time), end = graph_.constant(span.end_time);
-    const NodeId weight =
-        graph_.divide(graph_.subtract(time_, begin), graph_.subtract(end, begin));
-    return graph_.add(listed,
-                      graph_.multiply(weight, graph_.element(a, index_field(a) + 1 + f)));
+    const NodeId weight = graph_.divide(graph_.subtract(time_, begin), graph_.subtract(end, begin));
+    return graph_.add(listed, graph_.multiply(weight, graph_.element(a, index_field(a) + 1 + f)));
 }
 
 NodeId Rules::expression(const std::string& text, int array) {
@@ -121,8 +121,8 @@ NodeId Rules::rule(const Keys& keys) {
     const std::vector<Key>& all = keys.keys;
     if (within_ <= all.front().time) return g.constant(all.front().value);
     if (within_ >= all.back().time) return g.constant(all.back().value);
-    const auto after = std::upper_bound(
-        all.begin(), all.end(), within_, [](double t, const Key& key) { return t < key.time; });
+    const auto after = std::upper_bound(all.begin(), all.end(), within_,
+                                        [](double t, const Key& key) { return t < key.time; });
     const auto k = std::size_t(after - all.begin()) - 1;
     const Key &a = all[k], &b = all[k + 1];
     if (keys.ease == Ease::hold) return g.constant(a.value);
@@ -132,8 +132,7 @@ NodeId Rules::rule(const Keys& keys) {
     const NodeId way = g.subtract(to, from);
     if (keys.ease == Ease::linear) return g.add(from, g.multiply(way, u));
     const NodeId u2 = g.multiply(u, u);
-    const NodeId smooth =
-        g.multiply(u2, g.subtract(g.constant(3), g.multiply(g.constant(2), u)));
+    const NodeId smooth = g.multiply(u2, g.subtract(g.constant(3), g.multiply(g.constant(2), u)));
     const NodeId rest_to_rest = g.add(from, g.multiply(way, smooth));
     if (keys.ease == Ease::smooth) return rest_to_rest;
     // Hermite's basis: velocities at the ends on top of what rests there.

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "animation/animation.h"
@@ -20,8 +21,14 @@ struct Knot {
     bool jumps = false; // values before and after differ
 };
 
-// The times inside `range` at which a rule changes: of keys and of samples. Ascending.
-std::vector<Knot> knots(const Animation& animation, formula::Interval range);
+// Indices of tracks and arrays.
+struct Parts {
+    std::set<int> tracks, arrays;
+};
+
+// The times inside `range` at which a rule of these parts changes: of keys and of samples.
+// Ascending.
+std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula::Interval range);
 
 // A track whose value another node gives: what depends on time through this track alone then
 // depends on that node alone.
@@ -43,6 +50,8 @@ public:
     // What the elements in the graph refer to. Behind an array's own fields come the index of each
     // element and how far its samples move.
     std::vector<formula::ArrayColumns<double>> columns() const;
+    // What the nodes made so far depend on.
+    const Parts& used() const { return used_; }
 
 private:
     formula::NodeId expression(const std::string& text, int array);
@@ -55,6 +64,7 @@ private:
     formula::NodeId time_;
     std::optional<Driver> driver_;
     std::map<int, formula::NodeId> tracks_;
+    Parts used_;
 };
 
 } // namespace isomotion::animation

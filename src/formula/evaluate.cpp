@@ -11,7 +11,7 @@
 
 // Loops over lanes for wider registers too, where the processor has them; the values are the same,
 // for nothing is contracted.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
     !defined(__SANITIZE_ADDRESS__)
 #define ISOMOTION_CLONES __attribute__((target_clones("avx2", "default")))
 #else
@@ -106,8 +106,7 @@ void Evaluator<T>::points(const Bindings<T>& bindings, std::span<const std::span
 
 template<class T>
 template<int Count>
-void Evaluator<T>::together(const Bindings<T>& bindings,
-                            std::span<const std::span<const T>> inputs,
+void Evaluator<T>::together(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
                             std::span<const std::span<T>> outputs, std::size_t first,
                             std::size_t count) {
     for (std::size_t k = 0; k < inputs.size() && k * block < inputs_.size(); ++k) {

@@ -10,8 +10,8 @@ namespace {
 
 using formula::Interval;
 
-Interval evaluate(const formula::Program& program,
-                  const formula::Bindings<Interval>& bindings, Interval t) {
+Interval evaluate(const formula::Program& program, const formula::Bindings<Interval>& bindings,
+                  Interval t) {
     Interval result;
     formula::Evaluator<Interval>(program).point(bindings, {&t, 1}, {&result, 1});
     return result;
@@ -26,8 +26,11 @@ Driven::Driven(const scene::Scene& scene, int track, Interval range)
     : range_(range) {
     const animation::Animation& animation = scene.timeline.animation;
     bindings_.seed = animation.seed();
+    formula::Graph all;
+    animation::Rules used(animation, mid(range), all, all.input(0));
+    used.track(track);
     std::vector<double> ends{range.lo};
-    for (const animation::Knot& knot : animation::knots(animation, range)) {
+    for (const animation::Knot& knot : animation::knots(animation, used.used(), range)) {
         ends.push_back(knot.time);
     }
     ends.push_back(range.hi);
@@ -36,8 +39,8 @@ Driven::Driven(const scene::Scene& scene, int track, Interval range)
         const formula::NodeId t = g.input(0);
         const double within = ends[k] + (ends[k + 1] - ends[k]) / 2;
         const formula::NodeId value = animation::Rules(animation, within, g, t).track(track);
-        const formula::NodeId slope = formula::differentiate_inputs(
-            g, value, {g.constant(1)}, formula::Slopes::generalized);
+        const formula::NodeId slope =
+            formula::differentiate_inputs(g, value, {g.constant(1)}, formula::Slopes::generalized);
         pieces_.push_back({{ends[k], ends[k + 1]},
                            formula::schedule(g, std::array{value}),
                            formula::schedule(g, std::array{slope})});

@@ -50,11 +50,10 @@ private:
         std::size_t next = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const Stratum::End end = field.stratum().axes[k];
-            where[k] = end == Stratum::End::free ? box[next++]
-                                                 : at_clock(end == Stratum::End::low
-                                                                ? motion_.low[k]
-                                                                : motion_.high[k],
-                                                            clock);
+            where[k] =
+                end == Stratum::End::free
+                    ? box[next++]
+                    : at_clock(end == Stratum::End::low ? motion_.low[k] : motion_.high[k], clock);
         }
         return where;
     }
@@ -63,8 +62,8 @@ private:
         const std::array<Interval, 4> inputs{0.0, 0.0, 0.0, clock};
         Interval value;
         const formula::Program program = formula::schedule(motion_.graph, std::array{node});
-        formula::Evaluator<Interval>(program).point(
-            formula::convert<Interval>(motion_.bindings), inputs, {&value, 1});
+        formula::Evaluator<Interval>(program).point(formula::convert<Interval>(motion_.bindings),
+                                                    inputs, {&value, 1});
         return value;
     }
 
@@ -109,10 +108,12 @@ private:
             const std::array<Interval, 3> where = place(field, point.where);
             if (time.direction == 0) {
                 timeline_.unresolved.push_back(
-                    {time.at, where,
+                    {time.at,
+                     where,
                      driven_ ? "the motion turns, rests or ends where the surface is singular"
                              : "the surface is singular where the motion changes its rule or ends",
-                     {}, {}});
+                     {},
+                     {}});
                 continue;
             }
             Event event;
@@ -143,6 +144,9 @@ std::vector<Stratum> strata(const Motion& motion) {
     return {Stratum{}};
 }
 
+// About how much of the time a stratum takes.
+double effort(const Stratum& stratum) { return std::pow(8, stratum.dimension()); }
+
 } // namespace
 
 Timeline find_events(const scene::Scene& scene, Side side, Interval range, const EventSearch& how,
@@ -156,39 +160,35 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range, const
         timeline.unresolved.push_back(
             {Interval(jump), {}, "the surface jumps from one shape to another", {}, {}});
     }
-    if (!all.doubts.empty()) timeline.is_proved = false;
-    for (std::size_t p = 0; p < all.pieces.size(); ++p) {
-        const Motion& motion = all.pieces[p];
-        if (!motion.moves) continue;
+    double done = 0;
+    for (const Motion& motion : all.pieces) {
+        if (!motion.moves || how.stop.stop_requested()) continue;
         std::optional<Driven> driven;
         if (motion.driver) driven.emplace(scene, *motion.driver, range);
         Stratified events(motion, driven ? &*driven : nullptr, timeline);
         const std::vector<Stratum> parts = strata(motion);
-        for (std::size_t s = 0; s < parts.size(); ++s) {
-            const MovingField field(motion, parts[s]);
+        double whole = 0;
+        for (const Stratum& part : parts) whole += effort(part);
+        whole *= double(all.pieces.size());
+        for (const Stratum& part : parts) {
+            const MovingField field(motion, part);
             Searching searching{how.smallest, how.threads, how.stop, {}};
+            const double share = effort(part) / whole;
             if (how.progress) {
-                const double steps = double(all.pieces.size() * parts.size());
-                const double before = double(p * parts.size() + s);
-                searching.progress = [&, before, steps](double part) {
-                    how.progress((before + part) / steps);
-                };
+                searching.progress = [&](double of_this) { how.progress(done + of_this * share); };
             }
             const Found found = search(field, searching);
+            done += share;
             if (cost) cost->boxes += found.boxes;
             events.add(field, found);
             if (motion.shape == scene::Bounds::Shape::sphere) events.add_reaching(field, how.stop);
-            if (found.is_interrupted) {
-                timeline.is_proved = false;
-                timeline.doubts.push_back("the search for events was interrupted");
-                return timeline;
-            }
         }
     }
+    if (how.stop.stop_requested()) timeline.doubts.push_back("the search was interrupted");
+    if (!timeline.doubts.empty() || !timeline.unresolved.empty()) timeline.is_proved = false;
     const auto earlier = [](const auto& a, const auto& b) { return mid(a.time) < mid(b.time); };
     std::stable_sort(timeline.events.begin(), timeline.events.end(), earlier);
     std::stable_sort(timeline.unresolved.begin(), timeline.unresolved.end(), earlier);
-    if (!timeline.unresolved.empty()) timeline.is_proved = false;
     return timeline;
 }
 

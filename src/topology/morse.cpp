@@ -18,8 +18,7 @@ Matrix eigenvectors(Matrix a, std::size_t n) {
                 off += std::abs(a[p][q]);
                 if (a[p][q] == 0) continue;
                 const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-                const double t =
-                    std::copysign(1 / (std::abs(theta) + std::hypot(theta, 1)), theta);
+                const double t = std::copysign(1 / (std::abs(theta) + std::hypot(theta, 1)), theta);
                 const double c = 1 / std::hypot(t, 1), s = t * c;
                 for (std::size_t k = 0; k < n; ++k) {
                     const double kp = a[k][p], kq = a[k][q];

@@ -1,10 +1,12 @@
 #include "topology/motion.h"
 
 #include <algorithm>
+#include <bit>
 
 #include <fmt/format.h>
 
 #include "animation/rules.h"
+#include "formula/lowering.h"
 #include "formula/substitute.h"
 #include "topology/clock.h"
 
@@ -33,7 +35,71 @@ bool reads(const Motion& motion, int input) {
     });
 }
 
-Motion piece(const scene::Scene& scene, Side side, double within, std::optional<int> driver) {
+// Of each node: no input below it.
+std::vector<bool> resting(const Graph& graph, std::span<const NodeId> below) {
+    std::vector<bool> rests(graph.size(), false);
+    for (const NodeId id : below) {
+        const Node& node = graph[id];
+        bool rest = node.op != Op::input;
+        for (std::size_t k = 0; k < node.arity; ++k) rest = rest && rests[node.children[k]];
+        rests[id] = rest;
+    }
+    return rests;
+}
+
+// What an element is computed from and doesn't move is computed once, in double, as constants are
+// folded: floor(i/2) is then what the animation says, not what an enclosure of i/2 leaves of it.
+void fold_elements(Motion& motion) {
+    Graph& g = motion.graph;
+    const std::vector<NodeId> below = formula::nodes_below(g, std::array{motion.field});
+    const std::vector<bool> rests = resting(g, below);
+    const auto folds = [&](NodeId id) {
+        return rests[id] && std::has_single_bit(g[id].arrays) && g[id].op != Op::sum;
+    };
+    std::vector<bool> is_whole(g.size(), false); // folds, and some parent doesn't
+    for (const NodeId id : below) {
+        for (std::size_t k = 0; k < g[id].arity; ++k) {
+            const NodeId child = g[id].children[k];
+            is_whole[child] = is_whole[child] || (folds(child) && !folds(id));
+        }
+    }
+    std::vector<Node> wholes;
+    std::vector<NodeId> columns;
+    for (const NodeId id : below) {
+        if (!is_whole[id] || g[id].arity == 0) continue;
+        const Node node = g[id];
+        const int array = std::countr_zero(node.arrays);
+        formula::ArrayColumns<double>& of = motion.bindings.arrays[std::size_t(array)];
+        std::vector<int> fields;
+        NodeId alone = formula::substitute(
+            g, g, std::array{id}, [&](Graph& to, const Node& leaf, NodeId rebuilt) {
+                if (leaf.op != Op::element) return rebuilt;
+                const auto at = std::find(fields.begin(), fields.end(), leaf.second);
+                const auto input = int(at - fields.begin());
+                if (at == fields.end()) fields.push_back(leaf.second);
+                return to.input(input);
+            })[0];
+        const formula::Program program = formula::schedule_lowered(g, alone);
+        formula::Evaluator<double> evaluator(program);
+        std::vector<double> column(std::size_t(of.count));
+        for (std::size_t i = 0; i < column.size(); ++i) {
+            std::vector<double> inputs;
+            for (const int field : fields) inputs.push_back(of.fields[std::size_t(field)][i]);
+            evaluator.point(motion.bindings, inputs, {&column[i], 1});
+        }
+        wholes.push_back(node);
+        columns.push_back(g.element(array, int(of.fields.size())));
+        of.fields.push_back(std::move(column));
+    }
+    motion.field = formula::substitute(
+        g, g, std::array{motion.field}, [&](Graph&, const Node& node, NodeId rebuilt) {
+            const auto at = std::find(wholes.begin(), wholes.end(), node);
+            return at == wholes.end() ? rebuilt : columns[std::size_t(at - wholes.begin())];
+        })[0];
+}
+
+Motion piece(const scene::Scene& scene, Side side, double within, std::optional<int> driver,
+             animation::Parts* used = nullptr) {
     Motion motion;
     motion.driver = driver;
     Graph& g = motion.graph;
@@ -65,19 +131,23 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
     }
     motion.bindings.arrays = rules.columns();
     motion.bindings.seed = scene.timeline.animation.seed();
+    if (used) *used = rules.used();
+    fold_elements(motion);
     motion.moves = reads(motion, clock_input) || reads(motion, time_input);
     return motion;
 }
 
 // The track that all motion goes through, with the surface as it depends on it.
-std::optional<Motion> through_one_track(const scene::Scene& scene, Side side, double within) {
+std::optional<Motion> through_one_track(const scene::Scene& scene, const animation::Parts& parts,
+                                        Side side, double within) {
     const animation::Animation& animation = scene.timeline.animation;
-    for (const animation::Array& array : animation.arrays()) {
-        if (array.samples && array.samples->times().size() > 1) return std::nullopt;
+    for (const int k : parts.arrays) {
+        const auto& samples = animation.arrays()[std::size_t(k)].samples;
+        if (samples && samples->times().size() > 1) return std::nullopt;
     }
-    for (std::size_t k = 0; k < animation.tracks().size(); ++k) {
-        if (std::holds_alternative<double>(animation.tracks()[k].source)) continue;
-        Motion motion = piece(scene, side, within, int(k));
+    for (const int k : parts.tracks) {
+        if (std::holds_alternative<double>(animation.tracks()[std::size_t(k)].source)) continue;
+        Motion motion = piece(scene, side, within, k);
         if (reads(motion, clock_input) && !reads(motion, time_input)) return motion;
     }
     return std::nullopt;
@@ -85,16 +155,12 @@ std::optional<Motion> through_one_track(const scene::Scene& scene, Side side, do
 
 // Operations that may step from one value to another: where they do there is no derivative.
 void find_steps(const Motion& motion, std::vector<std::string>& doubts) {
-    for (const NodeId id : formula::nodes_below(motion.graph, roots(motion))) {
+    const std::vector<NodeId> below = formula::nodes_below(motion.graph, roots(motion));
+    const std::vector<bool> rests = resting(motion.graph, below);
+    for (const NodeId id : below) {
         const Op op = motion.graph[id].op;
         if (op != Op::floor && op != Op::sign && op != Op::random) continue;
-        if (op == Op::random) {
-            const auto below = formula::nodes_below(motion.graph, std::array{id});
-            const bool rests = std::none_of(below.begin(), below.end(), [&](NodeId b) {
-                return motion.graph[b].op == Op::input;
-            });
-            if (rests) continue;
-        }
+        if (rests[id]) continue;
         const std::string doubt = fmt::format(
             "'{}' steps from value to value; what changes at a step is not seen", name(op));
         if (std::find(doubts.begin(), doubts.end(), doubt) == doubts.end()) doubts.push_back(doubt);
@@ -106,14 +172,15 @@ void find_steps(const Motion& motion, std::vector<std::string>& doubts) {
 Motions motions(const scene::Scene& scene, Side side, Interval range, Clock clock) {
     Motions all;
     const animation::Animation& animation = scene.timeline.animation;
-    const std::vector<animation::Knot> knots = animation::knots(animation, range);
+    animation::Parts parts;
+    find_steps(piece(scene, side, mid(range), std::nullopt, &parts), all.doubts);
+    const std::vector<animation::Knot> knots = animation::knots(animation, parts, range);
     for (const animation::Knot& knot : knots) {
         if (knot.jumps) all.jumps.push_back(knot.time);
     }
     if (clock == Clock::track_if_one && all.jumps.empty()) {
-        if (auto motion = through_one_track(scene, side, mid(range))) {
+        if (auto motion = through_one_track(scene, parts, side, mid(range))) {
             motion->clock = Driven(scene, *motion->driver, range).values();
-            find_steps(*motion, all.doubts);
             all.pieces.push_back(std::move(*motion));
             return all;
         }
@@ -123,7 +190,6 @@ Motions motions(const scene::Scene& scene, Side side, Interval range, Clock cloc
         const double to = k < knots.size() ? knots[k].time : range.hi;
         Motion motion = piece(scene, side, from + (to - from) / 2, std::nullopt);
         motion.clock = {from, to};
-        find_steps(motion, all.doubts);
         all.pieces.push_back(std::move(motion));
         from = to;
     }

@@ -1,8 +1,8 @@
 // A moving surface and its bounds as expressions of x, y, z and one clock.
 //
 // The values of the animation are put into the formula as expressions, so that a derivative by the
-// clock is one of the formula's own. They are the real numbers that the scene's text says (constants
-// folded in double), not the floats that a frame is drawn with.
+// clock is one of the formula's own. They are the real numbers that the scene's text says
+// (constants folded in double), not the floats that a frame is drawn with.
 //
 // The clock is the time; or, if all that moves does so through one track, that track: an animation
 // that swings to and fro is then searched once, and a turn of the track, where everything rests, is

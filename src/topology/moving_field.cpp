@@ -142,8 +142,7 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum)
     for (std::size_t k = 0; k < 3; ++k) {
         if (stratum.axes[k] == Stratum::End::free) continue;
         const NodeId slope = on_stratum(derivative(g, motion.field, k));
-        inward.push_back(stratum.axes[k] == Stratum::End::low ? slope
-                                                              : g.unary(Op::negate, slope));
+        inward.push_back(stratum.axes[k] == Stratum::End::low ? slope : g.unary(Op::negate, slope));
     }
     inward_ = formula::schedule(g, inward);
 

@@ -1,8 +1,9 @@
-// F and its derivatives in space and by the clock, over boxes as intervals and at points as doubles.
+// F and its derivatives in space and by the clock, over boxes as intervals and at points as
+// doubles.
 //
-// A stratum of the bounds is its inside, a face, an edge or a corner: there the coordinates that are
-// not free follow the bounds, and F is a function of those that are, and of the clock. Everything
-// below is about these variables: x, y, z without the fixed ones, then the clock.
+// A stratum of the bounds is its inside, a face, an edge or a corner: there the coordinates that
+// are not free follow the bounds, and F is a function of those that are, and of the clock.
+// Everything below is about these variables: x, y, z without the fixed ones, then the clock.
 //
 // Of sums over an array only the elements that matter in a box are evaluated; what the others add
 // to each sum is enclosed once for the box and all boxes in it (Elements).
@@ -76,12 +77,12 @@ private:
     Culling culling_;
     formula::Bindings<double> bindings_;
     // Inputs: the variables, then what is added to each sum.
-    formula::Program value_; // F
-    formula::Program slope_; // F, first derivatives
-    formula::Program jet_;   // F, first derivatives, second ones: by rows from the diagonal on
+    formula::Program value_;   // F
+    formula::Program slope_;   // F, first derivatives
+    formula::Program jet_;     // F, first derivatives, second ones: by rows from the diagonal on
     formula::Program numbers_; // the same for doubles
-    formula::Program place_;  // at least 0 in the closed stratum, for each condition
-    formula::Program inward_; // derivatives of F inwards along the fixed axes
+    formula::Program place_;   // at least 0 in the closed stratum, for each condition
+    formula::Program inward_;  // derivatives of F inwards along the fixed axes
 };
 
 // The elements that matter, and what the others add to each sum.

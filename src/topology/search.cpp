@@ -53,8 +53,8 @@ public:
             const bool narrows = size > last_family;
             Elements own;
             if (narrows) {
-                now.elements = std::make_shared<Elements>(
-                    enclosures_.near(around, *now.elements, negligible));
+                now.elements =
+                    std::make_shared<Elements>(enclosures_.near(around, *now.elements, negligible));
                 own = enclosures_.near(around, *now.elements, coarse * size * size);
             } else {
                 own = *now.elements;
@@ -108,9 +108,8 @@ private:
             if (part(around, k) > part(around, side)) side = k;
         }
         const double at = mid(around[side]);
-        const auto upper = std::partition(boxes.begin(), boxes.end(), [&](const Box& box) {
-            return mid(box[side]) <= at;
-        });
+        const auto upper = std::partition(boxes.begin(), boxes.end(),
+                                          [&](const Box& box) { return mid(box[side]) <= at; });
         std::vector<Box> rest(upper, boxes.end());
         boxes.erase(upper, boxes.end());
         if (boxes.empty() || rest.empty()) {
@@ -350,7 +349,8 @@ private:
                 x[i] -= move;
                 const double reach = box[i].hi - box[i].lo;
                 // Far off: the root that it may find is not this box's.
-                if (!(std::abs(x[i] - mid(box[i])) <= 2 * reach + 1e-9)) return false;
+                const double whole = field_.domain()[i].hi - field_.domain()[i].lo;
+                if (!(std::abs(x[i] - mid(box[i])) <= 2 * reach + 1e-9 * whole)) return false;
                 const double scale = std::max(std::abs(x[i]), magnitude(field_.domain()[i]));
                 converges &= std::abs(move) <= 1e-14 * scale;
             }
@@ -506,8 +506,7 @@ Found search(const MovingField& field, const Searching& searching) {
     Found all;
     for (Found& part : parts) {
         all.points.insert(all.points.end(), part.points.begin(), part.points.end());
-        all.unresolved.insert(all.unresolved.end(), part.unresolved.begin(),
-                              part.unresolved.end());
+        all.unresolved.insert(all.unresolved.end(), part.unresolved.begin(), part.unresolved.end());
         all.is_interrupted |= part.is_interrupted;
         all.boxes += part.boxes;
     }

@@ -18,8 +18,8 @@
 namespace isomotion::topology {
 
 inline scene::Scene scene_of(const std::string& text) {
-    const auto file =
-        std::filesystem::temp_directory_path() / fmt::format("isomotion-topology-{}.toml", getpid());
+    const auto file = std::filesystem::temp_directory_path() /
+                      fmt::format("isomotion-topology-{}.toml", getpid());
     std::ofstream(file) << text;
     scene::Scene scene = scene::load(file.string());
     std::filesystem::remove(file);
@@ -33,13 +33,14 @@ struct Moving {
     std::string rest = "";  // more tables
 
     scene::Scene scene() const {
-        return scene_of(fmt::format("[surface]\nformula = \"{}\"\nbounds = {}\n[parameters]\n{}\n{}\n",
-                                    formula, bounds, parameters, rest));
+        return scene_of(
+            fmt::format("[surface]\nformula = \"{}\"\nbounds = {}\n[parameters]\n{}\n{}\n", formula,
+                        bounds, parameters, rest));
     }
 };
 
-inline Timeline events_of(const Moving& moving, double from, double to,
-                          Side side = Side::negative, const EventSearch& how = {}) {
+inline Timeline events_of(const Moving& moving, double from, double to, Side side = Side::negative,
+                          const EventSearch& how = {}) {
     return find_events(moving.scene(), side, {from, to}, how);
 }
 
@@ -53,10 +54,10 @@ struct Group {
 };
 
 inline void PrintTo(const Event& event, std::ostream* out) {
-    *out << fmt::format("t [{:.17g}, {:.17g}] at ({:.6g}, {:.6g}, {:.6g}) stratum {} index {} {} {}",
-                        event.time.lo, event.time.hi, middle(event.where[0]),
-                        middle(event.where[1]), middle(event.where[2]), event.stratum, event.index,
-                        event.grows ? "grows" : "shrinks", name(event.kind));
+    *out << fmt::format(
+        "t [{:.17g}, {:.17g}] at ({:.6g}, {:.6g}, {:.6g}) stratum {} index {} {} {}", event.time.lo,
+        event.time.hi, middle(event.where[0]), middle(event.where[1]), middle(event.where[2]),
+        event.stratum, event.index, event.grows ? "grows" : "shrinks", name(event.kind));
 }
 
 inline std::string described(const Timeline& timeline) {

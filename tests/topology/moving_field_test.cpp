@@ -15,7 +15,8 @@ const std::vector<Moving> moving_surfaces{
      "T = 0.5\ns = \"1 + sin(t)/2\""},
     {"sum(blobs, exp(-8*((x - cx)^2 + (y - cy)^2 + (z - cz)^2))) - T", "{ sphere = 2 }",
      "T = \"0.5 + t/10\"",
-     "[arrays.blobs]\ncount = 9\ncx = \"cos(i + t)\"\ncy = \"sin(i*1.7)*w\"\ncz = \"random(i, 3)\"\n"
+     "[arrays.blobs]\ncount = 9\ncx = \"cos(i + t)\"\ncy = \"sin(i*1.7)*w\"\ncz = \"random(i, "
+     "3)\"\n"
      "w = \"1 + i*t/20\""},
     {"abs(x)^m + abs(y)^m + abs(z)^m - 1", "{ box = [[-1, -1, -1], [1, 1, 1]] }",
      "m = { keys = [[0, 2.2], [0.4, 3], [1, 5]], ease = \"cubic\" }"},
@@ -123,8 +124,7 @@ TEST(MovingField, IsTheFieldOfTheScene) {
             const MovingField field(motion, {});
             Numbers numbers(field);
             for (int k = 0; k < 50; ++k) {
-                const double t =
-                    middle(motion.clock) + 0.49 * width(motion.clock) * unit(random);
+                const double t = middle(motion.clock) + 0.49 * width(motion.clock) * unit(random);
                 const Point p{unit(random), unit(random), unit(random), t};
                 const animation::Values values = scene.timeline.animation.at(t);
                 formula::Bindings<double> bindings;

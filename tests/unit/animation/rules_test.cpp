@@ -1,0 +1,99 @@
+// Rules of motion are the values of the animation, as expressions.
+#include "animation/rules.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "formula/program.h"
+
+namespace isomotion::animation {
+namespace {
+
+using formula::Graph;
+using formula::NodeId;
+
+double value(const Graph& graph, NodeId node, double time) {
+    const formula::Program program = formula::schedule(graph, std::array{node});
+    double result = 0;
+    formula::Evaluator<double>(program).point({}, {&time, 1}, {&result, 1});
+    return result;
+}
+
+Keys keys(Ease ease) { return {{{0, 2}, {1, -1}, {1.5, 4}, {4, 0}}, ease}; }
+
+TEST(Rules, OfTracksAreTheirValues) {
+    const std::vector<Track> tracks{{"a", 2.0},
+                                    {"l", keys(Ease::linear)},
+                                    {"s", keys(Ease::smooth)},
+                                    {"h", keys(Ease::hold)},
+                                    {"c", keys(Ease::cubic)},
+                                    {"e", Expression{"a*sin(t) + c^2 - l"}}};
+    const Animation animation(tracks, {});
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(-1, 5);
+    for (int k = 0; k < 200; ++k) {
+        const double t = unit(random);
+        Graph graph;
+        Rules rules(animation, t, graph, graph.input(0));
+        for (int track = 0; track < int(tracks.size()); ++track) {
+            EXPECT_NEAR(value(graph, rules.track(track), t),
+                        animation.at(t).tracks[std::size_t(track)], 1e-13)
+                << tracks[std::size_t(track)].name << " at " << t;
+        }
+    }
+}
+
+TEST(Rules, OfAReferredTrackMayBeAnother) {
+    const Animation animation({{"p", Expression{"sin(t)"}}, {"q", Expression{"3*p + 1"}}}, {});
+    Graph graph;
+    Rules rules(animation, 0, graph, graph.input(1), Driver{0, graph.input(0)});
+    EXPECT_DOUBLE_EQ(value(graph, rules.track(1), 0.25), 1.75);
+}
+
+TEST(Rules, OfSamplesAreStraightBetweenThem) {
+    // Two elements, of which the second ends at the second sample.
+    ElementSamples::Rows rows;
+    rows.times = {0, 1, 3};
+    rows.begin = {0, 2, 3, 4};
+    rows.values = {{0, 10, 4, 7}};
+    rows.ids = {5, 6, 5, 5};
+    const auto samples =
+        std::make_shared<const ElementSamples>(rows, ElementSamples::Interpolation::linear);
+    const Animation animation(
+        {}, {{"drops", 2, {{"x", Column{0}}, {"y", Expression{"2*x + i"}}}, samples}});
+    for (const double t : {0.0, 0.25, 0.75, 1.0, 1.5, 2.999, 3.5}) {
+        Graph graph;
+        Rules rules(animation, t, graph, graph.input(0));
+        const NodeId x = graph.sum(0, rules.field(0, 0)), y = graph.sum(0, rules.field(0, 1));
+        formula::Bindings<double> bindings;
+        bindings.arrays = rules.columns();
+        const formula::Program program = formula::schedule(graph, std::array{x, y});
+        std::array<double, 2> sums{};
+        formula::Evaluator<double>(program).point(bindings, {&t, 1}, sums);
+        double sum_x = 0, sum_y = 0;
+        const Values values = animation.at(t);
+        for (const double v : values.arrays[0].fields[0]) sum_x += v;
+        for (const double v : values.arrays[0].fields[1]) sum_y += v;
+        EXPECT_NEAR(sums[0], sum_x, 1e-12) << t;
+        EXPECT_NEAR(sums[1], sum_y, 1e-12) << t;
+    }
+}
+
+TEST(Rules, ChangeAtKnotsOfWhatIsUsed) {
+    const Animation animation({{"l", keys(Ease::linear)}, {"h", keys(Ease::hold)}, {"a", 1.0}}, {});
+    const auto times = [&](const Parts& parts, formula::Interval range) {
+        std::vector<std::pair<double, bool>> found;
+        for (const Knot& knot : knots(animation, parts, range)) {
+            found.emplace_back(knot.time, knot.jumps);
+        }
+        return found;
+    };
+    using Times = std::vector<std::pair<double, bool>>;
+    EXPECT_EQ(times({{0, 2}, {}}, {0, 4}), (Times{{1, false}, {1.5, false}}));
+    EXPECT_EQ(times({{1}, {}}, {-1, 5}), (Times{{0, false}, {1, true}, {1.5, true}, {4, true}}));
+    EXPECT_TRUE(times({{2}, {}}, {0, 4}).empty());
+}
+
+} // namespace
+} // namespace isomotion::animation
