@@ -80,6 +80,9 @@ public:
 
     const std::vector<Track>& tracks() const { return tracks_; }
     const std::vector<Array>& arrays() const { return arrays_; }
+    std::uint64_t seed() const { return seed_; } // of random(i, k)
+    // How many of the tracks, the first ones, have names that expressions may use.
+    std::size_t nameable() const { return nameable_; }
     std::optional<int> find(std::string_view track) const;
     // True if some expression names this track.
     bool is_referenced(int track) const { return referenced_[std::size_t(track)]; }

@@ -54,6 +54,41 @@ formula::ArrayColumns<double> ElementSamples::at(double time) const {
     return columns;
 }
 
+ElementSamples::Span ElementSamples::span(double time) const {
+    const auto after = std::upper_bound(rows_.times.begin(), rows_.times.end(), time);
+    const auto next = std::size_t(after - rows_.times.begin());
+    const std::size_t sample = next > 0 ? next - 1 : 0;
+    Span span;
+    span.begin = span.end = at(time < rows_.times[sample] ? time : rows_.times[sample]);
+    span.begin_time = rows_.times[sample];
+    span.end_time = next < rows_.times.size() ? rows_.times[next] : span.begin_time;
+    if (interpolation_ != Interpolation::linear || next == 0 || next == rows_.times.size()) {
+        return span;
+    }
+    const std::size_t begin = rows_.begin[sample];
+    for (std::size_t column = 0; column < rows_.values.size(); ++column) {
+        for (std::size_t i = 0; i < std::size_t(span.end.count); ++i) {
+            const std::size_t same = successor_[begin + i];
+            if (same != none) span.end.fields[column][i] = rows_.values[column][same];
+        }
+    }
+    return span;
+}
+
+bool ElementSamples::jumps(std::size_t k) const {
+    if (k == 0) return false; // before the first sample it is there already
+    const std::size_t begin = rows_.begin[k - 1], end = rows_.begin[k];
+    if (rows_.begin[k + 1] - end != end - begin) return true;
+    for (std::size_t row = begin; row < end; ++row) {
+        if (successor_[row] == none) return true;
+        if (interpolation_ == Interpolation::linear) continue;
+        for (const std::vector<double>& values : rows_.values) {
+            if (values[row] != values[successor_[row]]) return true;
+        }
+    }
+    return false;
+}
+
 int ElementSamples::most() const {
     std::size_t most = 0;
     for (std::size_t k = 0; k < rows_.times.size(); ++k) {

@@ -33,6 +33,18 @@ public:
     // at or before `time`; at a sample's own time its values are exact.
     formula::ArrayColumns<double> at(double time) const;
 
+    // How elements move between two neighbouring samples: from `begin` to `end`, in a straight line.
+    struct Span {
+        formula::ArrayColumns<double> begin, end; // one that stays has the same in both
+        double begin_time = 0, end_time = 0;
+    };
+    // Of the samples around `time`; before the first and after the last nothing moves.
+    Span span(double time) const;
+
+    const std::vector<double>& times() const { return rows_.times; }
+    // Whether values jump at sample k: elements come, go or don't wait for it.
+    bool jumps(std::size_t k) const;
+
     int most() const; // elements at one time
     double first_time() const { return rows_.times.front(); }
     double last_time() const { return rows_.times.back(); }

@@ -5,17 +5,11 @@
 #include <cmath>
 
 namespace isomotion::animation {
-namespace {
-
-// Velocity at key k: the slope between its neighbours (Catmull-Rom), at the ends that of the
-// one segment there is.
-double velocity(const std::vector<Key>& keys, std::size_t k) {
+double Keys::velocity(std::size_t k) const {
     const Key& before = keys[k == 0 ? 0 : k - 1];
     const Key& after = keys[std::min(k + 1, keys.size() - 1)];
     return (after.value - before.value) / (after.time - before.time);
 }
-
-} // namespace
 
 double Keys::at(double time) const {
     assert(!keys.empty());
@@ -35,7 +29,7 @@ double Keys::at(double time) const {
     case Ease::hold:
         return a.value;
     case Ease::cubic: {
-        const double va = velocity(keys, k) * length, vb = velocity(keys, k + 1) * length;
+        const double va = velocity(k) * length, vb = velocity(k + 1) * length;
         const double v = 1 - u;
         return a.value * (1 + 2 * u) * v * v + va * u * v * v + b.value * u * u * (3 - 2 * u) -
                vb * u * u * v;

@@ -1,6 +1,7 @@
 // Keyframes: values at given times and a rule between them.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct Keys {
     Ease ease = Ease::linear;
 
     double at(double time) const;
+    // Of the cubic at key k: the slope between its neighbours (Catmull-Rom), at the ends that of the
+    // one segment there is.
+    double velocity(std::size_t k) const;
 };
 
 } // namespace isomotion::animation

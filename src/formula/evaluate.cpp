@@ -87,17 +87,31 @@ void Evaluator<T>::points(const Bindings<T>& bindings, std::span<const std::span
     const std::size_t total = inputs.empty() ? 0 : inputs[0].size();
     for (std::size_t first = 0; first < total; first += block) {
         const std::size_t count = std::min<std::size_t>(block, total - first);
-        for (std::size_t k = 0; k < inputs.size() && k * block < inputs_.size(); ++k) {
-            // Lanes past the end repeat the last point: no branch inside, nothing undefined.
-            for (std::size_t lane = 0; lane < block; ++lane) {
-                inputs_[k * block + lane] = inputs[k][first + std::min(lane, count - 1)];
-            }
+        if (count <= few) {
+            together<few>(bindings, inputs, outputs, first, count);
+        } else {
+            together<block>(bindings, inputs, outputs, first, count);
         }
-        run<block>(bindings, inputs_);
-        for (std::size_t o = 0; o < outputs.size(); ++o) {
-            const Lanes<T> from = lanes<block>(program_->outputs[o]);
-            for (std::size_t lane = 0; lane < count; ++lane)
-                outputs[o][first + lane] = from[int(lane)];
+    }
+}
+
+template<class T>
+template<int Count>
+void Evaluator<T>::together(const Bindings<T>& bindings,
+                            std::span<const std::span<const T>> inputs,
+                            std::span<const std::span<T>> outputs, std::size_t first,
+                            std::size_t count) {
+    for (std::size_t k = 0; k < inputs.size() && k * block < inputs_.size(); ++k) {
+        // Lanes past the end repeat the last point: no branch inside, nothing undefined.
+        for (std::size_t lane = 0; lane < Count; ++lane) {
+            inputs_[k * Count + lane] = inputs[k][first + std::min(lane, count - 1)];
+        }
+    }
+    run<Count>(bindings, inputs_);
+    for (std::size_t o = 0; o < outputs.size(); ++o) {
+        const Lanes<T> from = lanes<Count>(program_->outputs[o]);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            outputs[o][first + lane] = from[int(lane)];
         }
     }
 }

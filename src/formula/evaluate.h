@@ -46,6 +46,7 @@ template<class To, class From> Bindings<To> convert(const Bindings<From>& from) 
 template<class T> class Evaluator {
 public:
     static constexpr int block = 32; // points evaluated together
+    static constexpr int few = 8;    // or so many, where there are no more
 
     explicit Evaluator(const Program& program);
 
@@ -56,6 +57,10 @@ public:
                 std::span<const std::span<T>> outputs);
 
 private:
+    // `count` points from `first` on, at most Count.
+    template<int Count>
+    void together(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
+                  std::span<const std::span<T>> outputs, std::size_t first, std::size_t count);
     template<int Count> void run(const Bindings<T>& bindings, std::span<const T> inputs);
     template<int Count> Lanes<T> lanes(Register r);
 

@@ -1,0 +1,178 @@
+#include "animation/rules.h"
+
+#include <algorithm>
+#include <set>
+
+#include "formula/parser.h"
+#include "formula/substitute.h"
+
+namespace isomotion::animation {
+namespace {
+
+using formula::NodeId;
+using formula::Op;
+
+std::map<double, bool> knots_of(const Keys& keys) {
+    std::map<double, bool> knots;
+    for (std::size_t k = 0; k < keys.keys.size(); ++k) {
+        const bool differs = k > 0 && keys.keys[k].value != keys.keys[k - 1].value;
+        knots[keys.keys[k].time] = keys.ease == Ease::hold && differs;
+    }
+    return knots;
+}
+
+} // namespace
+
+std::vector<Knot> knots(const Animation& animation, formula::Interval range) {
+    std::map<double, bool> all;
+    const auto add = [&](double time, bool jumps) {
+        if (range.lo < time && time < range.hi) all[time] |= jumps;
+    };
+    for (const Track& track : animation.tracks()) {
+        const auto* keys = std::get_if<Keys>(&track.source);
+        if (!keys) continue;
+        for (const auto& [time, jumps] : knots_of(*keys)) add(time, jumps);
+    }
+    for (const Array& array : animation.arrays()) {
+        if (!array.samples) continue;
+        const std::vector<double>& times = array.samples->times();
+        for (std::size_t k = 0; k < times.size(); ++k) add(times[k], array.samples->jumps(k));
+    }
+    std::vector<Knot> knots;
+    for (const auto& [time, jumps] : all) knots.push_back({time, jumps});
+    return knots;
+}
+
+Rules::Rules(const Animation& animation, double within, formula::Graph& graph, NodeId time,
+             std::optional<Driver> driver)
+    : animation_(animation)
+    , within_(within)
+    , graph_(graph)
+    , time_(time)
+    , driver_(driver) {}
+
+int Rules::index_field(int array) const {
+    return int(animation_.arrays()[std::size_t(array)].fields.size());
+}
+
+NodeId Rules::track(int k) {
+    if (driver_ && driver_->track == k) return driver_->node;
+    if (const auto known = tracks_.find(k); known != tracks_.end()) return known->second;
+    const TrackSource& source = animation_.tracks()[std::size_t(k)].source;
+    NodeId node{};
+    if (const auto* number = std::get_if<double>(&source)) {
+        node = graph_.constant(*number);
+    } else if (const auto* keys = std::get_if<Keys>(&source)) {
+        node = rule(*keys);
+    } else {
+        node = expression(std::get<Expression>(source).text, -1);
+    }
+    return tracks_[k] = node;
+}
+
+NodeId Rules::field(int a, int f) {
+    const Array& array = animation_.arrays()[std::size_t(a)];
+    const FieldSource& source = array.fields[std::size_t(f)].source;
+    if (const auto* number = std::get_if<double>(&source)) return graph_.constant(*number);
+    if (const auto* written = std::get_if<Expression>(&source)) return expression(written->text, a);
+    const NodeId listed = graph_.element(a, f);
+    if (std::holds_alternative<std::vector<double>>(source)) return listed;
+    const ElementSamples::Span span = array.samples->span(within_);
+    if (!(span.begin_time < span.end_time)) return listed;
+    const NodeId begin = graph_.constant(span.begin_time), end = graph_.constant(span.end_time);
+    const NodeId weight =
+        graph_.divide(graph_.subtract(time_, begin), graph_.subtract(end, begin));
+    return graph_.add(listed,
+                      graph_.multiply(weight, graph_.element(a, index_field(a) + 1 + f)));
+}
+
+NodeId Rules::expression(const std::string& text, int array) {
+    formula::Vocabulary vocabulary;
+    vocabulary.inputs = {"t"};
+    if (array >= 0) vocabulary.inputs = {"t", "i", "n"};
+    const std::size_t tracks = animation_.nameable();
+    for (std::size_t k = 0; k < tracks; ++k) {
+        vocabulary.parameters.push_back(animation_.tracks()[k].name);
+    }
+    if (array >= 0) {
+        for (const ArrayField& field : animation_.arrays()[std::size_t(array)].fields) {
+            vocabulary.parameters.push_back(field.name);
+        }
+    }
+    vocabulary.allows_random = true;
+    formula::Graph parsed;
+    const NodeId root = formula::parse(text, vocabulary, parsed);
+    const auto in_place = [&](formula::Graph& to, const formula::Node& node, NodeId rebuilt) {
+        if (node.op == Op::input && node.index == 0) return time_;
+        if (node.op == Op::input && node.index == 1) return to.element(array, index_field(array));
+        if (node.op == Op::input) {
+            const Array& of = animation_.arrays()[std::size_t(array)];
+            return to.constant(of.samples ? of.samples->at(within_).count : of.count);
+        }
+        if (node.op != Op::parameter) return rebuilt;
+        return std::size_t(node.index) < tracks ? track(node.index)
+                                                : field(array, node.index - int(tracks));
+    };
+    return formula::substitute(graph_, parsed, std::array{root}, in_place)[0];
+}
+
+NodeId Rules::rule(const Keys& keys) {
+    formula::Graph& g = graph_;
+    const std::vector<Key>& all = keys.keys;
+    if (within_ <= all.front().time) return g.constant(all.front().value);
+    if (within_ >= all.back().time) return g.constant(all.back().value);
+    const auto after = std::upper_bound(
+        all.begin(), all.end(), within_, [](double t, const Key& key) { return t < key.time; });
+    const auto k = std::size_t(after - all.begin()) - 1;
+    const Key &a = all[k], &b = all[k + 1];
+    if (keys.ease == Ease::hold) return g.constant(a.value);
+    const NodeId length = g.subtract(g.constant(b.time), g.constant(a.time));
+    const NodeId u = g.divide(g.subtract(time_, g.constant(a.time)), length);
+    const NodeId from = g.constant(a.value), to = g.constant(b.value);
+    const NodeId way = g.subtract(to, from);
+    if (keys.ease == Ease::linear) return g.add(from, g.multiply(way, u));
+    const NodeId u2 = g.multiply(u, u);
+    const NodeId smooth =
+        g.multiply(u2, g.subtract(g.constant(3), g.multiply(g.constant(2), u)));
+    const NodeId rest_to_rest = g.add(from, g.multiply(way, smooth));
+    if (keys.ease == Ease::smooth) return rest_to_rest;
+    // Hermite's basis: velocities at the ends on top of what rests there.
+    const NodeId v = g.subtract(g.constant(1), u);
+    const NodeId start = g.multiply(g.constant(keys.velocity(k)), length);
+    const NodeId stop = g.multiply(g.constant(keys.velocity(k + 1)), length);
+    const NodeId bend = g.subtract(g.multiply(start, v), g.multiply(stop, u));
+    return g.add(rest_to_rest, g.multiply(g.multiply(u, v), bend));
+}
+
+std::vector<formula::ArrayColumns<double>> Rules::columns() const {
+    std::vector<formula::ArrayColumns<double>> all;
+    for (const Array& array : animation_.arrays()) {
+        formula::ArrayColumns<double>& columns = all.emplace_back();
+        columns.count = array.count;
+        ElementSamples::Span span;
+        if (array.samples) {
+            span = array.samples->span(within_);
+            columns.count = span.begin.count;
+        }
+        const auto count = std::size_t(columns.count);
+        const std::size_t fields = array.fields.size();
+        columns.fields.resize(2 * fields + 1);
+        for (std::size_t i = 0; i < count; ++i) columns.fields[fields].push_back(double(i));
+        for (std::size_t f = 0; f < fields; ++f) {
+            const FieldSource& source = array.fields[f].source;
+            if (const auto* list = std::get_if<std::vector<double>>(&source)) {
+                columns.fields[f] = *list;
+                columns.fields[f].resize(count);
+            } else if (const auto* data = std::get_if<Column>(&source)) {
+                columns.fields[f] = span.begin.fields[data->index];
+                std::vector<double>& way = columns.fields[fields + 1 + f];
+                for (std::size_t i = 0; i < count; ++i) {
+                    way.push_back(span.end.fields[data->index][i] - columns.fields[f][i]);
+                }
+            }
+        }
+    }
+    return all;
+}
+
+} // namespace isomotion::animation

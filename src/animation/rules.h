@@ -1,0 +1,60 @@
+// How everything moves, as expressions of time that other expressions may be built upon: what is
+// needed to differentiate by time, and to enclose values over a span of it.
+//
+// Animation::at() gives values at one time; the rules here are the same functions of real numbers,
+// free of the rounding of at(). Between two neighbouring knots each track and field has one rule.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "animation/animation.h"
+#include "formula/graph.h"
+#include "formula/interval.h"
+
+namespace isomotion::animation {
+
+struct Knot {
+    double time = 0;
+    bool jumps = false; // values before and after differ
+};
+
+// The times inside `range` at which a rule changes: of keys and of samples. Ascending.
+std::vector<Knot> knots(const Animation& animation, formula::Interval range);
+
+// A track whose value another node gives: what depends on time through this track alone then
+// depends on that node alone.
+struct Driver {
+    int track = 0;
+    formula::NodeId node = 0;
+};
+
+class Rules {
+public:
+    // Of the time around `within`, which lies between two knots. Nodes are made in `graph`, where
+    // `time` stands for the time.
+    Rules(const Animation& animation, double within, formula::Graph& graph, formula::NodeId time,
+          std::optional<Driver> driver = {});
+
+    formula::NodeId track(int track);
+    // To be used inside a sum over the array.
+    formula::NodeId field(int array, int field);
+    // What the elements in the graph refer to. Behind an array's own fields come the index of each
+    // element and how far its samples move.
+    std::vector<formula::ArrayColumns<double>> columns() const;
+
+private:
+    formula::NodeId expression(const std::string& text, int array);
+    formula::NodeId rule(const Keys& keys);
+    int index_field(int array) const;
+
+    const Animation& animation_;
+    double within_;
+    formula::Graph& graph_;
+    formula::NodeId time_;
+    std::optional<Driver> driver_;
+    std::map<int, formula::NodeId> tracks_;
+};
+
+} // namespace isomotion::animation

@@ -1,0 +1,186 @@
+#include "topology/critical.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "topology/clock.h"
+#include "topology/krawczyk.h"
+#include "topology/morse.h"
+#include "topology/motion.h"
+#include "topology/moving_field.h"
+#include "topology/search.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Interval;
+
+int sign_of(const Interval& a) { return a.lo > 0 ? 1 : a.hi < 0 ? -1 : 0; }
+
+// Searches the strata of one piece of the motion, and turns points into events.
+class Stratified {
+public:
+    Stratified(const Motion& motion, const Driven* driven, Timeline& timeline)
+        : motion_(motion)
+        , driven_(driven)
+        , timeline_(timeline) {}
+
+    void add(const MovingField& field, const Found& found) {
+        Enclosures enclosures(field);
+        for (const CriticalPoint& point : found.points) add(field, enclosures, point);
+        for (const Box& box : found.unresolved) {
+            unresolved(field, box, "a critical point may be degenerate, or there may be several");
+        }
+    }
+
+private:
+    std::array<Interval, 3> place(const MovingField& field, const Box& box) const {
+        std::array<Interval, 3> where{};
+        const Interval clock = box[std::size_t(field.dimension())];
+        std::size_t next = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Stratum::End end = field.stratum().axes[k];
+            where[k] = end == Stratum::End::free ? box[next++]
+                                                 : at_clock(end == Stratum::End::low
+                                                                ? motion_.low[k]
+                                                                : motion_.high[k],
+                                                            clock);
+        }
+        return where;
+    }
+
+    Interval at_clock(formula::NodeId node, Interval clock) const {
+        const std::array<Interval, 4> inputs{0.0, 0.0, 0.0, clock};
+        Interval value;
+        const formula::Program program = formula::schedule(motion_.graph, std::array{node});
+        formula::Evaluator<Interval>(program).point(
+            formula::convert<Interval>(motion_.bindings), inputs, {&value, 1});
+        return value;
+    }
+
+    std::vector<Driven::Time> times(Interval clock) const {
+        if (driven_) return driven_->times(clock);
+        return {{clock, contains(motion_.clock, clock) ? 1 : 0}};
+    }
+
+    void unresolved(const MovingField& field, const Box& box, const std::string& why) {
+        for (const Driven::Time& time : times(box[std::size_t(field.dimension())])) {
+            timeline_.unresolved.push_back({time.at, place(field, box), why, {}, {}});
+        }
+    }
+
+    void add(const MovingField& field, Enclosures& enclosures, const CriticalPoint& point) {
+        const auto d = std::size_t(field.dimension());
+        switch (enclosures.place(point.where)) {
+        case Enclosures::Place::outside:
+            return;
+        case Enclosures::Place::unknown:
+            return unresolved(field, point.where, "a critical point is on the edge of the bounds");
+        case Enclosures::Place::inside:
+            break;
+        }
+        const Interval clock = point.where[d];
+        if (!driven_ && is_empty(intersect(clock, motion_.clock))) return;
+        const int by_clock = sign_of(point.jet.slope[d]);
+        const auto index = negative_eigenvalues(point.jet.bend, int(d));
+        if (by_clock == 0 || !index) {
+            return unresolved(field, point.where, "the index of a critical point is not certain");
+        }
+        // A face matters where F rises inwards: there the solid has a side of its own on it.
+        bool changes_solid = true;
+        for (const Interval& inward : enclosures.inward(point.where)) {
+            if (sign_of(inward) == 0) {
+                return unresolved(field, point.where,
+                                  "the surface touches an edge of the bounds from both sides");
+            }
+            changes_solid &= inward.lo > 0;
+        }
+        for (const Driven::Time& time : times(clock)) {
+            const std::array<Interval, 3> where = place(field, point.where);
+            if (time.direction == 0) {
+                timeline_.unresolved.push_back(
+                    {time.at, where,
+                     driven_ ? "the motion turns, rests or ends where the surface is singular"
+                             : "the surface is singular where the motion changes its rule or ends",
+                     {}, {}});
+                continue;
+            }
+            Event event;
+            event.time = time.at;
+            event.where = where;
+            event.stratum = int(d);
+            event.index = *index;
+            event.grows = by_clock * time.direction < 0;
+            event.is_proved = true;
+            const std::vector<Kind> kinds = kinds_of(event.index, event.grows);
+            if (!changes_solid) {
+                event.kind = Kind::none;
+            } else if (kinds.size() == 1) {
+                event.kind = kinds[0];
+            }
+            if (event.kind != Kind::unknown) event.kind_proof = "index";
+            timeline_.events.push_back(event);
+        }
+    }
+
+    const Motion& motion_;
+    const Driven* driven_;
+    Timeline& timeline_;
+};
+
+std::vector<Stratum> strata(const Motion& motion) {
+    if (motion.shape == scene::Bounds::Shape::box) return strata_of_box();
+    return {Stratum{}};
+}
+
+} // namespace
+
+Timeline find_events(const scene::Scene& scene, Side side, Interval range, const EventSearch& how,
+                     SearchCost* cost) {
+    Timeline timeline;
+    timeline.range = range;
+    timeline.is_proved = true;
+    const Motions all = motions(scene, side, range);
+    timeline.doubts = all.doubts;
+    for (const double jump : all.jumps) {
+        timeline.unresolved.push_back(
+            {Interval(jump), {}, "the surface jumps from one shape to another", {}, {}});
+    }
+    if (!all.doubts.empty()) timeline.is_proved = false;
+    for (std::size_t p = 0; p < all.pieces.size(); ++p) {
+        const Motion& motion = all.pieces[p];
+        if (!motion.moves) continue;
+        std::optional<Driven> driven;
+        if (motion.driver) driven.emplace(scene, *motion.driver, range);
+        Stratified events(motion, driven ? &*driven : nullptr, timeline);
+        const std::vector<Stratum> parts = strata(motion);
+        for (std::size_t s = 0; s < parts.size(); ++s) {
+            const MovingField field(motion, parts[s]);
+            Searching searching{how.smallest, how.threads, how.stop, {}};
+            if (how.progress) {
+                const double steps = double(all.pieces.size() * parts.size());
+                const double before = double(p * parts.size() + s);
+                searching.progress = [&, before, steps](double part) {
+                    how.progress((before + part) / steps);
+                };
+            }
+            const Found found = search(field, searching);
+            if (cost) cost->boxes += found.boxes;
+            events.add(field, found);
+            if (found.is_interrupted) {
+                timeline.is_proved = false;
+                timeline.doubts.push_back("the search for events was interrupted");
+                return timeline;
+            }
+        }
+    }
+    const auto earlier = [](const auto& a, const auto& b) { return mid(a.time) < mid(b.time); };
+    std::stable_sort(timeline.events.begin(), timeline.events.end(), earlier);
+    std::stable_sort(timeline.unresolved.begin(), timeline.unresolved.end(), earlier);
+    if (!timeline.unresolved.empty()) timeline.is_proved = false;
+    return timeline;
+}
+
+} // namespace isomotion::topology

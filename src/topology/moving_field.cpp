@@ -1,0 +1,381 @@
+#include "topology/moving_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "formula/derivative.h"
+#include "formula/lowering.h"
+#include "formula/substitute.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Graph;
+using formula::Interval;
+using formula::Node;
+using formula::NodeId;
+using formula::Op;
+
+NodeId derivative(Graph& g, NodeId root, std::size_t by) {
+    std::vector<NodeId> direction(most_variables, g.constant(0));
+    direction[by] = g.constant(1);
+    return formula::differentiate_inputs(g, root, direction, formula::Slopes::generalized);
+}
+
+// 0 where the comparison a < b has one outcome, unbounded on both sides elsewhere.
+NodeId undecided(Graph& g, NodeId a, NodeId b) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const NodeId side = g.unary(Op::sign, g.subtract(a, b));
+    const NodeId zero = g.constant(0);
+    return g.add(g.select(side, side, g.constant(infinity), zero),
+                 g.select(side, side, g.constant(-infinity), zero));
+}
+
+// Slopes over an interval hold across the kinks of min and max, but slopes of those slopes don't:
+// there the first ones jump. What to add to second derivatives.
+NodeId kinks(Graph& g, NodeId root) {
+    NodeId all = g.constant(0);
+    for (const NodeId id : formula::nodes_below(g, std::array{root})) {
+        const Node node = g[id];
+        if (node.op != Op::min && node.op != Op::max && node.op != Op::select) continue;
+        NodeId kink = undecided(g, node.children[0], node.children[1]);
+        for (int array = 0; array < formula::max_arrays; ++array) {
+            if (g[kink].arrays & (1u << array)) kink = g.sum(array, kink);
+        }
+        all = g.add(all, kink);
+    }
+    return all;
+}
+
+} // namespace
+
+int Stratum::dimension() const { return int(std::count(axes.begin(), axes.end(), End::free)); }
+
+std::vector<Stratum> strata_of_box() {
+    constexpr std::array ends{Stratum::End::free, Stratum::End::low, Stratum::End::high};
+    std::vector<Stratum> strata;
+    for (const auto x : ends) {
+        for (const auto y : ends) {
+            for (const auto z : ends) strata.push_back({{x, y, z}});
+        }
+    }
+    std::stable_sort(strata.begin(), strata.end(), [](const Stratum& a, const Stratum& b) {
+        return a.dimension() > b.dimension();
+    });
+    return strata;
+}
+
+MovingField::MovingField(const Motion& motion, const Stratum& stratum)
+    : stratum_(stratum)
+    , variables_(stratum.dimension() + 1)
+    , bindings_(motion.bindings) {
+    Graph g = motion.graph;
+    const auto n = std::size_t(variables_), d = n - 1;
+
+    // Free coordinates move up, the others follow the bounds.
+    std::array<NodeId, most_variables> stands_for{};
+    std::vector<std::size_t> free_axes;
+    const NodeId clock = g.input(int(d));
+    const auto of_clock = [&](NodeId root) {
+        return formula::substitute(g, g, std::array{root},
+                                   [&](Graph&, const Node& node, NodeId rebuilt) {
+                                       return node.op == Op::input ? clock : rebuilt;
+                                   })[0];
+    };
+    std::array<NodeId, 3> low{}, high{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = of_clock(motion.low[k]);
+        high[k] = of_clock(motion.high[k]);
+        if (stratum.axes[k] == Stratum::End::free) {
+            stands_for[k] = g.input(int(free_axes.size()));
+            free_axes.push_back(k);
+        } else {
+            stands_for[k] = stratum.axes[k] == Stratum::End::low ? low[k] : high[k];
+        }
+    }
+    stands_for[clock_input] = clock;
+    const auto on_stratum = [&](NodeId root) {
+        return formula::substitute(
+            g, g, std::array{root}, [&](Graph&, const Node& node, NodeId rebuilt) {
+                return node.op == Op::input ? stands_for[std::size_t(node.index)] : rebuilt;
+            })[0];
+    };
+
+    const NodeId field = on_stratum(motion.field);
+    std::vector<NodeId> all{field};
+    for (std::size_t k = 0; k < n; ++k) all.push_back(derivative(g, field, k));
+    const NodeId kink = kinks(g, field);
+    for (std::size_t i = 0; i < d; ++i) {
+        for (std::size_t j = i; j < n; ++j) {
+            all.push_back(g.add(derivative(g, all[1 + i], j), kink));
+        }
+    }
+    Graph lowered = g;
+    numbers_ = formula::schedule(lowered, formula::lower(lowered, all));
+
+    const std::vector<NodeId> culled = with_rests(g, all);
+    value_ = formula::schedule(g, std::span(culled).first(1));
+    slope_ = formula::schedule(g, std::span(culled).first(1 + n));
+    jet_ = formula::schedule(g, culled);
+
+    std::vector<NodeId> conditions;
+    for (std::size_t k = 0; k < d; ++k) {
+        const NodeId x = g.input(int(k));
+        conditions.push_back(g.subtract(x, low[free_axes[k]]));
+        conditions.push_back(g.subtract(high[free_axes[k]], x));
+    }
+    if (motion.shape == scene::Bounds::Shape::sphere && d == 3) {
+        const NodeId r = of_clock(motion.radius);
+        NodeId reach = g.multiply(r, r);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const NodeId off = g.subtract(g.input(int(k)), of_clock(motion.centre[k]));
+            reach = g.subtract(reach, g.multiply(off, off));
+        }
+        conditions.push_back(reach);
+    }
+    conditions_ = int(conditions.size());
+    place_ = formula::schedule(g, conditions);
+
+    std::vector<NodeId> inward;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (stratum.axes[k] == Stratum::End::free) continue;
+        const NodeId slope = on_stratum(derivative(g, motion.field, k));
+        inward.push_back(stratum.axes[k] == Stratum::End::low ? slope
+                                                              : g.unary(Op::negate, slope));
+    }
+    inward_ = formula::schedule(g, inward);
+
+    domain_[d] = motion.clock;
+    const formula::Program corners = formula::schedule(g, [&] {
+        std::vector<NodeId> ends;
+        for (const std::size_t k : free_axes) {
+            ends.push_back(low[k]);
+            ends.push_back(high[k]);
+        }
+        return ends;
+    }());
+    Box at{};
+    at[d] = motion.clock;
+    std::vector<Interval> ends(2 * d);
+    formula::Evaluator<Interval>(corners).point({}, at, ends);
+    for (std::size_t k = 0; k < d; ++k) domain_[k] = {ends[2 * k].lo, ends[2 * k + 1].hi};
+}
+
+// Sums over the largest array whose sums hold no others.
+std::vector<NodeId> MovingField::with_rests(Graph& graph, std::span<const NodeId> roots) {
+    const auto n = std::size_t(variables_);
+    std::map<int, std::vector<NodeId>> sums;
+    std::set<int> nested;
+    for (const NodeId id : formula::nodes_below(graph, roots)) {
+        if (graph[id].op != Op::sum) continue;
+        sums[graph[id].index].push_back(id);
+        const NodeId body = graph[id].children[0];
+        for (const NodeId below : formula::nodes_below(graph, std::array{body})) {
+            if (graph[below].op == Op::sum) nested.insert(graph[id].index);
+        }
+        if (graph[id].arrays != 0) nested.insert(graph[id].index);
+    }
+    for (const auto& [array, found] : sums) {
+        if (nested.contains(array)) continue;
+        const auto count = [&](int a) { return bindings_.arrays[std::size_t(a)].count; };
+        if (culling_.array < 0 || count(array) > count(culling_.array)) culling_.array = array;
+    }
+    if (culling_.array < 0) return {roots.begin(), roots.end()};
+    const std::vector<NodeId>& found = sums[culling_.array];
+    culling_.sums = int(found.size());
+
+    std::vector<NodeId> bodies;
+    std::map<int, int> place_of;
+    for (const NodeId id : found) bodies.push_back(graph[id].children[0]);
+    const auto as_input = [&](Graph& g, const Node& node, NodeId rebuilt) {
+        if (node.op != Op::element) return rebuilt;
+        const auto [it, is_new] = place_of.try_emplace(node.second, int(n + place_of.size()));
+        if (is_new) culling_.fields.push_back(node.second);
+        return g.input(it->second);
+    };
+    const std::vector<NodeId> terms = formula::substitute(graph, graph, bodies, as_input);
+    culling_.terms = formula::schedule(graph, terms);
+
+    std::vector<Node> nodes;
+    for (const NodeId id : found) nodes.push_back(graph[id]);
+    const auto with_rest = [&](Graph& g, const Node& node, NodeId rebuilt) {
+        const auto at = std::find(nodes.begin(), nodes.end(), node);
+        if (at == nodes.end()) return rebuilt;
+        return g.add(g.input(int(n) + int(at - nodes.begin())), rebuilt);
+    };
+    return formula::substitute(graph, graph, roots, with_rest);
+}
+
+Enclosures::Enclosures(const MovingField& field)
+    : field_(field)
+    , all_{formula::convert<Interval>(field.bindings_),
+           std::vector<Interval>(std::size_t(field.culling_.sums), Interval(0))}
+    , value_(field.value_)
+    , slope_(field.slope_)
+    , jet_(field.jet_)
+    , place_(field.place_)
+    , inward_(field.inward_)
+    , terms_(field.culling_.terms) {}
+
+void Enclosures::load(const Elements& elements, std::span<const Box> boxes) {
+    const auto n = std::size_t(field_.variables_);
+    inputs_.resize(std::max(inputs_.size(), n + elements.rest.size()));
+    for (std::size_t k = 0; k < n; ++k) {
+        inputs_[k].clear();
+        for (const Box& box : boxes) inputs_[k].push_back(box[k]);
+    }
+    for (std::size_t j = 0; j < elements.rest.size(); ++j) {
+        inputs_[n + j].assign(boxes.size(), elements.rest[j]);
+    }
+}
+
+void Enclosures::run(formula::Evaluator<Interval>& program, const Elements& elements,
+                     std::size_t outputs) {
+    const std::size_t lanes = inputs_[0].size();
+    outputs_.resize(std::max(outputs_.size(), outputs));
+    const std::vector<std::span<const Interval>> from(inputs_.begin(), inputs_.end());
+    std::vector<std::span<Interval>> to;
+    for (std::size_t k = 0; k < outputs; ++k) {
+        outputs_[k].resize(lanes);
+        to.emplace_back(outputs_[k]);
+    }
+    program.points(elements.bindings, from, to);
+}
+
+void Enclosures::values(const Elements& elements, std::span<const Box> boxes,
+                        std::vector<Interval>& values) {
+    load(elements, boxes);
+    run(value_, elements, 1);
+    values = outputs_[0];
+}
+
+void Enclosures::slopes(const Elements& elements, std::span<const Box> boxes,
+                        std::vector<Jet<Interval>>& jets) {
+    const auto n = std::size_t(field_.variables_);
+    load(elements, boxes);
+    run(slope_, elements, 1 + n);
+    jets.resize(boxes.size());
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        jets[b].value = outputs_[0][b];
+        for (std::size_t k = 0; k < n; ++k) jets[b].slope[k] = outputs_[1 + k][b];
+    }
+}
+
+void Enclosures::jets(const Elements& elements, std::span<const Box> boxes,
+                      std::vector<Jet<Interval>>& jets) {
+    const auto n = std::size_t(field_.variables_), d = n - 1;
+    load(elements, boxes);
+    run(jet_, elements, field_.jet_.outputs.size());
+    jets.resize(boxes.size());
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        jets[b].value = outputs_[0][b];
+        for (std::size_t k = 0; k < n; ++k) jets[b].slope[k] = outputs_[1 + k][b];
+        std::size_t at = 1 + n;
+        for (std::size_t i = 0; i < d; ++i) {
+            for (std::size_t j = i; j < n; ++j, ++at) {
+                jets[b].bend[i][j] = outputs_[at][b];
+                if (j < d) jets[b].bend[j][i] = outputs_[at][b];
+            }
+        }
+    }
+}
+
+Jet<Interval> Enclosures::jet(const Box& box) {
+    std::vector<Jet<Interval>> one;
+    jets(all_, {&box, 1}, one);
+    return one[0];
+}
+
+Enclosures::Place Enclosures::place(const Box& box) {
+    std::array<Interval, 2 * 3 + 1> conditions;
+    place_.point(all_.bindings, box,
+                 std::span(conditions).first(std::size_t(field_.conditions_)));
+    bool inside = true;
+    for (std::size_t k = 0; k < std::size_t(field_.conditions_); ++k) {
+        if (conditions[k].hi < 0) return Place::outside;
+        inside &= conditions[k].lo > 0;
+    }
+    return inside ? Place::inside : Place::unknown;
+}
+
+std::vector<Interval> Enclosures::inward(const Box& box) {
+    std::vector<Interval> slopes(field_.inward_.outputs.size());
+    inward_.point(all_.bindings, box, slopes);
+    return slopes;
+}
+
+Elements Enclosures::near(const Box& box, const Elements& from, double negligible) {
+    const MovingField::Culling& culling = field_.culling_;
+    if (culling.array < 0) return from;
+    const auto n = std::size_t(field_.variables_), sums = std::size_t(culling.sums);
+    const formula::ArrayColumns<Interval>& columns =
+        from.bindings.arrays[std::size_t(culling.array)];
+    const auto count = std::size_t(columns.count);
+    if (count <= 1) return from;
+    inputs_.resize(std::max(inputs_.size(), n + culling.fields.size()));
+    for (std::size_t k = 0; k < n; ++k) inputs_[k].assign(count, box[k]);
+    for (std::size_t f = 0; f < culling.fields.size(); ++f) {
+        inputs_[n + f] = columns.fields[std::size_t(culling.fields[f])];
+    }
+    run(terms_, from, sums);
+
+    std::vector<double> largest(sums, 0);
+    for (std::size_t j = 0; j < sums; ++j) {
+        for (std::size_t i = 0; i < count; ++i) {
+            largest[j] = std::max(largest[j], magnitude(outputs_[j][i]));
+        }
+    }
+    Elements kept{from.bindings, from.rest};
+    formula::ArrayColumns<Interval>& to = kept.bindings.arrays[std::size_t(culling.array)];
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        bool matters = false;
+        for (std::size_t j = 0; j < sums; ++j) {
+            const double most = magnitude(outputs_[j][i]);
+            matters |= std::isinf(most) || !(most <= negligible * largest[j]);
+        }
+        if (!matters) {
+            for (std::size_t j = 0; j < sums; ++j) {
+                kept.rest[j] = kept.rest[j] + outputs_[j][i];
+            }
+            continue;
+        }
+        for (auto& field : to.fields) {
+            if (!field.empty()) field[next] = field[i];
+        }
+        ++next;
+    }
+    to.count = int(next);
+    for (auto& field : to.fields) {
+        if (!field.empty()) field.resize(next);
+    }
+    return kept;
+}
+
+Numbers::Numbers(const MovingField& field)
+    : field_(field)
+    , evaluator_(field.numbers_)
+    , inputs_(std::size_t(field.variables_))
+    , outputs_(field.numbers_.outputs.size()) {}
+
+Jet<double> Numbers::jet(const Point& point) {
+    const auto n = std::size_t(field_.variables_), d = n - 1;
+    std::copy_n(point.begin(), n, inputs_.begin());
+    evaluator_.point(field_.bindings_, inputs_, outputs_);
+    Jet<double> jet;
+    jet.value = outputs_[0];
+    for (std::size_t k = 0; k < n; ++k) jet.slope[k] = outputs_[1 + k];
+    std::size_t at = 1 + n;
+    for (std::size_t i = 0; i < d; ++i) {
+        for (std::size_t j = i; j < n; ++j, ++at) {
+            jet.bend[i][j] = outputs_[at];
+            if (j < d) jet.bend[j][i] = outputs_[at];
+        }
+    }
+    return jet;
+}
+
+} // namespace isomotion::topology

@@ -1,0 +1,502 @@
+#include "topology/search.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <thread>
+
+#include "topology/krawczyk.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Interval;
+using IntervalJet = Jet<Interval>;
+
+bool holds_zero(const Interval& a) { return a.lo <= 0 && 0 <= a.hi; }
+
+// A box is divided into this many tasks, whatever the number of threads.
+constexpr std::size_t tasks_at_least = 64;
+// Boxes this much smaller than the one whose elements they share get elements of their own.
+constexpr double family = 0.4;
+// Smaller boxes than this part of the domain keep what they have.
+constexpr double last_family = 1e-3;
+// What no box below may miss, as a part of the largest term; and with the square of the box's size
+// what the box itself won't notice.
+constexpr double negligible = 1e-12, coarse = 1e-2;
+// Boxes evaluated together.
+constexpr std::size_t together = 64;
+// With more unresolved boxes than this in a task the smallest box grows: a curve of them.
+constexpr std::size_t too_many = 256;
+
+class Task {
+public:
+    Task(const MovingField& field, const Searching& searching, Enclosures& enclosures,
+         Numbers& numbers)
+        : field_(field)
+        , searching_(searching)
+        , n_(std::size_t(field.variables()))
+        , d_(n_ - 1)
+        , smallest_(searching.smallest)
+        , enclosures_(enclosures)
+        , numbers_(numbers) {}
+
+    Found run(const Box& box) {
+        std::vector<Family> families{{{box}, std::make_shared<Elements>(enclosures_.all())}};
+        std::vector<Box> batch, smaller;
+        while (!families.empty()) {
+            Family now = std::move(families.back());
+            families.pop_back();
+            const Box around = hull_of(now.boxes);
+            const double size = spatial_size(around);
+            const bool narrows = size > last_family;
+            Elements own;
+            if (narrows) {
+                now.elements = std::make_shared<Elements>(
+                    enclosures_.near(around, *now.elements, negligible));
+                own = enclosures_.near(around, *now.elements, coarse * size * size);
+            } else {
+                own = *now.elements;
+            }
+            smaller.clear();
+            while (!now.boxes.empty()) {
+                if (searching_.stop.stop_requested()) {
+                    found_.is_interrupted = true;
+                    return std::move(found_);
+                }
+                const std::size_t count = std::min(together, now.boxes.size());
+                batch.assign(now.boxes.end() - std::ptrdiff_t(count), now.boxes.end());
+                now.boxes.resize(now.boxes.size() - count);
+                next_.clear();
+                step(own, batch);
+                for (const Box& child : next_) {
+                    const bool leaves = narrows && spatial_size(child) <= family * size;
+                    (leaves ? smaller : now.boxes).push_back(child);
+                }
+            }
+            split_family(smaller, now.elements, families);
+        }
+        return std::move(found_);
+    }
+
+private:
+    // Boxes near each other that share the elements that matter there.
+    struct Family {
+        std::vector<Box> boxes;
+        std::shared_ptr<const Elements> elements;
+    };
+
+    Box hull_of(const std::vector<Box>& boxes) const {
+        Box all = boxes[0];
+        for (const Box& box : boxes) {
+            for (std::size_t k = 0; k < n_; ++k) all[k] = hull(all[k], box[k]);
+        }
+        return all;
+    }
+
+    // By halves of the longest side, until each family is small or few.
+    void split_family(std::vector<Box> boxes, const std::shared_ptr<const Elements>& elements,
+                      std::vector<Family>& families) const {
+        if (boxes.size() <= together / 2) {
+            if (!boxes.empty()) families.push_back({std::move(boxes), elements});
+            return;
+        }
+        const Box around = hull_of(boxes);
+        std::size_t side = 0;
+        for (std::size_t k = 1; k < n_; ++k) {
+            if (part(around, k) > part(around, side)) side = k;
+        }
+        const double at = mid(around[side]);
+        const auto upper = std::partition(boxes.begin(), boxes.end(), [&](const Box& box) {
+            return mid(box[side]) <= at;
+        });
+        std::vector<Box> rest(upper, boxes.end());
+        boxes.erase(upper, boxes.end());
+        if (boxes.empty() || rest.empty()) {
+            families.push_back({boxes.empty() ? std::move(rest) : std::move(boxes), elements});
+            return;
+        }
+        split_family(std::move(boxes), elements, families);
+        split_family(std::move(rest), elements, families);
+    }
+
+    // The largest side in space, as a part of the domain's; on corners the clock's.
+    double spatial_size(const Box& box) const {
+        double size = 0;
+        for (std::size_t k = 0; k < std::max<std::size_t>(d_, 1); ++k) {
+            size = std::max(size, part(box, k));
+        }
+        return size;
+    }
+    double part(const Box& box, std::size_t k) const {
+        const double whole = field_.domain()[k].hi - field_.domain()[k].lo;
+        return whole > 0 ? (box[k].hi - box[k].lo) / whole : 0;
+    }
+
+    bool is_known(const Box& box) const {
+        return std::any_of(found_.points.begin(), found_.points.end(), [&](const auto& point) {
+            for (std::size_t k = 0; k < n_; ++k) {
+                if (!contains(point.alone[k], box[k])) return false;
+            }
+            return true;
+        });
+    }
+
+    bool may_be_critical(const IntervalJet& jet) const {
+        if (!holds_zero(jet.value)) return false;
+        for (std::size_t k = 0; k < d_; ++k) {
+            if (!holds_zero(jet.slope[k])) return false;
+        }
+        return true;
+    }
+
+    Point middle(const Box& box) const {
+        Point m{};
+        for (std::size_t k = 0; k < n_; ++k) m[k] = mid(box[k]);
+        return m;
+    }
+
+    void step(const Elements& elements, std::vector<Box>& wave) {
+        std::erase_if(wave, [&](const Box& box) {
+            return is_known(box) || enclosures_.place(box) == Enclosures::Place::outside;
+        });
+        found_.boxes += std::int64_t(wave.size());
+        centres_.clear();
+        enclosures_.slopes(elements, wave, jets_);
+        keep(wave, [&](std::size_t b) { return may_be_critical(jets_[b]); });
+        if (wave.empty()) return;
+        centres_.clear();
+        for (const Box& box : wave) centres_.push_back(at_point(middle(box)));
+        enclosures_.values(elements, centres_, values_);
+        keep(wave, [&](std::size_t b) {
+            return holds_zero(mean_value(wave[b], centres_[b], values_[b], jets_[b].slope));
+        });
+        if (wave.empty()) return;
+        enclosures_.jets(elements, wave, jets_);
+        enclosures_.slopes(elements, centres_, at_centres_);
+        for (std::size_t b = 0; b < wave.size(); ++b) {
+            settle(wave[b], jets_[b], at_centres_[b]);
+        }
+    }
+
+    // Of the boxes, and of what is known of them.
+    template<class Test> void keep(std::vector<Box>& wave, Test&& test) {
+        std::size_t kept = 0;
+        for (std::size_t b = 0; b < wave.size(); ++b) {
+            if (!test(b)) continue;
+            wave[kept] = wave[b];
+            jets_[kept] = jets_[b];
+            if (b < centres_.size()) centres_[kept] = centres_[b];
+            ++kept;
+        }
+        wave.resize(kept);
+        if (centres_.size() > kept) centres_.resize(kept);
+    }
+
+    // F over the box by its value in the middle and its slopes.
+    Interval mean_value(const Box& box, const Box& centre, Interval value,
+                        const std::array<Interval, most_variables>& slope) const {
+        for (std::size_t k = 0; k < n_; ++k) value = value + slope[k] * (box[k] - centre[k]);
+        return value;
+    }
+
+    // Mean values: with the derivatives over the box, values keep near those in its middle.
+    bool sharpen(const Box& box, const Point& m, IntervalJet& jet, const IntervalJet& at_m) const {
+        Box off{};
+        for (std::size_t k = 0; k < n_; ++k) off[k] = box[k] - Interval(m[k]);
+        for (std::size_t i = 0; i < d_; ++i) {
+            Interval slope = at_m.slope[i];
+            for (std::size_t j = 0; j < n_; ++j) slope = slope + jet.bend[i][j] * off[j];
+            jet.slope[i] = intersect(jet.slope[i], slope);
+            if (is_empty(jet.slope[i]) || !holds_zero(jet.slope[i])) return false;
+        }
+        if (!holds_zero(mean_value(box, at_point(m), at_m.value, jet.slope))) return false;
+        // In space to second order.
+        Interval second = at_m.value + jet.slope[d_] * off[d_];
+        for (std::size_t i = 0; i < d_; ++i) {
+            Interval slope = at_m.slope[i] + Interval(0.5) * jet.bend[i][i] * off[i];
+            for (std::size_t j = 0; j < i; ++j) slope = slope + jet.bend[i][j] * off[j];
+            second = second + slope * off[i];
+        }
+        return holds_zero(second);
+    }
+
+    IntervalMatrix system(const IntervalJet& jet) const {
+        IntervalMatrix slopes{};
+        for (std::size_t k = 0; k < n_; ++k) {
+            slopes[0][k] = jet.slope[k];
+            for (std::size_t i = 0; i < d_; ++i) slopes[1 + i][k] = jet.bend[i][k];
+        }
+        return slopes;
+    }
+    Box residual(const IntervalJet& at_m) const {
+        Box f{};
+        f[0] = at_m.value;
+        for (std::size_t i = 0; i < d_; ++i) f[1 + i] = at_m.slope[i];
+        return f;
+    }
+    std::optional<Matrix> preconditioner(const IntervalMatrix& slopes) const {
+        Matrix middle{};
+        for (std::size_t i = 0; i < n_; ++i) {
+            for (std::size_t j = 0; j < n_; ++j) {
+                if (std::isinf(magnitude(slopes[i][j]))) return std::nullopt;
+                middle[i][j] = mid(slopes[i][j]);
+            }
+        }
+        return inverse(middle, int(n_));
+    }
+
+    void settle(Box box, IntervalJet jet, const IntervalJet& at_m) {
+        const Point m = middle(box);
+        if (!may_be_critical(jet) || !sharpen(box, m, jet, at_m)) return;
+        const IntervalMatrix slopes = system(jet);
+        if (const auto y = preconditioner(slopes)) {
+            const Krawczyk k = krawczyk(box, m, residual(at_m), slopes, *y, int(n_));
+            if (k.is_empty) return;
+            if ((k.is_inside || k.contraction < 1 || spatial_size(box) < 1e-3) && isolate(box)) {
+                return;
+            }
+            double shrinks = 1;
+            for (std::size_t i = 0; i < n_; ++i) {
+                const double before = box[i].hi - box[i].lo;
+                box[i] = intersect(box[i], k.image[i]);
+                if (is_empty(box[i])) return;
+                if (before > 0) shrinks *= (box[i].hi - box[i].lo) / before;
+            }
+            if (shrinks < 0.6) {
+                next_.push_back(box);
+                return;
+            }
+        }
+        divide(box, slopes);
+    }
+
+    // The side by which the equations vary most: of each equation its part by each side, summed.
+    void divide(const Box& box, const IntervalMatrix& slopes) {
+        std::array<double, most_variables> smear{};
+        for (std::size_t i = 0; i < n_; ++i) {
+            std::array<double, most_variables> parts{};
+            double all = 0;
+            for (std::size_t k = 0; k < n_; ++k) {
+                parts[k] = magnitude(slopes[i][k]) * (box[k].hi - box[k].lo);
+                all += parts[k];
+            }
+            if (!(all > 0) || std::isinf(all)) continue;
+            for (std::size_t k = 0; k < n_; ++k) smear[k] += parts[k] / all;
+        }
+        std::size_t side = n_;
+        double most = 0, widest = 0;
+        for (std::size_t k = 0; k < n_; ++k) widest = std::max(widest, part(box, k));
+        for (std::size_t k = 0; k < n_; ++k) {
+            const double width = part(box, k);
+            // Slivers help nobody.
+            if (!(width > smallest_) || width < widest / 64) continue;
+            const double by = smear[k] + 1e-3 * width / widest;
+            if (by > most) {
+                most = by;
+                side = k;
+            }
+        }
+        if (side == n_) {
+            found_.unresolved.push_back(box);
+            if (found_.unresolved.size() % too_many == 0) smallest_ *= 4;
+            return;
+        }
+        const double at = mid(box[side]);
+        Box low = box, high = box;
+        low[side].hi = high[side].lo = at;
+        next_.push_back(low);
+        next_.push_back(high);
+    }
+
+    // Newton's method, then a proof that an inflated box around the limit and the box has one root.
+    bool isolate(const Box& box) {
+        Point x = middle(box);
+        bool converges = false;
+        for (int k = 0; k < 20 && !converges; ++k) {
+            const Jet<double> jet = numbers_.jet(x);
+            Matrix a{};
+            Point f{};
+            f[0] = jet.value;
+            for (std::size_t i = 0; i < d_; ++i) f[1 + i] = jet.slope[i];
+            for (std::size_t j = 0; j < n_; ++j) {
+                a[0][j] = jet.slope[j];
+                for (std::size_t i = 0; i < d_; ++i) a[1 + i][j] = jet.bend[i][j];
+            }
+            const auto y = inverse(a, int(n_));
+            if (!y) return false;
+            converges = true;
+            for (std::size_t i = 0; i < n_; ++i) {
+                double move = 0;
+                for (std::size_t j = 0; j < n_; ++j) move += (*y)[i][j] * f[j];
+                x[i] -= move;
+                const double reach = box[i].hi - box[i].lo;
+                // Far off: the root that it may find is not this box's.
+                if (!(std::abs(x[i] - mid(box[i])) <= 2 * reach + 1e-9)) return false;
+                const double scale = std::max(std::abs(x[i]), magnitude(field_.domain()[i]));
+                converges &= std::abs(move) <= 1e-14 * scale;
+            }
+        }
+        Box alone{};
+        for (std::size_t k = 0; k < n_; ++k) {
+            const double margin = 0.1 * (box[k].hi - box[k].lo) +
+                                  1e-13 * std::max(std::abs(x[k]), magnitude(field_.domain()[k]));
+            alone[k] = {std::min(box[k].lo, x[k]) - margin, std::max(box[k].hi, x[k]) + margin};
+        }
+        const auto contract = [&](const Box& in, CriticalPoint& point) -> std::optional<Krawczyk> {
+            Point m = x;
+            for (std::size_t k = 0; k < n_; ++k) m[k] = std::clamp(m[k], in[k].lo, in[k].hi);
+            point.jet = enclosures_.jet(in);
+            const IntervalMatrix slopes = system(point.jet);
+            const auto y = preconditioner(slopes);
+            if (!y) return std::nullopt;
+            return krawczyk(in, m, residual(enclosures_.jet(at_point(m))), slopes, *y, int(n_));
+        };
+        CriticalPoint point;
+        point.alone = alone;
+        const auto first = contract(alone, point);
+        if (!first || !first->is_inside) return false;
+        point.where = first->image;
+        for (int k = 0; k < 20; ++k) {
+            const auto next = contract(point.where, point);
+            if (!next) break;
+            bool shrinks = false;
+            for (std::size_t i = 0; i < n_; ++i) {
+                const Interval both = intersect(point.where[i], next->image[i]);
+                shrinks |= both.hi - both.lo < 0.8 * (point.where[i].hi - point.where[i].lo);
+                point.where[i] = both;
+            }
+            if (!shrinks) break;
+        }
+        point.jet = enclosures_.jet(point.where);
+        found_.points.push_back(point);
+        return true;
+    }
+
+    const MovingField& field_;
+    const Searching& searching_;
+    std::size_t n_, d_;
+    double smallest_;
+    Enclosures& enclosures_;
+    Numbers& numbers_;
+    Found found_;
+    std::vector<Box> next_, centres_;
+    std::vector<IntervalJet> jets_, at_centres_;
+    std::vector<Interval> values_;
+};
+
+bool meet(const Box& a, const Box& b) {
+    for (std::size_t k = 0; k < most_variables; ++k) {
+        if (a[k].hi < b[k].lo || b[k].hi < a[k].lo) return false;
+    }
+    return true;
+}
+bool contains(const Box& a, const Box& b) {
+    for (std::size_t k = 0; k < most_variables; ++k) {
+        if (!formula::contains(a[k], b[k])) return false;
+    }
+    return true;
+}
+
+std::vector<Box> tasks(const MovingField& field) {
+    const auto n = std::size_t(field.variables());
+    std::vector<Box> boxes{field.domain()};
+    for (std::size_t side = 0; boxes.size() < tasks_at_least; side = (side + 1) % n) {
+        std::vector<Box> halves;
+        for (const Box& box : boxes) {
+            Box low = box, high = box;
+            low[side].hi = high[side].lo = mid(box[side]);
+            halves.push_back(low);
+            halves.push_back(high);
+        }
+        boxes = std::move(halves);
+    }
+    return boxes;
+}
+
+// Points that two tasks found are one: each in the box where the other is alone.
+void put_together(Found& all) {
+    std::sort(all.points.begin(), all.points.end(), [](const auto& a, const auto& b) {
+        return std::tuple(a.where[3].lo, a.where[2].lo, a.where[1].lo, a.where[0].lo) <
+               std::tuple(b.where[3].lo, b.where[2].lo, b.where[1].lo, b.where[0].lo);
+    });
+    std::vector<CriticalPoint> points;
+    for (const CriticalPoint& point : all.points) {
+        const bool is_new =
+            std::none_of(points.begin(), points.end(), [&](const CriticalPoint& known) {
+                if (!meet(known.where, point.where)) return false;
+                if (contains(known.alone, point.where) || contains(point.alone, known.where)) {
+                    return true;
+                }
+                all.unresolved.push_back(point.where);
+                return false;
+            });
+        if (is_new) points.push_back(point);
+    }
+    all.points = std::move(points);
+    std::erase_if(all.unresolved, [&](const Box& box) {
+        return std::any_of(all.points.begin(), all.points.end(),
+                           [&](const auto& point) { return contains(point.alone, box); });
+    });
+}
+
+} // namespace
+
+std::vector<Box> merged(std::vector<Box> boxes, const Box& domain, double gap) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        std::vector<Box> fewer;
+        for (const Box& box : boxes) {
+            Box wide = box;
+            for (std::size_t k = 0; k < most_variables; ++k) {
+                const double by = gap * (domain[k].hi - domain[k].lo);
+                wide[k] = {wide[k].lo - by, wide[k].hi + by};
+            }
+            const auto near = std::find_if(fewer.begin(), fewer.end(),
+                                           [&](const Box& other) { return meet(wide, other); });
+            if (near == fewer.end()) {
+                fewer.push_back(box);
+                continue;
+            }
+            for (std::size_t k = 0; k < most_variables; ++k) {
+                (*near)[k] = hull((*near)[k], box[k]);
+            }
+            changed = true;
+        }
+        boxes = std::move(fewer);
+    }
+    return boxes;
+}
+
+Found search(const MovingField& field, const Searching& searching) {
+    const std::vector<Box> boxes = tasks(field);
+    std::vector<Found> parts(boxes.size());
+    std::atomic<std::size_t> next{0}, done{0};
+    const auto work = [&] {
+        Enclosures enclosures(field);
+        Numbers numbers(field);
+        for (std::size_t k = next++; k < boxes.size(); k = next++) {
+            parts[k] = Task(field, searching, enclosures, numbers).run(boxes[k]);
+            if (searching.progress) searching.progress(double(++done) / double(boxes.size()));
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        for (int k = 1; k < searching.threads; ++k) others.emplace_back(work);
+        work();
+    }
+    Found all;
+    for (Found& part : parts) {
+        all.points.insert(all.points.end(), part.points.begin(), part.points.end());
+        all.unresolved.insert(all.unresolved.end(), part.unresolved.begin(),
+                              part.unresolved.end());
+        all.is_interrupted |= part.is_interrupted;
+        all.boxes += part.boxes;
+    }
+    put_together(all);
+    all.unresolved = merged(std::move(all.unresolved), field.domain(), 4 * searching.smallest);
+    return all;
+}
+
+} // namespace isomotion::topology

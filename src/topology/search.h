@@ -1,0 +1,44 @@
+// All critical points of a moving surface in one stratum: where F = 0 and its derivatives along the
+// free coordinates are 0, by branch and prune (Stander and Hart 1997; Kearfott 1996).
+//
+// A box is left where some sign is certain, or where Krawczyk's operator says that it has no root;
+// it is done where, inflated around the limit of Newton's method, it provably holds one root.
+// Inflation makes roots on the faces between boxes, those of every symmetric surface, harmless.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "topology/moving_field.h"
+
+namespace isomotion::topology {
+
+struct Searching {
+    // Boxes with no side longer than this part of the domain's are not divided any more.
+    double smallest = 1e-6;
+    int threads = 1; // the result doesn't depend on it
+    std::stop_token stop{};
+    std::function<void(double)> progress{}; // part of the domain that is done; from any thread
+};
+
+struct CriticalPoint {
+    Box where; // holds the point
+    Box alone; // holds no other one; `where` is inside
+    Jet<formula::Interval> jet;
+};
+
+struct Found {
+    std::vector<CriticalPoint> points; // by clock
+    std::vector<Box> unresolved;       // outside of these, no other points; each with a gap around
+    bool is_interrupted = false;       // not everything was searched
+    std::int64_t boxes = 0;
+};
+
+Found search(const MovingField& field, const Searching& searching);
+
+// The boxes as few, each around some of them that touch or nearly do.
+std::vector<Box> merged(std::vector<Box> boxes, const Box& domain, double gap);
+
+} // namespace isomotion::topology

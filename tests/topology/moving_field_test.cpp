@@ -1,0 +1,168 @@
+// Enclosures of F and its derivatives over boxes hold what doubles say at points of the boxes.
+#include <random>
+
+#include "moving.h"
+#include "topology/motion.h"
+#include "topology/moving_field.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Interval;
+
+const std::vector<Moving> moving_surfaces{
+    {"T - exp(-((x - s)^2 + y^2 + z^2)) - exp(-((x + s)^2 + y^2 + z^2))", "{ sphere = 3 }",
+     "T = 0.5\ns = \"1 + sin(t)/2\""},
+    {"sum(blobs, exp(-8*((x - cx)^2 + (y - cy)^2 + (z - cz)^2))) - T", "{ sphere = 2 }",
+     "T = \"0.5 + t/10\"",
+     "[arrays.blobs]\ncount = 9\ncx = \"cos(i + t)\"\ncy = \"sin(i*1.7)*w\"\ncz = \"random(i, 3)\"\n"
+     "w = \"1 + i*t/20\""},
+    {"abs(x)^m + abs(y)^m + abs(z)^m - 1", "{ box = [[-1, -1, -1], [1, 1, 1]] }",
+     "m = { keys = [[0, 2.2], [0.4, 3], [1, 5]], ease = \"cubic\" }"},
+    {"max(min(x*y + c, z), x^2 + y^2 + z^2 - 1)", "{ box = [[-1, -1, \"-c\"], [1, 1, \"1 + c\"]] }",
+     "c = \"0.3 + t\""},
+    {"chebyshev(8, x) + chebyshev(8, y)*c + sqrt(x^2 + z^2 + 0.01)", "{ sphere = 1.1 }",
+     "c = \"tanh(t) + atan(t)\""},
+};
+
+bool holds(const Interval& enclosure, double value) {
+    // The sample has rounding errors of its own.
+    const double slack = 1e-9 * (1 + std::abs(value));
+    return enclosure.lo <= value + slack && value - slack <= enclosure.hi;
+}
+
+// At least this many boxes over all surfaces and strata.
+constexpr int boxes_in_all = 100'000;
+
+TEST(MovingField, EnclosesWhatItIsAtPoints) {
+    const unsigned seed = 20'240'611;
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    int boxes = 0;
+    std::vector<std::pair<Motion, Stratum>> all;
+    for (const Moving& moving : moving_surfaces) {
+        for (const Clock clock : {Clock::time, Clock::track_if_one}) {
+            const Motions parts = motions(moving.scene(), Side::negative, {0.1, 0.9}, clock);
+            for (const Motion& motion : parts.pieces) {
+                all.push_back({motion, {}});
+                if (motion.shape == scene::Bounds::Shape::sphere) continue;
+                using enum Stratum::End;
+                all.push_back({motion, {{low, free, free}}});
+                all.push_back({motion, {{free, high, low}}});
+                all.push_back({motion, {{high, low, high}}});
+            }
+        }
+    }
+    const int each = boxes_in_all / int(all.size()) + 1;
+    for (const auto& [motion, stratum] : all) {
+        const MovingField field(motion, stratum);
+        Enclosures enclosures(field);
+        Numbers numbers(field);
+        const auto n = std::size_t(field.variables()), d = n - 1;
+        for (int k = 0; k < each; ++boxes) {
+            // A family of boxes that share their elements.
+            const double size = std::pow(2, -20 * unit(random));
+            Box around{};
+            for (std::size_t i = 0; i < n; ++i) {
+                const Interval whole = field.domain()[i];
+                const double length = (whole.hi - whole.lo) * size;
+                const double low = whole.lo + (whole.hi - whole.lo - length) * unit(random);
+                around[i] = {low, low + length};
+            }
+            const Elements near = enclosures.near(around, enclosures.all(), 1e-3 * unit(random));
+            std::vector<Box> family;
+            std::vector<Point> samples;
+            for (int b = 0; b < 37 && k < each; ++b, ++k) {
+                Box box{};
+                Point sample{};
+                for (std::size_t i = 0; i < n; ++i) {
+                    const double p = unit(random), q = unit(random);
+                    const double length = around[i].hi - around[i].lo;
+                    box[i] = {around[i].lo + length * std::min(p, q),
+                              around[i].lo + length * std::max(p, q)};
+                    const double part = std::round(4 * unit(random)) / 4; // ends, often
+                    sample[i] = std::clamp(box[i].lo + (box[i].hi - box[i].lo) * part, box[i].lo,
+                                           box[i].hi);
+                }
+                family.push_back(box);
+                samples.push_back(sample);
+            }
+            boxes += int(family.size()) - 1;
+            std::vector<Jet<Interval>> jets, slopes;
+            std::vector<Interval> values;
+            enclosures.jets(near, family, jets);
+            enclosures.slopes(near, family, slopes);
+            enclosures.values(near, family, values);
+            for (std::size_t b = 0; b < family.size(); ++b) {
+                const Jet<double> at = numbers.jet(samples[b]);
+                ASSERT_TRUE(holds(values[b], at.value));
+                ASSERT_TRUE(holds(slopes[b].value, at.value));
+                ASSERT_TRUE(holds(jets[b].value, at.value));
+                for (std::size_t i = 0; i < n; ++i) {
+                    ASSERT_TRUE(holds(slopes[b].slope[i], at.slope[i]));
+                    ASSERT_TRUE(holds(jets[b].slope[i], at.slope[i]));
+                    for (std::size_t j = 0; i < d && j < n; ++j) {
+                        ASSERT_TRUE(holds(jets[b].bend[i][j], at.bend[i][j]));
+                    }
+                }
+            }
+        }
+    }
+    EXPECT_GE(boxes, boxes_in_all);
+}
+
+// The expressions of a motion are the values of the animation.
+TEST(MovingField, IsTheFieldOfTheScene) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (const Moving& moving : moving_surfaces) {
+        const scene::Scene scene = moving.scene();
+        const Motions parts = motions(scene, Side::positive, {0.1, 0.9}, Clock::time);
+        for (const Motion& motion : parts.pieces) {
+            const MovingField field(motion, {});
+            Numbers numbers(field);
+            for (int k = 0; k < 50; ++k) {
+                const double t =
+                    middle(motion.clock) + 0.49 * width(motion.clock) * unit(random);
+                const Point p{unit(random), unit(random), unit(random), t};
+                const animation::Values values = scene.timeline.animation.at(t);
+                formula::Bindings<double> bindings;
+                bindings.parameters = values.tracks;
+                bindings.arrays = values.arrays;
+                const double expected = formula::FieldEvaluator<double>(*scene.surface.field)
+                                            .value(bindings, {p[0], p[1], p[2]});
+                ASSERT_NEAR(numbers.jet(p).value, -expected, 1e-12);
+            }
+        }
+    }
+}
+
+// Slopes of the derivatives are what the derivatives change by.
+TEST(MovingField, HasTheDerivativesOfWhatItIs) {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (const Moving& moving : {moving_surfaces[0], moving_surfaces[1], moving_surfaces[4]}) {
+        const Motions parts = motions(moving.scene(), Side::negative, {0.1, 0.9}, Clock::time);
+        const MovingField field(parts.pieces[0], {});
+        Numbers numbers(field);
+        for (int k = 0; k < 50; ++k) {
+            const Point p{unit(random), unit(random), unit(random), 0.5 + 0.3 * unit(random)};
+            const Jet<double> at = numbers.jet(p);
+            for (std::size_t i = 0; i < 4; ++i) {
+                constexpr double h = 1e-5;
+                Point before = p, after = p;
+                before[i] -= h;
+                after[i] += h;
+                const Jet<double> low = numbers.jet(before), high = numbers.jet(after);
+                ASSERT_NEAR(at.slope[i], (high.value - low.value) / (2 * h), 1e-4);
+                for (std::size_t j = 0; j < 3; ++j) {
+                    ASSERT_NEAR(at.bend[j][i], (high.slope[j] - low.slope[j]) / (2 * h), 1e-3);
+                }
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace isomotion::topology
