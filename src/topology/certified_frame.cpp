@@ -368,10 +368,10 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
 
 } // namespace
 
-CertifiedFrame certify_frame(const formula::Field& field, formula::Bindings<Interval> bindings,
-                             const scene::BoundsAt& bounds, Side solid, const FrameLimits& limits) {
-    FrameField one(field, one_of(bindings), solid);
-    FrameField all(field, std::move(bindings), solid);
+CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt& bounds,
+                             const FrameLimits& limits) {
+    FrameField one({formula.graph, formula.root, one_of(formula.bindings), formula.solid});
+    FrameField all(formula);
     const Places places(bounds);
     FrameLimits within = limits;
     within.depth = std::min(limits.depth, deepest);

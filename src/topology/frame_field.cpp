@@ -190,12 +190,11 @@ FrameField::ByOrder FrameField::by_order(Graph& graph, NodeId root, bool inputs_
     return made;
 }
 
-FrameField::FrameField(const formula::Field& field, formula::Bindings<Interval> bindings,
-                       Side solid)
-    : bindings_(std::move(bindings))
-    , solid_(solid) {
-    Graph graph = field.graph;
-    const std::vector<NodeId> sums = plain_sums(graph, field.root);
+FrameField::FrameField(const SpaceFormula& formula)
+    : bindings_(formula.bindings)
+    , solid_(formula.solid) {
+    Graph graph = formula.graph;
+    const std::vector<NodeId> sums = plain_sums(graph, formula.root);
     for (NodeId sum : sums) {
         const int array = graph[sum].index;
         const NodeId body = graph[sum].children[0];
@@ -215,7 +214,7 @@ FrameField::FrameField(const formula::Field& field, formula::Bindings<Interval> 
         const auto which = std::ranges::find(sums, id);
         if (which == sums.end()) return std::optional<NodeId>{};
         return std::optional(g.input(sum_input(std::size_t(which - sums.begin()))));
-    })(field.root);
+    })(formula.root);
     whole_ = by_order(graph, whole, true);
     is_bent_ &= kinks(graph, whole).has_value();
     inputs_.resize(std::size_t(sum_input(sums_.size())));
