@@ -358,8 +358,7 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
     if (lost == 0) return true;
     std::array<Interval, 3> gradient = leaf.gradient;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double across =
-            places_.vertex(i, 1, depth_) - places_.vertex(i, 0, depth_); // to half its digits
+        const double across = places_.vertex(i, 1, depth_) - places_.vertex(i, 0, depth_);
         const Interval change = Interval(-lost, lost) / Interval(across / 2);
         gradient[i] = gradient[i] + change;
     }
