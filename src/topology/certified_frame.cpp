@@ -358,8 +358,7 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
     if (lost == 0) return true;
     std::array<Interval, 3> gradient = leaf.gradient;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double across =
-            places_.vertex(i, 1, depth_) - places_.vertex(i, 0, depth_); // to half its digits
+        const double across = places_.vertex(i, 1, depth_) - places_.vertex(i, 0, depth_);
         const Interval change = Interval(-lost, lost) / Interval(across / 2);
         gradient[i] = gradient[i] + change;
     }
@@ -368,10 +367,10 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
 
 } // namespace
 
-CertifiedFrame certify_frame(const formula::Field& field, formula::Bindings<Interval> bindings,
-                             const scene::BoundsAt& bounds, Side solid, const FrameLimits& limits) {
-    FrameField one(field, one_of(bindings), solid);
-    FrameField all(field, std::move(bindings), solid);
+CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt& bounds,
+                             const FrameLimits& limits) {
+    FrameField one({formula.graph, formula.root, one_of(formula.bindings), formula.solid});
+    FrameField all(formula);
     const Places places(bounds);
     FrameLimits within = limits;
     within.depth = std::min(limits.depth, deepest);

@@ -32,11 +32,7 @@ struct FrameLimits {
     int boxes = 4'000'000;
 };
 
-// The bindings may be intervals that hold the exact values: the proof holds for each value in them,
-// so for all frames of a span of time.
-CertifiedFrame certify_frame(const formula::Field& field,
-                             formula::Bindings<formula::Interval> bindings,
-                             const scene::BoundsAt& bounds, Side solid,
+CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt& bounds,
                              const FrameLimits& limits = {});
 
 } // namespace isomotion::topology

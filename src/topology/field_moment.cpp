@@ -14,9 +14,8 @@ constexpr double uncertainty = 1e-9; // of the bounds, as a part of their size
 // The bounds are divided into blocks, each with the elements near it.
 class Blocks {
 public:
-    Blocks(const formula::Field& field, formula::Bindings<Interval> bindings,
-           const scene::BoundsAt& bounds, Side solid)
-        : field_(field, std::move(bindings), solid)
+    Blocks(const SpaceFormula& formula, const scene::BoundsAt& bounds)
+        : field_(formula)
         , everything_(field_.everything())
         , bounds_(bounds) {}
 
@@ -72,9 +71,8 @@ private:
 
 } // namespace
 
-Moment field_moment(const formula::Field& field, formula::Bindings<Interval> bindings,
-                    const scene::BoundsAt& bounds, Side solid) {
-    const auto blocks = std::make_shared<Blocks>(field, std::move(bindings), bounds, solid);
+Moment field_moment(const SpaceFormula& formula, const scene::BoundsAt& bounds) {
+    const auto blocks = std::make_shared<Blocks>(formula, bounds);
     const double slack = uncertainty * bounds.radius;
     const bool is_sphere = bounds.shape == scene::Bounds::Shape::sphere;
     Moment moment;

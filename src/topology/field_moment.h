@@ -6,9 +6,8 @@
 
 namespace isomotion::topology {
 
-// `bindings` enclose the values at all times of the event's enclosure; the bounds may be off by a
-// billionth of their size. Not for several threads at once. The field must outlive it.
-Moment field_moment(const formula::Field& field, formula::Bindings<formula::Interval> bindings,
-                    const scene::BoundsAt& bounds, Side solid);
+// The formula's bindings enclose the values at all times of the event's enclosure; the bounds may
+// be off by a billionth of their size. Not for several threads at once.
+Moment field_moment(const SpaceFormula& formula, const scene::BoundsAt& bounds);
 
 } // namespace isomotion::topology

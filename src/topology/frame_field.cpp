@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <map>
+#include <optional>
 #include <set>
 
 #include "formula/derivative.h"
+#include "formula/substitute.h"
 
 namespace isomotion::topology {
 namespace {
@@ -19,49 +20,6 @@ using formula::Op;
 // Elements are left out of a sum where their terms' widths are this part of the terms' size, and
 // their slopes' likewise.
 constexpr double negligible = 0x1p-20;
-
-// The same expression with some nodes replaced.
-class Replacement {
-public:
-    using Choose = std::function<std::optional<NodeId>(Graph&, const Node&, NodeId)>;
-
-    Replacement(Graph& graph, Choose choose)
-        : graph_(graph)
-        , choose_(std::move(choose)) {}
-
-    NodeId operator()(NodeId id) {
-        if (const auto it = done_.find(id); it != done_.end()) return it->second;
-        const Node node = graph_[id]; // a copy: the graph grows
-        NodeId made = id;
-        if (const auto other = choose_(graph_, node, id)) {
-            made = *other;
-        } else if (node.arity > 0) {
-            std::array<NodeId, 4> child{};
-            for (std::size_t k = 0; k < node.arity; ++k) child[k] = (*this)(node.children[k]);
-            made = child == node.children ? id : remade(node, child);
-        }
-        return done_[id] = made;
-    }
-
-private:
-    NodeId remade(const Node& node, const std::array<NodeId, 4>& child) {
-        switch (node.op) {
-        case Op::chebyshev:
-            return graph_.chebyshev(node.index, child[0], node.second);
-        case Op::sum:
-            return graph_.sum(node.index, child[0]);
-        case Op::select:
-            return graph_.select(child[0], child[1], child[2], child[3]);
-        default:
-            return node.arity == 1 ? graph_.unary(node.op, child[0])
-                                   : graph_.binary(node.op, child[0], child[1]);
-        }
-    }
-
-    Graph& graph_;
-    Choose choose_;
-    std::map<NodeId, NodeId> done_;
-};
 
 // Nodes below the root that `is` holds for; not below those.
 std::vector<NodeId> below(const Graph& graph, NodeId root,
@@ -190,12 +148,11 @@ FrameField::ByOrder FrameField::by_order(Graph& graph, NodeId root, bool inputs_
     return made;
 }
 
-FrameField::FrameField(const formula::Field& field, formula::Bindings<Interval> bindings,
-                       Side solid)
-    : bindings_(std::move(bindings))
-    , solid_(solid) {
-    Graph graph = field.graph;
-    const std::vector<NodeId> sums = plain_sums(graph, field.root);
+FrameField::FrameField(const SpaceFormula& formula)
+    : bindings_(formula.bindings)
+    , solid_(formula.solid) {
+    Graph graph = formula.graph;
+    const std::vector<NodeId> sums = plain_sums(graph, formula.root);
     for (NodeId sum : sums) {
         const int array = graph[sum].index;
         const NodeId body = graph[sum].children[0];
@@ -203,19 +160,23 @@ FrameField::FrameField(const formula::Field& field, formula::Bindings<Interval> 
         for (NodeId id : below(graph, body, [](const Node& n) { return n.op == Op::element; }))
             fields.insert(graph[id].second);
         Sum& made = sums_.emplace_back(array, std::vector(fields.begin(), fields.end()));
-        const NodeId term = Replacement(graph, [&](Graph& g, const Node& node, NodeId) {
-            if (node.op != Op::element) return std::optional<NodeId>{};
+        const auto to_input = [&](Graph& g, const Node& node, NodeId rebuilt) {
+            if (node.op != Op::element) return rebuilt;
             const auto which = std::ranges::find(made.fields, node.second) - made.fields.begin();
-            return std::optional(g.input(first_input + int(which)));
-        })(body);
+            return g.input(first_input + int(which));
+        };
+        const NodeId term = formula::substitute(graph, graph, std::array{body}, to_input).front();
         made.term = by_order(graph, term, false);
         is_bent_ &= below(graph, term, is_kink).empty();
     }
-    const NodeId whole = Replacement(graph, [&](Graph& g, const Node&, NodeId id) {
-        const auto which = std::ranges::find(sums, id);
-        if (which == sums.end()) return std::optional<NodeId>{};
-        return std::optional(g.input(sum_input(std::size_t(which - sums.begin()))));
-    })(field.root);
+    // What is below a plain sum stays as it is, so the sum is rebuilt as itself.
+    const auto sum_to_input = [&](Graph& g, const Node&, NodeId rebuilt) {
+        const auto which = std::ranges::find(sums, rebuilt);
+        if (which == sums.end()) return rebuilt;
+        return g.input(sum_input(std::size_t(which - sums.begin())));
+    };
+    const NodeId whole =
+        formula::substitute(graph, graph, std::array{formula.root}, sum_to_input).front();
     whole_ = by_order(graph, whole, true);
     is_bent_ &= kinks(graph, whole).has_value();
     inputs_.resize(std::size_t(sum_input(sums_.size())));

@@ -25,11 +25,24 @@ struct ValueAndGradient {
     std::array<formula::Interval, 3> gradient;
 };
 
-// One evaluator a thread.
+// A formula of x, y, z alone, and what its other names stand for: intervals that hold the exact
+// values. What is proved holds for each value in them, so for all frames of a span of time.
+struct SpaceFormula {
+    formula::Graph graph;
+    formula::NodeId root = 0; // F
+    formula::Bindings<formula::Interval> bindings;
+    Side solid = Side::negative;
+};
+
+inline SpaceFormula space_formula(const formula::Field& field,
+                                  formula::Bindings<formula::Interval> bindings, Side solid) {
+    return {field.graph, field.root, std::move(bindings), solid};
+}
+
+// One a thread.
 class FrameField {
 public:
-    FrameField(const formula::Field& field, formula::Bindings<formula::Interval> bindings,
-               Side solid);
+    explicit FrameField(const SpaceFormula& formula);
 
     // Of one sum, in a box.
     struct Elements {

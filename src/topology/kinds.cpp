@@ -33,14 +33,22 @@ void settle(Event& event, Kind kind, const char* proof) {
 
 // `change` is what these events of one index add to b0 (1) or b2 (2): each of them adds `parts` or
 // nothing.
-bool force(std::vector<Event*> events, int change, int Betti::*number, const char* proof) {
+bool force(std::vector<Event*> events, int change, int Betti::*number, bool is_one_moment) {
     int least = 0, most = 0;
     for (const Event* event : events) {
         const int parts = topology::change(by_parts(*event)).*number;
         (parts < 0 ? least : most) += parts;
     }
     if (change < least || change > most) return false;
-    if (change != least && change != most) return true;
+    if (change != least && change != most) {
+        // At one moment there is no order: as many as there are, the first ones by convention.
+        if (!is_one_moment || (least != 0 && most != 0)) return true;
+        int parts = std::abs(change);
+        for (Event* event : events)
+            settle(*event, parts-- > 0 ? by_parts(*event) : by_path(*event), "frames");
+        return true;
+    }
+    const char* proof = is_one_moment ? "frames" : "counting";
     for (Event* event : events) {
         const int parts = topology::change(by_parts(*event)).*number;
         const bool changes_parts = (parts < 0) == (change == least) && least != most;
@@ -322,9 +330,8 @@ bool count_kinds(std::span<Event> events, const Betti& before, const Betti& afte
     // Two frames about one moment are a closer look than counting.
     const bool is_one_moment = std::ranges::all_of(
         events, [&](const Event& event) { return event.time.lo <= events.front().time.hi; });
-    const char* proof = is_one_moment ? "frames" : "counting";
-    const bool agree = force(first, of_components, &Betti::components, proof) &&
-                       force(second, of_voids, &Betti::voids, proof);
+    const bool agree = force(first, of_components, &Betti::components, is_one_moment) &&
+                       force(second, of_voids, &Betti::voids, is_one_moment);
     if (!agree) {
         for (Event* event : first) settle(*event, Kind::unknown, "");
     }
@@ -341,7 +348,8 @@ void find_kinds(Timeline& timeline, const KindProofs& proofs) {
         for (const auto& frame : std::move(counting).frames()) frames.push_back(frame);
     };
     // Coarse paths are quick and leave little to count; fine ones are for what counting leaves.
-    constexpr std::array coarse{32, 64}, fine{128, 256};
+    constexpr std::array coarse{32, 64};
+    constexpr std::array fine{128};
     settle_by_path(timeline, proofs, coarse);
     count();
     if (std::ranges::any_of(timeline.events, is_open)) {

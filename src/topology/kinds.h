@@ -29,7 +29,8 @@ struct KindProofs {
 void find_kinds(Timeline& timeline, const KindProofs& proofs);
 
 // Kinds of those events that are forced by the Betti numbers before the first and after the last.
-// False if no kinds agree with them.
+// Of events at one time, which have no order, as many are of each kind as these say, the first ones
+// of those that change b0 or b2. False if no kinds agree with them.
 bool count_kinds(std::span<Event> events, const Betti& before, const Betti& after);
 
 } // namespace isomotion::topology

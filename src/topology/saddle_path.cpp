@@ -241,7 +241,8 @@ public:
         return std::nullopt;
     }
 
-    // Floods from both, by turns, until they meet or one is all there is.
+    // Floods from both, by turns, until they meet or one is all there is; gives up where that is
+    // too many.
     bool joins(const Cell& a, const Cell& b) {
         if (a == b) return true;
         std::map<Cell, int> side{{a, 0}, {b, 1}};
@@ -249,7 +250,7 @@ public:
         if (is_around(a) && is_around(b)) return true;
         for (;;) {
             const int now = front[0].size() <= front[1].size() ? 0 : 1;
-            if (front[std::size_t(now)].empty()) return false;
+            if (front[std::size_t(now)].empty() || side.size() > most_cells) return false;
             std::vector<Cell> candidates;
             for (const Cell& cell : front[std::size_t(now)]) {
                 for (std::size_t i = 0; i < 3; ++i) {
@@ -272,6 +273,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t most_cells = 200'000;
+
     bool is_in_grid(const Cell& cell) const {
         for (std::size_t i = 0; i < 3; ++i) {
             if (cell[i] < -1 || cell[i] > count_[i]) return false;

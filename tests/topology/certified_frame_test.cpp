@@ -16,8 +16,7 @@ const std::string box = "{ box = [[-1, -1, -1], [1, 1, 1]] }";
 CertifiedFrame certified(const scene::Scene& scene, double time = 0,
                          const FrameLimits& limits = {}) {
     const Frame frame(scene, time);
-    return certify_frame(*scene.surface.field, frame.intervals, frame.bounds, solid_side(scene),
-                         limits);
+    return certify_frame(frame.formula(solid_side(scene)), frame.bounds, limits);
 }
 
 std::string describe(const CertifiedFrame& frame) {
@@ -82,8 +81,7 @@ class Reaching : public testing::TestWithParam<Known> {};
 TEST_P(Reaching, TheWalls) {
     const scene::Scene scene = still(GetParam().formula, GetParam().bounds);
     const Frame frame(scene, 0);
-    const CertifiedFrame proved =
-        certify_frame(*scene.surface.field, frame.intervals, frame.bounds, Side::negative);
+    const CertifiedFrame proved = certify_frame(frame.formula(Side::negative), frame.bounds);
     ASSERT_TRUE(proved.betti) << describe(proved);
     const SignGrid grid =
         frame_signs(*scene.surface.field, frame.numbers, frame.bounds, Side::negative, 128);
@@ -133,14 +131,11 @@ TEST(CertifiedFrame, ASpanOfParameters) {
                  "[parameters]\nr = 1\n");
     Frame frame(scene, 0);
     frame.intervals.parameters[0] = {0.95, 1.05};
-    const auto proved =
-        certify_frame(*scene.surface.field, frame.intervals, frame.bounds, Side::negative);
+    const auto proved = certify_frame(frame.formula(Side::negative), frame.bounds);
     ASSERT_TRUE(proved.betti) << describe(proved);
     EXPECT_EQ(*proved.betti, (Betti{1, 0, 0}));
     frame.intervals.parameters[0] = {0, 1}; // the sphere vanishes
-    EXPECT_FALSE(certify_frame(*scene.surface.field, frame.intervals, frame.bounds, Side::negative,
-                               {.depth = 6})
-                     .betti);
+    EXPECT_FALSE(certify_frame(frame.formula(Side::negative), frame.bounds, {.depth = 6}).betti);
 }
 
 TEST(CertifiedFrame, OfTheCatalogue) {
@@ -204,7 +199,7 @@ TEST(FrameField, EnclosesValuesAndSlopes) {
     const scene::Scene scene = animated("blobby75");
     const Frame frame(scene, 1.1);
     formula::FieldEvaluator<double> field(*scene.surface.field);
-    FrameField boxes(*scene.surface.field, frame.intervals, Side::positive);
+    FrameField boxes(frame.formula(Side::positive));
     formula::Random random(3);
     for (int trial = 0; trial < 200; ++trial) {
         FrameField::Near near = boxes.everything();

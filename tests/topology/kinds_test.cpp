@@ -1,6 +1,8 @@
 // Kinds of events: paths and counting on closed forms, and what fails to agree.
 #include "topology/kinds.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "topology/certified_frame.h"
@@ -165,12 +167,11 @@ protected:
     }
     Moment moment(const Event& event) const {
         const Frame now = frame(event.time);
-        return field_moment(*scene_.surface.field, now.intervals, now.bounds, Side::negative);
+        return field_moment(now.formula(Side::negative), now.bounds);
     }
     std::optional<Betti> betti(double time) const {
         const Frame now = frame(time);
-        return certify_frame(*scene_.surface.field, now.intervals, now.bounds, Side::negative)
-            .betti;
+        return certify_frame(now.formula(Side::negative), now.bounds).betti;
     }
 
     scene::Scene scene_;
@@ -275,19 +276,30 @@ TEST(Counting, FramesBetween) {
 }
 
 TEST(Counting, EventsAtOneTime) {
-    // Twelve necks form at once between eight blobs: seven merge, five make tunnels, and it makes
-    // no sense to say which. Without kinds there are Betti numbers on both sides.
+    // Twelve necks form at once between eight blobs: seven merge, five make tunnels.
+    const auto count = [](const Timeline& timeline, Kind kind) {
+        return std::ranges::count(timeline.events, kind, &Event::kind);
+    };
     std::vector<Event> events(12, an_event(5, 1, true));
     Timeline timeline = timeline_of(events, {8, 0, 0}, {1, 5, 0});
     find_kinds(timeline, {});
-    EXPECT_EQ(timeline.events.front().before, (Betti{8, 0, 0}));
-    EXPECT_EQ(timeline.events.back().after, (Betti{1, 5, 0}));
-    EXPECT_TRUE(timeline.doubts.empty());
+    EXPECT_EQ(count(timeline, Kind::merge), 7);
+    EXPECT_EQ(count(timeline, Kind::tunnel_forms), 5);
+    EXPECT_TRUE(timeline.is_complete());
 
     // Six holes in the faces close at once: a void forms, five tunnels close.
     events.assign(6, an_event(5, 2, true));
     timeline = timeline_of(events, {1, 5, 0}, {1, 0, 1});
     find_kinds(timeline, {});
+    EXPECT_EQ(count(timeline, Kind::void_forms), 1);
+    EXPECT_EQ(count(timeline, Kind::tunnel_closes), 5);
+    EXPECT_TRUE(timeline.is_complete());
+
+    // Some grow and some shrink: nothing tells how many.
+    events = {an_event(5, 1, true), an_event(5, 1, false)};
+    timeline = timeline_of(events, {2, 1, 0}, {2, 1, 0});
+    find_kinds(timeline, {});
+    EXPECT_EQ(count(timeline, Kind::unknown), 2);
     EXPECT_TRUE(timeline.doubts.empty());
 }
 

@@ -11,6 +11,7 @@
 
 #include "scene/load.h"
 #include "scene/scene_at.h"
+#include "topology/frame_field.h"
 
 namespace isomotion::topology {
 
@@ -39,13 +40,17 @@ struct Frame {
     formula::Bindings<double> numbers;
     formula::Bindings<formula::Interval> intervals;
     scene::BoundsAt bounds;
+    std::shared_ptr<const formula::Field> field;
 
-    Frame(const scene::Scene& scene, double time) {
+    Frame(const scene::Scene& scene, double time)
+        : field(scene.surface.field) {
         const scene::SceneAt now = scene::at(scene, scene.timeline.animation.at(time));
         numbers = formula::convert<double>(now.bindings);
         intervals = formula::convert<formula::Interval>(numbers);
         bounds = now.bounds;
     }
+
+    SpaceFormula formula(Side solid) const { return space_formula(*field, intervals, solid); }
 };
 
 } // namespace isomotion::topology
