@@ -150,9 +150,10 @@ std::vector<Timing> race(gpu::Context& context, const Certified& on,
                 render::RenderOptions{on.width(), on.height(), {}, {}});
             // Drivers make their code at the first draw, of which no time is kept.
             for (const scene::SceneAt& now : on.frames) {
-                const render::Picture picture = renderers[k]->draw(now);
+                render::Picture picture = renderers[k]->draw(now);
                 timings[k].evaluations += double(picture.evaluations);
                 round += ms(picture);
+                renderers[k]->reuse(std::move(picture));
             }
         } catch (const std::exception& error) {
             renderers[k].reset();
@@ -167,8 +168,10 @@ std::vector<Timing> race(gpu::Context& context, const Certified& on,
             for (std::size_t turn = 0; turn < settings.size(); ++turn) {
                 const std::size_t k = (turn + std::size_t(again)) % settings.size();
                 if (!renderers[k]) continue;
-                times[k].push_back(ms(renderers[k]->draw(now)));
+                render::Picture picture = renderers[k]->draw(now);
+                times[k].push_back(ms(picture));
                 timings[k].rounds[std::size_t(again)] += times[k].back();
+                renderers[k]->reuse(std::move(picture));
             }
         }
         for (std::size_t k = 0; k < settings.size(); ++k) {
