@@ -11,7 +11,8 @@ namespace isomotion::topology {
 
 enum class Certify {
     off,  // sample: signs of F on a grid, frame by frame; nothing is proved
-    fast, // search and prove events, without proofs of the kinds that need paths
+    fast, // events from seeds, each proved, their kinds where the index tells, and signs on a grid
+          // at both ends; events may be missing
     full, // prove all that can be
 };
 

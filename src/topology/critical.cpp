@@ -11,6 +11,7 @@
 #include "topology/motion.h"
 #include "topology/moving_field.h"
 #include "topology/search.h"
+#include "topology/seeded.h"
 #include "topology/sphere.h"
 
 namespace isomotion::topology {
@@ -156,6 +157,7 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range, const
     timeline.is_proved = true;
     const Motions all = motions(scene, side, range);
     timeline.doubts = all.doubts;
+    if (how.seeds > 0) timeline.doubts.push_back("found from seeds: events may be missing");
     for (const double jump : all.jumps) {
         timeline.unresolved.push_back(
             {Interval(jump), {}, "the surface jumps from one shape to another", {}, {}});
@@ -172,12 +174,14 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range, const
         whole *= double(all.pieces.size());
         for (const Stratum& part : parts) {
             const MovingField field(motion, part);
-            Searching searching{how.smallest, how.threads, how.stop, {}};
             const double share = effort(part) / whole;
+            std::function<void(double)> progress;
             if (how.progress) {
-                searching.progress = [&](double of_this) { how.progress(done + of_this * share); };
+                progress = [&](double of_this) { how.progress(done + of_this * share); };
             }
-            const Found found = search(field, searching);
+            const Found found =
+                how.seeds > 0 ? from_seeds(field, {how.seeds, how.threads, how.stop, progress})
+                              : search(field, {how.smallest, how.threads, how.stop, progress});
             done += share;
             if (cost) cost->boxes += found.boxes;
             events.add(field, found);

@@ -16,12 +16,15 @@ namespace isomotion::topology {
 struct EventSearch {
     double smallest = 1e-6; // box, as a part of the bounds and the range: see Searching
     int threads = 1;        // the result doesn't depend on it
+    // Above 0: so many seeds (from_seeds) in place of the search. That none is missing is then not
+    // proved, and a doubt says so.
+    int seeds = 0;
     std::stop_token stop{};
     std::function<void(double)> progress{}; // part of the search that is done; from any thread
 };
 
 struct SearchCost {
-    std::int64_t boxes = 0;
+    std::int64_t boxes = 0; // or evaluations, from seeds
 };
 
 // Fills in the range, the events (their kinds where index and direction leave one, and Kind::none

@@ -49,6 +49,18 @@ std::optional<Matrix> inverse(const Matrix& matrix, int n) {
     return b;
 }
 
+std::optional<Matrix> middle_inverse(const IntervalMatrix& slopes, int n) {
+    const auto size = std::size_t(n);
+    Matrix middle{};
+    for (std::size_t i = 0; i < size; ++i) {
+        for (std::size_t j = 0; j < size; ++j) {
+            if (std::isinf(magnitude(slopes[i][j]))) return std::nullopt;
+            middle[i][j] = mid(slopes[i][j]);
+        }
+    }
+    return inverse(middle, n);
+}
+
 Krawczyk krawczyk(const Box& x, const Point& middle, const Box& at_middle,
                   const IntervalMatrix& slopes, const Matrix& y, int n) {
     const auto size = std::size_t(n);

@@ -34,20 +34,53 @@ NodeId undecided(Graph& g, NodeId a, NodeId b) {
                  g.select(side, side, g.constant(-infinity), zero));
 }
 
-// Slopes over an interval hold across the kinks of min and max, but slopes of those slopes don't:
-// there the first ones jump. What to add to second derivatives.
+// Slopes over an interval hold across the kinks of min and max and at the ends of sqrt, asin and
+// acos, but slopes of those slopes don't: there the first ones jump. What to add to second
+// derivatives.
 NodeId kinks(Graph& g, NodeId root) {
     NodeId all = g.constant(0);
     for (const NodeId id : formula::nodes_below(g, std::array{root})) {
-        const Node node = g[id];
-        if (node.op != Op::min && node.op != Op::max && node.op != Op::select) continue;
-        NodeId kink = undecided(g, node.children[0], node.children[1]);
+        const Node node = g[id]; // a copy: the graph grows
+        NodeId kink = 0;
+        switch (node.op) {
+        case Op::min:
+        case Op::max:
+        case Op::select:
+            kink = undecided(g, node.children[0], node.children[1]);
+            break;
+        case Op::sqrt:
+            kink = undecided(g, node.children[0], g.constant(0));
+            break;
+        case Op::asin:
+        case Op::acos:
+            kink = undecided(g, g.unary(Op::abs, node.children[0]), g.constant(1));
+            break;
+        default:
+            continue;
+        }
         for (int array = 0; array < formula::max_arrays; ++array) {
             if (g[kink].arrays & (1u << array)) kink = g.sum(array, kink);
         }
         all = g.add(all, kink);
     }
     return all;
+}
+
+// Of point `p` of the outputs of a jet's program.
+template<class T>
+Jet<T> unpacked(const std::vector<std::vector<T>>& outputs, std::size_t p, std::size_t n) {
+    const std::size_t d = n - 1;
+    Jet<T> jet;
+    jet.value = outputs[0][p];
+    for (std::size_t k = 0; k < n; ++k) jet.slope[k] = outputs[1 + k][p];
+    std::size_t at = 1 + n;
+    for (std::size_t i = 0; i < d; ++i) {
+        for (std::size_t j = i; j < n; ++j, ++at) {
+            jet.bend[i][j] = outputs[at][p];
+            if (j < d) jet.bend[j][i] = outputs[at][p];
+        }
+    }
+    return jet;
 }
 
 } // namespace
@@ -264,21 +297,11 @@ void Enclosures::slopes(const Elements& elements, std::span<const Box> boxes,
 
 void Enclosures::jets(const Elements& elements, std::span<const Box> boxes,
                       std::vector<Jet<Interval>>& jets) {
-    const auto n = std::size_t(field_.variables_), d = n - 1;
+    const auto n = std::size_t(field_.variables_);
     load(elements, boxes);
     run(jet_, elements, field_.jet_.outputs.size());
     jets.resize(boxes.size());
-    for (std::size_t b = 0; b < boxes.size(); ++b) {
-        jets[b].value = outputs_[0][b];
-        for (std::size_t k = 0; k < n; ++k) jets[b].slope[k] = outputs_[1 + k][b];
-        std::size_t at = 1 + n;
-        for (std::size_t i = 0; i < d; ++i) {
-            for (std::size_t j = i; j < n; ++j, ++at) {
-                jets[b].bend[i][j] = outputs_[at][b];
-                if (j < d) jets[b].bend[j][i] = outputs_[at][b];
-            }
-        }
-    }
+    for (std::size_t b = 0; b < boxes.size(); ++b) jets[b] = unpacked(outputs_, b, n);
 }
 
 Jet<Interval> Enclosures::jet(const Box& box) {
@@ -365,20 +388,26 @@ Numbers::Numbers(const MovingField& field)
     , outputs_(field.numbers_.outputs.size()) {}
 
 Jet<double> Numbers::jet(const Point& point) {
-    const auto n = std::size_t(field_.variables_), d = n - 1;
-    std::copy_n(point.begin(), n, inputs_.begin());
-    evaluator_.point(field_.bindings_, inputs_, outputs_);
-    Jet<double> jet;
-    jet.value = outputs_[0];
-    for (std::size_t k = 0; k < n; ++k) jet.slope[k] = outputs_[1 + k];
-    std::size_t at = 1 + n;
-    for (std::size_t i = 0; i < d; ++i) {
-        for (std::size_t j = i; j < n; ++j, ++at) {
-            jet.bend[i][j] = outputs_[at];
-            if (j < d) jet.bend[j][i] = outputs_[at];
-        }
+    std::vector<Jet<double>> one;
+    jets({&point, 1}, one);
+    return one[0];
+}
+
+void Numbers::jets(std::span<const Point> points, std::vector<Jet<double>>& jets) {
+    const std::size_t n = inputs_.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        inputs_[k].clear();
+        for (const Point& point : points) inputs_[k].push_back(point[k]);
     }
-    return jet;
+    std::vector<std::span<double>> to;
+    for (auto& output : outputs_) {
+        output.resize(points.size());
+        to.emplace_back(output);
+    }
+    const std::vector<std::span<const double>> from(inputs_.begin(), inputs_.end());
+    evaluator_.points(field_.bindings_, from, to);
+    jets.resize(points.size());
+    for (std::size_t p = 0; p < points.size(); ++p) jets[p] = unpacked(outputs_, p, n);
 }
 
 } // namespace isomotion::topology

@@ -137,11 +137,12 @@ public:
     explicit Numbers(const MovingField& field);
 
     Jet<double> jet(const Point& point);
+    void jets(std::span<const Point> points, std::vector<Jet<double>>& jets);
 
 private:
     const MovingField& field_;
     formula::Evaluator<double> evaluator_;
-    std::vector<double> inputs_, outputs_;
+    std::vector<std::vector<double>> inputs_, outputs_;
 };
 
 } // namespace isomotion::topology

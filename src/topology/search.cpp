@@ -6,7 +6,7 @@
 #include <memory>
 #include <thread>
 
-#include "topology/krawczyk.h"
+#include "topology/critical_system.h"
 
 namespace isomotion::topology {
 namespace {
@@ -29,6 +29,19 @@ constexpr double negligible = 1e-12, coarse = 1e-2;
 constexpr std::size_t together = 64;
 // With more unresolved boxes than this in a task the smallest box grows: a curve of them.
 constexpr std::size_t too_many = 256;
+
+bool meet(const Box& a, const Box& b) {
+    for (std::size_t k = 0; k < most_variables; ++k) {
+        if (a[k].hi < b[k].lo || b[k].hi < a[k].lo) return false;
+    }
+    return true;
+}
+bool contains(const Box& a, const Box& b) {
+    for (std::size_t k = 0; k < most_variables; ++k) {
+        if (!formula::contains(a[k], b[k])) return false;
+    }
+    return true;
+}
 
 class Task {
 public:
@@ -221,40 +234,18 @@ private:
         return holds_zero(second);
     }
 
-    IntervalMatrix system(const IntervalJet& jet) const {
-        IntervalMatrix slopes{};
-        for (std::size_t k = 0; k < n_; ++k) {
-            slopes[0][k] = jet.slope[k];
-            for (std::size_t i = 0; i < d_; ++i) slopes[1 + i][k] = jet.bend[i][k];
-        }
-        return slopes;
-    }
-    Box residual(const IntervalJet& at_m) const {
-        Box f{};
-        f[0] = at_m.value;
-        for (std::size_t i = 0; i < d_; ++i) f[1 + i] = at_m.slope[i];
-        return f;
-    }
-    std::optional<Matrix> preconditioner(const IntervalMatrix& slopes) const {
-        Matrix middle{};
-        for (std::size_t i = 0; i < n_; ++i) {
-            for (std::size_t j = 0; j < n_; ++j) {
-                if (std::isinf(magnitude(slopes[i][j]))) return std::nullopt;
-                middle[i][j] = mid(slopes[i][j]);
-            }
-        }
-        return inverse(middle, int(n_));
-    }
-
     void settle(Box box, IntervalJet jet, const IntervalJet& at_m) {
         const Point m = middle(box);
         if (!may_be_critical(jet) || !sharpen(box, m, jet, at_m)) return;
-        const IntervalMatrix slopes = system(jet);
-        if (const auto y = preconditioner(slopes)) {
-            const Krawczyk k = krawczyk(box, m, residual(at_m), slopes, *y, int(n_));
+        const IntervalMatrix slopes = jacobian(jet, n_);
+        if (const auto y = middle_inverse(slopes, int(n_))) {
+            const Krawczyk k = krawczyk(box, m, residual(at_m, n_), slopes, *y, int(n_));
             if (k.is_empty) return;
-            if ((k.is_inside || k.contraction < 1 || spatial_size(box) < 1e-3) && isolate(box)) {
-                return;
+            if (k.is_inside || k.contraction < 1 || spatial_size(box) < 1e-3) {
+                if (const auto point = isolate(field_, enclosures_, numbers_, box)) {
+                    found_.points.push_back(*point);
+                    return;
+                }
             }
             double shrinks = 1;
             for (std::size_t i = 0; i < n_; ++i) {
@@ -326,71 +317,6 @@ private:
         return two;
     }
 
-    // Newton's method, then a proof that an inflated box around the limit and the box has one root.
-    bool isolate(const Box& box) {
-        Point x = middle(box);
-        bool converges = false;
-        for (int k = 0; k < 20 && !converges; ++k) {
-            const Jet<double> jet = numbers_.jet(x);
-            Matrix a{};
-            Point f{};
-            f[0] = jet.value;
-            for (std::size_t i = 0; i < d_; ++i) f[1 + i] = jet.slope[i];
-            for (std::size_t j = 0; j < n_; ++j) {
-                a[0][j] = jet.slope[j];
-                for (std::size_t i = 0; i < d_; ++i) a[1 + i][j] = jet.bend[i][j];
-            }
-            const auto y = inverse(a, int(n_));
-            if (!y) return false;
-            converges = true;
-            for (std::size_t i = 0; i < n_; ++i) {
-                double move = 0;
-                for (std::size_t j = 0; j < n_; ++j) move += (*y)[i][j] * f[j];
-                x[i] -= move;
-                const double reach = box[i].hi - box[i].lo;
-                // Far off: the root that it may find is not this box's.
-                const double whole = field_.domain()[i].hi - field_.domain()[i].lo;
-                if (!(std::abs(x[i] - mid(box[i])) <= 2 * reach + 1e-9 * whole)) return false;
-                const double scale = std::max(std::abs(x[i]), magnitude(field_.domain()[i]));
-                converges &= std::abs(move) <= 1e-14 * scale;
-            }
-        }
-        Box alone{};
-        for (std::size_t k = 0; k < n_; ++k) {
-            const double margin = 0.1 * (box[k].hi - box[k].lo) +
-                                  1e-13 * std::max(std::abs(x[k]), magnitude(field_.domain()[k]));
-            alone[k] = {std::min(box[k].lo, x[k]) - margin, std::max(box[k].hi, x[k]) + margin};
-        }
-        const auto contract = [&](const Box& in, CriticalPoint& point) -> std::optional<Krawczyk> {
-            Point m = x;
-            for (std::size_t k = 0; k < n_; ++k) m[k] = std::clamp(m[k], in[k].lo, in[k].hi);
-            point.jet = enclosures_.jet(in);
-            const IntervalMatrix slopes = system(point.jet);
-            const auto y = preconditioner(slopes);
-            if (!y) return std::nullopt;
-            return krawczyk(in, m, residual(enclosures_.jet(at_point(m))), slopes, *y, int(n_));
-        };
-        CriticalPoint point;
-        point.alone = alone;
-        const auto first = contract(alone, point);
-        if (!first || !first->is_inside) return false;
-        point.where = first->image;
-        for (int k = 0; k < 20; ++k) {
-            const auto next = contract(point.where, point);
-            if (!next) break;
-            bool shrinks = false;
-            for (std::size_t i = 0; i < n_; ++i) {
-                const Interval both = intersect(point.where[i], next->image[i]);
-                shrinks |= both.hi - both.lo < 0.8 * (point.where[i].hi - point.where[i].lo);
-                point.where[i] = both;
-            }
-            if (!shrinks) break;
-        }
-        point.jet = enclosures_.jet(point.where);
-        found_.points.push_back(point);
-        return true;
-    }
-
     const MovingField& field_;
     const Searching& searching_;
     std::size_t n_, d_;
@@ -402,19 +328,6 @@ private:
     std::vector<IntervalJet> jets_, at_centres_;
     std::vector<Interval> values_;
 };
-
-bool meet(const Box& a, const Box& b) {
-    for (std::size_t k = 0; k < most_variables; ++k) {
-        if (a[k].hi < b[k].lo || b[k].hi < a[k].lo) return false;
-    }
-    return true;
-}
-bool contains(const Box& a, const Box& b) {
-    for (std::size_t k = 0; k < most_variables; ++k) {
-        if (!formula::contains(a[k], b[k])) return false;
-    }
-    return true;
-}
 
 std::vector<Box> tasks(const MovingField& field) {
     const auto n = std::size_t(field.variables());
@@ -432,7 +345,8 @@ std::vector<Box> tasks(const MovingField& field) {
     return boxes;
 }
 
-// Points that two tasks found are one: each in the box where the other is alone.
+} // namespace
+
 void put_together(Found& all) {
     std::sort(all.points.begin(), all.points.end(), [](const auto& a, const auto& b) {
         return std::tuple(a.where[3].lo, a.where[2].lo, a.where[1].lo, a.where[0].lo) <
@@ -457,8 +371,6 @@ void put_together(Found& all) {
                            [&](const auto& point) { return contains(point.alone, box); });
     });
 }
-
-} // namespace
 
 std::vector<Box> merged(std::vector<Box> boxes, const Box& domain, double gap) {
     for (bool changed = true; changed;) {

@@ -11,6 +11,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "topology/isolation.h"
 #include "topology/moving_field.h"
 
 namespace isomotion::topology {
@@ -23,12 +24,6 @@ struct Searching {
     std::function<void(double)> progress{}; // part of the domain that is done; from any thread
 };
 
-struct CriticalPoint {
-    Box where; // holds the point
-    Box alone; // holds no other one; `where` is inside
-    Jet<formula::Interval> jet;
-};
-
 struct Found {
     std::vector<CriticalPoint> points; // by clock
     std::vector<Box> unresolved;       // outside of these, no other points; each with a gap around
@@ -37,6 +32,10 @@ struct Found {
 };
 
 Found search(const MovingField& field, const Searching& searching);
+
+// Sorts the points by clock. Of those found twice, each in the box where the other is alone, one
+// stays.
+void put_together(Found& found);
 
 // The boxes as few, each around some of them that touch or nearly do.
 std::vector<Box> merged(std::vector<Box> boxes, const Box& domain, double gap);

@@ -164,5 +164,49 @@ TEST(MovingField, HasTheDerivativesOfWhatItIs) {
     }
 }
 
+// Across kinks, jumps of slopes and ends of domains too. Krawczyk's operator needs no less.
+TEST(MovingField, EnclosesHowMuchItsSlopesChange) {
+    const unsigned seed = 20'261'121;
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    int across = 0;
+    for (const std::string formula :
+         {"sqrt(x - c) + y*z", "asin(x + c) + y*z", "acos(x*y + c) - z", "sqrt(x*y - c)*z",
+          "abs(x + c)*y - z", "max(x*y, z + c)", "sum(blobs, sqrt(x*cx - c)) + y*z"}) {
+        SCOPED_TRACE(formula);
+        const Moving moving{formula, "{ box = [[-2, -2, -2], [2, 2, 2]] }", "c = \"t - 0.5\"",
+                            "[arrays.blobs]\ncount = 3\ncx = \"i + 1\""};
+        const Motions parts = motions(moving.scene(), Side::negative, {0, 1}, Clock::time);
+        const MovingField field(parts.pieces.at(0), {});
+        Enclosures enclosures(field);
+        Numbers numbers(field);
+        for (int k = 0; k < 4000; ++k) {
+            Point p{1.5 * unit(random), 1.5 * unit(random), 1.5 * unit(random),
+                    0.5 + 0.4 * unit(random)};
+            const auto j = std::size_t(k % 4);
+            Point q = p;
+            q[j] += (j == 3 ? 0.1 : 0.4) * unit(random);
+            Box box{};
+            for (std::size_t i = 0; i < 4; ++i) {
+                box[i] = {std::min(p[i], q[i]), std::max(p[i], q[i])};
+            }
+            const Jet<double> from = numbers.jet(p), to = numbers.jet(q);
+            const Jet<Interval> jet = enclosures.jet(box);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double change = (to.slope[i] - from.slope[i]) / (q[j] - p[j]);
+                if (!std::isfinite(change)) continue;
+                // Of doubles: their rounding, over the distance.
+                const double slack = 1e-12 * (1 + std::abs(from.slope[i]) + std::abs(to.slope[i])) /
+                                     std::abs(q[j] - p[j]);
+                ASSERT_LE(jet.bend[i][j].lo, change + slack) << i << " by " << j;
+                ASSERT_GE(jet.bend[i][j].hi, change - slack) << i << " by " << j;
+                across += std::isinf(magnitude(jet.bend[i][j]));
+            }
+        }
+    }
+    EXPECT_GT(across, 1000); // boxes that do hold a kink or an end
+}
+
 } // namespace
 } // namespace isomotion::topology

@@ -1,0 +1,194 @@
+#include "topology/seeded.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "topology/critical_system.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Interval;
+
+constexpr int seeds_together = 512;
+// From a good seed Newton's method is there sooner.
+constexpr int most_steps = 25;
+// Parts of the domain: how far outside of it a way to a root may lead; what a step is at a limit;
+// what two limits of one root differ by at most; and half the side of the box of its proof.
+constexpr double outside = 0.1, at_rest = 1e-11, same = 1e-8, tiny = 1e-9;
+// Limits without a proof are put together over this part of the domain: of a degenerate point there
+// are many, all about it.
+constexpr double blurred = 1e-2;
+
+double side(const MovingField& field, std::size_t k) {
+    const double whole = field.domain()[k].hi - field.domain()[k].lo;
+    return whole > 0 ? whole : 1;
+}
+
+// Multiples of the powers of 1/g modulo 1, where g^(n+1) = g + 1: the golden ratio's sequence in n
+// dimensions.
+Point seed(const MovingField& field, int number) {
+    const auto n = std::size_t(field.variables());
+    double g = 1.5;
+    for (int k = 0; k < 60; ++k) g = std::pow(1 + g, 1.0 / (double(n) + 1));
+    Point p{};
+    double power = 1;
+    for (std::size_t k = 0; k < n; ++k) {
+        power /= g;
+        const double at = 0.5 + power * (number + 1);
+        p[k] = field.domain()[k].lo + (at - std::floor(at)) * side(field, k);
+    }
+    return p;
+}
+
+int seeds_of(const MovingField& field, int seeds) {
+    const double part = field.variables() / double(most_variables);
+    return std::max(8, int(std::lround(std::pow(seeds, part))));
+}
+
+enum class Way { on, lost, there };
+
+Way follow(const MovingField& field, const Jet<double>& jet, Point& x) {
+    const auto n = std::size_t(field.variables());
+    const auto step = newton_step(jet, n);
+    if (!step) return Way::lost;
+    double moved = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        x[k] -= (*step)[k];
+        const double whole = side(field, k);
+        const Interval domain = field.domain()[k];
+        if (!(x[k] >= domain.lo - outside * whole && x[k] <= domain.hi + outside * whole)) {
+            return Way::lost;
+        }
+        moved = std::max(moved, std::abs((*step)[k]) / whole);
+    }
+    return moved <= at_rest ? Way::there : Way::on;
+}
+
+bool is_inside(const MovingField& field, const Point& x) {
+    for (std::size_t k = 0; k < std::size_t(field.variables()); ++k) {
+        const double by = tiny * side(field, k);
+        const Interval domain = field.domain()[k];
+        if (!(x[k] >= domain.lo - by && x[k] <= domain.hi + by)) return false;
+    }
+    return true;
+}
+
+// Limits in the domain from the seeds `first` to `last`.
+std::vector<Point> limits(const MovingField& field, Numbers& numbers, int first, int last,
+                          std::int64_t& evaluations) {
+    std::vector<Point> on, found;
+    for (int number = first; number < last; ++number) on.push_back(seed(field, number));
+    std::vector<Jet<double>> jets;
+    for (int k = 0; k < most_steps && !on.empty(); ++k) {
+        numbers.jets(on, jets);
+        evaluations += std::int64_t(on.size());
+        std::size_t kept = 0;
+        for (std::size_t p = 0; p < on.size(); ++p) {
+            Point x = on[p];
+            const Way way = follow(field, jets[p], x);
+            if (way == Way::on) on[kept++] = x;
+            if (way == Way::there && is_inside(field, x)) found.push_back(x);
+        }
+        on.resize(kept);
+    }
+    return found;
+}
+
+// Each limit once, by clock.
+std::vector<Point> distinct(const MovingField& field, std::vector<Point> limits) {
+    const auto n = std::size_t(field.variables()), clock = n - 1;
+    std::sort(limits.begin(), limits.end(), [&](const Point& a, const Point& b) {
+        return std::tie(a[clock], a) < std::tie(b[clock], b);
+    });
+    std::vector<Point> once;
+    std::size_t near = 0; // the first that may be the same by its clock
+    for (const Point& x : limits) {
+        while (near < once.size() && x[clock] - once[near][clock] > same * side(field, clock)) {
+            ++near;
+        }
+        const auto is_x = [&](const Point& other) {
+            for (std::size_t k = 0; k < n; ++k) {
+                if (!(std::abs(x[k] - other[k]) <= same * side(field, k))) return false;
+            }
+            return true;
+        };
+        if (std::none_of(once.begin() + std::ptrdiff_t(near), once.end(), is_x)) once.push_back(x);
+    }
+    return once;
+}
+
+Box about(const MovingField& field, const Point& x) {
+    Box box{};
+    for (std::size_t k = 0; k < std::size_t(field.variables()); ++k) {
+        const double by = tiny * side(field, k);
+        box[k] = {x[k] - by, x[k] + by};
+    }
+    return box;
+}
+
+// Work for all numbers below `count`, shared out among threads.
+template<class Worker>
+void share(std::size_t count, const Seeding& seeding, const Worker& worker, double from,
+           double to) {
+    std::atomic<std::size_t> next{0}, done{0};
+    const auto work = [&] {
+        auto part = worker();
+        for (std::size_t k = next++; k < count; k = next++) {
+            if (seeding.stop.stop_requested()) return;
+            part(k);
+            if (seeding.progress) {
+                seeding.progress(from + (to - from) * double(++done) / double(count));
+            }
+        }
+    };
+    std::vector<std::jthread> others;
+    for (int k = 1; k < seeding.threads; ++k) others.emplace_back(work);
+    work();
+}
+
+} // namespace
+
+Found from_seeds(const MovingField& field, const Seeding& seeding) {
+    Found found;
+    const int seeds = seeds_of(field, seeding.seeds);
+    const auto batches = std::size_t((seeds + seeds_together - 1) / seeds_together);
+    std::vector<std::vector<Point>> parts(batches);
+    std::vector<std::int64_t> evaluations(batches, 0);
+    const auto seek = [&] {
+        return [&, numbers = Numbers(field)](std::size_t k) mutable {
+            const int first = int(k) * seeds_together;
+            parts[k] = limits(field, numbers, first, std::min(first + seeds_together, seeds),
+                              evaluations[k]);
+        };
+    };
+    share(batches, seeding, seek, 0, 0.7);
+    std::vector<Point> all;
+    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+    for (const std::int64_t number : evaluations) found.boxes += number;
+
+    const std::vector<Point> once = distinct(field, std::move(all));
+    std::vector<std::optional<CriticalPoint>> points(once.size());
+    const auto prove = [&] {
+        return
+            [&, enclosures = Enclosures(field), numbers = Numbers(field)](std::size_t k) mutable {
+                points[k] = isolate(field, enclosures, numbers, about(field, once[k]));
+            };
+    };
+    share(once.size(), seeding, prove, 0.7, 1);
+    found.is_interrupted = seeding.stop.stop_requested();
+    for (std::size_t k = 0; k < once.size(); ++k) {
+        if (points[k]) {
+            found.points.push_back(*points[k]);
+        } else {
+            found.unresolved.push_back(about(field, once[k]));
+        }
+    }
+    put_together(found);
+    found.unresolved = merged(std::move(found.unresolved), field.domain(), blurred);
+    return found;
+}
+
+} // namespace isomotion::topology

@@ -1,0 +1,24 @@
+// Critical points of a moving surface by Newton's method from seeds: most of them, soon.
+//
+// The seeds are the first of a low-discrepancy sequence in the domain (Roberts 2018), so always the
+// same. Each limit is then proved (isolate); that there are no others is not.
+#pragma once
+
+#include <stop_token>
+
+#include "topology/search.h"
+
+namespace isomotion::topology {
+
+struct Seeding {
+    int seeds = 1 << 16; // of a stratum with all coordinates free; fewer where there are fewer
+    int threads = 1;     // the result doesn't depend on it
+    std::stop_token stop{};
+    std::function<void(double)> progress{}; // part of the seeds that is done; from any thread
+};
+
+// Found::unresolved holds limits without a proof, near each other put together; Found::boxes counts
+// evaluations.
+Found from_seeds(const MovingField& field, const Seeding& seeding);
+
+} // namespace isomotion::topology
