@@ -32,10 +32,16 @@ TEST(Front, IsWhatNothingBeats) {
 TEST(Settings, SweepMethodsAndSteps) {
     const scene::Scene scene =
         render::scene_of(render::sphere_scene, {"isolation.step=0.1", "isolation.bisections=7"});
+    // Steps for the paper's three, safeties for cubics, the others as they are.
     const auto all = sweep(scene, {}, {});
-    EXPECT_EQ(all.size(), std::size(scene::method_names) * 6 + 4);
+    EXPECT_EQ(all.size(), 3 * 6 + 4 + (std::size(scene::method_names) - 4));
     EXPECT_EQ(name(all[0], scene.isolation), "marching step=0.4");
-    EXPECT_EQ(name(all.back(), scene.isolation), "amp-sign step=0.1 bisections=16");
+    EXPECT_EQ(name(all.back(), scene.isolation), "chebyshev");
+    scene::Scene stepping = scene;
+    stepping.isolation.method = scene::Method::amp_sign;
+    const auto more = sweep(stepping, {}, {});
+    EXPECT_EQ(more.size(), all.size() + 4);
+    EXPECT_EQ(name(more.back(), scene.isolation), "amp-sign step=0.1 bisections=16");
     const auto few = sweep(scene, {scene::Method::amp_taylor}, {0.3, 0.2});
     ASSERT_EQ(few.size(), 2u);
     EXPECT_EQ(name(few[1], scene.isolation), "amp-taylor step=0.2");

@@ -30,7 +30,7 @@ TEST_F(Effects, AreShownWithTheirFiles) {
                                                "direction = [1, 0, 0]\nshadow = true\n"));
     EXPECT_EQ(some.code, 0) << some;
     EXPECT_THAT(some.out, HasSubstr("effects   shadows fog\n"));
-    EXPECT_THAT(some.out, HasSubstr("effects/shadow.frag"));
+    EXPECT_THAT(some.out, HasSubstr("effects/shadow.glsl"));
 }
 
 TEST_F(Effects, HaveTheirPrices) {

@@ -58,7 +58,7 @@ TEST_F(Information, ShowFollowsTheFrame) {
     const std::string first = told({"show", "sphere.toml"});
     EXPECT_THAT(first, StartsWith("Sphere\nformula   x^2 + y^2 + z^2 - r^2\n"));
     EXPECT_THAT(first, HasSubstr("60 frames at 30000/1001 a second"));
-    EXPECT_THAT(first, HasSubstr("amp-sign"));
+    EXPECT_THAT(first, HasSubstr("hermite"));
     EXPECT_THAT(first, HasSubstr("march/march.glsl"));
     EXPECT_NE(told({"show", "sphere.toml", "--frame", "2"}), first);
 }
@@ -84,7 +84,7 @@ TEST_F(Information, AValueChangesWhatIsShownButNotTheShader) {
     const std::string shader = show("r=1", {"--shader"});
     EXPECT_THAT(shader, HasSubstr("void main()"));
     const std::string shown = show("r=1", {});
-    for (const std::string setting : {"r=0.5", "camera.fov=20", "isolation.step=0.001"}) {
+    for (const std::string setting : {"r=0.5", "camera.fov=20", "isolation.safety=9"}) {
         EXPECT_NE(show(setting, {}), shown) << setting;
         EXPECT_EQ(show(setting, {"--shader"}), shader) << setting;
     }
