@@ -34,30 +34,15 @@ NodeId undecided(Graph& g, NodeId a, NodeId b) {
                  g.select(side, side, g.constant(-infinity), zero));
 }
 
-// Slopes over an interval hold across the kinks of min and max and at the ends of sqrt, asin and
-// acos, but slopes of those slopes don't: there the first ones jump. What to add to second
-// derivatives.
+// Slopes over an interval hold across the kinks of min and max, but slopes of those slopes don't:
+// there the first ones jump. What to add to second derivatives. At the ends of sqrt, asin and acos
+// nothing need be added: slopes of slopes are quotients 0/0 there, which have no bounds.
 NodeId kinks(Graph& g, NodeId root) {
     NodeId all = g.constant(0);
     for (const NodeId id : formula::nodes_below(g, std::array{root})) {
-        const Node node = g[id]; // a copy: the graph grows
-        NodeId kink = 0;
-        switch (node.op) {
-        case Op::min:
-        case Op::max:
-        case Op::select:
-            kink = undecided(g, node.children[0], node.children[1]);
-            break;
-        case Op::sqrt:
-            kink = undecided(g, node.children[0], g.constant(0));
-            break;
-        case Op::asin:
-        case Op::acos:
-            kink = undecided(g, g.unary(Op::abs, node.children[0]), g.constant(1));
-            break;
-        default:
-            continue;
-        }
+        const Node node = g[id];
+        if (node.op != Op::min && node.op != Op::max && node.op != Op::select) continue;
+        NodeId kink = undecided(g, node.children[0], node.children[1]);
         for (int array = 0; array < formula::max_arrays; ++array) {
             if (g[kink].arrays & (1u << array)) kink = g.sum(array, kink);
         }
