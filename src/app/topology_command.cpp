@@ -182,7 +182,8 @@ void add_topology(CLI::App& app, Action& chosen) {
     command->add_option("--frames", a.frames,
                         "1-10: from frame 1 to frame 10 with all time between (default: all)");
     command->add_option("--certify", a.certify,
-                        "off: sample; fast: search and prove events; full: prove all that can be "
+                        "off: sample; fast: prove events found from seeds, others may be missing; "
+                        "full: prove all that can be "
                         "(default)");
     command->add_option("-o,--output", a.output, "file for the timeline: NAME.timeline.json");
     command->add_option("--csv", a.csv, "file for Betti numbers, frame by frame: NAME.betti.csv");
