@@ -216,9 +216,16 @@ std::vector<Counting::Frame> known_frames(const Timeline& timeline, const KindPr
 void describe_unresolved(Timeline& timeline, std::span<const Counting::Frame> frames) {
     for (Unresolved& place : timeline.unresolved) {
         const auto is_quiet = [&](double from, double to) {
-            return std::ranges::none_of(timeline.events, [&](const Event& event) {
-                return event.time.hi >= from && event.time.lo <= to;
-            });
+            const auto is_between = [&](const Interval& time) {
+                return time.hi >= from && time.lo <= to;
+            };
+            const auto is_another = [&](const Unresolved& other) {
+                return other.time.hi < place.time.lo || other.time.lo > place.time.hi;
+            };
+            return std::ranges::none_of(timeline.events, is_between, &Event::time) &&
+                   std::ranges::none_of(timeline.unresolved, [&](const Unresolved& other) {
+                       return is_another(other) && is_between(other.time);
+                   });
         };
         for (const auto& frame : frames) {
             if (frame.time < place.time.lo && is_quiet(frame.time, place.time.lo))

@@ -355,6 +355,19 @@ TEST(Counting, NotAcrossDegeneratePlaces) {
     EXPECT_EQ(timeline.unresolved[0].after, (Betti{2, 0, 1}));
 }
 
+// Frames beyond another degenerate place tell nothing of this one.
+TEST(Counting, NothingIsKnownBetweenDegeneratePlaces) {
+    Timeline timeline = timeline_of({}, {1, 1, 0}, {1, 1, 0});
+    timeline.unresolved.push_back({{2.9, 3.1}, {}, "degenerate", {}, {}});
+    timeline.unresolved.push_back({{6.9, 7.1}, {}, "degenerate", {}, {}});
+    timeline.is_proved = false;
+    find_kinds(timeline, {});
+    EXPECT_EQ(timeline.unresolved[0].before, timeline.start);
+    EXPECT_EQ(timeline.unresolved[0].after, std::nullopt);
+    EXPECT_EQ(timeline.unresolved[1].before, std::nullopt);
+    EXPECT_EQ(timeline.unresolved[1].after, timeline.end);
+}
+
 // Random histories: what is found is what happened, and nothing is doubted.
 TEST(Counting, RandomHistories) {
     int found = 0, open = 0;
