@@ -130,17 +130,26 @@ Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Inte
 
     KindProofs proofs = frames.proofs();
     const auto moment = proofs.moment;
-    std::size_t tried = 0;
     proofs.moment = [&, moment](const Event& event) {
-        asking.show("kinds", double(tried++) / double(timeline.events.size()));
+        // Those of unknown kind are tried in order, again and again, until they are few.
+        const auto known = std::ranges::count_if(
+            timeline.events, [](const Event& other) { return other.kind != Kind::unknown; });
+        asking.show("kinds", double(known) / double(timeline.events.size()));
         return moment(event);
     };
-    if (asking.stopped()) {
-        if (timeline.is_proved) timeline.doubts.push_back("interrupted before kinds were proved");
-        proofs = {};
+    if (how.certify == Certify::fast) {
+        proofs.moment = {};
+        proofs.most_frames = 0;
     }
-    find_kinds(timeline, proofs);
-    if (asking.stopped()) timeline.is_proved = false;
+    proofs.stopped = [&] { return asking.stopped(); };
+    const bool is_late = asking.stopped();
+    if (is_late && timeline.is_proved)
+        timeline.doubts.push_back("interrupted before kinds were proved");
+    find_kinds(timeline, is_late ? KindProofs{} : proofs);
+    if (asking.stopped()) {
+        if (!is_late) timeline.doubts.push_back("interrupted while kinds were proved");
+        timeline.is_proved = false;
+    }
     return timeline;
 }
 

@@ -1,5 +1,6 @@
 #include "topology/field_moment.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -11,73 +12,108 @@ using formula::Interval;
 
 constexpr double uncertainty = 1e-9; // of the bounds, as a part of their size
 
-// The bounds are divided into blocks, each with the elements near it.
-class Blocks {
+// The bounds are halved in all directions, several times; each part has the elements near it,
+// chosen from those near the part that it is of.
+class Parts {
 public:
-    Blocks(const SpaceFormula& formula, const scene::BoundsAt& bounds)
-        : field_(formula)
-        , everything_(field_.everything())
+    Parts(std::shared_ptr<FrameField> field, const scene::BoundsAt& bounds)
+        : field_(std::move(field))
+        , everything_(field_->everything())
         , bounds_(bounds) {}
 
     void over(std::span<const SpaceBox> boxes, std::span<ValueAndGradient> out) {
-        std::map<const FrameField::Near*, std::vector<std::size_t>> by_elements;
-        for (std::size_t k = 0; k < boxes.size(); ++k) by_elements[&near(boxes[k])].push_back(k);
+        by_part<ValueAndGradient>(boxes, out, [&](const auto& near, auto some, auto of_some) {
+            field_->over(near, some, of_some);
+        });
+    }
+    void values(std::span<const SpaceBox> boxes, std::span<Interval> out) {
+        by_part<Interval>(boxes, out, [&](const auto& near, auto some, auto of_some) {
+            field_->values(near, some, of_some);
+        });
+    }
+    SpaceHessian hessian(const SpaceBox& box) { return field_->hessian(near(box), box); }
+
+private:
+    static constexpr int deepest = 4;
+    using Place = std::array<int, 4>; // depth, and which part along each axis
+
+    template<class T, class Evaluate>
+    void by_part(std::span<const SpaceBox> boxes, std::span<T> out, Evaluate&& evaluate) {
+        std::map<const FrameField::Near*, std::vector<std::size_t>> which_are_in;
+        for (std::size_t k = 0; k < boxes.size(); ++k) which_are_in[&near(boxes[k])].push_back(k);
         std::vector<SpaceBox> some;
-        std::vector<ValueAndGradient> of_some;
-        for (const auto& [elements, which] : by_elements) {
+        std::vector<T> of_some;
+        for (const auto& [elements, which] : which_are_in) {
             some.clear();
             for (std::size_t k : which) some.push_back(boxes[k]);
             of_some.resize(some.size());
-            field_.over(*elements, some, of_some);
+            evaluate(*elements, std::span<const SpaceBox>(some), std::span<T>(of_some));
             for (std::size_t k = 0; k < which.size(); ++k) out[which[k]] = of_some[k];
         }
     }
-    SpaceHessian hessian(const SpaceBox& box) { return field_.hessian(near(box), box); }
 
-private:
-    static constexpr int blocks = 16;
-
-    double wall(std::size_t axis, int index) const {
+    double wall(std::size_t axis, int index, int depth) const {
         const int k = int(axis);
-        return bounds_.min[k] + (bounds_.max[k] - bounds_.min[k]) * (double(index) / blocks);
+        return bounds_.min[k] + (bounds_.max[k] - bounds_.min[k]) * (double(index) / (1 << depth));
+    }
+    SpaceBox box_of(const Place& place) const {
+        SpaceBox box;
+        for (std::size_t i = 0; i < 3; ++i)
+            box[i] = {wall(i, place[1 + i], place[0]), wall(i, place[1 + i] + 1, place[0])};
+        return box;
     }
 
-    // Small boxes are where what is left out would blur a sign.
+    // Of the smallest part that holds the box.
     const FrameField::Near& near(const SpaceBox& box) {
         if (everything_.empty()) return everything_;
-        std::array<int, 3> at;
-        SpaceBox block;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double size = wall(i, 1) - wall(i, 0);
-            at[i] = int(std::floor((box[i].lo - bounds_.min[int(i)]) / size));
-            block[i] = {wall(i, at[i]), wall(i, at[i] + 1)};
-            if (!contains(block[i], box[i]) || width(box[i]) < 1e-3 * size) return everything_;
+        for (int depth = deepest; depth > 0; --depth) {
+            Place place{depth};
+            double size = 0;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double side = wall(i, 1, depth) - wall(i, 0, depth);
+                size = std::max(size, side);
+                place[1 + i] = int(std::floor((box[i].lo - bounds_.min[int(i)]) / side));
+            }
+            const SpaceBox part = box_of(place);
+            bool holds = true, is_small = true;
+            for (std::size_t i = 0; i < 3; ++i) {
+                holds &= contains(part[i], box[i]);
+                is_small &= width(box[i]) < 1e-3 * size;
+            }
+            // In very small boxes what is left out would blur a sign.
+            if (holds) return is_small ? everything_ : near(place);
         }
-        const auto [it, is_new] = near_.try_emplace(at);
-        if (is_new) {
-            ValueAndGradient g;
-            field_.over(everything_, {&block, 1}, {&g, 1});
-            field_.tighten(everything_, {&block, 1}, {&g, 1});
-            it->second = field_.nearer(everything_, 0);
-        }
-        return it->second;
+        return everything_;
+    }
+    const FrameField::Near& near(const Place& place) {
+        if (place[0] == 0) return everything_;
+        if (const auto known = near_.find(place); known != near_.end()) return known->second;
+        const auto half = [](int index) { return index >> 1; }; // also of -1
+        const FrameField::Near& whole =
+            near({place[0] - 1, half(place[1]), half(place[2]), half(place[3])});
+        const SpaceBox part = box_of(place);
+        ValueAndGradient g;
+        field_->over(whole, {&part, 1}, {&g, 1});
+        field_->tighten(whole, {&part, 1}, {&g, 1});
+        return near_.emplace(place, field_->nearer(whole, 0)).first->second;
     }
 
-    FrameField field_;
+    std::shared_ptr<FrameField> field_;
     const FrameField::Near everything_;
     scene::BoundsAt bounds_;
-    std::map<std::array<int, 3>, FrameField::Near> near_;
+    std::map<Place, FrameField::Near> near_;
 };
 
 } // namespace
 
-Moment field_moment(const SpaceFormula& formula, const scene::BoundsAt& bounds) {
-    const auto blocks = std::make_shared<Blocks>(formula, bounds);
+Moment field_moment(std::shared_ptr<FrameField> field, const scene::BoundsAt& bounds) {
+    const auto parts = std::make_shared<Parts>(std::move(field), bounds);
     const double slack = uncertainty * bounds.radius;
     const bool is_sphere = bounds.shape == scene::Bounds::Shape::sphere;
     Moment moment;
-    moment.over = [blocks](auto boxes, auto out) { blocks->over(boxes, out); };
-    moment.hessian = [blocks](const SpaceBox& box) { return blocks->hessian(box); };
+    moment.over = [parts](auto boxes, auto out) { parts->over(boxes, out); };
+    moment.values = [parts](auto boxes, auto out) { parts->values(boxes, out); };
+    moment.hessian = [parts](const SpaceBox& box) { return parts->hessian(box); };
     for (std::size_t i = 0; i < 3; ++i)
         moment.box[i] = {bounds.min[int(i)] - slack, bounds.max[int(i)] + slack};
     moment.is_inside = [=](const SpacePoint& p) {

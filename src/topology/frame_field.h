@@ -44,6 +44,9 @@ class FrameField {
 public:
     explicit FrameField(const SpaceFormula& formula);
 
+    // Other values for the same names.
+    void bind(formula::Bindings<formula::Interval> bindings) { bindings_ = std::move(bindings); }
+
     // Of one sum, in a box.
     struct Elements {
         std::vector<std::vector<formula::Interval>> columns; // of the fields that the sum reads

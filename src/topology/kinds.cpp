@@ -1,6 +1,7 @@
 #include "topology/kinds.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include <fmt/format.h>
@@ -68,16 +69,13 @@ void settle_by_index(Timeline& timeline) {
     }
 }
 
-void settle_by_path(Timeline& timeline, const KindProofs& proofs, std::span<const int> cells) {
+void settle_by_path(Timeline& timeline, const KindProofs& proofs, int cells) {
     if (!proofs.moment) return;
     for (Event& event : timeline.events) {
         if (!is_open(event) || !event.is_proved) continue;
-        const Moment moment = proofs.moment(event);
-        for (int n : cells) {
-            if (!sides_are_joined(moment, event, n)) continue;
+        if (proofs.stopped && proofs.stopped()) return;
+        if (sides_are_joined(proofs.moment(event), event, cells))
             settle(event, by_path(event), "path");
-            break;
-        }
     }
 }
 
@@ -102,11 +100,12 @@ bool is_whole_elsewhere(const Timeline& timeline) {
 // Counts between frames, and asks for more of these where that doesn't do.
 class Counting {
 public:
-    Counting(Timeline& timeline, const KindProofs& proofs)
+    // Asks for `most_frames`.
+    Counting(Timeline& timeline, const KindProofs& proofs, int most_frames)
         : timeline_(timeline)
         , proofs_(proofs)
         , nothing_missing_(is_whole_elsewhere(timeline))
-        , frames_left_(proofs.frame ? proofs.most_frames : 0) {}
+        , frames_left_(proofs.frame ? most_frames : 0) {}
 
     struct Frame {
         std::size_t at; // before this event
@@ -119,14 +118,16 @@ public:
         const bool is_whole = nothing_missing_ && std::ranges::all_of(events, &Event::is_proved) &&
                               !is_degenerate_between(timeline_, from.time, to.time);
         if (is_whole && !count_kinds(events, from.betti, to.betti)) {
-            timeline_.doubts.push_back(
+            std::string doubt =
                 fmt::format("no kinds of the events from {} s to {} s agree with the frames",
-                            from.time, to.time));
+                            from.time, to.time);
+            if (std::ranges::find(timeline_.doubts, doubt) == timeline_.doubts.end())
+                timeline_.doubts.push_back(std::move(doubt));
             return;
         }
         if (std::ranges::none_of(events, is_open) && is_whole) return;
         for (const Gap& gap : gaps(from, to)) {
-            if (frames_left_ == 0) return;
+            if (frames_left_ == 0 || (proofs_.stopped && proofs_.stopped())) return;
             --frames_left_;
             const auto betti = proofs_.frame(gap.time);
             if (!betti) continue;
@@ -138,11 +139,8 @@ public:
         }
     }
 
-    // Those asked for, by time.
-    std::vector<Frame> frames() && {
-        std::ranges::sort(frames_, {}, &Frame::time);
-        return std::move(frames_);
-    }
+    std::vector<Frame> frames() && { return std::move(frames_); } // those that were proved
+    int frames_left() const { return frames_left_; }
 
 private:
     // Where a frame would part the open events: the widest first, if they leave events of both
@@ -218,9 +216,16 @@ std::vector<Counting::Frame> known_frames(const Timeline& timeline, const KindPr
 void describe_unresolved(Timeline& timeline, std::span<const Counting::Frame> frames) {
     for (Unresolved& place : timeline.unresolved) {
         const auto is_quiet = [&](double from, double to) {
-            return std::ranges::none_of(timeline.events, [&](const Event& event) {
-                return event.time.hi >= from && event.time.lo <= to;
-            });
+            const auto is_between = [&](const Interval& time) {
+                return time.hi >= from && time.lo <= to;
+            };
+            const auto is_another = [&](const Unresolved& other) {
+                return other.time.hi < place.time.lo || other.time.lo > place.time.hi;
+            };
+            return std::ranges::none_of(timeline.events, is_between, &Event::time) &&
+                   std::ranges::none_of(timeline.unresolved, [&](const Unresolved& other) {
+                       return is_another(other) && is_between(other.time);
+                   });
         };
         for (const auto& frame : frames) {
             if (frame.time < place.time.lo && is_quiet(frame.time, place.time.lo))
@@ -342,19 +347,25 @@ void find_kinds(Timeline& timeline, const KindProofs& proofs) {
     settle_by_index(timeline);
     const std::vector<Counting::Frame> known = known_frames(timeline, proofs);
     std::vector<Counting::Frame> frames = known;
-    const auto count = [&] {
-        Counting counting(timeline, proofs);
-        for (std::size_t k = 1; k < known.size(); ++k) counting.between(known[k - 1], known[k]);
+    int frames_left = proofs.most_frames;
+    const auto count = [&](int most_frames) {
+        const int allowed = std::min(most_frames, frames_left);
+        Counting counting(timeline, proofs, allowed);
+        const std::vector<Counting::Frame> between = frames;
+        for (std::size_t k = 1; k < between.size(); ++k)
+            counting.between(between[k - 1], between[k]);
+        frames_left -= allowed - counting.frames_left();
         for (const auto& frame : std::move(counting).frames()) frames.push_back(frame);
+        std::ranges::sort(frames, {}, &Counting::Frame::time);
     };
-    // Coarse paths are quick and leave little to count; fine ones are for what counting leaves.
-    constexpr std::array coarse{32, 64};
-    constexpr std::array fine{128};
-    settle_by_path(timeline, proofs, coarse);
-    count();
-    if (std::ranges::any_of(timeline.events, is_open)) {
-        settle_by_path(timeline, proofs, fine);
-        count();
+    // What is cheap first: coarse paths leave little to count, and frames that part what is left
+    // spare most of the fine paths.
+    count(0);
+    constexpr std::array<std::pair<int, int>, 3> tries{{{32, 0}, {64, 8}, {128, 8}}};
+    for (const auto& [cells, most_frames] : tries) {
+        if (std::ranges::none_of(timeline.events, is_open)) break;
+        settle_by_path(timeline, proofs, cells);
+        count(most_frames);
     }
     for (const auto& frame : frames) read_off(timeline, frame);
     describe_unresolved(timeline, known);

@@ -21,6 +21,8 @@ struct KindProofs {
     // Proved Betti numbers at a time without an event; may be missing, or fail.
     std::function<std::optional<Betti>(double time)> frame{};
     int most_frames = 16; // asked for
+    // Once true, nothing more is asked for.
+    std::function<bool()> stopped{};
 };
 
 // Kinds, Betti numbers before and after, and doubts where these don't agree. The timeline has its

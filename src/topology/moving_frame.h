@@ -4,8 +4,9 @@
 
 #include "scene/scene_at.h"
 #include "topology/certified_frame.h"
+#include "topology/field_moment.h"
 #include "topology/kinds.h"
-#include "topology/motion.h"
+#include "topology/timed_formula.h"
 
 namespace isomotion::topology {
 
@@ -21,11 +22,13 @@ public:
     Frame at(formula::Interval time) const;
 
     CertifiedFrame certify(double time, const FrameLimits& limits = {}) const;
-    // Refers to this.
+    // Refer to this; moments are of one thread, and each of them until the next.
     KindProofs proofs(const FrameLimits& limits = {}) const;
 
 private:
-    Motions motions_;
+    std::size_t piece_at(formula::Interval time) const;
+
+    std::vector<TimedFormula> pieces_;
 };
 
 } // namespace isomotion::topology

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -82,6 +81,14 @@ public:
         return h;
     }
     ValueAndGradient over(const SpaceBox& box) const { return over(std::span(&box, 1)).front(); }
+    // Of each box: H < 0 by its value alone.
+    std::vector<bool> hold(std::span<const SpaceBox> boxes) const {
+        std::vector<Interval> values(boxes.size());
+        moment_.values(boxes, values);
+        std::vector<bool> held;
+        for (const Interval& g : values) held.push_back(is_solid_ ? g.hi < 0 : g.lo > 0);
+        return held;
+    }
     SpaceHessian hessian(const SpaceBox& box) const {
         SpaceHessian h = moment_.hessian(box);
         if (!is_solid_) {
@@ -244,37 +251,47 @@ public:
     // Floods from both, by turns, until they meet or one is all there is; gives up where that is
     // too many.
     bool joins(const Cell& a, const Cell& b) {
-        if (a == b) return true;
-        std::map<Cell, int> side{{a, 0}, {b, 1}};
+        if (a == b || (is_around(a) && is_around(b))) return true;
+        enum : char { unseen, seen, of_a, of_b }; // seen: not in the region
+        std::vector<char> known(place({count_[0], count_[1], count_[2]}) + 1, unseen);
+        constexpr std::array sides{of_a, of_b};
+        known[place(a)] = of_a;
+        known[place(b)] = of_b;
         std::array<std::vector<Cell>, 2> front{{{a}, {b}}};
-        if (is_around(a) && is_around(b)) return true;
+        std::size_t cells = 2;
         for (;;) {
-            const int now = front[0].size() <= front[1].size() ? 0 : 1;
-            if (front[std::size_t(now)].empty() || side.size() > most_cells) return false;
+            const std::size_t now = front[0].size() <= front[1].size() ? 0 : 1;
+            if (front[now].empty() || cells > most_cells) return false;
             std::vector<Cell> candidates;
-            for (const Cell& cell : front[std::size_t(now)]) {
+            for (const Cell& cell : front[now]) {
                 for (std::size_t i = 0; i < 3; ++i) {
                     for (int step : {-1, 1}) {
                         Cell next = cell;
                         next[i] += step;
                         if (!is_in_grid(next)) continue;
-                        if (const auto it = side.find(next); it != side.end()) {
-                            if (it->second == 1 - now) return true;
-                            continue;
-                        }
-                        side[next] = -1; // not in the region, unless found otherwise
+                        char& of_next = known[place(next)];
+                        if (of_next == sides[1 - now]) return true;
+                        if (of_next != unseen) continue;
+                        of_next = seen;
                         candidates.push_back(next);
                     }
                 }
             }
-            front[std::size_t(now)] = in_region(candidates);
-            for (const Cell& cell : front[std::size_t(now)]) side[cell] = now;
+            cells += candidates.size();
+            front[now] = in_region(candidates);
+            for (const Cell& cell : front[now]) known[place(cell)] = sides[now];
         }
     }
 
 private:
     static constexpr std::size_t most_cells = 200'000;
 
+    std::size_t place(const Cell& cell) const {
+        std::size_t place = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            place = place * std::size_t(count_[i] + 2) + std::size_t(cell[i] + 1);
+        return place;
+    }
     bool is_in_grid(const Cell& cell) const {
         for (std::size_t i = 0; i < 3; ++i) {
             if (cell[i] < -1 || cell[i] > count_[i]) return false;
@@ -310,9 +327,9 @@ private:
                 boxes.push_back(box(cell));
             }
         }
-        const auto h = region_.over(boxes);
+        const std::vector<bool> are_in = region_.hold(boxes);
         for (std::size_t k = 0; k < asked.size(); ++k) {
-            if (h[k].value.hi < 0) found.push_back(asked[k]);
+            if (are_in[k]) found.push_back(asked[k]);
         }
         return found;
     }

@@ -22,6 +22,7 @@ using SpacePoint = std::array<double, 3>;
 // Event::time. The bounds are convex and lie in `box`; both tests are proofs.
 struct Moment {
     std::function<void(std::span<const SpaceBox>, std::span<ValueAndGradient>)> over;
+    std::function<void(std::span<const SpaceBox>, std::span<formula::Interval>)> values;
     std::function<SpaceHessian(const SpaceBox&)> hessian;
     SpaceBox box;
     std::function<bool(const SpacePoint&)> is_inside;

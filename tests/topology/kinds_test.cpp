@@ -167,7 +167,7 @@ protected:
     }
     Moment moment(const Event& event) const {
         const Frame now = frame(event.time);
-        return field_moment(now.formula(Side::negative), now.bounds);
+        return field_moment(std::make_shared<FrameField>(now.formula(Side::negative)), now.bounds);
     }
     std::optional<Betti> betti(double time) const {
         const Frame now = frame(time);
@@ -197,12 +197,26 @@ TEST_P(Passages, KindIsFound) {
         find_kinds(timeline, proofs);
         const Event& found = timeline.events[0];
         EXPECT_EQ(found.kind, GetParam().kind) << name(found.kind);
-        EXPECT_EQ(found.kind_proof, with_paths && GetParam().is_joined ? "path" : "frames");
+        EXPECT_EQ(found.kind_proof, "frames"); // they cost nothing more, and come first
         EXPECT_EQ(found.before, timeline.start);
         EXPECT_EQ(found.after, timeline.end);
         EXPECT_TRUE(timeline.doubts.empty()) << timeline.doubts[0];
         EXPECT_TRUE(timeline.is_complete());
     }
+}
+
+// A path alone tells of a tunnel; without one nothing is told.
+TEST_P(Passages, KindIsFoundByPath) {
+    Timeline timeline;
+    timeline.range = {GetParam().time - 0.02, GetParam().time + 0.02};
+    timeline.events = {event()};
+    timeline.is_proved = true;
+    KindProofs proofs;
+    proofs.moment = [&](const Event& of) { return moment(of); };
+    find_kinds(timeline, proofs);
+    const Event& found = timeline.events[0];
+    EXPECT_EQ(found.kind, GetParam().is_joined ? GetParam().kind : Kind::unknown);
+    EXPECT_EQ(found.kind_proof, GetParam().is_joined ? "path" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Passages, testing::ValuesIn(passings));
@@ -339,6 +353,19 @@ TEST(Counting, NotAcrossDegeneratePlaces) {
     EXPECT_EQ(timeline.events[0].kind, Kind::merge);
     EXPECT_EQ(timeline.unresolved[0].before, (Betti{2, 0, 0}));
     EXPECT_EQ(timeline.unresolved[0].after, (Betti{2, 0, 1}));
+}
+
+// Frames beyond another degenerate place tell nothing of this one.
+TEST(Counting, NothingIsKnownBetweenDegeneratePlaces) {
+    Timeline timeline = timeline_of({}, {1, 1, 0}, {1, 1, 0});
+    timeline.unresolved.push_back({{2.9, 3.1}, {}, "degenerate", {}, {}});
+    timeline.unresolved.push_back({{6.9, 7.1}, {}, "degenerate", {}, {}});
+    timeline.is_proved = false;
+    find_kinds(timeline, {});
+    EXPECT_EQ(timeline.unresolved[0].before, timeline.start);
+    EXPECT_EQ(timeline.unresolved[0].after, std::nullopt);
+    EXPECT_EQ(timeline.unresolved[1].before, std::nullopt);
+    EXPECT_EQ(timeline.unresolved[1].after, timeline.end);
 }
 
 // Random histories: what is found is what happened, and nothing is doubted.

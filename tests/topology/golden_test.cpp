@@ -1,0 +1,73 @@
+// Timelines of the gallery that were looked at and kept: what is found today is the same.
+//
+// golden/NAME.timeline.json is what `isomotion topology NAME -o` writes. Where one changes for a
+// reason it is written anew, and its summary read.
+#include <algorithm>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "topology/analyse.h"
+#include "topology/expectation.h"
+#include "topology/scenes.h"
+#include "topology/timeline_file.h"
+
+namespace isomotion::topology {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> names() {
+    constexpr std::string_view extension = ".timeline.json";
+    std::vector<std::string> names;
+    for (const auto& entry :
+         fs::directory_iterator(ISOMOTION_SOURCE_DIR "/tests/topology/golden")) {
+        const std::string file = entry.path().filename().string();
+        if (file.ends_with(extension))
+            names.push_back(file.substr(0, file.size() - extension.size()));
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+class Golden : public testing::TestWithParam<std::string> {
+protected:
+    fs::path file() const {
+        return fs::path(ISOMOTION_SOURCE_DIR) / "tests/topology/golden" /
+               (GetParam() + ".timeline.json");
+    }
+};
+
+TEST_P(Golden, IsFoundAgain) {
+    const scene::Scene scene = animated(GetParam());
+    const Expectation expectation = read_expectation(file(), scene.timeline.fps);
+    Record found{{}, analyse(scene)};
+    found.subject = subject_of(scene, found.timeline.range);
+    const Check same = check(expectation, found);
+    const Record golden = std::get<Record>(expectation);
+    EXPECT_EQ(same.outcome(), golden.timeline.is_complete() ? Outcome::passes : Outcome::incomplete)
+        << text(same, file().string());
+    EXPECT_EQ(found.subject.fingerprint, golden.subject.fingerprint);
+
+    // The first, the middle and the last that a claim can be made of.
+    std::vector<std::size_t> told;
+    for (std::size_t k = 0; k < golden.timeline.events.size(); ++k) {
+        const Event& event = golden.timeline.events[k];
+        if (event.is_proved && event.kind != Kind::unknown && event.kind != Kind::none)
+            told.push_back(k);
+    }
+    if (told.empty()) return;
+    for (std::size_t k : {told.front(), told[told.size() / 2], told.back()}) {
+        Record moved = golden;
+        Event& event = moved.timeline.events[k];
+        event.time = event.time + formula::Interval(1e-6);
+        std::ranges::sort(moved.timeline.events, {}, [](const Event& e) { return e.time.lo; });
+        EXPECT_EQ(check(moved, found).outcome(), Outcome::differs) << "event " << k;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Gallery, Golden, testing::ValuesIn(names()),
+                         [](const auto& name) { return name.param; });
+
+} // namespace
+} // namespace isomotion::topology
