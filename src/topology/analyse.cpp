@@ -137,10 +137,6 @@ Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Inte
         asking.show("kinds", double(known) / double(timeline.events.size()));
         return moment(event);
     };
-    if (how.certify == Certify::fast) {
-        proofs.moment = {};
-        proofs.most_frames = 0;
-    }
     proofs.stopped = [&] { return asking.stopped(); };
     const bool is_late = asking.stopped();
     if (is_late && timeline.is_proved)
