@@ -128,16 +128,12 @@ Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Inte
     asking.show("first and last frame", 0.5);
     prove_end(range.hi, timeline.end, timeline.end_is_proved);
 
-    KindProofs proofs = frames.proofs();
-    const auto moment = proofs.moment;
-    proofs.moment = [&, moment](const Event& event) {
-        // Those of unknown kind are tried in order, again and again, until they are few.
-        const auto known = std::ranges::count_if(
-            timeline.events, [](const Event& other) { return other.kind != Kind::unknown; });
-        asking.show("kinds", double(known) / double(timeline.events.size()));
-        return moment(event);
-    };
-    proofs.stopped = [&] { return asking.stopped(); };
+    SeekingPaths seeking;
+    seeking.threads = threads_of(how);
+    seeking.progress = [&](double part) { asking.show("kinds", part); };
+    seeking.stopped = [&] { return asking.stopped(); };
+    KindProofs proofs = frames.proofs(timeline.events, seeking);
+    proofs.stopped = seeking.stopped;
     const bool is_late = asking.stopped();
     if (is_late && timeline.is_proved)
         timeline.doubts.push_back("interrupted before kinds were proved");

@@ -69,13 +69,16 @@ void settle_by_index(Timeline& timeline) {
     }
 }
 
-void settle_by_path(Timeline& timeline, const KindProofs& proofs, int cells) {
-    if (!proofs.moment) return;
-    for (Event& event : timeline.events) {
-        if (!is_open(event) || !event.is_proved) continue;
-        if (proofs.stopped && proofs.stopped()) return;
-        if (sides_are_joined(proofs.moment(event), event, cells))
-            settle(event, by_path(event), "path");
+void settle_by_path(Timeline& timeline, const KindProofs& proofs, int seeds) {
+    if (!proofs.paths || (proofs.stopped && proofs.stopped())) return;
+    std::vector<std::size_t> open;
+    for (std::size_t k = 0; k < timeline.events.size(); ++k) {
+        if (is_open(timeline.events[k]) && timeline.events[k].is_proved) open.push_back(k);
+    }
+    const std::vector<Sides> sides = proofs.paths(open, seeds);
+    for (std::size_t k = 0; k < open.size(); ++k) {
+        Event& event = timeline.events[open[k]];
+        if (sides[k] == Sides::joined) settle(event, by_path(event), "path");
     }
 }
 
@@ -358,13 +361,16 @@ void find_kinds(Timeline& timeline, const KindProofs& proofs) {
         for (const auto& frame : std::move(counting).frames()) frames.push_back(frame);
         std::ranges::sort(frames, {}, &Counting::Frame::time);
     };
-    // What is cheap first: coarse paths leave little to count, and frames that part what is left
-    // spare most of the fine paths.
+    // What is cheap first: paths leave little to count, more seeds are for what they miss, and
+    // frames take longest.
     count(0);
-    constexpr std::array<std::pair<int, int>, 3> tries{{{32, 0}, {64, 8}, {128, 8}}};
-    for (const auto& [cells, most_frames] : tries) {
+    struct Try {
+        int seeds, most_frames;
+    };
+    for (const auto& [seeds, most_frames] : {Try{0, 0}, Try{512, 0}, Try{8192, 8}}) {
         if (std::ranges::none_of(timeline.events, is_open)) break;
-        settle_by_path(timeline, proofs, cells);
+        settle_by_path(timeline, proofs, seeds);
+        count(0);
         count(most_frames);
     }
     for (const auto& frame : frames) read_off(timeline, frame);

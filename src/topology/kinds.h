@@ -10,14 +10,15 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
-#include "topology/event.h"
-#include "topology/saddle_path.h"
+#include "topology/event_paths.h"
 
 namespace isomotion::topology {
 
 struct KindProofs {
-    std::function<Moment(const Event&)> moment;
+    // Of the events at these positions; more seeds find more.
+    std::function<std::vector<Sides>(std::span<const std::size_t> which, int seeds)> paths{};
     // Proved Betti numbers at a time without an event; may be missing, or fail.
     std::function<std::optional<Betti>(double time)> frame{};
     int most_frames = 16; // asked for

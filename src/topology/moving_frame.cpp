@@ -30,16 +30,14 @@ CertifiedFrame MovingFrames::certify(double time, const FrameLimits& limits) con
     return certify_frame(frame.formula, frame.bounds, limits);
 }
 
-KindProofs MovingFrames::proofs(const FrameLimits& limits) const {
+KindProofs MovingFrames::proofs(std::vector<Event> events, const SeekingPaths& seeking,
+                                const FrameLimits& limits) const {
     KindProofs proofs;
-    // One field a piece: making its programs takes longer than most paths.
-    const auto fields = std::make_shared<std::vector<std::shared_ptr<FrameField>>>(pieces_.size());
-    proofs.moment = [this, fields](const Event& event) {
-        const std::size_t k = piece_at(event.time);
-        std::shared_ptr<FrameField>& field = (*fields)[k];
-        if (!field) field = std::make_shared<FrameField>(pieces_[k].formula());
-        field->bind(pieces_[k].bindings(event.time));
-        return field_moment(field, pieces_[k].bounds(mid(event.time)));
+    const auto paths = std::make_shared<EventPaths>(pieces_, std::move(events));
+    proofs.paths = [paths, seeking](std::span<const std::size_t> which, int seeds) {
+        SeekingPaths how = seeking;
+        how.seeds = seeds;
+        return paths->seek(which, how);
     };
     proofs.frame = [this, limits](double time) { return certify(time, limits).betti; };
     return proofs;

@@ -22,8 +22,9 @@ public:
     Frame at(formula::Interval time) const;
 
     CertifiedFrame certify(double time, const FrameLimits& limits = {}) const;
-    // Refer to this; moments are of one thread, and each of them until the next.
-    KindProofs proofs(const FrameLimits& limits = {}) const;
+    // Of these events, by time. Refer to this.
+    KindProofs proofs(std::vector<Event> events, const SeekingPaths& seeking = {},
+                      const FrameLimits& limits = {}) const;
 
 private:
     std::size_t piece_at(formula::Interval time) const;

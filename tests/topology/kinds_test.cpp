@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "topology/certified_frame.h"
-#include "topology/field_moment.h"
+#include "topology/moving_frame.h"
 #include "topology/scenes.h"
 #include "topology/solids.h"
 #include "unit/formula/testing.h"
@@ -146,7 +145,9 @@ protected:
     Passages()
         : scene_(scene_of(fmt::format("[surface]\nformula = '{}'\nbounds = {}\n"
                                       "[parameters]\nc = 't'\n",
-                                      GetParam().formula, GetParam().bounds))) {}
+                                      GetParam().formula, GetParam().bounds)))
+        , range_{GetParam().time - 0.02, GetParam().time + 0.02}
+        , frames_(scene_, Side::negative, range_) {}
 
     Event event() const {
         const Passing& passing = GetParam();
@@ -160,41 +161,30 @@ protected:
         event.is_proved = true;
         return event;
     }
-    Frame frame(Interval time) const {
-        Frame frame(scene_, mid(time));
-        frame.intervals.parameters[0] = time;
-        return frame;
-    }
-    Moment moment(const Event& event) const {
-        const Frame now = frame(event.time);
-        return field_moment(std::make_shared<FrameField>(now.formula(Side::negative)), now.bounds);
-    }
-    std::optional<Betti> betti(double time) const {
-        const Frame now = frame(time);
-        return certify_frame(now.formula(Side::negative), now.bounds).betti;
-    }
 
     scene::Scene scene_;
+    Interval range_;
+    MovingFrames frames_;
 };
 
 TEST_P(Passages, SidesAreJoinedOnlyByATunnel) {
-    for (int cells : {32, 64, 96}) {
-        EXPECT_EQ(sides_are_joined(moment(event()), event(), cells), GetParam().is_joined) << cells;
+    const KindProofs proofs = frames_.proofs({event()});
+    for (int seeds : {0, 64, 1024}) {
+        const Sides sides = proofs.paths(std::array{std::size_t(0)}, seeds)[0];
+        EXPECT_EQ(sides == Sides::joined, GetParam().is_joined) << seeds;
     }
 }
 
 TEST_P(Passages, KindIsFound) {
     for (bool with_paths : {true, false}) {
         Timeline timeline;
-        timeline.range = {GetParam().time - 0.02, GetParam().time + 0.02};
+        timeline.range = range_;
         timeline.events = {event()};
-        timeline.start = betti(timeline.range.lo);
-        timeline.end = betti(timeline.range.hi);
+        timeline.start = frames_.certify(range_.lo).betti;
+        timeline.end = frames_.certify(range_.hi).betti;
         ASSERT_TRUE(timeline.start && timeline.end);
         timeline.start_is_proved = timeline.end_is_proved = timeline.is_proved = true;
-        KindProofs proofs;
-        if (with_paths) proofs.moment = [&](const Event& of) { return moment(of); };
-        find_kinds(timeline, proofs);
+        find_kinds(timeline, with_paths ? frames_.proofs({event()}) : KindProofs{});
         const Event& found = timeline.events[0];
         EXPECT_EQ(found.kind, GetParam().kind) << name(found.kind);
         EXPECT_EQ(found.kind_proof, "frames"); // they cost nothing more, and come first
@@ -208,11 +198,11 @@ TEST_P(Passages, KindIsFound) {
 // A path alone tells of a tunnel; without one nothing is told.
 TEST_P(Passages, KindIsFoundByPath) {
     Timeline timeline;
-    timeline.range = {GetParam().time - 0.02, GetParam().time + 0.02};
+    timeline.range = range_;
     timeline.events = {event()};
     timeline.is_proved = true;
     KindProofs proofs;
-    proofs.moment = [&](const Event& of) { return moment(of); };
+    proofs.paths = frames_.proofs({event()}).paths;
     find_kinds(timeline, proofs);
     const Event& found = timeline.events[0];
     EXPECT_EQ(found.kind, GetParam().is_joined ? GetParam().kind : Kind::unknown);

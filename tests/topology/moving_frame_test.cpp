@@ -21,7 +21,7 @@ Timeline timeline_of(const scene::Scene& scene, formula::Interval range) {
     timeline.end = frames.certify(range.hi).betti;
     timeline.start_is_proved = timeline.start.has_value();
     timeline.end_is_proved = timeline.end.has_value();
-    find_kinds(timeline, frames.proofs());
+    find_kinds(timeline, frames.proofs(timeline.events));
     return timeline;
 }
 

@@ -114,7 +114,7 @@ TEST_P(Mutations, TheSmallestBoxIsTooLarge) {
         found.timeline.start = expected_.timeline.start;
         found.timeline.end = expected_.timeline.end;
         found.timeline.start_is_proved = found.timeline.end_is_proved = true;
-        find_kinds(found.timeline, frames.proofs());
+        find_kinds(found.timeline, frames.proofs(found.timeline.events));
         if (!found.timeline.is_complete()) {
             ++incomplete;
             EXPECT_NE(compare(expected_, found, dt).outcome(), Outcome::passes) << smallest;

@@ -1,0 +1,141 @@
+#include "topology/event_paths.h"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "topology/descent.h"
+#include "topology/field_moment.h"
+#include "topology/saddle_tracks.h"
+
+namespace isomotion::topology {
+namespace {
+
+constexpr int most_routes = 4;
+// Parts of the box: minima that are one, and saddles that are the event's own.
+constexpr double same_minimum = 1e-5, own = 1e-6;
+
+Ground ground_of(const Moment& moment, bool is_solid) {
+    return {moment.box, is_solid, moment.is_inside,
+            [&](const SpacePoint& p) { return moment.is_outside(point_box(p)); }};
+}
+
+} // namespace
+
+// Of one thread: made once for each piece, then given the values of one event after the other.
+struct EventPaths::Fields {
+    std::map<const TimedFormula*, std::unique_ptr<PointField>> points;
+    std::map<const TimedFormula*, std::shared_ptr<FrameField>> boxes;
+
+    PointField& at(const TimedFormula& piece, const formula::Bindings<formula::Interval>& bindings,
+                   int index) {
+        auto& field = points[&piece];
+        if (!field) field = std::make_unique<PointField>(piece.formula());
+        field->bind(bindings, index == 2);
+        return *field;
+    }
+    const std::shared_ptr<FrameField>& over(const TimedFormula& piece,
+                                            const formula::Bindings<formula::Interval>& bindings) {
+        auto& field = boxes[&piece];
+        if (!field) field = std::make_shared<FrameField>(piece.formula());
+        field->bind(bindings);
+        return field;
+    }
+};
+
+EventPaths::EventPaths(std::span<const TimedFormula> pieces, std::vector<Event> events)
+    : pieces_(pieces)
+    , events_(std::move(events)) {}
+
+const TimedFormula& EventPaths::piece_of(double time) const {
+    const auto now = std::ranges::find_if(
+        pieces_, [&](const TimedFormula& piece) { return contains(piece.clock(), time); });
+    return now == pieces_.end() ? pieces_.back() : *now;
+}
+
+void EventPaths::follow_saddles(int index) {
+    Fields fields;
+    const FieldAt field = [&](double time) -> PointField& {
+        const TimedFormula& piece = piece_of(time);
+        return fields.at(piece, piece.bindings(time), index);
+    };
+    SpaceBox box;
+    const scene::BoundsAt bounds = pieces_.front().bounds(mid(pieces_.front().clock()));
+    for (std::size_t i = 0; i < 3; ++i) box[i] = {bounds.min[int(i)], bounds.max[int(i)]};
+    saddles_[std::size_t(index - 1)] = saddles_at_events(field, events_, index, box);
+}
+
+std::vector<Sides> EventPaths::seek(std::span<const std::size_t> which, const SeekingPaths& how) {
+    std::vector<int> to_follow;
+    for (const int index : {1, 2}) {
+        const bool is_asked =
+            std::ranges::any_of(which, [&](std::size_t k) { return events_[k].index == index; });
+        bool& is_followed = is_followed_[std::size_t(index - 1)];
+        if (is_asked && !is_followed) to_follow.push_back(index);
+        is_followed |= is_asked;
+    }
+    const auto share = [&](std::size_t count, const auto& work) {
+        std::atomic<std::size_t> next{0};
+        std::mutex telling;
+        std::size_t done = 0;
+        const auto on = [&] {
+            Fields fields;
+            for (std::size_t k = next++; k < count; k = next++) {
+                if (how.stopped && how.stopped()) return;
+                work(fields, k);
+                const std::lock_guard lock(telling);
+                if (++done; how.progress) how.progress(double(done) / double(count));
+            }
+        };
+        std::vector<std::jthread> others;
+        for (int k = 1; k < std::min(how.threads, int(count)); ++k) others.emplace_back(on);
+        on();
+    };
+    share(to_follow.size(), [&](Fields&, std::size_t k) { follow_saddles(to_follow[k]); });
+    std::vector<Sides> found(which.size(), Sides::unknown);
+    share(which.size(),
+          [&](Fields& fields, std::size_t k) { found[k] = sides(fields, which[k], how.seeds); });
+    return found;
+}
+
+Sides EventPaths::sides(Fields& fields, std::size_t which, int seeds) const {
+    const Event& event = events_[which];
+    const bool is_solid = event.index == 1;
+    // Of a critical point of index 2 on a wall the sides are the inside and the outside.
+    if (event.index != 1 && (event.index != 2 || event.stratum != 3)) return Sides::unknown;
+    const TimedFormula& piece = piece_of(mid(event.time));
+    const auto bindings = piece.bindings(event.time);
+    const Moment moment = field_moment(fields.over(piece, bindings), piece.bounds(mid(event.time)));
+    const Region region(moment, is_solid);
+    const auto starts = both_sides(region, event);
+    if (!starts) return Sides::unknown;
+
+    PointField& field = fields.at(piece, bindings, event.index);
+    const Ground ground = ground_of(moment, is_solid);
+    const std::vector<Way> own_ways =
+        ways_down(field, ground, std::array{Start{(*starts)[0], {}}, Start{(*starts)[1], {}}});
+
+    const double size = longest_side(moment.box);
+    std::vector<SpacePoint> saddles = saddles_[std::size_t(event.index - 1)][which];
+    if (seeds > 0) add_points(saddles, saddles_from_seeds(field, moment.box, seeds), own * size);
+    std::erase_if(saddles, [&](const SpacePoint& p) {
+        return distance(p, middle(event.where)) <= own * size || !region.may_hold(p);
+    });
+    const std::vector<Pass> over = passes(field, ground, saddles);
+    PassGraph graph(over, same_minimum * size);
+    std::vector<bool> is_closed(over.size(), false);
+    for (int k = 0; k < most_routes; ++k) {
+        const auto route = graph.route(own_ways[0], own_ways[1], is_closed);
+        if (!route) return k == 0 ? Sides::apart : Sides::unknown;
+        std::size_t failed = 0;
+        if (is_path(region, route->points, &failed)) return Sides::joined;
+        if (route->over[failed] == Route::none) break;
+        is_closed[route->over[failed]] = true;
+    }
+    return Sides::unknown;
+}
+
+} // namespace isomotion::topology

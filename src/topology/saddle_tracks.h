@@ -1,0 +1,33 @@
+// Saddles of a moving field at the times of its events, followed from event to event.
+//
+// A saddle below the surface's level crossed it, before or later, at an event, unless it came and
+// went with a minimum meanwhile: so from the events' own places Newton's method, forwards and back
+// in time, gets to nearly all of them. Nothing is proved here and nothing need be: paths are sought
+// along saddles, and proved afterwards.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "topology/event.h"
+#include "topology/point_field.h"
+
+namespace isomotion::topology {
+
+// A field whose values are those of a time, -G for index 2: saddles of H are of index 1 for both.
+using FieldAt = std::function<PointField&(double time)>;
+
+// For each event of the index, in order, the saddles with H < 0 then; empty for other events.
+// Points nearer to each other than `same` are one.
+std::vector<std::vector<SpacePoint>> saddles_at_events(const FieldAt& field,
+                                                       std::span<const Event> events, int index,
+                                                       const SpaceBox& box);
+
+// More of them at one time, from so many seeds in the box.
+std::vector<SpacePoint> saddles_from_seeds(PointField& field, const SpaceBox& box, int seeds);
+
+// Adds those of `more` that are not there yet.
+void add_points(std::vector<SpacePoint>& points, std::span<const SpacePoint> more, double same);
+
+} // namespace isomotion::topology

@@ -1,0 +1,96 @@
+// How long it takes to find the kinds of a scene's events, and how they are proved.
+//
+//     kinds_bench SCENE FIRST LAST [THREADS] [EVENTS.timeline.json]
+//
+// The events are kept in the file, so that the search is run once. Times are the processor's, of
+// all threads together.
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "scene/load.h"
+#include "topology/critical.h"
+#include "topology/moving_frame.h"
+#include "topology/timeline_file.h"
+
+namespace {
+
+using namespace isomotion;
+using namespace isomotion::topology;
+
+double since(std::clock_t start) { return double(std::clock() - start) / CLOCKS_PER_SEC; }
+
+int measure(const scene::Scene& scene, formula::Interval range, int threads,
+            const std::filesystem::path& file) {
+    const auto now = [] { return std::clock(); };
+    const Side side = solid_side(scene);
+    Record record;
+    auto start = now();
+    if (std::filesystem::exists(file)) {
+        record = read_timeline(file);
+    } else {
+        EventSearch how;
+        how.threads = threads;
+        record = {subject_of(scene, range), find_events(scene, side, range, how)};
+        fmt::print("events     {:8.2f} s\n", since(start));
+        if (!file.empty()) std::ofstream(file) << to_json(record);
+    }
+    Timeline timeline = record.timeline;
+    start = now();
+    const MovingFrames frames(scene, side, range);
+    const auto end = [&](double time, std::optional<Betti>& betti, bool& is_proved) {
+        betti = frames.certify(time).betti;
+        is_proved = betti.has_value();
+    };
+    end(range.lo, timeline.start, timeline.start_is_proved);
+    end(range.hi, timeline.end, timeline.end_is_proved);
+    fmt::print("ends       {:8.2f} s\n", since(start));
+    SeekingPaths seeking;
+    seeking.threads = threads;
+    KindProofs proofs = frames.proofs(timeline.events, seeking);
+    const auto paths = proofs.paths;
+    proofs.paths = [&](std::span<const std::size_t> which, int seeds) {
+        const auto begun = now();
+        const std::vector<Sides> sides = paths(which, seeds);
+        std::map<Sides, int> count;
+        for (const Sides each : sides) ++count[each];
+        fmt::print("  paths    {:8.2f} s: {} seeds, {} events, {} joined, {} apart, {} unknown\n",
+                   since(begun), seeds, which.size(), count[Sides::joined], count[Sides::apart],
+                   count[Sides::unknown]);
+        return sides;
+    };
+    const auto frame = proofs.frame;
+    proofs.frame = [&](double time) {
+        const auto begun = now();
+        const auto betti = frame(time);
+        fmt::print("  frame    {:8.2f} s: {}\n", since(begun), betti ? "proved" : "not proved");
+        return betti;
+    };
+    start = now();
+    find_kinds(timeline, proofs);
+    fmt::print("kinds      {:8.2f} s\n", since(start));
+    std::map<std::string, int> count;
+    for (const Event& event : timeline.events) ++count[event.kind_proof];
+    for (const auto& [proof, events] : count)
+        fmt::print("{:4} by {}\n", events, proof.empty() ? "nothing" : proof);
+    for (const std::string& doubt : timeline.doubts) fmt::print("doubt: {}\n", doubt);
+    fmt::print("{}\n", timeline.is_complete() ? "complete" : "INCOMPLETE");
+    return timeline.is_complete() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+} // namespace
+
+int main(int count, char** words) {
+    if (count < 4) {
+        fmt::print(stderr, "usage: kinds_bench SCENE FIRST LAST [THREADS] [EVENTS]\n");
+        return 2;
+    }
+    const scene::Scene scene = scene::load(words[1]);
+    const formula::Interval range{scene.timeline.time(std::atoi(words[2])),
+                                  scene.timeline.time(std::atoi(words[3]))};
+    return measure(scene, range, count > 4 ? std::atoi(words[4]) : 1, count > 5 ? words[5] : "");
+}
