@@ -1,8 +1,6 @@
 #include "topology/descent.h"
 
 #include <algorithm>
-#include <numeric>
-#include <ranges>
 
 namespace isomotion::topology {
 namespace {
@@ -147,90 +145,27 @@ std::vector<Pass> passes(PointField& field, const Ground& ground,
                          std::span<const SpacePoint> saddles) {
     std::vector<PointJet> jets;
     field.jets(saddles, jets);
+    std::vector<Start> over;
+    for (std::size_t k = 0; k < saddles.size(); ++k)
+        over.push_back({saddles[k], least_direction(jets[k].bend)});
+    return passes(field, ground, over);
+}
+
+std::vector<Pass> passes(PointField& field, const Ground& ground, std::span<const Start> over) {
     std::vector<Start> starts;
-    for (std::size_t k = 0; k < saddles.size(); ++k) {
-        const SpacePoint direction = least_direction(jets[k].bend);
-        for (const double sign : {1.0, -1.0})
-            starts.push_back({saddles[k], along({}, sign, direction)});
+    std::vector<SpacePoint> tops;
+    for (const Start& start : over) {
+        starts.push_back(start);
+        starts.push_back({start.from, along({}, -1, start.direction)});
+        tops.push_back(start.from);
     }
     std::vector<Way> ways = ways_down(field, ground, starts);
+    std::vector<PointJet> jets;
+    field.jets(tops, jets);
     std::vector<Pass> passes;
-    for (std::size_t k = 0; k < saddles.size(); ++k) {
+    for (std::size_t k = 0; k < over.size(); ++k)
         passes.push_back({jets[k].value, {std::move(ways[2 * k]), std::move(ways[2 * k + 1])}});
-    }
     return passes;
-}
-
-PassGraph::PassGraph(std::span<const Pass> passes, double same)
-    : passes_(passes)
-    , same_(same)
-    , by_height_(passes.size()) {
-    for (const Pass& pass : passes) ends_.push_back({node(pass.ways[0]), node(pass.ways[1])});
-    std::iota(by_height_.begin(), by_height_.end(), std::size_t(0));
-    std::ranges::stable_sort(by_height_, {}, [&](std::size_t k) { return passes[k].height; });
-}
-
-// Node 0 is all that is outside of the bounds.
-int PassGraph::node(const Way& way) {
-    if (way.end == Way::End::outside) return 0;
-    const SpacePoint& end = way.points.back();
-    for (std::size_t k = 0; k < minima_.size(); ++k) {
-        if (way.end == Way::End::minimum && distance(minima_[k], end) <= same_) return int(k) + 1;
-    }
-    minima_.push_back(end);
-    return int(minima_.size());
-}
-
-std::optional<Route> PassGraph::route(const Way& from, const Way& to,
-                                      const std::vector<bool>& is_closed) {
-    if (from.end == Way::End::lost || to.end == Way::End::lost) return std::nullopt;
-    const int first = node(from), last = node(to);
-    // Kruskal's tree of the lowest passes, until it joins both.
-    std::vector<int> part(minima_.size() + 1);
-    std::iota(part.begin(), part.end(), 0);
-    const auto part_of = [&](int k) {
-        while (part[std::size_t(k)] != k)
-            k = part[std::size_t(k)] = part[std::size_t(part[std::size_t(k)])];
-        return k;
-    };
-    std::vector<std::vector<std::size_t>> tree(part.size()); // passes at each minimum
-    for (const std::size_t k : by_height_) {
-        if (part_of(first) == part_of(last)) break;
-        const auto [a, b] = ends_[k];
-        if (is_closed[k] || part_of(a) == part_of(b)) continue;
-        part[std::size_t(part_of(a))] = part_of(b);
-        tree[std::size_t(a)].push_back(k);
-        tree[std::size_t(b)].push_back(k);
-    }
-    if (part_of(first) != part_of(last)) return std::nullopt;
-    // Back from the last one, each minimum knows by which pass it was come to.
-    std::vector<std::optional<std::size_t>> by(part.size());
-    std::vector<int> reached{last};
-    const auto other = [&](std::size_t k, int end) { return ends_[k][ends_[k][0] == end]; };
-    for (std::size_t next = 0; next < reached.size(); ++next) {
-        const int here = reached[next];
-        for (const std::size_t k : tree[std::size_t(here)]) {
-            const int there = other(k, here);
-            if (there == last || by[std::size_t(there)]) continue;
-            by[std::size_t(there)] = k;
-            reached.push_back(there);
-        }
-    }
-    Route route;
-    const auto add = [&](const auto& points, std::size_t over) {
-        route.points.insert(route.points.end(), points.begin(), points.end());
-        route.over.resize(route.points.size(), over);
-    };
-    add(from.points, Route::none);
-    for (int here = first; here != last;) {
-        const std::size_t k = *by[std::size_t(here)];
-        const std::size_t up = ends_[k][0] == here ? 0 : 1;
-        add(std::views::reverse(passes_[k].ways[up].points), k);
-        add(std::views::drop(passes_[k].ways[1 - up].points, 1), k);
-        here = ends_[k][1 - up];
-    }
-    add(std::views::reverse(to.points), Route::none);
-    return route;
 }
 
 } // namespace isomotion::topology

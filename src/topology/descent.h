@@ -1,7 +1,7 @@
-// Ways down from saddles, and what they join: the part of a field's Morse complex that says which
-// of its minima are connected below a level (Edelsbrunner, Harer and Zomorodian 2003).
+// Ways down a field from its saddles to its minima, in doubles.
 //
-// In doubles, for the proof of a path to follow; the ways need not be the gradient's own.
+// A proof of the way is to follow, so it need not be the gradient's own: where the field is convex
+// Newton's method is faster.
 #pragma once
 
 #include <functional>
@@ -31,6 +31,7 @@ struct Start {
     SpacePoint direction; // a unit vector; 0: down the slope
 };
 
+// Each by steps over which H falls.
 std::vector<Way> ways_down(PointField& field, const Ground& ground, std::span<const Start> starts);
 
 // A saddle and its two ways.
@@ -38,34 +39,9 @@ struct Pass {
     double height = 0; // H there
     std::array<Way, 2> ways;
 };
+// Of saddles along the direction that H bends down in; of other points along a given one.
 std::vector<Pass> passes(PointField& field, const Ground& ground,
                          std::span<const SpacePoint> saddles);
-
-// A way over passes.
-struct Route {
-    static constexpr std::size_t none = std::size_t(-1);
-    std::vector<SpacePoint> points;
-    std::vector<std::size_t> over; // of each point, which pass it belongs to, or none
-};
-
-// Minima, joined by passes.
-class PassGraph {
-public:
-    // Minima nearer to each other than `same` are one.
-    PassGraph(std::span<const Pass> passes, double same);
-
-    // Down one way, over passes as low as can be, but for those that are closed, and up the other
-    // way; empty if there is none.
-    std::optional<Route> route(const Way& from, const Way& to, const std::vector<bool>& is_closed);
-
-private:
-    int node(const Way& way);
-
-    std::span<const Pass> passes_;
-    double same_;
-    std::vector<SpacePoint> minima_;
-    std::vector<std::array<int, 2>> ends_;
-    std::vector<std::size_t> by_height_;
-};
+std::vector<Pass> passes(PointField& field, const Ground& ground, std::span<const Start> over);
 
 } // namespace isomotion::topology

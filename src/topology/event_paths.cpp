@@ -7,20 +7,53 @@
 #include <mutex>
 #include <thread>
 
-#include "topology/descent.h"
 #include "topology/field_moment.h"
+#include "topology/pass_graph.h"
 #include "topology/saddle_tracks.h"
 
 namespace isomotion::topology {
 namespace {
 
-constexpr int most_routes = 4;
+constexpr int most_routes = 4, most_bridges = 3, most_seeds = 8192;
 // Parts of the box: minima that are one, and saddles that are the event's own.
 constexpr double same_minimum = 1e-5, own = 1e-6;
 
 Ground ground_of(const Moment& moment, bool is_solid) {
     return {moment.box, is_solid, moment.is_inside,
             [&](const SpacePoint& p) { return moment.is_outside(point_box(p)); }};
+}
+
+// Looks for passes where a route is missing: saddles near the highest points of its gaps, and those
+// points themselves where they are low enough. False where there are no gaps.
+bool bridge(PassGraph& graph, std::span<const Way> ends, PointField& field, const Ground& ground,
+            const std::function<void(std::span<const SpacePoint>)>& add) {
+    constexpr int samples = 16;
+    const auto gaps = graph.gaps(ends[0], ends[1], ground);
+    std::vector<SpacePoint> points, tops;
+    for (const auto& gap : gaps) {
+        const SpacePoint across = difference(gap.to, gap.from);
+        for (int k = 1; k < samples; ++k)
+            points.push_back(along(gap.from, double(k) / samples, across));
+    }
+    std::vector<PointJet> jets;
+    field.jets(points, jets);
+    std::vector<Start> low;
+    for (std::size_t g = 0; g < gaps.size(); ++g) {
+        const auto first = jets.begin() + std::ptrdiff_t(g * (samples - 1));
+        const auto top = std::ranges::max_element(first, first + samples - 1, {}, &PointJet::value);
+        const SpacePoint at = points[std::size_t(top - jets.begin())];
+        tops.push_back(at);
+        const SpacePoint across = difference(gaps[g].to, gaps[g].from);
+        if (top->value < 0) low.push_back({at, along({}, 1 / length(across), across)});
+    }
+    const double size = longest_side(ground.box);
+    std::vector<SpacePoint> saddles;
+    for (const auto& saddle : saddles_near(field, tops, size, size / 8)) {
+        if (saddle) saddles.push_back(*saddle);
+    }
+    add(saddles);
+    graph.add(passes(field, ground, low));
+    return !gaps.empty();
 }
 
 } // namespace
@@ -97,11 +130,11 @@ std::vector<Sides> EventPaths::seek(std::span<const std::size_t> which, const Se
     share(to_follow.size(), [&](Fields&, std::size_t k) { follow_saddles(to_follow[k]); });
     std::vector<Sides> found(which.size(), Sides::unknown);
     share(which.size(),
-          [&](Fields& fields, std::size_t k) { found[k] = sides(fields, which[k], how.seeds); });
+          [&](Fields& fields, std::size_t k) { found[k] = sides(fields, which[k], how.effort); });
     return found;
 }
 
-Sides EventPaths::sides(Fields& fields, std::size_t which, int seeds) const {
+Sides EventPaths::sides(Fields& fields, std::size_t which, int effort) const {
     const Event& event = events_[which];
     const bool is_solid = event.index == 1;
     // Of a critical point of index 2 on a wall the sides are the inside and the outside.
@@ -119,21 +152,31 @@ Sides EventPaths::sides(Fields& fields, std::size_t which, int seeds) const {
         ways_down(field, ground, std::array{Start{(*starts)[0], {}}, Start{(*starts)[1], {}}});
 
     const double size = longest_side(moment.box);
-    std::vector<SpacePoint> saddles = saddles_[std::size_t(event.index - 1)][which];
-    if (seeds > 0) add_points(saddles, saddles_from_seeds(field, moment.box, seeds), own * size);
-    std::erase_if(saddles, [&](const SpacePoint& p) {
-        return distance(p, middle(event.where)) <= own * size || !region.may_hold(p);
-    });
-    const std::vector<Pass> over = passes(field, ground, saddles);
-    PassGraph graph(over, same_minimum * size);
-    std::vector<bool> is_closed(over.size(), false);
-    for (int k = 0; k < most_routes; ++k) {
-        const auto route = graph.route(own_ways[0], own_ways[1], is_closed);
-        if (!route) return k == 0 ? Sides::apart : Sides::unknown;
+    PassGraph graph(same_minimum * size);
+    std::vector<SpacePoint> known{middle(event.where)};
+    const auto add = [&](std::span<const SpacePoint> saddles) {
+        const std::size_t before = known.size();
+        std::vector<SpacePoint> inside;
+        std::ranges::copy_if(saddles, std::back_inserter(inside),
+                             [&](const SpacePoint& p) { return region.may_hold(p); });
+        add_points(known, inside, own * size);
+        graph.add(passes(field, ground, std::span(known).subspan(before)));
+    };
+    add(saddles_[std::size_t(event.index - 1)][which]);
+    if (effort > 1) add(saddles_from_seeds(field, moment.box, most_seeds));
+    bool is_tried = false;
+    for (int tries = 0, bridges = effort > 0 ? most_bridges : 0; tries < most_routes;) {
+        const auto route = graph.route(own_ways[0], own_ways[1]);
+        if (!route) {
+            if (bridges-- > 0 && bridge(graph, own_ways, field, ground, add)) continue;
+            return is_tried ? Sides::unknown : Sides::apart;
+        }
+        is_tried = true;
+        ++tries;
         std::size_t failed = 0;
         if (is_path(region, route->points, &failed)) return Sides::joined;
         if (route->over[failed] == Route::none) break;
-        is_closed[route->over[failed]] = true;
+        graph.close(route->over[failed]);
     }
     return Sides::unknown;
 }

@@ -23,7 +23,7 @@ enum class Sides {
 
 struct SeekingPaths {
     int threads = 1;                             // the result doesn't depend on it
-    int seeds = 0;                               // of more saddles, for each event
+    int effort = 0;                              // 0 to 2
     std::function<void(double part)> progress{}; // called from one thread at a time
     std::function<bool()> stopped{};             // from any thread
 };
@@ -42,7 +42,7 @@ private:
 
     const TimedFormula& piece_of(double time) const;
     void follow_saddles(int index);
-    Sides sides(Fields& fields, std::size_t event, int seeds) const;
+    Sides sides(Fields& fields, std::size_t event, int effort) const;
 
     std::span<const TimedFormula> pieces_;
     std::vector<Event> events_;

@@ -69,13 +69,13 @@ void settle_by_index(Timeline& timeline) {
     }
 }
 
-void settle_by_path(Timeline& timeline, const KindProofs& proofs, int seeds) {
+void settle_by_path(Timeline& timeline, const KindProofs& proofs, int effort) {
     if (!proofs.paths || (proofs.stopped && proofs.stopped())) return;
     std::vector<std::size_t> open;
     for (std::size_t k = 0; k < timeline.events.size(); ++k) {
         if (is_open(timeline.events[k]) && timeline.events[k].is_proved) open.push_back(k);
     }
-    const std::vector<Sides> sides = proofs.paths(open, seeds);
+    const std::vector<Sides> sides = proofs.paths(open, effort);
     for (std::size_t k = 0; k < open.size(); ++k) {
         Event& event = timeline.events[open[k]];
         if (sides[k] == Sides::joined) settle(event, by_path(event), "path");
@@ -361,17 +361,12 @@ void find_kinds(Timeline& timeline, const KindProofs& proofs) {
         for (const auto& frame : std::move(counting).frames()) frames.push_back(frame);
         std::ranges::sort(frames, {}, &Counting::Frame::time);
     };
-    // What is cheap first: paths leave little to count, more seeds are for what they miss, and
-    // frames take longest.
+    // What is cheap first: paths leave little to count, and frames take longest.
     count(0);
-    struct Try {
-        int seeds, most_frames;
-    };
-    for (const auto& [seeds, most_frames] : {Try{0, 0}, Try{512, 0}, Try{8192, 8}}) {
+    for (const int effort : {0, 1, 2}) {
         if (std::ranges::none_of(timeline.events, is_open)) break;
-        settle_by_path(timeline, proofs, seeds);
-        count(0);
-        count(most_frames);
+        settle_by_path(timeline, proofs, effort);
+        count(effort == 0 ? 0 : 8);
     }
     for (const auto& frame : frames) read_off(timeline, frame);
     describe_unresolved(timeline, known);

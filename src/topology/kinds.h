@@ -17,8 +17,8 @@
 namespace isomotion::topology {
 
 struct KindProofs {
-    // Of the events at these positions; more seeds find more.
-    std::function<std::vector<Sides>(std::span<const std::size_t> which, int seeds)> paths{};
+    // Of the events at these positions, with an effort of 0 to 2.
+    std::function<std::vector<Sides>(std::span<const std::size_t> which, int effort)> paths{};
     // Proved Betti numbers at a time without an event; may be missing, or fail.
     std::function<std::optional<Betti>(double time)> frame{};
     int most_frames = 16; // asked for

@@ -34,9 +34,9 @@ KindProofs MovingFrames::proofs(std::vector<Event> events, const SeekingPaths& s
                                 const FrameLimits& limits) const {
     KindProofs proofs;
     const auto paths = std::make_shared<EventPaths>(pieces_, std::move(events));
-    proofs.paths = [paths, seeking](std::span<const std::size_t> which, int seeds) {
+    proofs.paths = [paths, seeking](std::span<const std::size_t> which, int effort) {
         SeekingPaths how = seeking;
-        how.seeds = seeds;
+        how.effort = effort;
         return paths->seek(which, how);
     };
     proofs.frame = [this, limits](double time) { return certify(time, limits).betti; };

@@ -22,40 +22,6 @@ struct Saddle {
     bool is_young = true; // its speed is not known
 };
 
-// Newton's method from each of `from`; empty where it doesn't come to a saddle below the level, or
-// goes farther than `most` from where it began.
-std::vector<std::optional<SpacePoint>> limits(PointField& field, std::vector<SpacePoint> from,
-                                              double size, double most) {
-    std::vector<std::optional<SpacePoint>> found(from.size());
-    std::vector<SpacePoint> on = from, first = from;
-    std::vector<std::size_t> which(from.size());
-    for (std::size_t k = 0; k < which.size(); ++k) which[k] = k;
-    std::vector<PointJet> jets;
-    for (int step = 0; step < most_steps && !on.empty(); ++step) {
-        field.jets(on, jets);
-        std::size_t kept = 0;
-        for (std::size_t k = 0; k < on.size(); ++k) {
-            const auto by = solve(jets[k].bend, jets[k].slope);
-            if (!by) continue;
-            const SpacePoint next = difference(on[k], *by);
-            const SpacePoint begun = first[k];
-            if (!(distance(next, begun) <= most)) continue;
-            if (length(*by) <= at_rest * size) {
-                if (jets[k].value < 0 && is_saddle(jets[k])) found[which[k]] = next;
-                continue;
-            }
-            on[kept] = next;
-            first[kept] = begun;
-            which[kept] = which[k];
-            ++kept;
-        }
-        on.resize(kept);
-        first.resize(kept);
-        which.resize(kept);
-    }
-    return found;
-}
-
 // From one time to another; those that are lost on the way are left out.
 std::vector<Saddle> moved(const FieldAt& field, std::span<const Saddle> saddles, double from,
                           double to, double size, int halvings = 0) {
@@ -65,7 +31,7 @@ std::vector<Saddle> moved(const FieldAt& field, std::span<const Saddle> saddles,
         const bool is_far = length(saddle.speed) * std::abs(dt) > reach * size;
         guesses.push_back(is_far ? saddle.at : along(saddle.at, dt, saddle.speed));
     }
-    const auto found = limits(field(to), guesses, size, reach * size);
+    const auto found = saddles_near(field(to), guesses, size, reach * size);
     std::vector<Saddle> there, lost;
     for (std::size_t k = 0; k < saddles.size(); ++k) {
         if (!found[k]) {
@@ -96,6 +62,38 @@ void leave_one_of_each(std::vector<Saddle>& saddles, double apart) {
 }
 
 } // namespace
+
+std::vector<std::optional<SpacePoint>>
+saddles_near(PointField& field, std::span<const SpacePoint> points, double size, double most) {
+    std::vector<std::optional<SpacePoint>> found(points.size());
+    std::vector<SpacePoint> on(points.begin(), points.end()), first = on;
+    std::vector<std::size_t> which(points.size());
+    for (std::size_t k = 0; k < which.size(); ++k) which[k] = k;
+    std::vector<PointJet> jets;
+    for (int step = 0; step < most_steps && !on.empty(); ++step) {
+        field.jets(on, jets);
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < on.size(); ++k) {
+            const auto by = solve(jets[k].bend, jets[k].slope);
+            if (!by) continue;
+            const SpacePoint next = difference(on[k], *by);
+            const SpacePoint begun = first[k];
+            if (!(distance(next, begun) <= most)) continue;
+            if (length(*by) <= at_rest * size) {
+                if (jets[k].value < 0 && is_saddle(jets[k])) found[which[k]] = next;
+                continue;
+            }
+            on[kept] = next;
+            first[kept] = begun;
+            which[kept] = which[k];
+            ++kept;
+        }
+        on.resize(kept);
+        first.resize(kept);
+        which.resize(kept);
+    }
+    return found;
+}
 
 void add_points(std::vector<SpacePoint>& points, std::span<const SpacePoint> more, double apart) {
     for (const SpacePoint& p : more) {
@@ -146,7 +144,7 @@ std::vector<SpacePoint> saddles_from_seeds(PointField& field, const SpaceBox& bo
         }
         from.push_back(p);
     }
-    for (const auto& limit : limits(field, from, size, size / 4)) {
+    for (const auto& limit : saddles_near(field, from, size, size / 4)) {
         if (limit) add_points(found, {&*limit, 1}, same * size);
     }
     return found;

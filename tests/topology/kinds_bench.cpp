@@ -53,13 +53,13 @@ int measure(const scene::Scene& scene, formula::Interval range, int threads,
     seeking.threads = threads;
     KindProofs proofs = frames.proofs(timeline.events, seeking);
     const auto paths = proofs.paths;
-    proofs.paths = [&](std::span<const std::size_t> which, int seeds) {
+    proofs.paths = [&](std::span<const std::size_t> which, int effort) {
         const auto begun = now();
-        const std::vector<Sides> sides = paths(which, seeds);
+        const std::vector<Sides> sides = paths(which, effort);
         std::map<Sides, int> count;
         for (const Sides each : sides) ++count[each];
-        fmt::print("  paths    {:8.2f} s: {} seeds, {} events, {} joined, {} apart, {} unknown\n",
-                   since(begun), seeds, which.size(), count[Sides::joined], count[Sides::apart],
+        fmt::print("  paths    {:8.2f} s: effort {}, {} events, {} joined, {} apart, {} unknown\n",
+                   since(begun), effort, which.size(), count[Sides::joined], count[Sides::apart],
                    count[Sides::unknown]);
         return sides;
     };

@@ -1,0 +1,131 @@
+#include "topology/pass_graph.h"
+
+#include <algorithm>
+#include <numeric>
+#include <ranges>
+
+namespace isomotion::topology {
+namespace {
+
+constexpr std::size_t nearest = 6, most_gaps = 400;
+
+} // namespace
+
+void PassGraph::add(std::vector<Pass> passes) {
+    for (Pass& pass : passes) {
+        ends_.push_back({node(pass.ways[0]), node(pass.ways[1])});
+        passes_.push_back(std::move(pass));
+        is_closed_.push_back(false);
+    }
+}
+
+int PassGraph::node(const Way& way) {
+    if (way.end == Way::End::outside) return 0;
+    const SpacePoint& end = way.points.back();
+    for (std::size_t k = 0; k < minima_.size(); ++k) {
+        if (way.end == Way::End::minimum && distance(minima_[k], end) <= same_) return int(k) + 1;
+    }
+    minima_.push_back(end);
+    return int(minima_.size());
+}
+
+int PassGraph::root(Parts& parts, int node) {
+    while (parts[std::size_t(node)] != node)
+        node = parts[std::size_t(node)] = parts[std::size_t(parts[std::size_t(node)])];
+    return node;
+}
+
+std::optional<Route> PassGraph::route(const Way& from, const Way& to) {
+    if (from.end == Way::End::lost || to.end == Way::End::lost) return std::nullopt;
+    const int first = node(from), last = node(to);
+    // Kruskal's tree of the lowest passes, until it joins both.
+    std::vector<std::size_t> by_height(passes_.size());
+    std::iota(by_height.begin(), by_height.end(), std::size_t(0));
+    std::ranges::stable_sort(by_height, {}, [&](std::size_t k) { return passes_[k].height; });
+    Parts parts(minima_.size() + 1);
+    std::iota(parts.begin(), parts.end(), 0);
+    std::vector<std::vector<std::size_t>> tree(parts.size()); // passes at each node
+    for (const std::size_t k : by_height) {
+        if (root(parts, first) == root(parts, last)) break;
+        const auto [a, b] = ends_[k];
+        if (is_closed_[k] || root(parts, a) == root(parts, b)) continue;
+        parts[std::size_t(root(parts, a))] = root(parts, b);
+        tree[std::size_t(a)].push_back(k);
+        tree[std::size_t(b)].push_back(k);
+    }
+    if (root(parts, first) != root(parts, last)) return std::nullopt;
+    // Back from the last one, each node knows by which pass it was come to.
+    std::vector<std::optional<std::size_t>> by(parts.size());
+    std::vector<int> reached{last};
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+        const int here = reached[next];
+        for (const std::size_t k : tree[std::size_t(here)]) {
+            const int there = ends_[k][ends_[k][0] == here ? 1 : 0];
+            if (there == last || by[std::size_t(there)]) continue;
+            by[std::size_t(there)] = k;
+            reached.push_back(there);
+        }
+    }
+    Route route;
+    const auto add = [&](const auto& points, std::size_t over) {
+        route.points.insert(route.points.end(), points.begin(), points.end());
+        route.over.resize(route.points.size(), over);
+    };
+    add(from.points, Route::none);
+    for (int here = first; here != last;) {
+        const std::size_t k = *by[std::size_t(here)];
+        const std::size_t up = ends_[k][0] == here ? 0 : 1;
+        add(std::views::reverse(passes_[k].ways[up].points), k);
+        add(std::views::drop(passes_[k].ways[1 - up].points, 1), k);
+        here = ends_[k][1 - up];
+    }
+    add(std::views::reverse(to.points), Route::none);
+    return route;
+}
+
+std::vector<PassGraph::Gap> PassGraph::gaps(const Way& from, const Way& to, const Ground& ground) {
+    std::array<int, 2> ends{node(from), node(to)};
+    Parts parts(minima_.size() + 1);
+    std::iota(parts.begin(), parts.end(), 0);
+    for (std::size_t k = 0; k < passes_.size(); ++k) {
+        if (is_closed_[k]) continue;
+        parts[std::size_t(root(parts, ends_[k][0]))] = root(parts, ends_[k][1]);
+    }
+    const auto joined_to = [&](int end) {
+        std::vector<int> nodes;
+        for (int k = 0; k < int(parts.size()); ++k) {
+            if (root(parts, k) == root(parts, end)) nodes.push_back(k);
+        }
+        return nodes;
+    };
+    std::array<std::vector<int>, 2> sides{joined_to(ends[0]), joined_to(ends[1])};
+    const std::vector<int>& inner = sides[sides[0].size() <= sides[1].size() ? 0 : 1];
+    const int part = root(parts, inner.front());
+    std::vector<Gap> gaps;
+    for (const int k : inner) {
+        if (k == 0 || gaps.size() >= most_gaps) continue;
+        const SpacePoint& here = minima_[std::size_t(k - 1)];
+        std::vector<SpacePoint> others;
+        for (int other = 1; other < int(parts.size()); ++other) {
+            if (root(parts, other) != part) others.push_back(minima_[std::size_t(other - 1)]);
+        }
+        const std::size_t count = std::min(nearest, others.size());
+        std::ranges::partial_sort(others, others.begin() + std::ptrdiff_t(count), {},
+                                  [&](const SpacePoint& p) { return distance(here, p); });
+        for (const SpacePoint& other : others | std::views::take(count))
+            gaps.push_back({here, other});
+        if (ground.is_solid || root(parts, 0) == part) continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const formula::Interval wall = ground.box[i];
+            for (const double at :
+                 {1.01 * wall.lo - 0.01 * wall.hi, 1.01 * wall.hi - 0.01 * wall.lo}) {
+                SpacePoint out = here;
+                out[i] = at;
+                gaps.push_back({here, out});
+            }
+        }
+    }
+    return gaps;
+}
+
+} // namespace isomotion::topology
