@@ -115,18 +115,18 @@ Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Inte
 
     const MovingFrames frames(scene, side, range);
     const auto prove_end = [&](double time, std::optional<Betti>& betti, bool& is_proved) {
-        if (asking.stopped()) return;
+        std::string why;
+        if (asking.stopped()) return why;
         const CertifiedFrame frame = frames.certify(time);
         betti = frame.betti;
         is_proved = betti.has_value();
-        if (is_proved) return;
-        timeline.doubts.push_back(
-            fmt::format("the frame at {:g} s is not proved: {}", time, frame.why));
+        if (!is_proved) why = fmt::format("the frame at {:g} s is not proved: {}", time, frame.why);
+        return why;
     };
     asking.show("first and last frame", 0);
-    prove_end(range.lo, timeline.start, timeline.start_is_proved);
+    const std::string no_start = prove_end(range.lo, timeline.start, timeline.start_is_proved);
     asking.show("first and last frame", 0.5);
-    prove_end(range.hi, timeline.end, timeline.end_is_proved);
+    const std::string no_end = prove_end(range.hi, timeline.end, timeline.end_is_proved);
 
     SeekingPaths seeking;
     seeking.threads = threads_of(how);
@@ -138,6 +138,8 @@ Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Inte
     if (is_late && timeline.is_proved)
         timeline.doubts.push_back("interrupted before kinds were proved");
     find_kinds(timeline, is_late ? KindProofs{} : proofs);
+    if (!timeline.start_is_proved && !no_start.empty()) timeline.doubts.push_back(no_start);
+    if (!timeline.end_is_proved && !no_end.empty()) timeline.doubts.push_back(no_end);
     if (asking.stopped()) {
         if (!is_late) timeline.doubts.push_back("interrupted while kinds were proved");
         timeline.is_proved = false;

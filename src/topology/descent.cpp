@@ -5,9 +5,9 @@
 namespace isomotion::topology {
 namespace {
 
-// Parts of the box: the longest step, the first one, what Newton's step is at a minimum, and where
+// Parts of the box: the first step, what Newton's step is at a minimum, and where
 // a step gives up.
-constexpr double longest = 0.03, initial = 0.004, at_rest = 1e-7, shortest = 1e-9;
+constexpr double initial = 0.004, at_rest = 1e-7, shortest = 1e-9;
 constexpr int most_steps = 300;
 // From one step to the next the slope turns by less than the angle of this cosine.
 constexpr double straight = 0.3;
@@ -30,10 +30,11 @@ public:
     const SpacePoint& tried() const { return tried_; }
 
     void here(const PointJet& jet) {
-        jet_ = jet;
+        jet_ = within(jet, at_);
         aim();
     }
-    void there(const PointJet& jet) {
+    void there(const PointJet& unbounded) {
+        const PointJet jet = within(unbounded, tried_);
         if (!is_lower(jet)) {
             shorten();
             return;
@@ -43,7 +44,7 @@ public:
         if (!ground_.is_solid && ground_.is_outside(at_)) return end(Way::End::outside);
         if (is_last_) return end(Way::End::minimum);
         is_first_ = false;
-        step_ = std::min(1.6 * step_, longest * size_);
+        step_ = std::min(1.6 * step_, ground_.longest * size_);
         damping_ = 1;
         jet_ = jet;
         aim();
@@ -53,6 +54,22 @@ private:
     void end(Way::End how) {
         way_.end = how;
         is_done_ = true;
+    }
+
+    double inset() const { return 1e-7 * size_; } // of walls that a way keeps to
+
+    // At a wall that H falls out of, as along the wall.
+    PointJet within(PointJet jet, const SpacePoint& p) const {
+        if (!ground_.is_solid) return jet;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const formula::Interval wall = ground_.box[i];
+            const bool is_free =
+                jet.slope[i] < 0 ? p[i] < wall.hi - 1.5 * inset() : p[i] > wall.lo + 1.5 * inset();
+            if (is_free) continue;
+            jet.slope[i] = 0;
+            for (std::size_t j = 0; j < 3; ++j) jet.bend[i][j] = jet.bend[j][i] = i == j;
+        }
+        return jet;
     }
 
     bool is_lower(const PointJet& jet) const {
@@ -86,7 +103,8 @@ private:
                     const double far = length(*newton);
                     is_newton_ = true;
                     is_last_ = far <= at_rest * size_;
-                    by = along({}, -damping_ * std::min(1.0, longest * size_ / far), *newton);
+                    by = along({}, -damping_ * std::min(1.0, ground_.longest * size_ / far),
+                               *newton);
                 }
             }
         }
@@ -95,8 +113,7 @@ private:
         // Along a wall.
         for (std::size_t i = 0; i < 3; ++i) {
             const formula::Interval wall = ground_.box[i];
-            const double inset = 1e-7 * size_;
-            tried_[i] = std::clamp(tried_[i], wall.lo + inset, wall.hi - inset);
+            tried_[i] = std::clamp(tried_[i], wall.lo + inset(), wall.hi - inset());
         }
         if (distance(tried_, at_) <= at_rest * size_) return end(Way::End::minimum);
         if (!ground_.is_inside(tried_)) end(Way::End::lost);

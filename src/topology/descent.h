@@ -19,6 +19,7 @@ struct Ground {
     bool is_solid = true;                              // ways stay inside of the bounds
     std::function<bool(const SpacePoint&)> is_inside;  // the bounds
     std::function<bool(const SpacePoint&)> is_outside; // of the bounds, for certain
+    double longest = 0.03;                             // step, as a part of the box
 };
 
 struct Way {

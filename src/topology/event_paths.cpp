@@ -14,7 +14,7 @@
 namespace isomotion::topology {
 namespace {
 
-constexpr int most_routes = 4, most_bridges = 3, most_seeds = 8192;
+constexpr int most_routes = 8, most_bridges = 3, most_seeds = 4096;
 // Parts of the box: minima that are one, and saddles that are the event's own.
 constexpr double same_minimum = 1e-5, own = 1e-6;
 
@@ -148,12 +148,19 @@ Sides EventPaths::sides(Fields& fields, std::size_t which, int effort) const {
 
     PointField& field = fields.at(piece, bindings, event.index);
     const Ground ground = ground_of(moment, is_solid);
+    Ground with_short_steps = ground;
+    with_short_steps.longest /= 8;
     const std::vector<Way> own_ways =
         ways_down(field, ground, std::array{Start{(*starts)[0], {}}, Start{(*starts)[1], {}}});
 
     const double size = longest_side(moment.box);
     PassGraph graph(same_minimum * size);
-    std::vector<SpacePoint> known{middle(event.where)};
+    // No way leads over the event itself, nor over others at its time.
+    std::vector<SpacePoint> known;
+    for (const Event& other : events_) {
+        if (other.time.lo <= event.time.hi && other.time.hi >= event.time.lo)
+            known.push_back(middle(other.where));
+    }
     const auto add = [&](std::span<const SpacePoint> saddles) {
         const std::size_t before = known.size();
         std::vector<SpacePoint> inside;
@@ -176,7 +183,13 @@ Sides EventPaths::sides(Fields& fields, std::size_t which, int effort) const {
         std::size_t failed = 0;
         if (is_path(region, route->points, &failed)) return Sides::joined;
         if (route->over[failed] == Route::none) break;
+        // A long step may have crossed a ridge.
+        const Way& way = graph.pass(route->over[failed]).ways[0];
         graph.close(route->over[failed]);
+        if (way.points.size() < 2) continue;
+        const SpacePoint across = difference(way.points[1], way.points[0]);
+        const Start again{way.points[0], along({}, 1 / length(across), across)};
+        graph.add(passes(field, with_short_steps, {&again, 1}));
     }
     return Sides::unknown;
 }

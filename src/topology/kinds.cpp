@@ -34,7 +34,7 @@ void settle(Event& event, Kind kind, const char* proof) {
 
 // `change` is what these events of one index add to b0 (1) or b2 (2): each of them adds `parts` or
 // nothing.
-bool force(std::vector<Event*> events, int change, int Betti::*number, bool is_one_moment) {
+bool force(std::vector<Event*> events, int change, int Betti::*number, const char* proof) {
     int least = 0, most = 0;
     for (const Event* event : events) {
         const int parts = topology::change(by_parts(*event)).*number;
@@ -43,13 +43,14 @@ bool force(std::vector<Event*> events, int change, int Betti::*number, bool is_o
     if (change < least || change > most) return false;
     if (change != least && change != most) {
         // At one moment there is no order: as many as there are, the first ones by convention.
+        const bool is_one_moment = std::ranges::all_of(
+            events, [&](const Event* event) { return event->time.lo <= events.front()->time.hi; });
         if (!is_one_moment || (least != 0 && most != 0)) return true;
         int parts = std::abs(change);
         for (Event* event : events)
-            settle(*event, parts-- > 0 ? by_parts(*event) : by_path(*event), "frames");
+            settle(*event, parts-- > 0 ? by_parts(*event) : by_path(*event), proof);
         return true;
     }
-    const char* proof = is_one_moment ? "frames" : "counting";
     for (Event* event : events) {
         const int parts = topology::change(by_parts(*event)).*number;
         const bool changes_parts = (parts < 0) == (change == least) && least != most;
@@ -175,6 +176,30 @@ private:
     int frames_left_;
     std::vector<Frame> frames_;
 };
+
+// Where an end's own frame has no proof, one before the first event, or after the last, says the
+// same: nothing happens in between.
+void prove_ends(Timeline& timeline, const KindProofs& proofs) {
+    if (!proofs.frame || !is_whole_elsewhere(timeline)) return;
+    double first = timeline.range.hi, last = timeline.range.lo;
+    const auto add = [&](const Interval& time) {
+        first = std::min(first, time.lo);
+        last = std::max(last, time.hi);
+    };
+    for (const Event& event : timeline.events) add(event.time);
+    for (const Unresolved& place : timeline.unresolved) add(place.time);
+    const auto prove = [&](double end, double quiet, std::optional<Betti>& betti, bool& is_proved) {
+        for (const double part : {0.5, 0.2, 0.8}) {
+            if (is_proved || end == quiet || (proofs.stopped && proofs.stopped())) return;
+            const auto found = proofs.frame(end + part * (quiet - end));
+            if (!found) continue;
+            betti = found;
+            is_proved = true;
+        }
+    };
+    prove(timeline.range.lo, first, timeline.start, timeline.start_is_proved);
+    prove(timeline.range.hi, last, timeline.end, timeline.end_is_proved);
+}
 
 // The ends, and frames close about degenerate places.
 std::vector<Counting::Frame> known_frames(const Timeline& timeline, const KindProofs& proofs) {
@@ -338,8 +363,9 @@ bool count_kinds(std::span<Event> events, const Betti& before, const Betti& afte
     // Two frames about one moment are a closer look than counting.
     const bool is_one_moment = std::ranges::all_of(
         events, [&](const Event& event) { return event.time.lo <= events.front().time.hi; });
-    const bool agree = force(first, of_components, &Betti::components, is_one_moment) &&
-                       force(second, of_voids, &Betti::voids, is_one_moment);
+    const char* proof = is_one_moment ? "frames" : "counting";
+    const bool agree = force(first, of_components, &Betti::components, proof) &&
+                       force(second, of_voids, &Betti::voids, proof);
     if (!agree) {
         for (Event* event : first) settle(*event, Kind::unknown, "");
     }
@@ -348,6 +374,7 @@ bool count_kinds(std::span<Event> events, const Betti& before, const Betti& afte
 
 void find_kinds(Timeline& timeline, const KindProofs& proofs) {
     settle_by_index(timeline);
+    prove_ends(timeline, proofs);
     const std::vector<Counting::Frame> known = known_frames(timeline, proofs);
     std::vector<Counting::Frame> frames = known;
     int frames_left = proofs.most_frames;

@@ -27,8 +27,9 @@ struct KindProofs {
 };
 
 // Kinds, Betti numbers before and after, and doubts where these don't agree. The timeline has its
-// events by time with index and direction, and proved Betti numbers of its ends, if known.
-// Degenerate places (Timeline::unresolved) count as unknown: nothing is counted across them.
+// events by time with index and direction, and proved Betti numbers of its ends, if known; else
+// they are proved of a time near, if they can be. Degenerate places (Timeline::unresolved) count as
+// unknown: nothing is counted across them.
 void find_kinds(Timeline& timeline, const KindProofs& proofs);
 
 // Kinds of those events that are forced by the Betti numbers before the first and after the last.

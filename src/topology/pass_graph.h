@@ -24,6 +24,7 @@ public:
         : same_(same) {}
 
     void add(std::vector<Pass> passes);
+    const Pass& pass(std::size_t number) const { return passes_[number]; }
     // No route is over it from now on.
     void close(std::size_t pass) { is_closed_[pass] = true; }
 

@@ -8,15 +8,17 @@ namespace {
 
 using formula::Interval;
 
-// d^T H d < 0 for all of both.
-bool bends_down(const SpaceHessian& h, const SpaceBox& d) {
+// d^T H d.
+Interval bent_by(const SpaceHessian& h, const SpaceBox& d) {
     Interval sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         sum = sum + h[i][i] * square(d[i]);
         for (std::size_t j = i + 1; j < 3; ++j) sum = sum + Interval(2) * h[i][j] * (d[i] * d[j]);
     }
-    return sum.hi < 0;
+    return sum;
 }
+
+bool bends_down(const SpaceHessian& h, const SpaceBox& d) { return bent_by(h, d).hi < 0; }
 
 // Proved of all of a box, by its value or by its gradient from the middle.
 bool holds(const Region& region, const SpaceBox& box) {
@@ -52,6 +54,20 @@ double most_between(Interval at_a, Interval at_b, Interval rise) {
     const Interval from_a = Interval(at_a.hi) + Interval(meet) * Interval(rise.hi);
     const Interval from_b = Interval(at_b.hi) - (Interval(1) - Interval(meet)) * Interval(rise.lo);
     return std::max(from_a.hi, from_b.hi);
+}
+
+// H's derivative along the segment from a to b, from its own at the middle and that one's.
+Interval rise_between(const Region& region, const SpacePoint& a, const SpacePoint& b) {
+    SpaceBox middle, across;
+    for (std::size_t i = 0; i < 3; ++i) {
+        middle[i] = Interval(0.5) * (Interval(a[i]) + Interval(b[i]));
+        across[i] = Interval(b[i]) - Interval(a[i]);
+    }
+    const SpaceHessian bend = region.hessian(hull_of(point_box(a), point_box(b)));
+    const auto slope = region.over({&middle, 1}).front().gradient;
+    Interval rise = 0;
+    for (std::size_t i = 0; i < 3; ++i) rise = rise + slope[i] * across[i];
+    return rise + Interval(-0.5, 0.5) * bent_by(bend, across);
 }
 
 } // namespace
@@ -205,6 +221,8 @@ bool is_path(const Region& region, std::span<const SpacePoint> corners, std::siz
                 next.push_back({between, chord.b, chord.b == between + 1});
                 continue;
             }
+            rise = intersect(rise, rise_between(region, a.at, b.at));
+            if (most_between(a.value, b.value, rise) < 0) continue;
             if (pieces > most_pieces || distance(a.at, b.at) < shortest) {
                 if (failed) *failed = b.of;
                 return false;

@@ -1,6 +1,7 @@
 // Points of space and symmetric matrices, in doubles.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>

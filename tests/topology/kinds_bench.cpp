@@ -2,6 +2,7 @@
 //
 //     kinds_bench SCENE FIRST LAST [THREADS] [EVENTS.timeline.json]
 //
+// LAST is 0 for the scene's last frame.
 // The events are kept in the file, so that the search is run once. Times are the processor's, of
 // all threads together.
 #include <cstdlib>
@@ -43,8 +44,13 @@ int measure(const scene::Scene& scene, formula::Interval range, int threads,
     start = now();
     const MovingFrames frames(scene, side, range);
     const auto end = [&](double time, std::optional<Betti>& betti, bool& is_proved) {
-        betti = frames.certify(time).betti;
+        const CertifiedFrame frame = frames.certify(time);
+        betti = frame.betti;
         is_proved = betti.has_value();
+        if (!is_proved) {
+            fmt::print("no proof at {} s: {}, ({:.6f}, {:.6f}, {:.6f})\n", time, frame.why,
+                       mid(frame.where[0]), mid(frame.where[1]), mid(frame.where[2]));
+        }
     };
     end(range.lo, timeline.start, timeline.start_is_proved);
     end(range.hi, timeline.end, timeline.end_is_proved);
@@ -77,6 +83,13 @@ int measure(const scene::Scene& scene, formula::Interval range, int threads,
     for (const Event& event : timeline.events) ++count[event.kind_proof];
     for (const auto& [proof, events] : count)
         fmt::print("{:4} by {}\n", events, proof.empty() ? "nothing" : proof);
+    for (const Event& event : timeline.events) {
+        if (event.kind != Kind::unknown) continue;
+        fmt::print("unknown at {:.9f} s: index {}, {}, stratum {}, ({:.6f}, {:.6f}, {:.6f})\n",
+                   mid(event.time), event.index, event.grows ? "grows" : "shrinks", event.stratum,
+                   mid(event.where[0]), mid(event.where[1]), mid(event.where[2]));
+    }
+    fmt::print("{} unresolved places\n", timeline.unresolved.size());
     for (const std::string& doubt : timeline.doubts) fmt::print("doubt: {}\n", doubt);
     fmt::print("{}\n", timeline.is_complete() ? "complete" : "INCOMPLETE");
     return timeline.is_complete() ? EXIT_SUCCESS : EXIT_FAILURE;
@@ -90,7 +103,8 @@ int main(int count, char** words) {
         return 2;
     }
     const scene::Scene scene = scene::load(words[1]);
+    const int last = std::atoi(words[3]) > 0 ? std::atoi(words[3]) : scene.timeline.frames;
     const formula::Interval range{scene.timeline.time(std::atoi(words[2])),
-                                  scene.timeline.time(std::atoi(words[3]))};
+                                  scene.timeline.time(last)};
     return measure(scene, range, count > 4 ? std::atoi(words[4]) : 1, count > 5 ? words[5] : "");
 }

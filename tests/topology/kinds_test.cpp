@@ -299,6 +299,16 @@ TEST(Counting, EventsAtOneTime) {
     EXPECT_EQ(count(timeline, Kind::tunnel_closes), 5);
     EXPECT_TRUE(timeline.is_complete());
 
+    // So too if something else happens at another time.
+    events.assign(6, an_event(5, 2, false));
+    events.insert(events.begin(), an_event(3, 3, false));
+    timeline = timeline_of(events, {1, 0, 0}, {1, 5, 0});
+    find_kinds(timeline, {});
+    EXPECT_EQ(count(timeline, Kind::void_born), 1);
+    EXPECT_EQ(count(timeline, Kind::void_opens), 1);
+    EXPECT_EQ(count(timeline, Kind::tunnel_opens), 5);
+    EXPECT_TRUE(timeline.is_complete());
+
     // Some grow and some shrink: nothing tells how many.
     events = {an_event(5, 1, true), an_event(5, 1, false)};
     timeline = timeline_of(events, {2, 1, 0}, {2, 1, 0});
@@ -343,6 +353,33 @@ TEST(Counting, NotAcrossDegeneratePlaces) {
     EXPECT_EQ(timeline.events[0].kind, Kind::merge);
     EXPECT_EQ(timeline.unresolved[0].before, (Betti{2, 0, 0}));
     EXPECT_EQ(timeline.unresolved[0].after, (Betti{2, 0, 1}));
+}
+
+// An end whose own frame has no proof has that of a quiet time.
+TEST(Counting, EndsHaveTheirProofElsewhere) {
+    const std::vector<Event> events{an_event(4, 1, true), an_event(6, 1, true)};
+    Timeline timeline = timeline_of(events, {}, {});
+    timeline.start = timeline.end = std::nullopt;
+    timeline.start_is_proved = timeline.end_is_proved = false;
+    KindProofs proofs;
+    proofs.frame = [](double time) -> std::optional<Betti> {
+        EXPECT_TRUE(time < 4 || time > 6) << time;
+        if (time > 1 && time < 4) return std::nullopt;
+        return Betti{time < 4 ? 3 : 1, 0, 0};
+    };
+    Timeline missing = timeline;
+    find_kinds(timeline, proofs);
+    EXPECT_EQ(timeline.start, (Betti{3, 0, 0}));
+    EXPECT_EQ(timeline.end, (Betti{1, 0, 0}));
+    EXPECT_EQ(timeline.events[0].kind, Kind::merge);
+    EXPECT_TRUE(timeline.is_complete());
+
+    // Not where events may be missing.
+    missing.is_proved = false;
+    missing.doubts = {"interrupted"};
+    find_kinds(missing, proofs);
+    EXPECT_FALSE(missing.start_is_proved);
+    EXPECT_FALSE(missing.is_complete());
 }
 
 // Frames beyond another degenerate place tell nothing of this one.
