@@ -5,9 +5,9 @@
 namespace isomotion::topology {
 namespace {
 
-// Parts of the box: the first step, what Newton's step is at a minimum, and where
-// a step gives up.
-constexpr double initial = 0.004, at_rest = 1e-7, shortest = 1e-9;
+// The first step as a part of the longest; parts of the box: what Newton's step is at a minimum,
+// and where a step gives up.
+constexpr double initial = 2.0 / 15, at_rest = 1e-7, shortest = 1e-9;
 constexpr int most_steps = 300;
 // From one step to the next the slope turns by less than the angle of this cosine.
 constexpr double straight = 0.3;
@@ -21,7 +21,7 @@ public:
         , at_(start.from)
         , direction_(start.direction)
         , is_first_(length(start.direction) > 0)
-        , step_(initial * size) {
+        , step_(initial * ground.longest * size) {
         way_.points.push_back(at_);
     }
 

@@ -14,7 +14,7 @@
 namespace isomotion::topology {
 namespace {
 
-constexpr int most_routes = 8, most_bridges = 3, most_seeds = 4096;
+constexpr int most_routes = 16, most_bridges = 3, most_seeds = 4096;
 // Parts of the box: minima that are one, and saddles that are the event's own.
 constexpr double same_minimum = 1e-5, own = 1e-6;
 
@@ -167,7 +167,10 @@ Sides EventPaths::sides(Fields& fields, std::size_t which, int effort) const {
         std::ranges::copy_if(saddles, std::back_inserter(inside),
                              [&](const SpacePoint& p) { return region.may_hold(p); });
         add_points(known, inside, own * size);
-        graph.add(passes(field, ground, std::span(known).subspan(before)));
+        const auto added = std::span(known).subspan(before);
+        graph.add(passes(field, ground, added));
+        // Ways by short steps may end elsewhere.
+        if (effort > 0) graph.add(passes(field, with_short_steps, added));
     };
     add(saddles_[std::size_t(event.index - 1)][which]);
     if (effort > 1) add(saddles_from_seeds(field, moment.box, most_seeds));
