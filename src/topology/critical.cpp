@@ -183,7 +183,7 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range, const
                 how.seeds > 0 ? from_seeds(field, {how.seeds, how.threads, how.stop, progress})
                               : search(field, {how.smallest, how.threads, how.stop, progress});
             done += share;
-            if (cost) cost->boxes += found.boxes;
+            if (cost) cost->boxes += found.work.boxes;
             events.add(field, found);
             if (motion.shape == scene::Bounds::Shape::sphere) events.add_reaching(field, how.stop);
         }

@@ -171,18 +171,23 @@ private:
 
     void step(const Elements& elements, std::vector<Box>& wave) {
         std::erase_if(wave, [&](const Box& box) {
-            return is_known(box) || enclosures_.place(box) == Enclosures::Place::outside;
+            ++found_.work.boxes;
+            if (is_known(box)) return is_done(Test::known);
+            return enclosures_.place(box) == Enclosures::Place::outside && is_done(Test::place);
         });
-        found_.boxes += std::int64_t(wave.size());
         centres_.clear();
         enclosures_.slopes(elements, wave, jets_);
-        keep(wave, [&](std::size_t b) { return may_be_critical(jets_[b]); });
+        keep(wave, [&](std::size_t b) {
+            if (!holds_zero(jets_[b].value)) return !is_done(Test::value);
+            return may_be_critical(jets_[b]) || !is_done(Test::slope);
+        });
         if (wave.empty()) return;
         centres_.clear();
         for (const Box& box : wave) centres_.push_back(at_point(middle(box)));
         enclosures_.values(elements, centres_, values_);
         keep(wave, [&](std::size_t b) {
-            return holds_zero(mean_value(wave[b], centres_[b], values_[b], jets_[b].slope));
+            return holds_zero(mean_value(wave[b], centres_[b], values_[b], jets_[b].slope)) ||
+                   !is_done(Test::mean);
         });
         if (wave.empty()) return;
         enclosures_.jets(elements, wave, jets_);
@@ -190,6 +195,11 @@ private:
         for (std::size_t b = 0; b < wave.size(); ++b) {
             settle(wave[b], jets_[b], at_centres_[b]);
         }
+    }
+
+    bool is_done(Test test) {
+        found_.work.count(test);
+        return true;
     }
 
     // Of the boxes, and of what is known of them.
@@ -236,27 +246,29 @@ private:
 
     void settle(Box box, IntervalJet jet, const IntervalJet& at_m) {
         const Point m = middle(box);
-        if (!may_be_critical(jet) || !sharpen(box, m, jet, at_m)) return;
+        if (!may_be_critical(jet) || !sharpen(box, m, jet, at_m)) {
+            return found_.work.count(Test::bend);
+        }
         const IntervalMatrix slopes = jacobian(jet, n_);
         if (const auto y = middle_inverse(slopes, int(n_))) {
             const Krawczyk k = krawczyk(box, m, residual(at_m, n_), slopes, *y, int(n_));
-            if (k.is_empty) return;
+            if (k.is_empty) return found_.work.count(Test::krawczyk);
             if (k.is_inside || k.contraction < 1 || spatial_size(box) < 1e-3) {
                 if (const auto point = isolate(field_, enclosures_, numbers_, box)) {
                     found_.points.push_back(*point);
-                    return;
+                    return found_.work.count(Test::isolated);
                 }
             }
             double shrinks = 1;
             for (std::size_t i = 0; i < n_; ++i) {
                 const double before = box[i].hi - box[i].lo;
                 box[i] = intersect(box[i], k.image[i]);
-                if (is_empty(box[i])) return;
+                if (is_empty(box[i])) return found_.work.count(Test::krawczyk);
                 if (before > 0) shrinks *= (box[i].hi - box[i].lo) / before;
             }
             if (shrinks < 0.6) {
                 next_.push_back(box);
-                return;
+                return found_.work.count(Test::narrowed);
             }
         }
         divide(box, slopes);
@@ -280,9 +292,11 @@ private:
         const auto first = side_to_halve(box, smear);
         if (!first) {
             found_.unresolved.push_back(box);
+            found_.work.count(Test::smallest);
             if (found_.unresolved.size() % too_many == 0) smallest_ *= 4;
             return;
         }
+        found_.work.count(Test::divided);
         smear[*first] /= 2;
         for (const Box& half : halves(box, *first)) {
             const auto second = side_to_halve(half, smear);
@@ -346,6 +360,20 @@ std::vector<Box> tasks(const MovingField& field) {
 }
 
 } // namespace
+
+const char* name_of(Test test) {
+    constexpr std::array<const char*, std::size_t(Test::count)> names{
+        "inside a known point's box", "outside of the bounds", "F", "a derivative",
+        "mean value",                 "second derivatives",    "Krawczyk: none", "Krawczyk: one",
+        "narrowed",                   "divided",               "smallest"};
+    return names[std::size_t(test)];
+}
+
+Work& Work::operator+=(const Work& other) {
+    boxes += other.boxes;
+    for (std::size_t k = 0; k < removed.size(); ++k) removed[k] += other.removed[k];
+    return *this;
+}
 
 void put_together(Found& all) {
     std::sort(all.points.begin(), all.points.end(), [](const auto& a, const auto& b) {
@@ -420,7 +448,7 @@ Found search(const MovingField& field, const Searching& searching) {
         all.points.insert(all.points.end(), part.points.begin(), part.points.end());
         all.unresolved.insert(all.unresolved.end(), part.unresolved.begin(), part.unresolved.end());
         all.is_interrupted |= part.is_interrupted;
-        all.boxes += part.boxes;
+        all.work += part.work;
     }
     put_together(all);
     all.unresolved = merged(std::move(all.unresolved), field.domain(), 4 * searching.smallest);

@@ -167,7 +167,7 @@ Found from_seeds(const MovingField& field, const Seeding& seeding) {
     share(batches, seeding, seek, 0, 0.7);
     std::vector<Point> all;
     for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-    for (const std::int64_t number : evaluations) found.boxes += number;
+    for (const std::int64_t number : evaluations) found.work.boxes += number;
 
     const std::vector<Point> once = distinct(field, std::move(all));
     std::vector<std::optional<CriticalPoint>> points(once.size());

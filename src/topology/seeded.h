@@ -17,7 +17,7 @@ struct Seeding {
     std::function<void(double)> progress{}; // part of the seeds that is done; from any thread
 };
 
-// Found::unresolved holds limits without a proof, near each other put together; Found::boxes counts
+// Found::unresolved holds limits without a proof, near each other put together; Found::work counts
 // evaluations.
 Found from_seeds(const MovingField& field, const Seeding& seeding);
 
