@@ -24,9 +24,13 @@ constexpr double family = 0.4;
 constexpr double last_family = 1e-3;
 // What no box below may miss, as a part of the largest term; and with the square of the box's size
 // what the box itself won't notice.
-constexpr double negligible = 1e-12, coarse = 1e-2;
+constexpr double negligible = 1e-12, coarse = 5e-2;
 // Boxes evaluated together.
 constexpr std::size_t together = 64;
+// Where second derivatives end fewer boxes than this part they cost more than they save. After so
+// many boxes of one size that is known.
+constexpr double worth_bends = 0.25;
+constexpr std::int64_t bends_to_judge = 16;
 // With more unresolved boxes than this in a task the smallest box grows: a curve of them.
 constexpr std::size_t too_many = 256;
 
@@ -42,6 +46,9 @@ bool contains(const Box& a, const Box& b) {
     }
     return true;
 }
+
+// How much the equations vary along each side of a box, as a part of all.
+using Smear = std::array<double, most_variables>;
 
 class Task {
 public:
@@ -177,43 +184,57 @@ private:
         });
         centres_.clear();
         enclosures_.slopes(elements, wave, jets_);
-        keep(wave, [&](std::size_t b) {
-            if (!holds_zero(jets_[b].value)) return !is_done(Test::value);
-            return may_be_critical(jets_[b]) || !is_done(Test::slope);
-        });
-        if (wave.empty()) return;
-        centres_.clear();
-        for (const Box& box : wave) centres_.push_back(at_point(middle(box)));
-        enclosures_.values(elements, centres_, values_);
-        keep(wave, [&](std::size_t b) {
-            return holds_zero(mean_value(wave[b], centres_[b], values_[b], jets_[b].slope)) ||
-                   !is_done(Test::mean);
-        });
-        if (wave.empty()) return;
-        enclosures_.jets(elements, wave, jets_);
-        enclosures_.slopes(elements, centres_, at_centres_);
+        bent_.clear();
         for (std::size_t b = 0; b < wave.size(); ++b) {
-            settle(wave[b], jets_[b], at_centres_[b]);
+            const Box& box = wave[b];
+            if (!holds_zero(jets_[b].value)) {
+                is_done(Test::value);
+            } else if (!may_be_critical(jets_[b])) {
+                is_done(Test::slope);
+            } else if (is_worth_bends(box)) {
+                bent_.push_back(box);
+            } else {
+                divide(box, typical_smear(box));
+            }
         }
+        if (bent_.empty()) return;
+        centres_.clear();
+        for (const Box& box : bent_) centres_.push_back(at_point(middle(box)));
+        enclosures_.jets(elements, bent_, jets_);
+        enclosures_.slopes(elements, centres_, at_centres_);
+        for (std::size_t b = 0; b < bent_.size(); ++b) {
+            const auto divided = found_.work.removed[std::size_t(Test::divided)];
+            settle(bent_[b], jets_[b], at_centres_[b]);
+            if (found_.work.removed[std::size_t(Test::divided)] == divided) {
+                ++bends_[size_class(bent_[b])].ended;
+            }
+        }
+    }
+
+    // Of boxes of one size, whether second derivatives have ended enough of them so far; every
+    // sixteenth is tried all the same.
+    bool is_worth_bends(const Box& box) {
+        Bends& bends = bends_[size_class(box)];
+        const bool is_worth = bends.tried < bends_to_judge ||
+                              double(bends.ended) >= worth_bends * double(bends.tried) ||
+                              ++bends.skipped % 16 == 0;
+        bends.tried += is_worth;
+        return is_worth;
+    }
+
+    // Halvings of the domain's sides that lead to the box.
+    std::size_t size_class(const Box& box) const {
+        double volume = 1;
+        for (std::size_t k = 0; k < n_; ++k) {
+            const double side = part(box, k);
+            if (side > 0) volume *= side;
+        }
+        return std::min(std::size_t(std::max(-std::log2(volume), 0.0)), bends_.size() - 1);
     }
 
     bool is_done(Test test) {
         found_.work.count(test);
         return true;
-    }
-
-    // Of the boxes, and of what is known of them.
-    template<class Test> void keep(std::vector<Box>& wave, Test&& test) {
-        std::size_t kept = 0;
-        for (std::size_t b = 0; b < wave.size(); ++b) {
-            if (!test(b)) continue;
-            wave[kept] = wave[b];
-            jets_[kept] = jets_[b];
-            if (b < centres_.size()) centres_[kept] = centres_[b];
-            ++kept;
-        }
-        wave.resize(kept);
-        if (centres_.size() > kept) centres_.resize(kept);
     }
 
     // F over the box by its value in the middle and its slopes.
@@ -278,7 +299,7 @@ private:
     // side, summed. Into four since second derivatives cost more than they exclude: they are worth
     // evaluating at every other halving.
     void divide(const Box& box, const IntervalMatrix& slopes) {
-        std::array<double, most_variables> smear{};
+        Smear smear{};
         for (std::size_t i = 0; i < n_; ++i) {
             std::array<double, most_variables> parts{};
             double all = 0;
@@ -289,6 +310,14 @@ private:
             if (!(all > 0) || std::isinf(all)) continue;
             for (std::size_t k = 0; k < n_; ++k) smear[k] += parts[k] / all;
         }
+        for (std::size_t k = 0; k < n_; ++k) {
+            const double side = part(box, k);
+            if (side > 0) smear_[k] += 0.01 * (smear[k] / side - smear_[k]);
+        }
+        divide(box, smear);
+    }
+
+    void divide(const Box& box, Smear smear) {
         const auto first = side_to_halve(box, smear);
         if (!first) {
             found_.unresolved.push_back(box);
@@ -308,8 +337,14 @@ private:
         }
     }
 
+    Smear typical_smear(const Box& box) const {
+        Smear smear{};
+        for (std::size_t k = 0; k < n_; ++k) smear[k] = smear_[k] * part(box, k);
+        return smear;
+    }
+
     std::optional<std::size_t>
-    side_to_halve(const Box& box, const std::array<double, most_variables>& smear) const {
+    side_to_halve(const Box& box, const Smear& smear) const {
         double most = 0, widest = 0;
         for (std::size_t k = 0; k < n_; ++k) widest = std::max(widest, part(box, k));
         std::optional<std::size_t> side;
@@ -338,9 +373,13 @@ private:
     Enclosures& enclosures_;
     Numbers& numbers_;
     Found found_;
-    std::vector<Box> next_, centres_;
+    struct Bends {
+        std::int64_t tried = 0, ended = 0, skipped = 0;
+    };
+    std::array<Bends, 128> bends_{};
+    Smear smear_{}; // of late, for each whole side
+    std::vector<Box> next_, bent_, centres_;
     std::vector<IntervalJet> jets_, at_centres_;
-    std::vector<Interval> values_;
 };
 
 std::vector<Box> tasks(const MovingField& field) {
