@@ -27,22 +27,6 @@ double side(const MovingField& field, std::size_t k) {
     return whole > 0 ? whole : 1;
 }
 
-// Multiples of the powers of 1/g modulo 1, where g^(n+1) = g + 1: the golden ratio's sequence in n
-// dimensions.
-Point seed(const MovingField& field, int number) {
-    const auto n = std::size_t(field.variables());
-    double g = 1.5;
-    for (int k = 0; k < 60; ++k) g = std::pow(1 + g, 1.0 / (double(n) + 1));
-    Point p{};
-    double power = 1;
-    for (std::size_t k = 0; k < n; ++k) {
-        power /= g;
-        const double at = 0.5 + power * (number + 1);
-        p[k] = field.domain()[k].lo + (at - std::floor(at)) * side(field, k);
-    }
-    return p;
-}
-
 int seeds_of(const MovingField& field, int seeds) {
     const double part = field.variables() / double(most_variables);
     return std::max(8, int(std::lround(std::pow(seeds, part))));
@@ -150,6 +134,22 @@ void share(std::size_t count, const Seeding& seeding, const Worker& worker, doub
 }
 
 } // namespace
+
+// Multiples of the powers of 1/g modulo 1, where g^(n+1) = g + 1: the golden ratio's sequence in n
+// dimensions.
+Point seed(const MovingField& field, int number) {
+    const auto n = std::size_t(field.variables());
+    double g = 1.5;
+    for (int k = 0; k < 60; ++k) g = std::pow(1 + g, 1.0 / (double(n) + 1));
+    Point p{};
+    double power = 1;
+    for (std::size_t k = 0; k < n; ++k) {
+        power /= g;
+        const double at = 0.5 + power * (number + 1);
+        p[k] = field.domain()[k].lo + (at - std::floor(at)) * side(field, k);
+    }
+    return p;
+}
 
 Found from_seeds(const MovingField& field, const Seeding& seeding) {
     Found found;

@@ -10,6 +10,8 @@
 
 namespace isomotion::topology {
 
+Point seed(const MovingField& field, int number);
+
 struct Seeding {
     int seeds = 1 << 16; // of a stratum with all coordinates free; fewer where there are fewer
     int threads = 1;     // the result doesn't depend on it

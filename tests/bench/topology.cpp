@@ -23,7 +23,7 @@ void report(const std::string& name, double from, double to, int threads) {
     const double cpu = cpu_seconds();
     const auto start = std::chrono::steady_clock::now();
     for (const Motion& motion : motions(scene, Side::negative, {from, to}).pieces) {
-        const MovingField field(motion, Stratum{});
+        const MovingField field = drifting_field(motion, Stratum{});
         Searching how;
         how.threads = threads;
         Found found = search(field, how);
