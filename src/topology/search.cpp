@@ -20,6 +20,7 @@ bool holds_zero(const Interval& a) { return a.lo <= 0 && 0 <= a.hi; }
 constexpr std::size_t tasks_at_least = 64;
 // Boxes this much smaller than the one whose elements they share get elements of their own.
 constexpr double family = 0.4;
+constexpr std::size_t family_size = 64;
 // Smaller boxes than this part of the domain keep what they have.
 constexpr double last_family = 1e-3;
 // What no box below may miss, as a part of the largest term; and with the square of the box's size
@@ -80,16 +81,21 @@ public:
                 own = *now.elements;
             }
             smaller.clear();
-            while (!now.boxes.empty()) {
+            const bool inside = enclosures_.place(around) == Enclosures::Place::inside;
+            while (!now.boxes.empty() || !bent_.empty()) {
                 if (searching_.stop.stop_requested()) {
                     found_.is_interrupted = true;
                     return std::move(found_);
                 }
-                const std::size_t count = std::min(together, now.boxes.size());
-                batch.assign(now.boxes.end() - std::ptrdiff_t(count), now.boxes.end());
-                now.boxes.resize(now.boxes.size() - count);
                 next_.clear();
-                step(own, batch);
+                if (!now.boxes.empty() && bent_.size() < together) {
+                    const std::size_t count = std::min(together, now.boxes.size());
+                    batch.assign(now.boxes.end() - std::ptrdiff_t(count), now.boxes.end());
+                    now.boxes.resize(now.boxes.size() - count);
+                    sift(own, batch, inside);
+                } else {
+                    settle(own);
+                }
                 for (const Box& child : next_) {
                     const bool leaves = narrows && spatial_size(child) <= family * size;
                     (leaves ? smaller : now.boxes).push_back(child);
@@ -118,7 +124,7 @@ private:
     // By halves of the longest side, until each family is small or few.
     void split_family(std::vector<Box> boxes, const std::shared_ptr<const Elements>& elements,
                       std::vector<Family>& families) const {
-        if (boxes.size() <= together / 2) {
+        if (boxes.size() <= family_size) {
             if (!boxes.empty()) families.push_back({std::move(boxes), elements});
             return;
         }
@@ -176,15 +182,15 @@ private:
         return m;
     }
 
-    void step(const Elements& elements, std::vector<Box>& wave) {
+    // By F and first derivatives; what is left and worth it waits for second ones.
+    void sift(const Elements& elements, std::vector<Box>& wave, bool inside) {
         std::erase_if(wave, [&](const Box& box) {
             ++found_.work.boxes;
             if (is_known(box)) return is_done(Test::known);
-            return enclosures_.place(box) == Enclosures::Place::outside && is_done(Test::place);
+            return !inside && enclosures_.place(box) == Enclosures::Place::outside &&
+                   is_done(Test::place);
         });
-        centres_.clear();
         enclosures_.slopes(elements, wave, jets_);
-        bent_.clear();
         for (std::size_t b = 0; b < wave.size(); ++b) {
             const Box& box = wave[b];
             if (!holds_zero(jets_[b].value)) {
@@ -197,16 +203,21 @@ private:
                 divide(box, typical_smear(box));
             }
         }
-        if (bent_.empty()) return;
+    }
+
+    void settle(const Elements& elements) {
+        const std::size_t count = std::min(together, bent_.size());
+        now_.assign(bent_.end() - std::ptrdiff_t(count), bent_.end());
+        bent_.resize(bent_.size() - count);
         centres_.clear();
-        for (const Box& box : bent_) centres_.push_back(at_point(middle(box)));
-        enclosures_.jets(elements, bent_, jets_);
+        for (const Box& box : now_) centres_.push_back(at_point(middle(box)));
+        enclosures_.jets(elements, now_, jets_);
         enclosures_.slopes(elements, centres_, at_centres_);
-        for (std::size_t b = 0; b < bent_.size(); ++b) {
+        for (std::size_t b = 0; b < now_.size(); ++b) {
             const auto divided = found_.work.removed[std::size_t(Test::divided)];
-            settle(bent_[b], jets_[b], at_centres_[b]);
+            settle(now_[b], jets_[b], at_centres_[b]);
             if (found_.work.removed[std::size_t(Test::divided)] == divided) {
-                ++bends_[size_class(bent_[b])].ended;
+                ++bends_[size_class(now_[b])].ended;
             }
         }
     }
@@ -378,7 +389,7 @@ private:
     };
     std::array<Bends, 128> bends_{};
     Smear smear_{}; // of late, for each whole side
-    std::vector<Box> next_, bent_, centres_;
+    std::vector<Box> next_, bent_, now_, centres_;
     std::vector<IntervalJet> jets_, at_centres_;
 };
 
