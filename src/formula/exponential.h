@@ -12,16 +12,16 @@ namespace isomotion::formula {
 //
 // e^x = 2^n e^r with n the integer next to x/ln 2 and |r| <= 0.35, and e^r by its Taylor
 // polynomial of degree 13. Let u = 2^-53. Relative to e^r:
-//   the polynomial leaves out less than |r|^14/14! e^|r|/e^r < 2^-56;
-//   ln 2 is split into `high`, of 41 bits, so that n high is exact (|n| < 2^11), and `low`, nearly
-//   its rest. x - n high is below 0.36 and a multiple of the last place of x or, if n is not 0, of
-//   2^-42 high's last: exact (for |n| >= 1 the two are within a factor of 2, Sterbenz). n low is
-//   below 2^-31, so its rounding, and what low misses of the rest (below 2^-95), are below 2^-84
-//   in all; subtracting it is rounded by u/4 at most, as |r| < 0.5. So r is off by u/3;
-//   the last step of Horner's scheme adds 1 and r s, with s within 1.25 and itself off by less than
-//   2 u: the product by 0.35 * 2u + 0.44 u / 2 and the sum by u at most (below 2), or u/2 (below 1,
-//   where e^r is at least 0.7).
-// The whole is below 2^-56 + u/3 + (0.7 u + 0.22 u + u) / 0.7 < 4 u = 2^-51. Scaling is exact.
+//   - The polynomial leaves out less than |r|^14/14! e^(2|r|) < u/8.
+//   - ln 2 is `high`, of 41 bits, so that n high is exact (|n| < 2^11), and `low`, nearly its rest.
+//     x - n high is exact, too: n is 0, or the two are within a factor of 2 (Sterbenz). n low is
+//     below 2^-31; its rounding and what `low` misses are below 2^-83. Its subtraction is rounded
+//     by u/4 at most, as |r| < 0.5. So r is off by less than u/3.
+//   - Horner's scheme ends with 1 + r s, where s = (e^r - 1)/r is below 1.25 and itself off by less
+//     than 2 u: 1.25 u by its last two roundings, and 0.35 of what is off before. So r s is off by
+//     0.7 u + u/4, and the sum by u more, or u/2 if it is below 1. It is above 0.7: in all less
+//     than 2.1 u.
+// That is less than 4 u = 2^-51. The scaling is exact.
 inline double exponential(double x) {
     constexpr double log2_e = 0x1.71547652b82fep+0;
     constexpr double high = 0x1.62e42fefa3p-1, low = 0x1.3de6af278ece6p-42;

@@ -173,8 +173,8 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range, const
         for (const Stratum& part : parts) whole += effort(part);
         whole *= double(all.pieces.size());
         for (const Stratum& part : parts) {
-            const MovingField field = how.seeds > 0 ? MovingField(motion, part)
-                                                     : drifting_field(motion, part);
+            const MovingField field =
+                how.seeds > 0 ? MovingField(motion, part) : drifting_field(motion, part);
             const double share = effort(part) / whole;
             std::function<void(double)> progress;
             if (how.progress) {

@@ -1,9 +1,9 @@
 // Coordinates that drift with a moving surface: where parts of it move, boxes that move along hold
 // the same part for longer, and fewer of them fill the search.
 //
-// x = p (1 + (t - from) growth) + (t - from) by, for points p that rest in the new coordinates. At each time
-// that is a similarity, so a surface has the same critical points in both, of the same index; and
-// where dF/dx = 0 dF/dt is the same along both.
+// x = p (1 + (t - from) growth) + (t - from) by, for points p that rest in the new coordinates. At
+// each time that is a similarity, so a surface has the same critical points in both, of the same
+// index; and where dF/dx = 0 dF/dt is the same along both.
 #pragma once
 
 #include <array>

@@ -267,12 +267,11 @@ std::vector<NodeId> MovingField::between_ends(Graph& graph, std::span<const Node
     const NodeId either = graph.input(variables_ + 2);
     const std::vector<NodeId> linear = linear_in_clock(graph, roots, clock);
     const auto at = [&](NodeId end) {
-        return formula::substitute(graph, graph, linear,
-                                   [&](Graph&, const Node& node, NodeId rebuilt) {
-                                       const bool is_clock =
-                                           node.op == Op::input && node.index == clock;
-                                       return is_clock ? end : rebuilt;
-                                   });
+        return formula::substitute(
+            graph, graph, linear, [&](Graph&, const Node& node, NodeId rebuilt) {
+                const bool is_clock = node.op == Op::input && node.index == clock;
+                return is_clock ? end : rebuilt;
+            });
     };
     const std::vector<NodeId> at_low = at(low), at_high = at(high);
     std::vector<Node> nodes;

@@ -4,7 +4,8 @@
 // A stratum of the bounds is its inside, a face, an edge or a corner: there the coordinates that
 // are not free follow the bounds, and F is a function of those that are, and of the clock.
 // Everything below is about these variables: x, y, z without the fixed ones, then the clock. Where
-// all three are free they may drift with the surface (Drift): then it is about their places at rest.
+// all three are free they may drift with the surface (Drift): then it is about their places at
+// rest.
 //
 // Of sums over an array only the elements that matter in a box are evaluated; what the others add
 // to each sum is enclosed once for the box and all boxes in it (Elements).
@@ -75,7 +76,8 @@ private:
     struct Culling {
         int array = -1;          // whose elements are left out; -1: none
         std::vector<int> fields; // of the array, that terms depend on
-        formula::Program terms;  // inputs: variables, ends, then fields; one element's part of each sum
+        formula::Program
+            terms; // inputs: variables, ends, then fields; one element's part of each sum
         int sums = 0;
     };
 

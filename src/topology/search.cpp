@@ -354,8 +354,7 @@ private:
         return smear;
     }
 
-    std::optional<std::size_t>
-    side_to_halve(const Box& box, const Smear& smear) const {
+    std::optional<std::size_t> side_to_halve(const Box& box, const Smear& smear) const {
         double most = 0, widest = 0;
         for (std::size_t k = 0; k < n_; ++k) widest = std::max(widest, part(box, k));
         std::optional<std::size_t> side;
@@ -413,9 +412,17 @@ std::vector<Box> tasks(const MovingField& field) {
 
 const char* name_of(Test test) {
     constexpr std::array<const char*, std::size_t(Test::count)> names{
-        "inside a known point's box", "outside of the bounds", "F", "a derivative",
-        "mean value",                 "second derivatives",    "Krawczyk: none", "Krawczyk: one",
-        "narrowed",                   "divided",               "smallest"};
+        "inside a known point's box",
+        "outside of the bounds",
+        "F",
+        "a derivative",
+        "second derivatives",
+        "Krawczyk: none",
+        "Krawczyk: one",
+        "narrowed",
+        "divided",
+        "smallest",
+    };
     return names[std::size_t(test)];
 }
 

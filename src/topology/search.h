@@ -31,8 +31,7 @@ enum class Test {
     place,    // outside of the bounds
     value,    // F is not 0
     slope,    // a derivative of F is not 0
-    mean,     // F is not 0, by its value in the middle and its slopes
-    bend,     // nor, or a derivative, by second derivatives
+    bend,     // the same by values in the middle and second derivatives
     krawczyk, // no root
     isolated, // one root
     narrowed, // the roots are in a smaller box
