@@ -70,22 +70,19 @@ std::vector<NodeId> linear_in_clock(const Graph& g, std::span<const NodeId> root
     for (const NodeId id : below) {
         const Node& node = g[id];
         Shape shape;
-        int sum = 0, last = 0;
+        int sum = 0;
         bool moves = false;
         for (std::size_t k = 0; k < node.arity; ++k) {
             const Shape& child = shapes[node.children[k]];
             shape.has_place |= child.has_place;
             shape.degree = std::max(shape.degree, child.degree);
             sum += child.degree;
-            last = child.degree;
             moves |= child.has_place && child.degree > 0;
         }
         if (node.op == Op::input) {
             shape = {node.index == clock, node.index < clock};
         } else if (node.op == Op::multiply) {
             shape.degree = moves ? more : std::min(sum, more);
-        } else if (node.op == Op::divide) {
-            if (last > 0) shape.degree = more;
         } else if (node.op != Op::add && node.op != Op::subtract && node.op != Op::negate) {
             if (shape.degree > 0) shape.degree = more;
         }
