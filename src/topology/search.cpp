@@ -18,7 +18,8 @@ bool holds_zero(const Interval& a) { return a.lo <= 0 && 0 <= a.hi; }
 
 // A box is divided into this many tasks, whatever the number of threads.
 constexpr std::size_t tasks_at_least = 64;
-// Boxes this much smaller than the one whose elements they share get elements of their own.
+// Boxes this much smaller than the one whose elements they share get elements of their own, so
+// many together at most.
 constexpr double family = 0.4;
 constexpr std::size_t family_size = 64;
 // Smaller boxes than this part of the domain keep what they have.
