@@ -96,7 +96,9 @@ void Evaluator<T>::points(const Bindings<T>& bindings, std::span<const std::span
     const std::size_t total = inputs.empty() ? 0 : inputs[0].size();
     for (std::size_t first = 0; first < total; first += block) {
         const std::size_t count = std::min<std::size_t>(block, total - first);
-        if (count <= few) {
+        if (count == 1) {
+            together<1>(bindings, inputs, outputs, first, count);
+        } else if (count <= few) {
             together<few>(bindings, inputs, outputs, first, count);
         } else {
             together<block>(bindings, inputs, outputs, first, count);

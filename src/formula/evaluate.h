@@ -46,7 +46,7 @@ template<class To, class From> Bindings<To> convert(const Bindings<From>& from) 
 template<class T> class Evaluator {
 public:
     static constexpr int block = 32; // points evaluated together
-    static constexpr int few = 8;    // or so many, where there are no more
+    static constexpr int few = 8;    // or so many, where there are no more; a lone one by itself
 
     explicit Evaluator(const Program& program);
 

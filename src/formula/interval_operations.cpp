@@ -75,10 +75,6 @@ Interval power_of(Interval a, Interval b) {
 
 } // namespace
 
-Interval Do::exp(Interval a) {
-    return saturate({larger(below(std::exp(a.lo)), 0.0), above(std::exp(a.hi))});
-}
-
 Interval Do::log(Interval a) {
     if (a.lo < 0) return Interval::entire();
     return saturate(around(std::log(a.lo), std::log(a.hi)));

@@ -4,10 +4,12 @@
 // the two differ: results cut off at +-saturation are unbounded intervals that begin no further out
 // than there. What is NaN for double (0/0, roots of negative numbers other than sqrt, their
 // logarithms) makes the enclosure the entire line. Negation, abs, sign, floor, min, max and select
-// are exact; + - * / and sqrt are rounded to within one or two doubles; the others take the C
+// are exact; + - * / and sqrt are rounded to within one or two doubles; exp is the function of
+// exponential.h, within the error proved there; the others take the C
 // library's word for it, with a margin (interval_operations.cpp).
 #pragma once
 
+#include "formula/exponential.h"
 #include "formula/interval.h"
 #include "formula/operations.h"
 
@@ -27,7 +29,14 @@ template<> struct Operations<Interval> {
     static Interval sqrt(Interval a) {
         return {round_down(std::sqrt(larger(a.lo, 0.0))), round_up(std::sqrt(larger(a.hi, 0.0)))};
     }
-    static Interval exp(Interval a);
+    // Beyond the range of exponential() its ends hold, or 0 and infinity. No branches.
+    static Interval exp(Interval a) {
+        const double low = exponential(smaller(larger(a.lo, exp_low), exp_high));
+        const double high = exponential(smaller(larger(a.hi, exp_low), exp_high));
+        const double lo = a.lo < exp_low ? 0.0 : low - low * 0x1p-50;
+        const double hi = a.hi > exp_high ? infinity : high + high * 0x1p-50;
+        return saturate({lo, hi});
+    }
     static Interval log(Interval a);
     static Interval sin(Interval a);
     static Interval cos(Interval a);
@@ -49,6 +58,7 @@ template<> struct Operations<Interval> {
     }
     static Interval max(Interval a, Interval b) { return {larger(a.lo, b.lo), larger(a.hi, b.hi)}; }
     static Interval power(Interval a, Interval b);
+    static constexpr double exp_low = -708, exp_high = 709;
     static Interval select(Interval a, Interval b, Interval then, Interval otherwise) {
         return a.hi < b.lo ? then : a.lo >= b.hi ? otherwise : hull(then, otherwise);
     }

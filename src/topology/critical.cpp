@@ -53,7 +53,7 @@ private:
             const Stratum::End end = field.stratum().axes[k];
             where[k] =
                 end == Stratum::End::free
-                    ? box[next++]
+                    ? field.x(box, next++)
                     : at_clock(end == Stratum::End::low ? motion_.low[k] : motion_.high[k], clock);
         }
         return where;
@@ -173,7 +173,8 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range, const
         for (const Stratum& part : parts) whole += effort(part);
         whole *= double(all.pieces.size());
         for (const Stratum& part : parts) {
-            const MovingField field(motion, part);
+            const MovingField field =
+                how.seeds > 0 ? MovingField(motion, part) : drifting_field(motion, part);
             const double share = effort(part) / whole;
             std::function<void(double)> progress;
             if (how.progress) {
@@ -183,7 +184,7 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range, const
                 how.seeds > 0 ? from_seeds(field, {how.seeds, how.threads, how.stop, progress})
                               : search(field, {how.smallest, how.threads, how.stop, progress});
             done += share;
-            if (cost) cost->boxes += found.boxes;
+            if (cost) cost->boxes += found.work.boxes;
             events.add(field, found);
             if (motion.shape == scene::Bounds::Shape::sphere) events.add_reaching(field, how.stop);
         }

@@ -51,6 +51,59 @@ NodeId kinks(Graph& g, NodeId root) {
     return all;
 }
 
+NodeId drifting(Graph& g, const Drift& drift, std::size_t k, NodeId p, NodeId clock) {
+    const NodeId since = g.subtract(clock, g.constant(drift.from));
+    const NodeId scale = g.add(g.constant(1), g.multiply(since, g.constant(drift.growth)));
+    return g.add(g.multiply(p, scale), g.multiply(since, g.constant(drift.by[k])));
+}
+
+// The largest parts of the roots that depend on coordinates and are linear in the clock. Not so
+// large as products of places: twice evaluated they would cost more than they gain.
+std::vector<NodeId> linear_in_clock(const Graph& g, std::span<const NodeId> roots, int clock) {
+    constexpr int more = 2;
+    struct Shape {
+        int degree = 0;
+        bool has_place = false;
+    };
+    std::map<NodeId, Shape> shapes;
+    const std::vector<NodeId> below = formula::nodes_below(g, roots);
+    for (const NodeId id : below) {
+        const Node& node = g[id];
+        Shape shape;
+        int sum = 0;
+        bool moves = false;
+        for (std::size_t k = 0; k < node.arity; ++k) {
+            const Shape& child = shapes[node.children[k]];
+            shape.has_place |= child.has_place;
+            shape.degree = std::max(shape.degree, child.degree);
+            sum += child.degree;
+            moves |= child.has_place && child.degree > 0;
+        }
+        if (node.op == Op::input) {
+            shape = {node.index == clock, node.index < clock};
+        } else if (node.op == Op::multiply) {
+            shape.degree = moves ? more : std::min(sum, more);
+        } else if (node.op != Op::add && node.op != Op::subtract && node.op != Op::negate) {
+            if (shape.degree > 0) shape.degree = more;
+        }
+        shapes[id] = shape;
+    }
+    const auto is_linear = [&](NodeId id) {
+        return shapes[id].degree == 1 && shapes[id].has_place;
+    };
+    std::set<NodeId> largest, wanted(roots.begin(), roots.end());
+    for (auto id = below.rbegin(); id != below.rend(); ++id) { // parents first
+        if (!wanted.contains(*id)) continue;
+        if (is_linear(*id)) {
+            largest.insert(*id);
+            continue;
+        }
+        const Node& node = g[*id];
+        for (std::size_t k = 0; k < node.arity; ++k) wanted.insert(node.children[k]);
+    }
+    return {largest.begin(), largest.end()};
+}
+
 // Of point `p` of the outputs of a jet's program.
 template<class T>
 Jet<T> unpacked(const std::vector<std::vector<T>>& outputs, std::size_t p, std::size_t n) {
@@ -86,8 +139,9 @@ std::vector<Stratum> strata_of_box() {
     return strata;
 }
 
-MovingField::MovingField(const Motion& motion, const Stratum& stratum)
+MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Drift& drift)
     : stratum_(stratum)
+    , drift_(drift)
     , variables_(stratum.dimension() + 1)
     , bindings_(motion.bindings) {
     Graph g = motion.graph;
@@ -109,6 +163,7 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum)
         high[k] = of_clock(motion.high[k]);
         if (stratum.axes[k] == Stratum::End::free) {
             stands_for[k] = g.input(int(free_axes.size()));
+            if (!drift.rests()) stands_for[k] = drifting(g, drift, k, stands_for[k], clock);
             free_axes.push_back(k);
         } else {
             stands_for[k] = stratum.axes[k] == Stratum::End::low ? low[k] : high[k];
@@ -134,6 +189,7 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum)
     Graph lowered = g;
     numbers_ = formula::schedule(lowered, formula::lower(lowered, all));
 
+    if (!drift.rests()) all = between_ends(g, all);
     const std::vector<NodeId> culled = with_rests(g, all);
     value_ = formula::schedule(g, std::span(culled).first(1));
     slope_ = formula::schedule(g, std::span(culled).first(1 + n));
@@ -141,7 +197,7 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum)
 
     std::vector<NodeId> conditions;
     for (std::size_t k = 0; k < d; ++k) {
-        const NodeId x = g.input(int(k));
+        const NodeId x = stands_for[free_axes[k]];
         conditions.push_back(g.subtract(x, low[free_axes[k]]));
         conditions.push_back(g.subtract(high[free_axes[k]], x));
     }
@@ -149,7 +205,7 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum)
         const NodeId r = of_clock(motion.radius);
         NodeId reach = g.multiply(r, r);
         for (std::size_t k = 0; k < 3; ++k) {
-            const NodeId off = g.subtract(g.input(int(k)), of_clock(motion.centre[k]));
+            const NodeId off = g.subtract(stands_for[k], of_clock(motion.centre[k]));
             reach = g.subtract(reach, g.multiply(off, off));
         }
         conditions.push_back(reach);
@@ -173,16 +229,68 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum)
         }
         return ends;
     }());
-    Box at{};
-    at[d] = motion.clock;
+    // Of coordinates that drift there is more to be had from short times.
+    const int times = drift.rests() ? 1 : 64;
+    formula::Evaluator<Interval> evaluator(corners);
     std::vector<Interval> ends(2 * d);
-    formula::Evaluator<Interval>(corners).point({}, at, ends);
-    for (std::size_t k = 0; k < d; ++k) domain_[k] = {ends[2 * k].lo, ends[2 * k + 1].hi};
+    double from = motion.clock.lo;
+    for (int time = 1; time <= times; ++time) {
+        const double to = time == times ? motion.clock.hi
+                                        : motion.clock.lo + (motion.clock.hi - motion.clock.lo) *
+                                                                (double(time) / times);
+        Box at{};
+        at[d] = {from, to};
+        from = to;
+        evaluator.point({}, at, ends);
+        for (std::size_t k = 0; k < d; ++k) {
+            Interval side{ends[2 * k].lo, ends[2 * k + 1].hi};
+            if (!drift.rests()) side = drift.p(k, side, at[d]);
+            domain_[k] = time == 1 ? side : hull(domain_[k], side);
+        }
+    }
+}
+
+Interval MovingField::x(const Box& box, std::size_t k) const {
+    if (drift_.rests()) return box[k];
+    return drift_.x(k, box[k], box[std::size_t(dimension())]);
+}
+
+// A function that is linear in the clock takes values between those at the clock's ends, whatever
+// else it depends on. So x - c of an x that drifts and a c that moves is known as well as if
+// neither moved: no enclosure by parts would know.
+std::vector<NodeId> MovingField::between_ends(Graph& graph, std::span<const NodeId> roots) const {
+    const int clock = dimension();
+    const NodeId low = graph.input(variables_), high = graph.input(variables_ + 1);
+    const NodeId either = graph.input(variables_ + 2);
+    const std::vector<NodeId> linear = linear_in_clock(graph, roots, clock);
+    const auto at = [&](NodeId end) {
+        return formula::substitute(
+            graph, graph, linear, [&](Graph&, const Node& node, NodeId rebuilt) {
+                const bool is_clock = node.op == Op::input && node.index == clock;
+                return is_clock ? end : rebuilt;
+            });
+    };
+    const std::vector<NodeId> at_low = at(low), at_high = at(high);
+    std::vector<Node> nodes;
+    for (const NodeId id : linear) nodes.push_back(graph[id]);
+    return formula::substitute(
+        graph, graph, roots, [&](Graph& g, const Node& node, NodeId rebuilt) {
+            const auto found = std::find(nodes.begin(), nodes.end(), node);
+            if (found == nodes.end()) return rebuilt;
+            const auto which = std::size_t(found - nodes.begin());
+            return g.select(either, g.constant(0), at_low[which], at_high[which]);
+        });
+}
+
+MovingField drifting_field(const Motion& motion, const Stratum& stratum) {
+    MovingField field(motion, stratum);
+    if (field.dimension() < 3) return field;
+    const Drift drift = drift_of(field);
+    return drift.rests() ? field : MovingField(motion, stratum, drift);
 }
 
 // Sums over the largest array whose sums hold no others.
 std::vector<NodeId> MovingField::with_rests(Graph& graph, std::span<const NodeId> roots) {
-    const auto n = std::size_t(variables_);
     std::map<int, std::vector<NodeId>> sums;
     std::set<int> nested;
     for (const NodeId id : formula::nodes_below(graph, roots)) {
@@ -208,7 +316,8 @@ std::vector<NodeId> MovingField::with_rests(Graph& graph, std::span<const NodeId
     for (const NodeId id : found) bodies.push_back(graph[id].children[0]);
     const auto as_input = [&](Graph& g, const Node& node, NodeId rebuilt) {
         if (node.op != Op::element) return rebuilt;
-        const auto [it, is_new] = place_of.try_emplace(node.second, int(n + place_of.size()));
+        const auto [it, is_new] =
+            place_of.try_emplace(node.second, int(first_rest() + place_of.size()));
         if (is_new) culling_.fields.push_back(node.second);
         return g.input(it->second);
     };
@@ -220,7 +329,7 @@ std::vector<NodeId> MovingField::with_rests(Graph& graph, std::span<const NodeId
     const auto with_rest = [&](Graph& g, const Node& node, NodeId rebuilt) {
         const auto at = std::find(nodes.begin(), nodes.end(), node);
         if (at == nodes.end()) return rebuilt;
-        return g.add(g.input(int(n) + int(at - nodes.begin())), rebuilt);
+        return g.add(g.input(int(first_rest()) + int(at - nodes.begin())), rebuilt);
     };
     return formula::substitute(graph, graph, roots, with_rest);
 }
@@ -238,13 +347,19 @@ Enclosures::Enclosures(const MovingField& field)
 
 void Enclosures::load(const Elements& elements, std::span<const Box> boxes) {
     const auto n = std::size_t(field_.variables_);
-    inputs_.resize(std::max(inputs_.size(), n + elements.rest.size()));
-    for (std::size_t k = 0; k < n; ++k) {
-        inputs_[k].clear();
-        for (const Box& box : boxes) inputs_[k].push_back(box[k]);
+    const std::size_t first_rest = field_.first_rest();
+    inputs_.resize(std::max(inputs_.size(), first_rest + elements.rest.size()));
+    for (std::size_t k = 0; k < first_rest; ++k) inputs_[k].resize(boxes.size());
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        for (std::size_t k = 0; k < n; ++k) inputs_[k][b] = boxes[b][k];
+        if (first_rest > n) {
+            inputs_[n][b] = boxes[b][n - 1].lo;
+            inputs_[n + 1][b] = boxes[b][n - 1].hi;
+            inputs_[n + 2][b] = {-1, 1};
+        }
     }
     for (std::size_t j = 0; j < elements.rest.size(); ++j) {
-        inputs_[n + j].assign(boxes.size(), elements.rest[j]);
+        inputs_[first_rest + j].assign(boxes.size(), elements.rest[j]);
     }
 }
 
@@ -326,10 +441,16 @@ Elements Enclosures::near(const Box& box, const Elements& from, double negligibl
         from.bindings.arrays[std::size_t(culling.array)];
     const auto count = std::size_t(columns.count);
     if (count <= 1) return from;
-    inputs_.resize(std::max(inputs_.size(), n + culling.fields.size()));
+    const std::size_t first_field = field_.first_rest();
+    inputs_.resize(std::max(inputs_.size(), first_field + culling.fields.size()));
     for (std::size_t k = 0; k < n; ++k) inputs_[k].assign(count, box[k]);
+    if (first_field > n) {
+        inputs_[n].assign(count, box[n - 1].lo);
+        inputs_[n + 1].assign(count, box[n - 1].hi);
+        inputs_[n + 2].assign(count, {-1, 1});
+    }
     for (std::size_t f = 0; f < culling.fields.size(); ++f) {
-        inputs_[n + f] = columns.fields[std::size_t(culling.fields[f])];
+        inputs_[first_field + f] = columns.fields[std::size_t(culling.fields[f])];
     }
     run(terms_, from, sums);
 

@@ -3,7 +3,9 @@
 //
 // A stratum of the bounds is its inside, a face, an edge or a corner: there the coordinates that
 // are not free follow the bounds, and F is a function of those that are, and of the clock.
-// Everything below is about these variables: x, y, z without the fixed ones, then the clock.
+// Everything below is about these variables: x, y, z without the fixed ones, then the clock. Where
+// all three are free they may drift with the surface (Drift): then it is about their places at
+// rest.
 //
 // Of sums over an array only the elements that matter in a box are evaluated; what the others add
 // to each sum is enclosed once for the box and all boxes in it (Elements).
@@ -16,6 +18,7 @@
 #include "formula/evaluate.h"
 #include "formula/interval.h"
 #include "formula/program.h"
+#include "topology/drift.h"
 #include "topology/motion.h"
 
 namespace isomotion::topology {
@@ -48,22 +51,33 @@ template<class T> struct Jet {
 
 class MovingField {
 public:
-    MovingField(const Motion& motion, const Stratum& stratum);
+    MovingField(const Motion& motion, const Stratum& stratum, const Drift& drift = {});
 
     int variables() const { return variables_; }
     int dimension() const { return variables_ - 1; }
     const Stratum& stratum() const { return stratum_; }
     // Holds the stratum at all times.
     const Box& domain() const { return domain_; }
+    // Free coordinate k of the points in a box.
+    formula::Interval x(const Box& box, std::size_t k) const;
 
 private:
     friend class Enclosures;
     friend class Numbers;
 
+    // Inputs after the variables, of which there are none where the coordinates don't drift: the
+    // clock's ends, and [-1, 1].
+    std::size_t ends() const { return drift_.rests() ? 0 : 3; }
+    std::size_t first_rest() const { return std::size_t(variables_) + ends(); }
+    // The roots with what is linear in the clock by its values at the clock's ends.
+    std::vector<formula::NodeId> between_ends(formula::Graph& graph,
+                                              std::span<const formula::NodeId> roots) const;
+
     struct Culling {
         int array = -1;          // whose elements are left out; -1: none
         std::vector<int> fields; // of the array, that terms depend on
-        formula::Program terms;  // inputs: variables, then fields; one element's part of each sum
+        formula::Program
+            terms; // inputs: variables, ends, then fields; one element's part of each sum
         int sums = 0;
     };
 
@@ -72,11 +86,12 @@ private:
                                             std::span<const formula::NodeId> roots);
 
     Stratum stratum_;
+    Drift drift_;
     int variables_ = 0;
     Box domain_;
     Culling culling_;
     formula::Bindings<double> bindings_;
-    // Inputs: the variables, then what is added to each sum.
+    // Inputs: the variables, their ends, then what is added to each sum.
     formula::Program value_;   // F
     formula::Program slope_;   // F, first derivatives
     formula::Program jet_;     // F, first derivatives, second ones: by rows from the diagonal on
@@ -84,6 +99,9 @@ private:
     formula::Program place_;   // at least 0 in the closed stratum, for each condition
     formula::Program inward_;  // derivatives of F inwards along the fixed axes
 };
+
+// With coordinates that drift with the surface, where they may.
+MovingField drifting_field(const Motion& motion, const Stratum& stratum);
 
 // The elements that matter, and what the others add to each sum.
 struct Elements {

@@ -18,15 +18,21 @@ bool holds_zero(const Interval& a) { return a.lo <= 0 && 0 <= a.hi; }
 
 // A box is divided into this many tasks, whatever the number of threads.
 constexpr std::size_t tasks_at_least = 64;
-// Boxes this much smaller than the one whose elements they share get elements of their own.
+// Boxes this much smaller than the one whose elements they share get elements of their own, so
+// many together at most.
 constexpr double family = 0.4;
+constexpr std::size_t family_size = 64;
 // Smaller boxes than this part of the domain keep what they have.
 constexpr double last_family = 1e-3;
 // What no box below may miss, as a part of the largest term; and with the square of the box's size
 // what the box itself won't notice.
-constexpr double negligible = 1e-12, coarse = 1e-2;
+constexpr double negligible = 1e-12, coarse = 5e-2;
 // Boxes evaluated together.
 constexpr std::size_t together = 64;
+// Where second derivatives end fewer boxes than this part they cost more than they save. After so
+// many boxes of one size that is known.
+constexpr double worth_bends = 0.25;
+constexpr std::int64_t bends_to_judge = 16;
 // With more unresolved boxes than this in a task the smallest box grows: a curve of them.
 constexpr std::size_t too_many = 256;
 
@@ -42,6 +48,9 @@ bool contains(const Box& a, const Box& b) {
     }
     return true;
 }
+
+// How much the equations vary along each side of a box, as a part of all.
+using Smear = std::array<double, most_variables>;
 
 class Task {
 public:
@@ -73,16 +82,21 @@ public:
                 own = *now.elements;
             }
             smaller.clear();
-            while (!now.boxes.empty()) {
+            const bool inside = enclosures_.place(around) == Enclosures::Place::inside;
+            while (!now.boxes.empty() || !bent_.empty()) {
                 if (searching_.stop.stop_requested()) {
                     found_.is_interrupted = true;
                     return std::move(found_);
                 }
-                const std::size_t count = std::min(together, now.boxes.size());
-                batch.assign(now.boxes.end() - std::ptrdiff_t(count), now.boxes.end());
-                now.boxes.resize(now.boxes.size() - count);
                 next_.clear();
-                step(own, batch);
+                if (!now.boxes.empty() && bent_.size() < together) {
+                    const std::size_t count = std::min(together, now.boxes.size());
+                    batch.assign(now.boxes.end() - std::ptrdiff_t(count), now.boxes.end());
+                    now.boxes.resize(now.boxes.size() - count);
+                    sift(own, batch, inside);
+                } else {
+                    settle(own);
+                }
                 for (const Box& child : next_) {
                     const bool leaves = narrows && spatial_size(child) <= family * size;
                     (leaves ? smaller : now.boxes).push_back(child);
@@ -111,7 +125,7 @@ private:
     // By halves of the longest side, until each family is small or few.
     void split_family(std::vector<Box> boxes, const std::shared_ptr<const Elements>& elements,
                       std::vector<Family>& families) const {
-        if (boxes.size() <= together / 2) {
+        if (boxes.size() <= family_size) {
             if (!boxes.empty()) families.push_back({std::move(boxes), elements});
             return;
         }
@@ -169,41 +183,70 @@ private:
         return m;
     }
 
-    void step(const Elements& elements, std::vector<Box>& wave) {
+    // By F and first derivatives; what is left and worth it waits for second ones.
+    void sift(const Elements& elements, std::vector<Box>& wave, bool inside) {
         std::erase_if(wave, [&](const Box& box) {
-            return is_known(box) || enclosures_.place(box) == Enclosures::Place::outside;
+            ++found_.work.boxes;
+            if (is_known(box)) return is_done(Test::known);
+            return !inside && enclosures_.place(box) == Enclosures::Place::outside &&
+                   is_done(Test::place);
         });
-        found_.boxes += std::int64_t(wave.size());
-        centres_.clear();
         enclosures_.slopes(elements, wave, jets_);
-        keep(wave, [&](std::size_t b) { return may_be_critical(jets_[b]); });
-        if (wave.empty()) return;
-        centres_.clear();
-        for (const Box& box : wave) centres_.push_back(at_point(middle(box)));
-        enclosures_.values(elements, centres_, values_);
-        keep(wave, [&](std::size_t b) {
-            return holds_zero(mean_value(wave[b], centres_[b], values_[b], jets_[b].slope));
-        });
-        if (wave.empty()) return;
-        enclosures_.jets(elements, wave, jets_);
-        enclosures_.slopes(elements, centres_, at_centres_);
         for (std::size_t b = 0; b < wave.size(); ++b) {
-            settle(wave[b], jets_[b], at_centres_[b]);
+            const Box& box = wave[b];
+            if (!holds_zero(jets_[b].value)) {
+                is_done(Test::value);
+            } else if (!may_be_critical(jets_[b])) {
+                is_done(Test::slope);
+            } else if (is_worth_bends(box)) {
+                bent_.push_back(box);
+            } else {
+                divide(box, typical_smear(box));
+            }
         }
     }
 
-    // Of the boxes, and of what is known of them.
-    template<class Test> void keep(std::vector<Box>& wave, Test&& test) {
-        std::size_t kept = 0;
-        for (std::size_t b = 0; b < wave.size(); ++b) {
-            if (!test(b)) continue;
-            wave[kept] = wave[b];
-            jets_[kept] = jets_[b];
-            if (b < centres_.size()) centres_[kept] = centres_[b];
-            ++kept;
+    void settle(const Elements& elements) {
+        const std::size_t count = std::min(together, bent_.size());
+        now_.assign(bent_.end() - std::ptrdiff_t(count), bent_.end());
+        bent_.resize(bent_.size() - count);
+        centres_.clear();
+        for (const Box& box : now_) centres_.push_back(at_point(middle(box)));
+        enclosures_.jets(elements, now_, jets_);
+        enclosures_.slopes(elements, centres_, at_centres_);
+        for (std::size_t b = 0; b < now_.size(); ++b) {
+            const auto divided = found_.work.removed[std::size_t(Test::divided)];
+            settle(now_[b], jets_[b], at_centres_[b]);
+            if (found_.work.removed[std::size_t(Test::divided)] == divided) {
+                ++bends_[size_class(now_[b])].ended;
+            }
         }
-        wave.resize(kept);
-        if (centres_.size() > kept) centres_.resize(kept);
+    }
+
+    // Of boxes of one size, whether second derivatives have ended enough of them so far; every
+    // sixteenth is tried all the same.
+    bool is_worth_bends(const Box& box) {
+        Bends& bends = bends_[size_class(box)];
+        const bool is_worth = bends.tried < bends_to_judge ||
+                              double(bends.ended) >= worth_bends * double(bends.tried) ||
+                              ++bends.skipped % 16 == 0;
+        bends.tried += is_worth;
+        return is_worth;
+    }
+
+    // Halvings of the domain's sides that lead to the box.
+    std::size_t size_class(const Box& box) const {
+        double volume = 1;
+        for (std::size_t k = 0; k < n_; ++k) {
+            const double side = part(box, k);
+            if (side > 0) volume *= side;
+        }
+        return std::min(std::size_t(std::max(-std::log2(volume), 0.0)), bends_.size() - 1);
+    }
+
+    bool is_done(Test test) {
+        found_.work.count(test);
+        return true;
     }
 
     // F over the box by its value in the middle and its slopes.
@@ -236,27 +279,29 @@ private:
 
     void settle(Box box, IntervalJet jet, const IntervalJet& at_m) {
         const Point m = middle(box);
-        if (!may_be_critical(jet) || !sharpen(box, m, jet, at_m)) return;
+        if (!may_be_critical(jet) || !sharpen(box, m, jet, at_m)) {
+            return found_.work.count(Test::bend);
+        }
         const IntervalMatrix slopes = jacobian(jet, n_);
         if (const auto y = middle_inverse(slopes, int(n_))) {
             const Krawczyk k = krawczyk(box, m, residual(at_m, n_), slopes, *y, int(n_));
-            if (k.is_empty) return;
+            if (k.is_empty) return found_.work.count(Test::krawczyk);
             if (k.is_inside || k.contraction < 1 || spatial_size(box) < 1e-3) {
                 if (const auto point = isolate(field_, enclosures_, numbers_, box)) {
                     found_.points.push_back(*point);
-                    return;
+                    return found_.work.count(Test::isolated);
                 }
             }
             double shrinks = 1;
             for (std::size_t i = 0; i < n_; ++i) {
                 const double before = box[i].hi - box[i].lo;
                 box[i] = intersect(box[i], k.image[i]);
-                if (is_empty(box[i])) return;
+                if (is_empty(box[i])) return found_.work.count(Test::krawczyk);
                 if (before > 0) shrinks *= (box[i].hi - box[i].lo) / before;
             }
             if (shrinks < 0.6) {
                 next_.push_back(box);
-                return;
+                return found_.work.count(Test::narrowed);
             }
         }
         divide(box, slopes);
@@ -266,7 +311,7 @@ private:
     // side, summed. Into four since second derivatives cost more than they exclude: they are worth
     // evaluating at every other halving.
     void divide(const Box& box, const IntervalMatrix& slopes) {
-        std::array<double, most_variables> smear{};
+        Smear smear{};
         for (std::size_t i = 0; i < n_; ++i) {
             std::array<double, most_variables> parts{};
             double all = 0;
@@ -277,12 +322,22 @@ private:
             if (!(all > 0) || std::isinf(all)) continue;
             for (std::size_t k = 0; k < n_; ++k) smear[k] += parts[k] / all;
         }
+        for (std::size_t k = 0; k < n_; ++k) {
+            const double side = part(box, k);
+            if (side > 0) smear_[k] += 0.01 * (smear[k] / side - smear_[k]);
+        }
+        divide(box, smear);
+    }
+
+    void divide(const Box& box, Smear smear) {
         const auto first = side_to_halve(box, smear);
         if (!first) {
             found_.unresolved.push_back(box);
+            found_.work.count(Test::smallest);
             if (found_.unresolved.size() % too_many == 0) smallest_ *= 4;
             return;
         }
+        found_.work.count(Test::divided);
         smear[*first] /= 2;
         for (const Box& half : halves(box, *first)) {
             const auto second = side_to_halve(half, smear);
@@ -294,8 +349,13 @@ private:
         }
     }
 
-    std::optional<std::size_t>
-    side_to_halve(const Box& box, const std::array<double, most_variables>& smear) const {
+    Smear typical_smear(const Box& box) const {
+        Smear smear{};
+        for (std::size_t k = 0; k < n_; ++k) smear[k] = smear_[k] * part(box, k);
+        return smear;
+    }
+
+    std::optional<std::size_t> side_to_halve(const Box& box, const Smear& smear) const {
         double most = 0, widest = 0;
         for (std::size_t k = 0; k < n_; ++k) widest = std::max(widest, part(box, k));
         std::optional<std::size_t> side;
@@ -324,9 +384,13 @@ private:
     Enclosures& enclosures_;
     Numbers& numbers_;
     Found found_;
-    std::vector<Box> next_, centres_;
+    struct Bends {
+        std::int64_t tried = 0, ended = 0, skipped = 0;
+    };
+    std::array<Bends, 128> bends_{};
+    Smear smear_{}; // of late, for each whole side
+    std::vector<Box> next_, bent_, now_, centres_;
     std::vector<IntervalJet> jets_, at_centres_;
-    std::vector<Interval> values_;
 };
 
 std::vector<Box> tasks(const MovingField& field) {
@@ -346,6 +410,28 @@ std::vector<Box> tasks(const MovingField& field) {
 }
 
 } // namespace
+
+const char* name_of(Test test) {
+    constexpr std::array<const char*, std::size_t(Test::count)> names{
+        "inside a known point's box",
+        "outside of the bounds",
+        "F",
+        "a derivative",
+        "second derivatives",
+        "Krawczyk: none",
+        "Krawczyk: one",
+        "narrowed",
+        "divided",
+        "smallest",
+    };
+    return names[std::size_t(test)];
+}
+
+Work& Work::operator+=(const Work& other) {
+    boxes += other.boxes;
+    for (std::size_t k = 0; k < removed.size(); ++k) removed[k] += other.removed[k];
+    return *this;
+}
 
 void put_together(Found& all) {
     std::sort(all.points.begin(), all.points.end(), [](const auto& a, const auto& b) {
@@ -420,7 +506,7 @@ Found search(const MovingField& field, const Searching& searching) {
         all.points.insert(all.points.end(), part.points.begin(), part.points.end());
         all.unresolved.insert(all.unresolved.end(), part.unresolved.begin(), part.unresolved.end());
         all.is_interrupted |= part.is_interrupted;
-        all.boxes += part.boxes;
+        all.work += part.work;
     }
     put_together(all);
     all.unresolved = merged(std::move(all.unresolved), field.domain(), 4 * searching.smallest);

@@ -6,6 +6,7 @@
 // Inflation makes roots on the faces between boxes, those of every symmetric surface, harmless.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <stop_token>
@@ -24,11 +25,35 @@ struct Searching {
     std::function<void(double)> progress{}; // part of the domain that is done; from any thread
 };
 
+// What ended a box.
+enum class Test {
+    known,    // inside the box of a point that was found
+    place,    // outside of the bounds
+    value,    // F is not 0
+    slope,    // a derivative of F is not 0
+    bend,     // the same by values in the middle and second derivatives
+    krawczyk, // no root
+    isolated, // one root
+    narrowed, // the roots are in a smaller box
+    divided,
+    smallest, // unresolved
+    count,
+};
+const char* name_of(Test test);
+
+struct Work {
+    std::int64_t boxes = 0;
+    std::array<std::int64_t, std::size_t(Test::count)> removed{};
+
+    void count(Test test) { ++removed[std::size_t(test)]; }
+    Work& operator+=(const Work& other);
+};
+
 struct Found {
     std::vector<CriticalPoint> points; // by clock
     std::vector<Box> unresolved;       // outside of these, no other points; each with a gap around
     bool is_interrupted = false;       // not everything was searched
-    std::int64_t boxes = 0;
+    Work work;
 };
 
 Found search(const MovingField& field, const Searching& searching);

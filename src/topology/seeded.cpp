@@ -27,22 +27,6 @@ double side(const MovingField& field, std::size_t k) {
     return whole > 0 ? whole : 1;
 }
 
-// Multiples of the powers of 1/g modulo 1, where g^(n+1) = g + 1: the golden ratio's sequence in n
-// dimensions.
-Point seed(const MovingField& field, int number) {
-    const auto n = std::size_t(field.variables());
-    double g = 1.5;
-    for (int k = 0; k < 60; ++k) g = std::pow(1 + g, 1.0 / (double(n) + 1));
-    Point p{};
-    double power = 1;
-    for (std::size_t k = 0; k < n; ++k) {
-        power /= g;
-        const double at = 0.5 + power * (number + 1);
-        p[k] = field.domain()[k].lo + (at - std::floor(at)) * side(field, k);
-    }
-    return p;
-}
-
 int seeds_of(const MovingField& field, int seeds) {
     const double part = field.variables() / double(most_variables);
     return std::max(8, int(std::lround(std::pow(seeds, part))));
@@ -151,6 +135,22 @@ void share(std::size_t count, const Seeding& seeding, const Worker& worker, doub
 
 } // namespace
 
+// Multiples of the powers of 1/g modulo 1, where g^(n+1) = g + 1: the golden ratio's sequence in n
+// dimensions.
+Point seed(const MovingField& field, int number) {
+    const auto n = std::size_t(field.variables());
+    double g = 1.5;
+    for (int k = 0; k < 60; ++k) g = std::pow(1 + g, 1.0 / (double(n) + 1));
+    Point p{};
+    double power = 1;
+    for (std::size_t k = 0; k < n; ++k) {
+        power /= g;
+        const double at = 0.5 + power * (number + 1);
+        p[k] = field.domain()[k].lo + (at - std::floor(at)) * side(field, k);
+    }
+    return p;
+}
+
 Found from_seeds(const MovingField& field, const Seeding& seeding) {
     Found found;
     const int seeds = seeds_of(field, seeding.seeds);
@@ -167,7 +167,7 @@ Found from_seeds(const MovingField& field, const Seeding& seeding) {
     share(batches, seeding, seek, 0, 0.7);
     std::vector<Point> all;
     for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-    for (const std::int64_t number : evaluations) found.boxes += number;
+    for (const std::int64_t number : evaluations) found.work.boxes += number;
 
     const std::vector<Point> once = distinct(field, std::move(all));
     std::vector<std::optional<CriticalPoint>> points(once.size());

@@ -10,6 +10,8 @@
 
 namespace isomotion::topology {
 
+Point seed(const MovingField& field, int number);
+
 struct Seeding {
     int seeds = 1 << 16; // of a stratum with all coordinates free; fewer where there are fewer
     int threads = 1;     // the result doesn't depend on it
@@ -17,7 +19,7 @@ struct Seeding {
     std::function<void(double)> progress{}; // part of the seeds that is done; from any thread
 };
 
-// Found::unresolved holds limits without a proof, near each other put together; Found::boxes counts
+// Found::unresolved holds limits without a proof, near each other put together; Found::work counts
 // evaluations.
 Found from_seeds(const MovingField& field, const Seeding& seeding);
 

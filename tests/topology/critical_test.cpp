@@ -1,5 +1,7 @@
 // Events of surfaces whose critical times are known in closed form: all of them and no others.
 #include "moving.h"
+#include "topology/motion.h"
+#include "topology/moving_field.h"
 
 namespace isomotion::topology {
 namespace {
@@ -117,6 +119,20 @@ TEST(Events, OfATorusThatMeetsItselfAreNotIsolated) {
     EXPECT_TRUE(holds(0.5, 0));
     EXPECT_TRUE(holds(0.75, std::sqrt(1.25 * 1.25 - 1)));
     EXPECT_TRUE(holds(0.9, -std::sqrt(1.4 * 1.4 - 1)));
+}
+
+TEST(Events, OfTwoGaussiansThatFlyAreWhereTheyAre) {
+    const Moving two{"T - exp(-((x - c - s)^2 + y^2 + z^2)) - exp(-((x - c + s)^2 + y^2 + z^2))",
+                     "{ sphere = 6 }", "T = 0.5\nc = \"3*t\"\ns = \"1.5 - t/2\""};
+    const MovingField drifts =
+        drifting_field(motions(two.scene(), Side::negative, {0, 1}).pieces.at(0), {});
+    EXPECT_NE(drifts.x(Box{0.0, 0.0, 0.0, 1.0}, 0), formula::Interval(0.0));
+    const Timeline timeline = events_of(two, 0, 1);
+    const double t = 2 * (1.5 - std::sqrt(std::log(4)));
+    expect_events(timeline, {{t, 1, 1, true}});
+    ASSERT_EQ(timeline.events.size(), 1u);
+    EXPECT_TRUE(contains(timeline.events[0].where[0], 3 * t));
+    EXPECT_LT(width(timeline.events[0].where[0]), 1e-12);
 }
 
 // ---- motion

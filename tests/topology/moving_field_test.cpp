@@ -32,6 +32,8 @@ bool holds(const Interval& enclosure, double value) {
     return enclosure.lo <= value + slack && value - slack <= enclosure.hi;
 }
 
+const Drift drift{0.4, {0.25, -0.5, 0.125}, 0.75};
+
 // At least this many boxes over all surfaces and strata.
 constexpr int boxes_in_all = 100'000;
 
@@ -41,23 +43,29 @@ TEST(MovingField, EnclosesWhatItIsAtPoints) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(0, 1);
     int boxes = 0;
-    std::vector<std::pair<Motion, Stratum>> all;
+    struct Case {
+        Motion motion;
+        Stratum stratum;
+        Drift drift;
+    };
+    std::vector<Case> all;
     for (const Moving& moving : moving_surfaces) {
         for (const Clock clock : {Clock::time, Clock::track_if_one}) {
             const Motions parts = motions(moving.scene(), Side::negative, {0.1, 0.9}, clock);
             for (const Motion& motion : parts.pieces) {
-                all.push_back({motion, {}});
+                all.push_back({motion, {}, {}});
+                all.push_back({motion, {}, drift});
                 if (motion.shape == scene::Bounds::Shape::sphere) continue;
                 using enum Stratum::End;
-                all.push_back({motion, {{low, free, free}}});
-                all.push_back({motion, {{free, high, low}}});
-                all.push_back({motion, {{high, low, high}}});
+                all.push_back({motion, {{low, free, free}}, {}});
+                all.push_back({motion, {{free, high, low}}, {}});
+                all.push_back({motion, {{high, low, high}}, {}});
             }
         }
     }
     const int each = boxes_in_all / int(all.size()) + 1;
-    for (const auto& [motion, stratum] : all) {
-        const MovingField field(motion, stratum);
+    for (const Case& now : all) {
+        const MovingField field(now.motion, now.stratum, now.drift);
         Enclosures enclosures(field);
         Numbers numbers(field);
         const auto n = std::size_t(field.variables()), d = n - 1;
@@ -136,6 +144,63 @@ TEST(MovingField, IsTheFieldOfTheScene) {
             }
         }
     }
+}
+
+TEST(MovingField, OfCoordinatesThatDriftIsTheSame) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (const Moving& moving : moving_surfaces) {
+        const Motions parts = motions(moving.scene(), Side::negative, {0.1, 0.9}, Clock::time);
+        for (const Motion& motion : parts.pieces) {
+            const MovingField rests(motion, {}), drifts(motion, {}, drift);
+            Numbers numbers(rests), drifting(drifts);
+            for (int k = 0; k < 50; ++k) {
+                Point x{}, p{};
+                for (std::size_t i = 0; i < 4; ++i) {
+                    const Interval whole = rests.domain()[i];
+                    x[i] = whole.lo + (whole.hi - whole.lo) * unit(random);
+                }
+                p[3] = x[3];
+                for (std::size_t i = 0; i < 3; ++i) p[i] = drift.p(i, x[i], x[3]);
+                const Jet<double> at = numbers.jet(x), there = drifting.jet(p);
+                ASSERT_NEAR(there.value, at.value, 1e-9 * (1 + std::abs(at.value)));
+                const double scale = 1 + (x[3] - drift.from) * drift.growth;
+                for (std::size_t i = 0; i < 3; ++i) {
+                    ASSERT_NEAR(there.slope[i], scale * at.slope[i],
+                                1e-9 * (1 + std::abs(at.slope[i])));
+                    ASSERT_TRUE(holds(drifts.x(at_point(p), i), x[i]));
+                }
+                // All that is within the bounds is in the domain.
+                Enclosures enclosures(rests);
+                if (enclosures.place(at_point(x)) != Enclosures::Place::inside) continue;
+                for (std::size_t i = 0; i < 3; ++i) ASSERT_TRUE(holds(drifts.domain()[i], p[i]));
+            }
+        }
+    }
+}
+
+// A lattice of blobs that grows, one that flies, and a surface that only changes its level.
+TEST(Drift, IsThatOfTheSurface) {
+    const auto drift_in = [](const Moving& moving) {
+        const Motions parts = motions(moving.scene(), Side::negative, {0, 1}, Clock::time);
+        return drift_of(MovingField(parts.pieces.at(0), {}));
+    };
+    const std::string blobs = "sum(blobs, exp(-8*((x - cx)^2 + (y - cy)^2 + (z - cz)^2))) - T";
+    const std::string places = "[arrays.blobs]\ncount = 9\nux = \"i - 3*floor(i/3) - 1\"\n"
+                               "uy = \"floor(i/3) - 1\"\n";
+    const Drift grows = drift_in({blobs, "{ sphere = 3 }", "T = 0.3\ns = \"0.75 + 0.5*t\"",
+                                  places + "cx = \"s*ux\"\ncy = \"s*uy\"\ncz = 0\n"});
+    EXPECT_NEAR(grows.growth, 0.5, 0.2);
+    for (const double by : grows.by) EXPECT_NEAR(by, 0, 0.2);
+    const Drift flies = drift_in({blobs, "{ sphere = 4 }", "T = 0.3\ns = \"2*t\"",
+                                  places + "cx = \"ux - s\"\ncy = \"uy + s/2\"\ncz = 0\n"});
+    EXPECT_NEAR(flies.growth, 0, 0.1);
+    EXPECT_NEAR(flies.by[0], -2, 0.3);
+    EXPECT_NEAR(flies.by[1], 1, 0.3);
+    EXPECT_NEAR(flies.by[2], 0, 0.3);
+    EXPECT_TRUE(drift_in({"x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + c", "{ sphere = 3 }",
+                          "c = \"20 - 10*t\""})
+                    .rests());
 }
 
 // Slopes of the derivatives are what the derivatives change by.

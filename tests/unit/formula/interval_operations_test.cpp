@@ -1,6 +1,8 @@
 // Operations<Interval> against MPFR: enclosing, tight, and growing with their arguments.
 #include "formula/interval_operations.h"
 
+#include <algorithm>
+#include <random>
 #include <vector>
 
 #include "random_interval.h"
@@ -241,6 +243,27 @@ TEST(IntervalOperations, WavesReachTheirCrestsAndNoFurther) {
         const double bottom = trough ? -1 : (low < high ? low : high).rounded();
         ASSERT_NEAR(result.hi, top, 0x1p-49 * std::abs(top)) << "seed " << seed << ' ' << x;
         ASSERT_NEAR(result.lo, bottom, 0x1p-49 * std::abs(bottom)) << "seed " << seed << ' ' << x;
+    }
+}
+
+// Also where the argument is reduced to the ends of its range, at odd multiples of ln(2)/2.
+TEST(IntervalOperations, ExponentialIsWithinItsBound) {
+    constexpr std::uint64_t seed = 66;
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> any(-708, 709), small(-1, 1);
+    for (int trial = 0; trial < 200'000; ++trial) {
+        double x = any(random);
+        if (trial % 4 == 1) x = (std::floor(x) + 0.5) * 0.69314718055994531 + 1e-13 * small(random);
+        if (trial % 4 == 2) x = small(random);
+        if (trial % 4 == 3) x = std::ldexp(small(random), -trial % 60);
+        x = std::clamp(x, -708.0, 709.0);
+        const Exact truth = apply(Op::exp, x), value = exponential(x);
+        const Exact error = (value - truth) / truth;
+        ASSERT_LE(std::abs(error.rounded()), 0x1p-51) << "seed " << seed << ": " << x;
+    }
+    for (const double x : {0.0, -0.0, 709.0, -708.0, 0x1p-1074}) {
+        const Exact error = Exact(exponential(x)) / apply(Op::exp, x) - Exact(1.0);
+        EXPECT_LE(std::abs(error.rounded()), 0x1p-51) << x;
     }
 }
 

@@ -1,0 +1,86 @@
+#include "topology/drift.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "topology/krawczyk.h"
+#include "topology/seeded.h"
+
+namespace isomotion::topology {
+namespace {
+
+constexpr int samples = 2048;
+// F counts as near 0 within about this part of the domain of its zeros.
+constexpr double near = 0.05;
+// Less of the change explained isn't worth the longer formula.
+constexpr double worth_it = 0.5;
+// The space may grow or shrink by this much to either end of the clock's range, so that it never
+// turns inside out.
+constexpr double most_growth = 0.75;
+// Of what the surface moves in all, as a part of the domain: drifts are told in such steps. What is
+// at rest but for rounding then rests.
+constexpr double step = 0x1p-5;
+
+double rounded(double rate, double unit) { return std::round(rate / unit) * unit; }
+
+} // namespace
+
+Drift drift_of(const MovingField& field) {
+    constexpr std::size_t d = 3, n = 4; // by, and growth
+    const Box& domain = field.domain();
+    const double range = domain[d].hi - domain[d].lo;
+    double size = 0;
+    for (std::size_t k = 0; k < d; ++k) size = std::max(size, domain[k].hi - domain[k].lo);
+    if (!(range > 0) || !(size > 0)) return {};
+
+    std::vector<Point> points;
+    for (int number = 0; number < samples; ++number) points.push_back(seed(field, number));
+    std::vector<Jet<double>> jets;
+    Numbers(field).jets(points, jets);
+    // Derivatives move along where dF_i/dt + sum of H_ij (by_j + growth x_j) is 0, for each i.
+    Matrix normal{};
+    Point right{};
+    double change = 0;
+    for (std::size_t s = 0; s < points.size(); ++s) {
+        const Jet<double>& jet = jets[s];
+        double slope = 0, scale = 0;
+        for (std::size_t i = 0; i < d; ++i) {
+            slope += jet.slope[i] * jet.slope[i];
+            scale += std::pow(jet.bend[i][d] * range, 2);
+            for (std::size_t j = 0; j < d; ++j) scale += std::pow(jet.bend[i][j] * size, 2);
+        }
+        const double reach = near * size * near * size * slope;
+        const double weight = reach / (reach + jet.value * jet.value) / scale;
+        if (!std::isfinite(weight)) continue;
+        for (std::size_t i = 0; i < d; ++i) {
+            Point row{};
+            for (std::size_t j = 0; j < d; ++j) {
+                row[j] = jet.bend[i][j];
+                row[d] += jet.bend[i][j] * points[s][j];
+            }
+            for (std::size_t j = 0; j < n; ++j) {
+                for (std::size_t k = 0; k < n; ++k) normal[j][k] += weight * row[j] * row[k];
+                right[j] -= weight * row[j] * jet.bend[i][d];
+            }
+            change += weight * jet.bend[i][d] * jet.bend[i][d];
+        }
+    }
+    const auto y = inverse(normal, int(n));
+    if (!y || !(change > 0)) return {};
+    Point fit{};
+    double explained = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+        for (std::size_t k = 0; k < n; ++k) fit[j] += (*y)[j][k] * right[k];
+        explained += fit[j] * right[j];
+    }
+    if (!(explained >= worth_it * change)) return {};
+    Drift drift;
+    drift.from = mid(domain[d]);
+    for (std::size_t k = 0; k < d; ++k) drift.by[k] = rounded(fit[k], step * size / range);
+    const double most = 2 * most_growth / range;
+    drift.growth = std::clamp(rounded(fit[d], step / range), -most, most);
+    return drift;
+}
+
+} // namespace isomotion::topology

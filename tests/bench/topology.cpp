@@ -1,0 +1,75 @@
+// What the proved search for events costs: boxes, time, and which test removed how many of them.
+// topology [--threads N] [SCENE:FROM:TO...], times in seconds
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "scene/load.h"
+#include "topology/motion.h"
+#include "topology/search.h"
+
+namespace isomotion::topology {
+namespace {
+
+double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
+
+void report(const std::string& name, double from, double to, int threads) {
+    const scene::Scene scene = scene::load(name);
+    Found all;
+    const double cpu = cpu_seconds();
+    const auto start = std::chrono::steady_clock::now();
+    for (const Motion& motion : motions(scene, Side::negative, {from, to}).pieces) {
+        const MovingField field = drifting_field(motion, Stratum{});
+        Searching how;
+        how.threads = threads;
+        Found found = search(field, how);
+        all.points.insert(all.points.end(), found.points.begin(), found.points.end());
+        all.unresolved.insert(all.unresolved.end(), found.unresolved.begin(),
+                              found.unresolved.end());
+        all.work += found.work;
+    }
+    const double wall =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = cpu_seconds() - cpu;
+    const Work& work = all.work;
+    fmt::print("{} {} to {} s: {} points, {} unresolved, {} boxes, {:.2f} s CPU, {:.2f} s wall, "
+               "{:.0f} ns a box\n",
+               name, from, to, all.points.size(), all.unresolved.size(), work.boxes, seconds, wall,
+               1e9 * seconds / double(work.boxes));
+    for (std::size_t k = 0; k < work.removed.size(); ++k) {
+        fmt::print("  {:<28}{:>10}  {:>5.1f} %\n", name_of(Test(k)), work.removed[k],
+                   100 * double(work.removed[k]) / double(work.boxes));
+    }
+}
+
+} // namespace
+
+int run(const std::vector<std::string>& arguments) {
+    int threads = 1;
+    std::vector<std::string> scenes;
+    for (std::size_t k = 0; k < arguments.size(); ++k) {
+        if (arguments[k] == "--threads" && k + 1 < arguments.size()) {
+            threads = std::stoi(arguments[++k]);
+        } else {
+            scenes.push_back(arguments[k]);
+        }
+    }
+    if (scenes.empty()) scenes = {ISOMOTION_SOURCE_DIR "/animations/blobby75.toml:0:2"};
+    for (const std::string& scene : scenes) {
+        const std::size_t last = scene.rfind(':'), first = scene.rfind(':', last - 1);
+        report(scene.substr(0, first), std::stod(scene.substr(first + 1, last - first - 1)),
+               std::stod(scene.substr(last + 1)), threads);
+    }
+    return 0;
+}
+
+} // namespace isomotion::topology
+
+int main(int argc, char** argv) {
+    setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1);
+    return isomotion::topology::run({argv + 1, argv + argc});
+}
