@@ -1,11 +1,14 @@
 // Every operation of the language in balls, against its meaning on doubles: at points, and a ball
 // against its members. Arguments reach past the ends of what has a value.
-#include "ball_program.h"
+#include "ball/ball_program.h"
 
 #include "unit/formula/testing.h"
 
 namespace isomotion::truth_arb {
 namespace {
+
+using ball::Ball;
+using ball::BallProgram;
 
 constexpr unsigned seed = 31;
 
