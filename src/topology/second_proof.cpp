@@ -22,6 +22,8 @@ using Balls = std::vector<Ball>;
 
 // Bits, doubled as long as the answer is open: an enclosure may be as narrow as doubles are.
 constexpr long first_precision = 128, last_precision = 2048;
+// Each gains about the bits of a double.
+constexpr int most_contractions = 40;
 
 // Numbers a row, of a matrix of balls.
 struct Rows {
@@ -222,20 +224,28 @@ SecondProof::System SecondProof::system(const Motion& motion, const Stratum& str
     return made;
 }
 
-// By the stratum's dimension and by where the walls are at the event's time.
-bool SecondProof::may_hold(const System& system, const Event& event) {
-    if (system.stratum.dimension() != event.stratum) return false;
-    if (!contains(system.clock, event.time)) return false;
+// The event against the walls that the stratum is on.
+SecondProof::Answer SecondProof::on_walls(const System& system, const Event& event,
+                                          const Ball& time, long precision) {
     std::array<Ball, 4> inputs;
-    inputs[clock_input] = Ball(event.time.lo, event.time.hi);
-    std::array<Ball, 6> walls;
-    ball::BallProgram(system.walls).evaluate(*system.bindings, inputs, walls, first_precision);
+    inputs[clock_input] = time;
+    Balls walls(6);
+    ball::BallProgram(system.walls).evaluate(*system.bindings, inputs, walls, precision);
+    Answer answer = Answer::holds;
     for (std::size_t k = 0; k < 3; ++k) {
         if (system.stratum.axes[k] == Stratum::End::free) continue;
         const Ball& wall = walls[system.stratum.axes[k] == Stratum::End::low ? k : 3 + k];
-        if (wall.is_apart_from(event.where[k].lo, event.where[k].hi)) return false;
+        const Interval where = event.where[k];
+        if (wall.is_apart_from(where.lo, where.hi)) return Answer::fails;
+        if (!wall.is_in(where.lo, where.hi)) answer = Answer::open;
     }
-    return true;
+    return answer;
+}
+
+bool SecondProof::may_hold(const System& system, const Event& event) {
+    return system.stratum.dimension() == event.stratum && contains(system.clock, event.time) &&
+           on_walls(system, event, Ball(event.time.lo, event.time.hi), first_precision) !=
+               Answer::fails;
 }
 
 SecondProof::Answer SecondProof::ask(const System& system, const Event& event, long precision) {
@@ -267,25 +277,31 @@ SecondProof::Answer SecondProof::ask(const System& system, const Event& event, l
     Balls root = krawczyk(wide);
     if (are_apart(root, wide)) return Answer::fails;
     if (!is_inside(root, wide)) return Answer::open;
-    // Now it holds one root. Where in it?
-    for (int k = 0; k < 40; ++k) {
-        bool is_in = true;
-        for (std::size_t i = 0; i < n; ++i) {
-            const Interval side = enclosure(i);
-            if (root[i].is_apart_from(side.lo, side.hi)) return Answer::fails;
-            is_in = is_in && root[i].is_in(side.lo, side.hi);
+    // Now `wide` holds one root, which is closed in on until it is in the event's box or apart.
+    const auto place = [&] {
+        Answer answer = on_walls(system, event, root.back(), precision);
+        for (std::size_t k = 0; k < n; ++k) {
+            const Interval side = enclosure(k);
+            if (root[k].is_apart_from(side.lo, side.hi)) return Answer::fails;
+            if (answer == Answer::holds && !root[k].is_in(side.lo, side.hi)) {
+                answer = Answer::open;
+            }
         }
-        if (is_in) break;
-        if (k == 39) return Answer::open;
-        Balls next = krawczyk(root);
+        return answer;
+    };
+    Answer is_inside_box = place();
+    for (int k = 0; k < most_contractions && is_inside_box == Answer::open; ++k) {
+        const Balls next = krawczyk(root);
         bool shrinks = false;
         for (std::size_t i = 0; i < n; ++i) {
-            const int order = mag_cmp(arb_radref(next[i].get()), arb_radref(root[i].get()));
-            shrinks = shrinks || order < 0;
-            if (order < 0) root[i] = next[i];
+            if (mag_cmp(arb_radref(next[i].get()), arb_radref(root[i].get())) >= 0) continue;
+            root[i] = next[i];
+            shrinks = true;
         }
-        if (!shrinks) return Answer::open;
+        if (!shrinks) break;
+        is_inside_box = place();
     }
+    if (is_inside_box != Answer::holds) return is_inside_box;
     const Values there = at(root);
     const int by_time = there.jacobian.at(0, n - 1).sign();
     const int index = index_of(there.jacobian, precision);

@@ -14,6 +14,10 @@
 #include "topology/motion.h"
 #include "topology/moving_field.h"
 
+namespace isomotion::ball {
+class Ball;
+}
+
 namespace isomotion::topology {
 
 class SecondProof {
@@ -41,6 +45,8 @@ private:
     static System system(const Motion& motion, const Stratum& stratum);
     static Answer ask(const System& system, const Event& event, long precision);
     static bool may_hold(const System& system, const Event& event);
+    static Answer on_walls(const System& system, const Event& event, const ball::Ball& time,
+                           long precision);
 
     Motions motions_;
     std::vector<System> systems_;

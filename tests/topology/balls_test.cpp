@@ -185,8 +185,7 @@ Moving random_scene(std::uint64_t number) {
         return ways[std::size_t(random.below(int(ways.size())))];
     };
     const auto parameter = [&] {
-        return move({"'0.7 + t'", "'sin(3*t) + 0.2'", "'1.5*exp(-t)'",
-                     "'2*smoothstep(0, 1, t) - 1'",
+        return move({"'0.7 + t'", "'sin(3*t) + 0.2'", "'1.5*exp(-t)'", "'tanh(2*t) - 0.6'",
                      "{ keys = [[0, -1], [0.4, 0.5], [1, 2]], ease = 'cubic' }",
                      "{ keys = [[0, 1], [0.6, -0.3], [1, 1]], ease = 'smooth' }"});
     };
@@ -195,7 +194,10 @@ Moving random_scene(std::uint64_t number) {
                      "'0.3*i - 0.5'", "'tanh(i*t)'"});
     };
     const bool is_ball = random.below(2) == 0;
-    return {formula::FormulaGenerator(number).make(4).text,
+    // What is added takes all names that there are, as a scene must.
+    return {fmt::format("{} + 0.1*a*cos(b*z) + 0.1*sum(blobs, cx*sin(cy*x)) + "
+                        "0.1*sum(links, exp(px*y) + py)",
+                        formula::FormulaGenerator(number).make(4).text),
             is_ball ? "{ sphere = 1.5 }" : "{ box = [[-1, -1, -1.5], [1, 1.5, 1]] }",
             fmt::format("a = {}\nb = {}", parameter(), parameter()),
             fmt::format("[arrays.blobs]\ncount = 4\ncx = {}\ncy = {}\n"

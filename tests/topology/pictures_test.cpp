@@ -16,21 +16,17 @@ constexpr int side = 96;
 // So many spans and events of a long timeline, spread over it.
 constexpr std::size_t most_spans = 12, most_instants = 12;
 
-// From the middles of a cube's faces and from its corners, all a little off: symmetric surfaces
-// hide one part behind another.
+// From the middles of a cube's faces and edges and from its corners, all a little off: symmetric
+// surfaces hide one part behind another.
 std::vector<glm::dvec3> directions() {
     std::vector<glm::dvec3> all;
-    const glm::dvec3 off(0.11, 0.07, 0.05);
-    for (int axis = 0; axis < 3; ++axis) {
-        for (const double sign : {-1.0, 1.0}) {
-            glm::dvec3 direction(0);
-            direction[axis] = sign;
-            all.push_back(glm::normalize(direction + off));
+    for (int x = -1; x <= 1; ++x) {
+        for (int y = -1; y <= 1; ++y) {
+            for (int z = -1; z <= 1; ++z) {
+                if (x == 0 && y == 0 && z == 0) continue;
+                all.push_back(glm::normalize(glm::dvec3(x + 0.11, y + 0.07, z + 0.05)));
+            }
         }
-    }
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 direction(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-        all.push_back(glm::normalize(direction + off));
     }
     return all;
 }
@@ -126,7 +122,8 @@ protected:
                 double met = -1;
                 const glm::dvec3 entry = s.anchor + s.near * s.direction;
                 const auto verdict = render::Verdict(int(channel("verdict", k)));
-                if (s.near < s.far && sign * field.value(bindings, entry) < 0) {
+                if (s.near < s.far &&
+                    sign * field.value(bindings, {entry.x, entry.y, entry.z}) < 0) {
                     met = glm::distance(entry, view.eye());
                 } else if (verdict == render::Verdict::hit ||
                            verdict == render::Verdict::zero_gradient) {

@@ -81,10 +81,17 @@ TEST_P(SecondProofs, FailOfABoxBesideTheEvent) {
             Event moved = event;
             Interval& side = k < 3 ? moved.where[k] : moved.time;
             const double by = std::max(2 * (side.hi - side.lo), 1e-15 * magnitude(side));
-            if (k < 3 && is_point(side)) continue; // on a wall
             side = side + Interval(by);
-            EXPECT_EQ(proof.ask(moved), Answer::fails)
-                << "side " << k << " of " << testing::PrintToString(event);
+            const Answer answer = proof.ask(moved);
+            const auto where = [&] {
+                return fmt::format("side {} of ", k) + testing::PrintToString(event);
+            };
+            // Off its wall it is on no stratum at all.
+            if (event.stratum < 3) {
+                EXPECT_NE(answer, Answer::holds) << where();
+            } else {
+                EXPECT_EQ(answer, Answer::fails) << where();
+            }
         }
     }
 }
@@ -94,7 +101,7 @@ TEST_P(SecondProofs, DoNotHoldOfABoxAroundTwo) {
     for (std::size_t k = 0; k + 1 < timeline.events.size(); ++k) {
         Event both = timeline.events[k];
         const Event& next = timeline.events[k + 1];
-        if (both.stratum != next.stratum) continue;
+        if (both.stratum < 3 || next.stratum < 3) continue; // perhaps on two faces
         both.time = hull(both.time, next.time);
         for (std::size_t i = 0; i < 3; ++i) both.where[i] = hull(both.where[i], next.where[i]);
         EXPECT_NE(proof.ask(both), Answer::holds);
@@ -103,6 +110,25 @@ TEST_P(SecondProofs, DoNotHoldOfABoxAroundTwo) {
 
 INSTANTIATE_TEST_SUITE_P(ClosedForms, SecondProofs, testing::ValuesIn(cases),
                          [](const auto& each) { return each.param.name; });
+
+// A face's critical point moves with it, and so does what encloses it.
+TEST(SecondProof, FailsWhereTheWallIsElsewhereAtTheTime) {
+    const Case& wall = cases.back();
+    const scene::Scene scene = wall.moving.scene();
+    const SecondProof proof(scene, Side::negative, wall.range);
+    const Timeline timeline = find_events(scene, Side::negative, wall.range);
+    int on_walls = 0;
+    for (Event event : timeline.events) {
+        if (event.stratum == 3 || is_point(event.where[2])) continue;
+        ++on_walls;
+        // Wide in time, so that the wall passes by; it isn't there at the event.
+        event.time = {event.time.lo - 1e-3, event.time.hi + 1e-3};
+        EXPECT_EQ(proof.ask(event), Answer::holds);
+        event.where[2] = event.where[2] + Interval(1e-4);
+        EXPECT_EQ(proof.ask(event), Answer::fails);
+    }
+    EXPECT_GT(on_walls, 0);
+}
 
 TEST(SecondProof, OfADegeneratePointIsOpen) {
     const Moving monkey{"x^3 - 3*x*y^2 + z^2 - c", "{ box = [[-1, -1, -1], [1, 1, 1]] }",

@@ -94,7 +94,7 @@ TEST(Substitute, IsSimultaneous) {
 // An inner node is replaced with all that is below it.
 TEST(Substitute, ReplacesWholeSums) {
     Graph g;
-    const NodeId root = parse(g, "sum(blobs, cx*x) + sum(links, px)*y");
+    const NodeId root = parse(g, "sum(blobs, exp(cx*x)) + sum(links, px)*y");
     const auto count = [](Graph& to, const Node& node, NodeId rebuilt) {
         return node.op == Op::sum ? to.constant(node.index + 1) : rebuilt;
     };
