@@ -58,9 +58,10 @@ void BeamPass::for_each_program(const std::function<void(const gpu::Program&)>& 
     for (const Level& level : levels_) visit(level.program);
 }
 
-void BeamPass::upload(const scene::SceneAt& now, int width, int height) const {
+void BeamPass::upload(const scene::SceneAt& now, int width, int height,
+                      const scene::Aim& aim) const {
     for (const Level& level : levels_) {
-        level.program.set("beam", beam_range(now, width, height, level.block));
+        level.program.set("beam", beam_range(now, width, height, aim, level.block));
         level.program.set("beam_evaluations", evaluations_);
     }
 }

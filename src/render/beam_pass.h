@@ -12,6 +12,7 @@
 #include "gpu/target.h"
 #include "render/array_buffer.h"
 #include "render/march_plan.h"
+#include "scene/rays.h"
 #include "scene/scene_at.h"
 #include "synthesis/assemble.h"
 
@@ -27,7 +28,7 @@ public:
     // How many elements its lists hold, all together; they follow the array's own.
     int listed() const { return listed_; }
     void for_each_program(const std::function<void(const gpu::Program&)>& visit) const;
-    void upload(const scene::SceneAt& now, int width, int height) const;
+    void upload(const scene::SceneAt& now, int width, int height, const scene::Aim& aim) const;
     // Draws the beams of a tile and binds the last level's; `array` is null without lists.
     void draw(const gpu::Rectangle& tile, const ArrayBuffer* array) const;
 

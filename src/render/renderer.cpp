@@ -197,7 +197,7 @@ struct Renderer::Parts {
         if (environment) {
             environment->bind(unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units);
         }
-        if (beams) beams->upload(now, options.width, options.height);
+        if (beams) beams->upload(now, options.width, options.height, aim);
         if (proofs) proofs->upload(scene, now, options.width, options.height, aim);
         frame.bind(binding_frame);
         shading.bind(binding_shading);
@@ -561,7 +561,8 @@ std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& a
     for (const auto& level : shaders.beams) print.add(level.text);
     for (const std::string* text :
          {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.mirror,
-          &shaders.mirror_surface, &shaders.motion, &shaders.shade}) {
+          &shaders.mirror_surface, &shaders.motion, &shaders.shade_vertex, &shaders.shade,
+          &shaders.whole, &shaders.proof, &shaders.sharp_proof}) {
         print.add(*text);
     }
     const auto add_field = [&](const scene::SceneAt& at) {
@@ -581,7 +582,6 @@ std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& a
         std::visit([&](const auto& v) { print.add_values(std::span(&v, 1)); }, value);
     }
     print.add(p.environment_print);
-    if (!shaders.proof.empty()) print.add(shaders.proof);
     if (motion) {
         add_field(motion->before);
         add_field(motion->after);

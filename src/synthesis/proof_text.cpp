@@ -13,8 +13,7 @@ std::vector<FieldFunction> proof_samples(ProofBounds bounds) {
 std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds bounds) {
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     // Beams that leave out elements which matter little prove nothing about the whole sum.
-    const bool lists = !shaders.arrays.empty() && shaders.arrays[0].has_lists;
-    const bool beam = !shaders.beams.empty() && !lists;
+    const bool beam = !shaders.beams.empty() && !has_lists(shaders);
     ShaderText text(shaders.files);
     add_field(text, *scene.surface.field, shaders, proof_samples(bounds));
     text.file("frame.glsl");
