@@ -67,6 +67,16 @@ private:
 struct Counts {
     std::int64_t contained = 0, bounded = 0; // bounded: the enclosure says something
     std::int64_t open = 0, apart = 0;        // open: the ball has no bounds, or is about an end
+    std::int64_t beyond_half = 0; // not in the enclosure's lower half: half as wide would be wrong
+
+    Counts& operator+=(const Counts& other) {
+        contained += other.contained;
+        bounded += other.bounded;
+        open += other.open;
+        apart += other.apart;
+        beyond_half += other.beyond_half;
+        return *this;
+    }
 
     void hold(const Interval& enclosure, const Ball& truth) {
         if (!truth.is_finite()) {
@@ -74,6 +84,7 @@ struct Counts {
         } else if (truth.is_in(enclosure.lo, enclosure.hi)) {
             ++contained;
             bounded += !std::isinf(magnitude(enclosure));
+            beyond_half += truth.is_apart_from(enclosure.lo, mid(enclosure));
         } else if (truth.is_apart_from(enclosure.lo, enclosure.hi)) {
             ++apart;
         } else {
@@ -218,9 +229,10 @@ Counts check(const std::vector<Motion>& pieces, std::int64_t containments,
 void expect_no_violation(const Counts& counts, std::int64_t containments) {
     EXPECT_EQ(counts.apart, 0);
     EXPECT_LE(counts.open, containments / 100);
+    EXPECT_GT(counts.beyond_half, containments / 4);
     EXPECT_GE(counts.contained + counts.open, containments);
-    fmt::print("{} contained, {} of them in bounds; {} open\n", counts.contained, counts.bounded,
-               counts.open);
+    fmt::print("{} contained, {} of them in bounds, {} not in the lower half; {} open\n",
+               counts.contained, counts.bounded, counts.beyond_half, counts.open);
 }
 
 TEST(Balls, RandomFormulasAreEnclosed) {
@@ -235,9 +247,7 @@ TEST(Balls, RandomFormulasAreEnclosed) {
         moving += parts.pieces[0].moves;
         const Counts counts = check(parts.pieces, wanted / 2 / random_scenes, random);
         EXPECT_EQ(counts.apart, 0);
-        all.contained += counts.contained;
-        all.bounded += counts.bounded;
-        all.open += counts.open;
+        all += counts;
     }
     expect_no_violation(all, wanted / 2);
     EXPECT_GT(moving, random_scenes / 2);
@@ -270,9 +280,7 @@ TEST(Balls, AnimationsAreEnclosed) {
         const auto share = wanted / 2 / std::int64_t(names.size());
         const Counts counts = check(parts.pieces, share, random);
         EXPECT_EQ(counts.apart, 0);
-        all.contained += counts.contained;
-        all.bounded += counts.bounded;
-        all.open += counts.open;
+        all += counts;
     }
     expect_no_violation(all, wanted / 2);
     EXPECT_GT(all.bounded, wanted / 4);
