@@ -43,9 +43,9 @@ public:
     // 1 or -1 if all members have that sign, 0 if that isn't known.
     int sign() const { return arb_is_positive(value_) ? 1 : arb_is_negative(value_) ? -1 : 0; }
 
-    // All members are in [low, high]; none is.
+    // All members are in [low, high], finite ones; none is.
     bool is_in(double low, double high) const {
-        return compare_low(low) >= 0 && compare_high(high) <= 0;
+        return is_finite() && compare_low(low) >= 0 && compare_high(high) <= 0;
     }
     bool is_apart_from(double low, double high) const {
         return compare_low(high) > 0 || compare_high(low) < 0;
