@@ -43,7 +43,7 @@ public:
     // 1 or -1 if all members have that sign, 0 if that isn't known.
     int sign() const { return arb_is_positive(value_) ? 1 : arb_is_negative(value_) ? -1 : 0; }
 
-    // All members are in [low, high], finite ones; none is.
+    // It has bounds, and all members are in [low, high]; no member is.
     bool is_in(double low, double high) const {
         return is_finite() && compare_low(low) >= 0 && compare_high(high) <= 0;
     }
