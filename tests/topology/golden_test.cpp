@@ -25,6 +25,7 @@ TEST_P(Golden, IsFoundAgain) {
     Record found{{}, analyse(scene)};
     found.subject = subject_of(scene, found.timeline.range);
     const Check same = check(expectation, found);
+    EXPECT_TRUE(std::ranges::all_of(found.timeline.events, &Event::is_proved_again));
     const Record golden = std::get<Record>(expectation);
     EXPECT_EQ(same.outcome(), golden.timeline.is_complete() ? Outcome::passes : Outcome::incomplete)
         << text(same, file().string());
