@@ -4,13 +4,17 @@
 // until it is short against the block. What was passed holds no root of any of the block's rays,
 // rounding included.
 
-layout(location = 0) out vec4 part; // of tau, empty without roots; the list: elements, first texel
+layout(location = 0) out vec4 part; // of tau, empty without roots; where its front ends
+#ifdef LISTS
+layout(location = 1) out vec4 lists; // of the front and of all: elements, the first
+#endif
 
 uniform int beam_evaluations;
 
 void main() {
-    Beam way = pixel_beam();
-    vec4 whole = parent_part();
+    ivec2 block = beam_block(ivec2(pixel_centre), SQUARE_BITS);
+    Beam way = beam_of(block);
+    vec4 whole = parent_part(block);
     float low = whole.x, high = whole.y;
     float longest = whole.z, piece = longest;
     bool backwards = false, open = low < high;
@@ -44,11 +48,16 @@ void main() {
         }
         if (!open) break;
     }
-    part = vec4(low, open ? high : low, 0.0, 0.0);
+    part = vec4(low, open ? high : low, high, 0.0);
 #ifdef LISTS
-    part.zw = vec2(float(array0_count), float(array0_first));
+    vec2 all = vec2(float(array0_count), float(array0_first)), front = all;
+#ifdef FRONT
+    // Most rays end soon after they begin, and few elements matter until then.
+    part.z = mix(low, high, FRONT);
+    if (open) front = list_of(block, way, low, part.z);
+#elif defined PIECES
+    if (open) front = all = list_of(block, way, low, high);
 #endif
-#ifdef PIECES
-    if (open) part.zw = list_of(way, low, high);
+    lists = vec4(front, all);
 #endif
 }

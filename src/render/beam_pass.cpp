@@ -11,6 +11,9 @@ namespace {
 
 int blocks_in(int length, int block) { return (length + block - 1) / block; }
 
+// Of squares of that many pixels, which are kept apart.
+int texels_of(int length, int square) { return blocks_in(length, square) * synthesis::beam_square; }
+
 int blocks_in(const MarchPlan& tile, int block) {
     return blocks_in(tile.tile_width, block) * blocks_in(tile.tile_height, block);
 }
@@ -20,7 +23,7 @@ int length_of_lists(const synthesis::Shaders& shaders, const MarchPlan& plan, in
     constexpr int longest = 256;
     int blocks = 1;
     for (const auto& level : shaders.beams) {
-        if (level.makes_lists) blocks += blocks_in(plan, level.block);
+        if (level.lists != synthesis::BeamLists::none) blocks += blocks_in(plan, level.block);
     }
     const auto& array = shaders.arrays[0];
     const int room = texels / array.texels - array.capacity;
@@ -45,12 +48,13 @@ BeamPass::BeamPass(const synthesis::Shaders& shaders, const scene::Scene& scene,
     , evaluations_(evaluations_of_a_beam(shaders, *scene.surface.field))
     , unit_(unit) {
     const int elements = shaders.arrays.empty() ? 0 : shaders.arrays[0].capacity;
-    for (const auto& [block, makes_lists, text] : shaders.beams) {
-        levels_.push_back(
-            {gpu::Program(shaders.vertex, text, fmt::format("beam {}", block)),
-             gpu::Target(blocks_in(plan.tile_width, block), blocks_in(plan.tile_height, block)),
-             block, elements + listed_});
-        if (makes_lists) listed_ += blocks_in(plan, block) * list_length_;
+    for (const auto& [block, lists, bits, text] : shaders.beams) {
+        levels_.push_back({gpu::Program(shaders.vertex, text, fmt::format("beam {}", block)),
+                           gpu::Target(texels_of(plan.tile_width, block << bits),
+                                       texels_of(plan.tile_height, block << bits),
+                                       synthesis::has_lists(shaders) ? 2 : 1),
+                           block, bits, blocks_in(plan.tile_width, block), elements + listed_});
+        if (lists != synthesis::BeamLists::none) listed_ += blocks_in(plan, block) * list_length_;
     }
 }
 
@@ -66,22 +70,31 @@ void BeamPass::upload(const scene::SceneAt& now, int width, int height,
     }
 }
 
+void BeamPass::Level::bind_results(int unit) const {
+    for (int k = 0; k < results.attachments(); ++k) results.texture(k).bind(unit + k);
+}
+
 void BeamPass::draw(const gpu::Rectangle& tile, const ArrayBuffer* array) const {
     const Level* before = nullptr;
     for (const Level& level : levels_) {
         if (array) array->bind_for_lists();
-        if (before) before->parts.texture(0).bind(unit_);
+        if (before) before->bind_results(unit_);
         level.program.set("tile_origin", glm::ivec2(tile.x, tile.y));
-        level.program.set("list", glm::ivec3(level.first_list, list_length_, level.parts.width()));
-        level.parts.bind();
-        gpu::set_viewport(
-            {0, 0, blocks_in(tile.width, level.block), blocks_in(tile.height, level.block)});
+        level.program.set("list", glm::ivec3(level.first_list, list_length_, level.blocks_across));
+        level.results.bind();
         level.program.use();
-        triangle_.draw();
+        const int square = level.block << level.square_bits, side = 1 << level.square_bits;
+        for (int y = 0; y < blocks_in(tile.height, square); ++y) {
+            for (int x = 0; x < blocks_in(tile.width, square); ++x) {
+                gpu::set_viewport(
+                    {x * synthesis::beam_square, y * synthesis::beam_square, side, side});
+                triangle_.draw();
+            }
+        }
         if (array) array->wait_for_lists();
         before = &level;
     }
-    before->parts.texture(0).bind(unit_);
+    before->bind_results(unit_);
 }
 
 } // namespace isomotion::render

@@ -21,7 +21,7 @@ namespace isomotion::render {
 class BeamPass {
 public:
     // Of shaders that have beams, for tiles as planned. `texels`: the most a texture buffer may
-    // have. The parts of the rays that are left go to texture `unit`.
+    // have. The parts of the rays that are left go to texture `unit`, their lists to the next.
     BeamPass(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
              int texels, int unit);
 
@@ -35,9 +35,11 @@ public:
 private:
     struct Level {
         gpu::Program program;
-        gpu::Target parts;
-        int block;
+        gpu::Target results; // parts and lists
+        int block, square_bits, blocks_across;
         int first_list; // element of the array's buffer
+
+        void bind_results(int unit) const;
     };
 
     std::vector<Level> levels_;

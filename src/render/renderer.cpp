@@ -25,7 +25,7 @@ enum Unit : int { unit_state_0, unit_state_1, unit_state_2, unit_arrays };
 
 // Elements that a list of those that matter in a beam is reckoned with; rays with longer ones take
 // more passes.
-constexpr int usual_list = 64;
+constexpr int usual_list = 16;
 
 // What `layers` of EXR an attachment of the shade pass fills, and from which components.
 std::vector<image::Channel*> targets_of(image::Frame& frame, synthesis::Channel channel) {
@@ -80,7 +80,7 @@ struct Renderer::Parts {
             moved.emplace(gpu::Program(shaders.vertex, shaders.motion, "motion"),
                           gpu::Target(plan.tile_width, plan.tile_height));
         }
-        if (!shaders.proof.empty()) proofs.emplace(shaders, scene, plan, beam_unit() + 1);
+        if (!shaders.proof.empty()) proofs.emplace(shaders, scene, plan, beam_unit() + 2);
         for_each_program([&](const gpu::Program& program) { connect(program); });
         pixels.resize(std::size_t(plan.tile_width) * std::size_t(plan.tile_height) * 4);
     }
@@ -176,6 +176,7 @@ struct Renderer::Parts {
         program.bind_sampler("state_texture_1", unit_state_1);
         program.bind_sampler("state_texture_2", unit_state_2);
         program.bind_sampler("beam_texture", beam_unit());
+        program.bind_sampler("beam_lists_texture", beam_unit() + 1);
         for (std::size_t a = 0; a < shaders.arrays.size(); ++a) {
             const auto& storage = shaders.arrays[a];
             if (storage.kind == synthesis::ArrayStorage::Kind::uniform_block) {
