@@ -35,7 +35,7 @@ vec2 list_of(ivec2 block, Beam way, float low, float high) {
         }
         if (kept < list.y) {
             for (int t = 0; t < TEXELS; ++t) {
-                list_texels[(first + kept) * TEXELS + t] = array0_texel(e, t);
+                array0[(first + kept) * TEXELS + t] = array0_texel(e, t);
             }
         }
         kept += 1;

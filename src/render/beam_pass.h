@@ -36,16 +36,17 @@ private:
     struct Level {
         gpu::Program program;
         gpu::Target results; // parts and lists
-        int block, square_bits, blocks_across;
-        int first_list; // element of the array's buffer
+        int block, square_bits;
+        int evaluations; // of one beam
+        // Of its lists: the first element in the array's buffer, the most of one block, which else
+        // takes the list that it comes from; blocks across.
+        glm::ivec3 list;
 
         void bind_results(int unit) const;
     };
 
     std::vector<Level> levels_;
-    int list_length_ = 0; // elements of one beam; a longer list is the one it comes from
     int listed_ = 0;
-    int evaluations_ = 0; // of one beam
     int unit_;
     gpu::Fullscreen triangle_;
 };

@@ -38,21 +38,21 @@ std::string beam_text(const scene::Scene& scene, const BeamShader& beam, const B
     text.define("BOTH_ENDS", int(beam.lists == BeamLists::whole));
     if (has_lists(shaders)) {
         text.define("LISTS", 1);
-        text.generated("2^-20", "#define LEFT_OUT 9.53674316e-7\n");
-        add_bounds_of_sum(text, field, shaders);
+        text.generated("of a sum, by the lists of one level", "#define LEFT_OUT 6.25e-7\n");
+        FieldStorage written = shaders;
+        written.arrays[0].kind = ArrayStorage::Kind::storage_buffer;
+        add_bounds_of_sum(text, field, written);
     } else {
         add_field(text, field, shaders, {FieldFunction::value_interval});
     }
+    const bool has_front = beam.lists == BeamLists::front;
+    text.generated("the front, as a part of all",
+                   fmt::format("#define FRONT {}\n", has_front ? "0.12" : "1.0"));
     if (makes_lists) {
         text.define("TEXELS", shaders.arrays[0].texels);
-        text.define("PIECES", beam.lists == BeamLists::front || !parent ? 6 : 8);
-        if (beam.lists == BeamLists::front) {
-            text.generated("the front, as a part of all", "#define FRONT 0.12\n");
-        }
-        text.generated(
-            "generated: the array and its lists, for writing",
-            "layout(std430, binding = 0) writeonly buffer Lists { vec4 list_texels[]; };\n"
-            "uniform ivec3 list; // first element, most of a block, blocks across\n");
+        text.define("PIECES", 6);
+        text.generated("generated: where this level's lists go",
+                       "uniform ivec3 list; // first element, most of a block, blocks across\n");
     }
     text.file("frame.glsl");
     text.generated("generated: least and most tau, the shortest piece; rounding, a length",
