@@ -21,7 +21,7 @@ namespace isomotion::render {
 class BeamPass {
 public:
     // Of shaders that have beams, for tiles as planned. `texels`: the most a texture buffer may
-    // have. The parts of the rays that are left go to texture `unit`.
+    // have. The parts of the rays that are left go to texture `unit`, their lists to the next.
     BeamPass(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
              int texels, int unit);
 
@@ -35,15 +35,18 @@ public:
 private:
     struct Level {
         gpu::Program program;
-        gpu::Target parts;
-        int block;
-        int first_list; // element of the array's buffer
+        gpu::Target results; // parts and lists
+        int block, square_bits;
+        int evaluations; // of one beam
+        // Of its lists: the first element in the array's buffer, the most of one block, which else
+        // takes the list that it comes from; blocks across.
+        glm::ivec3 list;
+
+        void bind_results(int unit) const;
     };
 
     std::vector<Level> levels_;
-    int list_length_ = 0; // elements of one beam; a longer list is the one it comes from
     int listed_ = 0;
-    int evaluations_ = 0; // of one beam
     int unit_;
     gpu::Fullscreen triangle_;
 };

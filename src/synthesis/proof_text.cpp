@@ -1,5 +1,6 @@
 #include "synthesis/proof_text.h"
 
+#include "synthesis/beam_text.h"
 #include "synthesis/shader_text.h"
 
 namespace isomotion::synthesis {
@@ -21,8 +22,7 @@ std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds 
     text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
     text.file("march/ray.glsl");
     text.file("march/state.glsl");
-    if (beam) text.define("BLOCK", shaders.beams.back().block);
-    text.file(beam ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
+    add_entrance(text, beam ? &shaders.beams.back() : nullptr);
     text.file("proof/outcome.glsl");
     text.file("proof/tube.glsl");
     text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");
