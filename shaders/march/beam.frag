@@ -4,31 +4,43 @@
 // until it is short against the block. What was passed holds no root of any of the block's rays,
 // rounding included.
 
-layout(location = 0) out vec4 part; // of tau, empty without roots; the list: elements, first texel
+layout(location = 0) out vec4 part; // of tau, empty without roots; where its front ends
+#ifdef LISTS
+layout(location = 1) out vec4 lists; // of the front and of all: elements, the first
+#endif
 
 uniform int beam_evaluations;
 
 void main() {
-    Beam way = pixel_beam();
-    vec4 whole = parent_part();
+    ivec2 block = beam_block(ivec2(pixel_centre), SQUARE_BITS);
+    Beam way = beam_of(block);
+    vec4 whole = parent_part(block);
     float low = whole.x, high = whole.y;
     float longest = whole.z, piece = longest;
     bool backwards = false, open = low < high;
+    float front_end = mix(low, high, FRONT);
     int evaluations = beam_evaluations;
 #ifdef LISTS
     evaluations = min(evaluations, 20000 / max(array0_count, 1)); // as in beam_list.glsl
+    vec2 all = vec2(float(array0_count), float(array0_first)), front = all;
+    // Few elements matter in the front, where most rays end; the walk there is the cheaper, too.
+    if (FRONT < 1.0 && open) front = list_of(block, way, low, front_end);
 #endif
     for (int k = 0; k < evaluations; ++k) {
+        bool in_front = low < front_end;
+#ifdef LISTS
+        if (FRONT < 1.0) enter_list(in_front ? front : all);
+#endif
         float a = backwards ? max(high - piece, low) : low;
-        float b = backwards ? high : min(low + piece, high);
+        float b = backwards ? high : min(low + piece, in_front ? front_end : high);
         vec2 x, y, z;
         bool inside = box_of(way, a, b, x, y, z);
         vec2 f = field_interval(x, y, z);
 #ifdef LISTS
-        // What the lists of both levels before this one may have left out.
+        // What the lists of all three levels may have left out.
         vec2 rest, factor;
         rest_and_factor_interval(x, y, z, rest, factor);
-        f += vec2(-2.5, 2.5) * LEFT_OUT * im_abs(rest).y;
+        f += vec2(-3.5, 3.5) * LEFT_OUT * im_abs(rest).y;
 #endif
         if (!inside || f.x > 0.0 || f.y < 0.0) {
             if (backwards) high = a; else low = b;
@@ -44,11 +56,9 @@ void main() {
         }
         if (!open) break;
     }
-    part = vec4(low, open ? high : low, 0.0, 0.0);
+    part = vec4(low, open ? high : low, front_end, 0.0);
 #ifdef LISTS
-    part.zw = vec2(float(array0_count), float(array0_first));
-#endif
-#ifdef PIECES
-    if (open) part.zw = list_of(way, low, high);
+    if (FRONT == 1.0 && open) front = all = list_of(block, way, low, high);
+    lists = vec4(front, all);
 #endif
 }

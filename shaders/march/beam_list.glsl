@@ -3,8 +3,8 @@
 // and all together, stay below LEFT_OUT of that: float32 loses as much when it adds up some ten
 // terms.
 
-vec2 list_of(Beam way, float low, float high) {
-    int first = list.x + (int(pixel_centre.y) * list.z + int(pixel_centre.x)) * list.y;
+vec2 list_of(ivec2 block, Beam way, float low, float high) {
+    int first = list.x + (block.y * list.z + block.x) * list.y;
     // Loops must end before drivers end them, silently.
     int pieces = clamp(20000 / max(array0_count, 1), 1, PIECES);
     float left = IM_SATURATION;
@@ -27,6 +27,7 @@ vec2 list_of(Beam way, float low, float high) {
             if (box_of(way, a, b, x, y, z)) {
                 largest = max(largest, im_abs(term_interval(e, x, y, z)).y);
             }
+            if (!(largest <= 0.125 * left)) break; // it stays
         }
         if (largest <= 0.125 * left) {
             left -= largest;
@@ -34,7 +35,7 @@ vec2 list_of(Beam way, float low, float high) {
         }
         if (kept < list.y) {
             for (int t = 0; t < TEXELS; ++t) {
-                list_texels[(first + kept) * TEXELS + t] = array0_texel(e, t);
+                array0[(first + kept) * TEXELS + t] = array0_texel(e, t);
             }
         }
         kept += 1;

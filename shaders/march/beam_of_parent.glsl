@@ -1,11 +1,14 @@
-// Beams within larger ones, which PARENT_BLOCK pixels across.
+// Beams within larger ones, which are PARENT_BLOCK pixels across.
 uniform sampler2D beam_texture;
+#ifdef LISTS
+uniform sampler2D beam_lists_texture;
+#endif
 
 // The part of tau, and the first piece to try.
-vec4 parent_part() {
-    vec4 parent = texelFetch(beam_texture, ivec2(pixel_centre) * BLOCK / PARENT_BLOCK, 0);
+vec4 parent_part(ivec2 block) {
+    ivec2 at = beam_texel(block * BLOCK / PARENT_BLOCK, PARENT_SQUARE_BITS);
 #ifdef LISTS
-    enter_list(parent.zw);
+    enter_list(texelFetch(beam_lists_texture, at, 0).zw);
 #endif
-    return vec4(parent.xy, 2.0 * beam.z, 0.0);
+    return vec4(texelFetch(beam_texture, at, 0).xy, 2.0 * beam.z, 0.0);
 }

@@ -16,8 +16,8 @@ struct Beam {
     vec3 low, high; // of `across`
 };
 
-Beam pixel_beam() {
-    vec2 first = (floor(pixel_centre) * float(BLOCK) + picture.zw + 0.5) * picture.xy - 1.0;
+Beam beam_of(ivec2 block) {
+    vec2 first = (vec2(block * BLOCK) + picture.zw + 0.5) * picture.xy - 1.0;
     vec2 half_size = 0.5 * float(BLOCK - 1) * picture.xy;
     vec2 middle = first + half_size;
     vec3 across = middle.x * ray_right.xyz + middle.y * ray_up.xyz;

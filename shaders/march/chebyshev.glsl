@@ -49,7 +49,8 @@ RayState refine(RayState s, Ray ray, float t, float f) {
     s.high = t;
     s.taken = 0;
     s.phase = PHASE_START;
-    bool gives_up = s.evaluations > MOST_PIECES * (DEGREE + 2);
+    // Shadow rays add up the evaluations of all lights up to this one.
+    bool gives_up = s.evaluations > MOST_PIECES * (DEGREE + 2) * (s.refinements + 1);
     return t < ray.t_far && !gives_up ? s : finish(s, VERDICT_MISS);
 }
 

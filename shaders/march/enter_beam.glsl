@@ -1,11 +1,25 @@
 // The part of a ray that its beam left to march, see beam.frag.
 uniform sampler2D beam_texture;
+#ifdef LISTS
+uniform sampler2D beam_lists_texture;
+
+vec4 beam_lists; // of elements that matter in the beam's front, and in all of it
+float front_end;
+
+// The list for samples at t, or for all up to there.
+void choose_list(float t) {
+    enter_list(t <= front_end ? beam_lists.xy : beam_lists.zw);
+}
+#endif
 
 void enter_beam(inout Ray ray) {
-    vec4 part = texelFetch(beam_texture, ivec2(pixel_centre) / BLOCK, 0);
+    ivec2 at = beam_texel(ivec2(pixel_centre) / BLOCK, SQUARE_BITS);
+    vec4 part = texelFetch(beam_texture, at, 0);
     ray.t_near = max(ray.t_near, part.x * ray.to_eye);
     ray.t_far = part.x < part.y ? min(ray.t_far, part.y * ray.to_eye) : ray.t_near - 1.0;
 #ifdef LISTS
-    enter_list(part.zw);
+    beam_lists = texelFetch(beam_lists_texture, at, 0);
+    front_end = part.z * ray.to_eye;
+    enter_list(beam_lists.zw);
 #endif
 }

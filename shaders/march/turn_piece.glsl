@@ -6,8 +6,11 @@ RayState turn(RayState s, Ray ray) {
     bool isolates = s.phase == PHASE_MARCH;
     if (starts) s.high = min(s.low + refinement.w, ray.t_far);
     float t = isolates ? next_sample(s) : refines ? s.f_low.y : s.low;
-    float f = field(ray_point(ray, t));
     vec2 piece = starts || isolates ? vec2(s.low, s.high) : vec2(t);
+#ifdef LISTS
+    choose_list(max(piece.y, t));
+#endif
+    float f = field(ray_point(ray, t));
     Bounds bounds = bounds_over(ray, piece, sample_direction(s, ray));
     s.evaluations += 1;
     float slope = 0.5 * (bounds.slope.x + bounds.slope.y);

@@ -8,5 +8,8 @@ void main() {
     enter_beam(ray);
     RayState s = march(ray, begin(ray));
     if (s.phase != PHASE_DONE) s.verdict = VERDICT_UNFINISHED;
+#ifdef LISTS
+    choose_list(s.low);
+#endif
     shade_ray(ray, s);
 }

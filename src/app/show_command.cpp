@@ -63,6 +63,8 @@ int show(const ShowArguments& arguments) {
                animation::to_string(scene.timeline.fps), scene.timeline.loops ? ", a loop" : "");
     if (isolation.method == scene::Method::hermite) {
         fmt::print("method    hermite, safety {:g}", isolation.safety);
+    } else if (!scene::takes_steps(isolation.method)) {
+        fmt::print("method    {}", scene::name(isolation.method));
     } else {
         fmt::print("method    {}, step {:g}, near {:g}, far {:g}, horizon {:g}, {} bisections",
                    scene::name(isolation.method), isolation.step, isolation.near, isolation.far,

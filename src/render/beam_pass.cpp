@@ -11,25 +11,35 @@ namespace {
 
 int blocks_in(int length, int block) { return (length + block - 1) / block; }
 
+// Of squares of that many pixels, which are kept apart.
+int texels_of(int length, int square) { return blocks_in(length, square) * synthesis::beam_square; }
+
 int blocks_in(const MarchPlan& tile, int block) {
     return blocks_in(tile.tile_width, block) * blocks_in(tile.tile_height, block);
 }
 
-int length_of_lists(const synthesis::Shaders& shaders, const MarchPlan& plan, int texels) {
+// Elements in one list of a level: what large blocks pass on, smaller ones go through.
+int longest_list(const synthesis::BeamShader& level, int capacity) {
+    if (level.lists == synthesis::BeamLists::none) return 0;
+    return std::min(16 * level.block, capacity);
+}
+
+// The part of the longest lists that a buffer of so many texels has room for.
+double part_of_lists(const synthesis::Shaders& shaders, const MarchPlan& plan, int texels) {
     if (!synthesis::has_lists(shaders)) return 0;
-    constexpr int longest = 256;
-    int blocks = 1;
-    for (const auto& level : shaders.beams) {
-        if (level.makes_lists) blocks += blocks_in(plan, level.block);
-    }
     const auto& array = shaders.arrays[0];
-    const int room = texels / array.texels - array.capacity;
-    return std::max(0, std::min({longest, array.capacity, room / blocks}));
+    double wanted = 0;
+    for (const auto& level : shaders.beams) {
+        wanted += double(blocks_in(plan, level.block)) * longest_list(level, array.capacity);
+    }
+    return std::clamp((texels / array.texels - array.capacity) / wanted, 0.0, 1.0);
 }
 
 // What fits into the loops of a beam's shader; with lists it is less where these are long.
-int evaluations_of_a_beam(const synthesis::Shaders& shaders, const formula::Field& field) {
-    constexpr double most = 64;
+int evaluations_of_a_beam(const synthesis::Shaders& shaders, const formula::Field& field,
+                          synthesis::BeamLists lists) {
+    // Where lists are made for smaller blocks, these walk the rest of the way at a smaller price.
+    const double most = lists == synthesis::BeamLists::whole ? 8 : 64;
     std::vector<int> counts;
     for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
     const double sums = formula::cost(field.value, counts).iterations;
@@ -41,16 +51,20 @@ int evaluations_of_a_beam(const synthesis::Shaders& shaders, const formula::Fiel
 
 BeamPass::BeamPass(const synthesis::Shaders& shaders, const scene::Scene& scene,
                    const MarchPlan& plan, int texels, int unit)
-    : list_length_(length_of_lists(shaders, plan, texels))
-    , evaluations_(evaluations_of_a_beam(shaders, *scene.surface.field))
-    , unit_(unit) {
+    : unit_(unit) {
     const int elements = shaders.arrays.empty() ? 0 : shaders.arrays[0].capacity;
-    for (const auto& [block, makes_lists, text] : shaders.beams) {
+    const double part = part_of_lists(shaders, plan, texels);
+    for (const synthesis::BeamShader& level : shaders.beams) {
+        const int block = level.block, square = block << level.square_bits;
+        const int length = int(part * longest_list(level, elements));
         levels_.push_back(
-            {gpu::Program(shaders.vertex, text, fmt::format("beam {}", block)),
-             gpu::Target(blocks_in(plan.tile_width, block), blocks_in(plan.tile_height, block)),
-             block, elements + listed_});
-        if (makes_lists) listed_ += blocks_in(plan, block) * list_length_;
+            {gpu::Program(shaders.vertex, level.text, fmt::format("beam {}", block)),
+             gpu::Target(texels_of(plan.tile_width, square), texels_of(plan.tile_height, square),
+                         synthesis::has_lists(shaders) ? 2 : 1),
+             block, level.square_bits,
+             evaluations_of_a_beam(shaders, *scene.surface.field, level.lists),
+             glm::ivec3(elements + listed_, length, blocks_in(plan.tile_width, block))});
+        listed_ += blocks_in(plan, block) * length;
     }
 }
 
@@ -58,29 +72,42 @@ void BeamPass::for_each_program(const std::function<void(const gpu::Program&)>& 
     for (const Level& level : levels_) visit(level.program);
 }
 
-void BeamPass::upload(const scene::SceneAt& now, int width, int height) const {
+void BeamPass::upload(const scene::SceneAt& now, int width, int height,
+                      const scene::Aim& aim) const {
     for (const Level& level : levels_) {
-        level.program.set("beam", beam_range(now, width, height, level.block));
-        level.program.set("beam_evaluations", evaluations_);
+        level.program.set("beam", beam_range(now, width, height, aim, level.block));
+        level.program.set("beam_evaluations", level.evaluations);
     }
+}
+
+void BeamPass::Level::bind_results(int unit) const {
+    for (int k = 0; k < results.attachments(); ++k) results.texture(k).bind(unit + k);
 }
 
 void BeamPass::draw(const gpu::Rectangle& tile, const ArrayBuffer* array) const {
     const Level* before = nullptr;
     for (const Level& level : levels_) {
         if (array) array->bind_for_lists();
-        if (before) before->parts.texture(0).bind(unit_);
+        if (before) before->bind_results(unit_);
         level.program.set("tile_origin", glm::ivec2(tile.x, tile.y));
-        level.program.set("list", glm::ivec3(level.first_list, list_length_, level.parts.width()));
-        level.parts.bind();
-        gpu::set_viewport(
-            {0, 0, blocks_in(tile.width, level.block), blocks_in(tile.height, level.block)});
+        level.program.set("list", level.list);
+        level.results.bind();
         level.program.use();
-        triangle_.draw();
+        const int across = blocks_in(tile.width, level.block);
+        const int up = blocks_in(tile.height, level.block), side = 1 << level.square_bits;
+        for (int y = 0; y < up; y += side) {
+            for (int x = 0; x < across; x += side) {
+                // No blocks beyond the tile: these would write other blocks' lists.
+                gpu::set_viewport({x / side * synthesis::beam_square,
+                                   y / side * synthesis::beam_square, std::min(side, across - x),
+                                   std::min(side, up - y)});
+                triangle_.draw();
+            }
+        }
         if (array) array->wait_for_lists();
         before = &level;
     }
-    before->parts.texture(0).bind(unit_);
+    before->bind_results(unit_);
 }
 
 } // namespace isomotion::render

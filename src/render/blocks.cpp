@@ -41,10 +41,12 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     return block;
 }
 
-glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, int block) {
-    const scene::Rays rays = scene::rays(now, width, height);
-    const double depth = glm::length(rays.axis);
-    const glm::dvec3 forward = rays.axis / depth;
+glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const scene::Aim& aim,
+                     int block) {
+    // tau is the depth behind the plane of the anchors, which no aim turns or moves.
+    const scene::Rays rays = scene::rays(now, width, height, aim);
+    const glm::dvec3 forward = glm::normalize(glm::cross(rays.up, rays.right));
+    const double depth = glm::dot(rays.axis, forward);
     const double middle = glm::dot(now.bounds.centre - rays.origin, forward) / depth;
     // As truth's tubes have it (truth/tube.h), with the size of the picture's corner.
     const auto largest = [](const glm::dvec3& v) {

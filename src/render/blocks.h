@@ -24,7 +24,8 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
 // Uniform `beam` of shaders/march/beam.frag: the range of tau that the bounds may be in, the
 // shortest piece, and what float32 may add to a point of a ray, four times over. `block`: pixels
 // across a beam.
-glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, int block);
+glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const scene::Aim& aim,
+                     int block);
 
 // Block Shading of shaders/shade/shading.glsl; its length depends on the number of lights.
 std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,

@@ -81,7 +81,7 @@ void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int wi
     const double footprint = 2 * glm::length(rays.up) / height;
     // Of truth's tubes what a point may be off by, four times over: the rays here and those marched
     // are each within once that of the exact one.
-    const double margin = beam_range(now, width, height, 1).w;
+    const double margin = beam_range(now, width, height, aim, 1).w;
     const double spread = glm::length(rays.right) + glm::length(rays.up);
     const double direction =
         3 * 16 * 0x1p-24 * (1 + (rays.parallel ? 0 : spread / glm::length(rays.axis)));

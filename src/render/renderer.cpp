@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -25,7 +26,7 @@ enum Unit : int { unit_state_0, unit_state_1, unit_state_2, unit_arrays };
 
 // Elements that a list of those that matter in a beam is reckoned with; rays with longer ones take
 // more passes.
-constexpr int usual_list = 64;
+constexpr int usual_list = 16;
 
 // What `layers` of EXR an attachment of the shade pass fills, and from which components.
 std::vector<image::Channel*> targets_of(image::Frame& frame, synthesis::Channel channel) {
@@ -80,7 +81,7 @@ struct Renderer::Parts {
             moved.emplace(gpu::Program(shaders.vertex, shaders.motion, "motion"),
                           gpu::Target(plan.tile_width, plan.tile_height));
         }
-        if (!shaders.proof.empty()) proofs.emplace(shaders, scene, plan, beam_unit() + 1);
+        if (!shaders.proof.empty()) proofs.emplace(shaders, scene, plan, beam_unit() + 2);
         for_each_program([&](const gpu::Program& program) { connect(program); });
         pixels.resize(std::size_t(plan.tile_width) * std::size_t(plan.tile_height) * 4);
     }
@@ -177,6 +178,7 @@ struct Renderer::Parts {
         program.bind_sampler("state_texture_1", unit_state_1);
         program.bind_sampler("state_texture_2", unit_state_2);
         program.bind_sampler("beam_texture", beam_unit());
+        program.bind_sampler("beam_lists_texture", beam_unit() + 1);
         for (std::size_t a = 0; a < shaders.arrays.size(); ++a) {
             const auto& storage = shaders.arrays[a];
             if (storage.kind == synthesis::ArrayStorage::Kind::uniform_block) {
@@ -197,7 +199,7 @@ struct Renderer::Parts {
         if (environment) {
             environment->bind(unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units);
         }
-        if (beams) beams->upload(now, options.width, options.height);
+        if (beams) beams->upload(now, options.width, options.height, aim);
         if (proofs) proofs->upload(scene, now, options.width, options.height, aim);
         frame.bind(binding_frame);
         shading.bind(binding_shading);
@@ -260,16 +262,20 @@ struct Renderer::Parts {
         return unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units + 1;
     }
 
-    // Draws a tile into `result` and reads its record into `pixels`. Returns its rays, or null if
-    // they were not kept.
+    // Draws a tile into `result`, reads its record into `pixels` and adds it to the picture's.
+    // Returns its rays, or null if they were not kept.
     const gpu::Target* draw_tile(const gpu::Rectangle& tile, const scene::SceneAt& now,
-                                 int& draws) {
+                                 Picture& picture) {
         if (beams) beams->draw(tile, synthesis::has_lists(shaders) ? &arrays[0] : nullptr);
         if (one_draw) {
             draw_whole(tile);
-            ++draws;
+            ++picture.passes;
             read_record(tile);
-            if (all_finished(tile)) return nullptr;
+            const Tally tally = tally_of(tile);
+            if (tally.rays() == std::int64_t(tile.width) * tile.height) {
+                tally.add_to(picture);
+                return nullptr;
+            }
             // Some ray takes longer than a draw may; others of this scene will too.
             one_draw = false;
             make_passes();
@@ -278,8 +284,9 @@ struct Renderer::Parts {
                 set_effects(*program, now);
             }
         }
-        const gpu::Target& rays = draw_in_passes(tile, draws);
+        const gpu::Target& rays = draw_in_passes(tile, picture.passes);
         read_record(tile);
+        tally_of(tile).add_to(picture);
         return &rays;
     }
 
@@ -296,14 +303,6 @@ struct Renderer::Parts {
     void read_record(const gpu::Rectangle& tile) {
         const auto count = std::size_t(tile.width) * std::size_t(tile.height) * 4;
         result.read(1, 0, 0, tile.width, tile.height, std::span(pixels).first(count));
-    }
-
-    bool all_finished(const gpu::Rectangle& tile) const {
-        int unfinished = 0;
-        for (std::size_t k = 0; k < std::size_t(tile.width) * std::size_t(tile.height); ++k) {
-            unfinished += pixels[4 * k] < 0;
-        }
-        return unfinished == 0;
     }
 
     // The rays of a tile, which it returns, and what starts where they end.
@@ -463,8 +462,24 @@ struct Renderer::Parts {
         return std::find(all.begin(), all.end(), channel) != all.end();
     }
 
-    // Adds up the record of the tile just read into `pixels`. Lanes of ints, which loops vectorise.
-    void count_tile(const gpu::Rectangle& tile, Picture& picture) const {
+    // What the rays of a tile went through.
+    struct Tally {
+        std::array<std::int64_t, 5> verdicts{};
+        std::int64_t evaluations = 0;
+
+        // Those that ended.
+        std::int64_t rays() const {
+            return std::accumulate(verdicts.begin(), verdicts.end(), std::int64_t(0));
+        }
+        void add_to(Picture& picture) const {
+            for (std::size_t k = 0; k < 5; ++k) picture.verdicts[k] += verdicts[k];
+            picture.evaluations += evaluations;
+        }
+    };
+
+    // From the record just read into `pixels`. Lanes of ints, which loops vectorise.
+    Tally tally_of(const gpu::Rectangle& tile) const {
+        Tally tally;
         for (int y = 0; y < tile.height; ++y) {
             const float* row = pixels.data() + std::size_t(y) * std::size_t(tile.width) * 4;
             std::array<int, 5> verdicts{};
@@ -474,9 +489,10 @@ struct Renderer::Parts {
                 for (int k = 0; k < 5; ++k) verdicts[std::size_t(k)] += verdict == k;
                 evaluations += int(row[4 * x + 1]) + int(row[4 * x + 2]);
             }
-            for (std::size_t k = 0; k < 5; ++k) picture.verdicts[k] += verdicts[k];
-            picture.evaluations += evaluations;
+            for (std::size_t k = 0; k < 5; ++k) tally.verdicts[k] += verdicts[k];
+            tally.evaluations += evaluations;
         }
+        return tally;
     }
 
     gpu::Context& context;
@@ -538,8 +554,7 @@ Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const M
         for (int x = 0; x < p.options.width; x += p.plan.tile_width) {
             const gpu::Rectangle tile{x, y, std::min(p.plan.tile_width, p.options.width - x),
                                       std::min(p.plan.tile_height, p.options.height - y)};
-            const gpu::Target* rays = p.draw_tile(tile, now, picture.passes);
-            p.count_tile(tile, picture);
+            const gpu::Target* rays = p.draw_tile(tile, now, picture);
             p.copy_pixels(tile, record);
             if (p.proofs) p.prove_tile(tile, *rays, picture);
             if (p.moved && motion) p.draw_velocity(tile, *rays, now, *motion, picture.frame);
@@ -561,7 +576,8 @@ std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& a
     for (const auto& level : shaders.beams) print.add(level.text);
     for (const std::string* text :
          {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.mirror,
-          &shaders.mirror_surface, &shaders.motion, &shaders.shade}) {
+          &shaders.mirror_surface, &shaders.motion, &shaders.shade_vertex, &shaders.shade,
+          &shaders.whole, &shaders.proof, &shaders.sharp_proof}) {
         print.add(*text);
     }
     const auto add_field = [&](const scene::SceneAt& at) {
@@ -581,7 +597,6 @@ std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& a
         std::visit([&](const auto& v) { print.add_values(std::span(&v, 1)); }, value);
     }
     print.add(p.environment_print);
-    if (!shaders.proof.empty()) print.add(shaders.proof);
     if (motion) {
         add_field(motion->before);
         add_field(motion->after);

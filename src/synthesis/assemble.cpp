@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "formula/glsl_interval.h"
 #include "formula/linear_sum.h"
 #include "scene/method_domain.h"
+#include "synthesis/beam_text.h"
 #include "synthesis/bernstein_text.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/paint_text.h"
@@ -115,14 +115,13 @@ void define_state(ShaderText& text, const Shaders& shaders) {
 }
 
 void add_march(ShaderText& text, const scene::Scene& scene, const Shaders& shaders, Origin origin) {
+    const bool beam = uses_beams(scene) && origin == Origin::eye;
+    if (beam && has_lists(shaders)) text.define("LISTS", 1);
+    add_entrance(text, beam ? &shaders.beams.back() : nullptr);
     add_isolation(text, scene, shaders);
     text.file(shaders.march_takes_gradient ? "march/gradient_at_root.glsl"
                                            : "march/end_at_root.glsl");
     add_turn(text, scene, shaders);
-    const bool beam = uses_beams(scene) && origin == Origin::eye;
-    if (beam) text.define("BLOCK", shaders.beams.back().block);
-    if (beam && has_lists(shaders)) text.define("LISTS", 1);
-    text.file(beam ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
     text.file("march/march.glsl");
 }
 
@@ -138,54 +137,6 @@ std::string march_text(const scene::Scene& scene, Shaders& shaders, Origin origi
     text.file_of_stage("march/store_state.glsl", "stage/store_state.glsl");
     text.file("march/march_pixel.glsl");
     text.file_of_stage("stage/march.frag", "stage/march.comp");
-    return text.take();
-}
-
-// What lists of elements need: the bound of F, and of what an element adds to its sum.
-void add_bounds_of_sum(ShaderText& text, const formula::Field& field, const FieldStorage& storage) {
-    const formula::LinearSum sum = formula::linear_sum(field).value();
-    std::set<std::string> kernels = formula::interval_kernels_used(sum.rest_and_factor);
-    kernels.merge(formula::interval_kernels_used(sum.term));
-    add_field(text, field, storage, {FieldFunction::value_interval},
-              {{field.text, std::move(kernels),
-                formula::glsl_rest_and_factor_interval(sum, field.packing) +
-                    formula::glsl_term_interval(sum, field.packing)}},
-              true);
-}
-
-// `parent`: pixels across the beams that these lie in, or 0.
-std::string beam_text(const scene::Scene& scene, const BeamShader& beam, int parent,
-                      Shaders& shaders) {
-    const formula::Field& field = *scene.surface.field;
-    ShaderText text(shaders.files);
-    if (beam.makes_lists) text.version(430);
-    text.define("BLOCK", beam.block);
-    text.define("BOTH_ENDS", int(beam.makes_lists));
-    if (has_lists(shaders)) {
-        text.define("LISTS", 1);
-        text.generated("2^-20", "#define LEFT_OUT 9.53674316e-7\n");
-        add_bounds_of_sum(text, field, shaders);
-    } else {
-        add_field(text, field, shaders, {FieldFunction::value_interval});
-    }
-    if (beam.makes_lists) {
-        text.define("TEXELS", shaders.arrays[0].texels);
-        text.define("PIECES", parent > 0 ? 16 : 6);
-        text.generated(
-            "generated: the array and its lists, for writing",
-            "layout(std430, binding = 0) writeonly buffer Lists { vec4 list_texels[]; };\n"
-            "uniform ivec3 list; // first element, most of a block, blocks across\n");
-    }
-    text.file("frame.glsl");
-    text.generated("generated: least and most tau, the shortest piece; rounding, a length",
-                   "uniform vec4 beam;\n");
-    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
-    text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
-    if (parent > 0) text.define("PARENT_BLOCK", parent);
-    text.file(parent > 0 ? "march/beam_of_parent.glsl" : "march/beam_whole.glsl");
-    text.file("march/beam_way.glsl");
-    if (beam.makes_lists) text.file("march/beam_list.glsl");
-    text.file("march/beam.frag");
     return text.take();
 }
 
@@ -380,17 +331,7 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
         shaders.degree = scene::solved_degree(*scene.surface.field);
     }
     shaders.state_textures = scene.isolation.method == scene::Method::hermite ? 3 : 2;
-    if (uses_beams(scene)) {
-        shaders.beams =
-            has_lists(shaders)
-                ? std::vector<BeamShader>{{64, true, {}}, {16, true, {}}, {8, false, {}}}
-                : std::vector<BeamShader>{{8, false, {}}};
-        int parent = 0;
-        for (BeamShader& beam : shaders.beams) {
-            beam.text = beam_text(scene, beam, parent, shaders);
-            parent = beam.block;
-        }
-    }
+    if (uses_beams(scene)) add_beams(scene, shaders);
     shaders.march = march_text(scene, shaders, Origin::eye);
     ShaderText active(shaders.files);
     active.file("march/state.glsl");

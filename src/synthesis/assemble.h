@@ -15,11 +15,16 @@
 
 namespace isomotion::synthesis {
 
+// Which of an array's elements a level of beams tells apart: those that matter in all of a beam's
+// part, or in its front, beyond which the list of the level before it holds.
+enum class BeamLists { none, whole, front };
+
 // Finds which part of their way the rays of each block of pixels need to march.
 struct BeamShader {
-    int block = 0;            // pixels across
-    bool makes_lists = false; // of the array's elements that matter in a beam
-    std::string text;
+    int block = 0; // pixels across
+    BeamLists lists = BeamLists::none;
+    int square_bits = 0; // of its blocks, squares of 2^bits are kept apart: march/beam_place.glsl
+    std::string text{};
 };
 
 struct Shaders : FieldStorage {
@@ -56,6 +61,9 @@ struct Shaders : FieldStorage {
     std::vector<Channel> attachments;
     std::vector<std::string> files; // of shaders/, as used
 };
+
+// Texels from one of the squares of a level of beams to the next.
+inline constexpr int beam_square = 64;
 
 // Whether a scene's rays go by beams: as it says, or else with the method hermite where bounds of
 // the field cost less than what they save.

@@ -26,12 +26,8 @@ std::string declarations(const FieldStorage& storage) {
         fmt::format("vec4 parameters[{0}] = vec4[{0}]({1});\n", storage.parameter_vectors, copies);
     for (std::size_t a = 0; a < storage.arrays.size(); ++a) {
         const ArrayStorage& array = storage.arrays[a];
-        const bool block = array.kind == ArrayStorage::Kind::uniform_block;
         text +=
             fmt::format("int {}_count = array_counts[{}].{};\n", array.name, a / 4, "xyzw"[a % 4]);
-        text += block ? fmt::format("layout(std140) uniform {0}_block {{ vec4 {0}[{1}]; }};\n",
-                                    array.name, array.capacity * array.texels)
-                      : fmt::format("uniform samplerBuffer {};\n", array.name);
         std::string element = "element";
         if (array.has_lists) {
             // Another list than all elements, once entered.
@@ -42,10 +38,26 @@ std::string declarations(const FieldStorage& storage) {
         }
         const std::string at =
             array.texels == 1 ? element : fmt::format("{} * {} + texel", element, array.texels);
-        text +=
-            fmt::format("vec4 {0}_texel(int element, int texel) {{ return {1}; }}\n", array.name,
-                        block ? fmt::format("{}[{}]", array.name, at)
-                              : fmt::format("texelFetch({}, {})", array.name, at));
+        std::string texel;
+        switch (array.kind) {
+        case ArrayStorage::Kind::uniform_block:
+            text += fmt::format("layout(std140) uniform {0}_block {{ vec4 {0}[{1}]; }};\n",
+                                array.name, array.capacity * array.texels);
+            texel = fmt::format("{}[{}]", array.name, at);
+            break;
+        case ArrayStorage::Kind::texture_buffer:
+            text += fmt::format("uniform samplerBuffer {};\n", array.name);
+            texel = fmt::format("texelFetch({}, {})", array.name, at);
+            break;
+        case ArrayStorage::Kind::storage_buffer:
+            text += fmt::format("layout(std430, binding = {0}) buffer {1}_buffer {{ vec4 {1}[]; "
+                                "}};\n",
+                                a, array.name);
+            texel = fmt::format("{}[{}]", array.name, at);
+            break;
+        }
+        text += fmt::format("vec4 {}_texel(int element, int texel) {{ return {}; }}\n", array.name,
+                            texel);
     }
     return text;
 }

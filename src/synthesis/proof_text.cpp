@@ -1,5 +1,6 @@
 #include "synthesis/proof_text.h"
 
+#include "synthesis/beam_text.h"
 #include "synthesis/shader_text.h"
 
 namespace isomotion::synthesis {
@@ -13,8 +14,7 @@ std::vector<FieldFunction> proof_samples(ProofBounds bounds) {
 std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds bounds) {
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     // Beams that leave out elements which matter little prove nothing about the whole sum.
-    const bool lists = !shaders.arrays.empty() && shaders.arrays[0].has_lists;
-    const bool beam = !shaders.beams.empty() && !lists;
+    const bool beam = !shaders.beams.empty() && !has_lists(shaders);
     ShaderText text(shaders.files);
     add_field(text, *scene.surface.field, shaders, proof_samples(bounds));
     text.file("frame.glsl");
@@ -22,8 +22,7 @@ std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds 
     text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
     text.file("march/ray.glsl");
     text.file("march/state.glsl");
-    if (beam) text.define("BLOCK", shaders.beams.back().block);
-    text.file(beam ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
+    add_entrance(text, beam ? &shaders.beams.back() : nullptr);
     text.file("proof/outcome.glsl");
     text.file("proof/tube.glsl");
     text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");

@@ -9,6 +9,7 @@
 #include "topology/critical.h"
 #include "topology/frame_signs.h"
 #include "topology/moving_frame.h"
+#include "topology/second_proof.h"
 
 namespace isomotion::topology {
 namespace {
@@ -88,6 +89,19 @@ EventSearch event_search(const Analysing& how, const Asking& asking) {
     return searching;
 }
 
+// A sum that doesn't depend on kinds, so that events from seeds have it too.
+void check_euler_number(Timeline& timeline) {
+    if (!timeline.start || !timeline.end || !timeline.unresolved.empty()) return;
+    int found = 0;
+    for (const Event& event : timeline.events) found += euler_change(event);
+    const int expected = timeline.end->euler() - timeline.start->euler();
+    if (found == expected) return;
+    timeline.doubts.push_back(
+        fmt::format("events were missed, if the signs at both ends are right: these change the "
+                    "Euler number by {}, from start to end it changes by {}",
+                    found, expected));
+}
+
 // Events from seeds, with the kinds that their index tells. Without the others there is nothing
 // between the ends.
 Timeline seeded(const scene::Scene& scene, Side side, const Analysing& how, int first, int last,
@@ -104,6 +118,7 @@ Timeline seeded(const scene::Scene& scene, Side side, const Analysing& how, int 
     };
     end(first, timeline.start);
     end(last, timeline.end);
+    check_euler_number(timeline);
     timeline.doubts.push_back(
         fmt::format("first and last frame: signs on a grid of {0}x{0}x{0}, not proved", grid));
     return timeline;
@@ -140,6 +155,12 @@ Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Inte
     find_kinds(timeline, is_late ? KindProofs{} : proofs);
     if (!timeline.start_is_proved && !no_start.empty()) timeline.doubts.push_back(no_start);
     if (!timeline.end_is_proved && !no_end.empty()) timeline.doubts.push_back(no_end);
+    if (!timeline.events.empty() && !asking.stopped()) {
+        asking.show("proofs again", 0);
+        Confirming confirming{.threads = threads_of(how)};
+        confirming.stopped = [&] { return asking.stopped(); };
+        prove_again(timeline, SecondProof(scene, side, range), confirming);
+    }
     if (asking.stopped()) {
         if (!is_late) timeline.doubts.push_back("interrupted while kinds were proved");
         timeline.is_proved = false;

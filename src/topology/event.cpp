@@ -64,6 +64,11 @@ std::vector<Kind> kinds_of(int index, bool grows) {
     }
 }
 
+int euler_change(const Event& event) {
+    if (event.kind == Kind::none) return 0;
+    return event.index % 2 == (event.grows ? 0 : 1) ? 1 : -1;
+}
+
 bool Timeline::is_complete() const {
     const bool told = std::all_of(events.begin(), events.end(), [](const Event& event) {
         return event.is_proved && event.kind != Kind::unknown;

@@ -54,12 +54,17 @@ struct Event {
     bool grows = false;
     Kind kind = Kind::unknown;
     bool is_proved = false; // that it exists, is alone in its enclosure, its index and direction
+    bool is_proved_again = false; // the same, in another arithmetic (second_proof.h)
     // How the kind is known: "index", "path", "counting", "frames"; empty if it isn't.
     std::string kind_proof;
     std::optional<Betti> before, after; // of the solid; empty where unknown
 
     bool operator==(const Event&) const = default;
 };
+
+// What the event adds to the solid's Euler number b0 - b1 + b2, whatever its kind: (-1)^index if it
+// grows, and that from it if it shrinks.
+int euler_change(const Event& event);
 
 // A place where events may be that are not told apart: a degenerate critical point, a singular
 // curve. Never given a kind.

@@ -310,8 +310,7 @@ void check(Timeline& timeline) {
     for (const Event& event : timeline.events) {
         const std::vector<Kind> kinds = kinds_of(event.index, event.grows);
         if (event.kind == Kind::none || kinds.empty()) continue;
-        // Whatever the kind, the Euler number changes by the index.
-        euler += change(kinds.front()).euler();
+        euler += euler_change(event);
         all_known &= event.kind != Kind::unknown;
         sum.components += change(event.kind).components;
         sum.tunnels += change(event.kind).tunnels;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
 #include "formula/derivative.h"
 #include "formula/lowering.h"
 #include "formula/substitute.h"
+#include "topology/kinks.h"
 
 namespace isomotion::topology {
 namespace {
@@ -23,32 +23,6 @@ NodeId derivative(Graph& g, NodeId root, std::size_t by) {
     std::vector<NodeId> direction(most_variables, g.constant(0));
     direction[by] = g.constant(1);
     return formula::differentiate_inputs(g, root, direction, formula::Slopes::generalized);
-}
-
-// 0 where the comparison a < b has one outcome, unbounded on both sides elsewhere.
-NodeId undecided(Graph& g, NodeId a, NodeId b) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const NodeId side = g.unary(Op::sign, g.subtract(a, b));
-    const NodeId zero = g.constant(0);
-    return g.add(g.select(side, side, g.constant(infinity), zero),
-                 g.select(side, side, g.constant(-infinity), zero));
-}
-
-// Slopes over an interval hold across the kinks of min and max, but slopes of those slopes don't:
-// there the first ones jump. What to add to second derivatives. At the ends of sqrt, asin and acos
-// nothing need be added: slopes of slopes are quotients 0/0 there, which have no bounds.
-NodeId kinks(Graph& g, NodeId root) {
-    NodeId all = g.constant(0);
-    for (const NodeId id : formula::nodes_below(g, std::array{root})) {
-        const Node node = g[id];
-        if (node.op != Op::min && node.op != Op::max && node.op != Op::select) continue;
-        NodeId kink = undecided(g, node.children[0], node.children[1]);
-        for (int array = 0; array < formula::max_arrays; ++array) {
-            if (g[kink].arrays & (1u << array)) kink = g.sum(array, kink);
-        }
-        all = g.add(all, kink);
-    }
-    return all;
 }
 
 NodeId drifting(Graph& g, const Drift& drift, std::size_t k, NodeId p, NodeId clock) {

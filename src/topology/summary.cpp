@@ -21,6 +21,16 @@ std::int64_t events_that_change(const Timeline& timeline) {
                                  [](const Event& event) { return event.kind != Kind::none; });
 }
 
+// A line of its own; empty if there is nothing to tell.
+std::string proved_again(const Timeline& timeline) {
+    const auto number = std::ranges::count_if(timeline.events, &Event::is_proved_again);
+    if (number == 0) return "";
+    const auto all = std::int64_t(timeline.events.size());
+    return number == all
+               ? "\neach event proved again in ball arithmetic"
+               : fmt::format("\n{} of {} events proved again in ball arithmetic", number, all);
+}
+
 } // namespace
 
 std::string tally(const Timeline& timeline) {
@@ -60,6 +70,7 @@ std::string summary(const Record& record) {
                                   frame(timeline.events.back()));
     }
     const auto reasons = gaps(timeline, fps);
+    text += proved_again(timeline);
     if (reasons.empty()) return text + "\ncomplete, all proved\n";
     text += "\nINCOMPLETE\n";
     for (const std::string& reason : reasons) text += fmt::format("    {}\n", reason);

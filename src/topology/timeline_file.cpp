@@ -56,6 +56,7 @@ Json json(const Event& event, animation::FrameRate fps) {
             {"index", event.index},
             {"direction", event.grows ? "grows" : "shrinks"},
             {"proved", event.is_proved},
+            {"proved_again", event.is_proved_again},
             {"kind_proof", event.kind_proof},
             {"before", topology(event.before)},
             {"after", topology(event.after)}};
@@ -171,6 +172,7 @@ Event read_event(const JsonValue& node, animation::FrameRate fps) {
     }
     event.kind = *known;
     event.is_proved = object.at("proved").boolean();
+    if (const auto again = object.find("proved_again")) event.is_proved_again = again->boolean();
     event.kind_proof = object.at("kind_proof").text();
     event.before = read_topology(object.at("before"));
     event.after = read_topology(object.at("after"));

@@ -5,12 +5,14 @@
 
 #include "accuracy/compare.h"
 #include "render/drawing.h"
+#include "render/piled_blobs.h"
 #include "truth/certify.h"
 
 namespace isomotion::accuracy {
 namespace {
 
-using render::count, render::draw, render::Picture, render::scene_of, render::Verdict;
+using render::count, render::draw, render::Picture, render::piled_blobs, render::scene_of,
+    render::Verdict;
 
 constexpr const char* proving[] = {"interval", "affine", "sphere"};
 
@@ -107,29 +109,14 @@ TEST_P(Proofs, GivingUpIsNoMissAndNoHit) {
 // Sums loop in both functions that a turn calls: 4001 terms are past the driver's limit of loop
 // iterations after eight turns.
 TEST_P(Proofs, LongSumsAreSummedToTheirEnd) {
-    const auto blobs = [](int number, const char* weight) {
-        return fmt::format(R"toml(
-[surface]
-formula = "sum(blobs, weight*exp(-4*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))) - 0.5"
-bounds = {{ sphere = 2 }}
-[arrays.blobs]
-count = {}
-cx = "0.6*cos(2*pi*i/3)"
-cy = "0.6*sin(2*pi*i/3)"
-cz = "0*i"
-weight = "{}"
-[camera]
-position = [4, 1, 2]
-[output]
-size = [16, 16]
-)toml",
-                           number, weight);
-    };
+    const std::string output = "[output]\nsize = [16, 16]\n";
     for (const char* method : proving) {
         SCOPED_TRACE(method);
-        const Picture few = draw(*context, scene_of(blobs(3, "1 + 0*i") + isolation(method)));
+        const Picture few =
+            draw(*context, scene_of(piled_blobs(3, "1 + 0*i", output + isolation(method))));
         const Picture many = draw(
-            *context, scene_of(blobs(4001, "max(0, min(1, i - (n - 4)))") + isolation(method)));
+            *context,
+            scene_of(piled_blobs(4001, "max(0, min(1, i - (n - 4)))", output + isolation(method))));
         EXPECT_GT(count(few, Verdict::hit), 30);
         EXPECT_EQ(few.verdicts, many.verdicts);
         EXPECT_GT(many.passes, few.passes);

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "gallery/animations.h"
+#include "gallery/segment.h"
 #include "render/drawing.h"
-#include "scene/rays.h"
 
 namespace isomotion::render {
 namespace {
@@ -16,36 +16,6 @@ protected:
 ISOMOTION_ON_EVERY_ANIMATION(GalleryHits);
 
 constexpr int side = 48;
-
-struct Segment {
-    glm::dvec3 anchor, direction;
-    double near = 1, far = 0;
-};
-
-// The part of a pixel's ray in the bounds, in double; rows from the top.
-Segment segment(const scene::SceneAt& now, const scene::Rays& rays, int column, int row) {
-    const double u = 2 * (column + 0.5) / side - 1, v = 1 - 2 * (row + 0.5) / side;
-    const glm::dvec3 across = u * rays.right + v * rays.up;
-    const glm::dvec3 from_eye = rays.parallel ? rays.axis : rays.axis + across;
-    Segment s{rays.origin + across, glm::normalize(from_eye)};
-    if (now.bounds.shape == scene::Bounds::Shape::sphere) {
-        const glm::dvec3 from = s.anchor - now.bounds.centre;
-        const double middle = -glm::dot(from, s.direction);
-        const double square =
-            now.bounds.radius * now.bounds.radius - glm::dot(from, from) + middle * middle;
-        if (square < 0) return s;
-        s.near = middle - std::sqrt(square);
-        s.far = middle + std::sqrt(square);
-    } else {
-        const glm::dvec3 a = (now.bounds.min - s.anchor) / s.direction;
-        const glm::dvec3 b = (now.bounds.max - s.anchor) / s.direction;
-        const glm::dvec3 enter = glm::min(a, b), leave = glm::max(a, b);
-        s.near = std::max({enter.x, enter.y, enter.z});
-        s.far = std::min({leave.x, leave.y, leave.z});
-    }
-    s.near = std::max(s.near, -glm::length(from_eye));
-    return s;
-}
 
 // F at `count` places from `begin` to `end` of a ray.
 std::vector<double> samples(const scene::Scene& scene, const formula::Bindings<double>& bindings,
@@ -87,7 +57,7 @@ TEST_P(GalleryHits, AreTheFirstRootsThatDenseSamplingFinds) {
         for (int row = 0; row < side; ++row) {
             for (int column = 0; column < side; ++column) {
                 const auto k = std::size_t(row * side + column);
-                const Segment s = segment(now, rays, column, row);
+                const Segment s = segment(now, rays, side, column, row);
                 if (!(s.near < s.far)) continue;
                 ++checked;
                 const auto verdict = Verdict(int(channel("verdict", k)));

@@ -5,58 +5,70 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
+#include "scene/data_folder.h"
 #include "scene/load.h"
 
 namespace isomotion::render {
 namespace {
 
-std::vector<std::string> animations() {
-    std::vector<std::string> names;
-    for (const auto& file :
-         std::filesystem::directory_iterator(ISOMOTION_SOURCE_DIR "/animations")) {
-        if (file.path().extension() == ".toml") names.push_back(file.path().stem());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 // As amp-sign's steps depend on where a ray begins, and a beam moves that, a picture may find roots
-// that another steps over; so each is held against three finer ones.
+// that another steps over; so each is held against two finer ones.
 struct Comparison {
     int hits = 0;  // without beams
     int lost = 0;  // of them, not even at the finest step with beams
     int later = 0; // of them, a root behind by more than steps explain
 };
 
+// A scene's renderers: without beams, and with them at three steps. They compile once, whatever the
+// camera.
+class Views {
+public:
+    Views(gpu::Context& context, const scene::Scene& scene)
+        : context_(context)
+        , scene_(scene) {}
+
+    Picture plain(const scene::SceneAt& now, const scene::Aim& aim) {
+        return draw(plain_, false, 1, now, aim);
+    }
+    Picture beams(const scene::SceneAt& now, const scene::Aim& aim, std::size_t level) {
+        constexpr double finer[] = {1, 5, 23};
+        return draw(beams_[level], true, finer[level], now, aim);
+    }
+
+private:
+    Picture draw(std::unique_ptr<Renderer>& renderer, bool beam, double finer,
+                 const scene::SceneAt& now, const scene::Aim& aim) {
+        if (!renderer) {
+            scene::Scene changed = scene_;
+            changed.isolation.method = scene::Method::amp_sign;
+            changed.isolation.beam = beam;
+            changed.isolation.step /= finer;
+            scenes_.push_back(std::make_unique<scene::Scene>(std::move(changed)));
+            const scene::Scene& drawn = *scenes_.back();
+            renderer = std::make_unique<Renderer>(
+                context_, drawn,
+                RenderOptions{drawn.output.width,
+                              drawn.output.height,
+                              {synthesis::Channel::verdict, synthesis::Channel::position},
+                              {}});
+        }
+        return renderer->draw(now, aim);
+    }
+
+    gpu::Context& context_;
+    const scene::Scene& scene_;
+    std::vector<std::unique_ptr<scene::Scene>> scenes_; // that renderers refer to
+    std::unique_ptr<Renderer> plain_, beams_[3];
+};
+
 class Beams : public Drawing {
 protected:
     static constexpr const char* size = "output.size=[97,61]"; // no multiple of any block
 
-    static scene::Scene with(const scene::Scene& scene, bool beam, double finer) {
-        scene::Scene changed = scene;
-        changed.isolation.method = scene::Method::amp_sign;
-        changed.isolation.beam = beam;
-        changed.isolation.step /= finer;
-        // The picture alone is compared, and secondary rays cost.
-        return changed;
-    }
-
-    Picture look(const scene::Scene& scene, const scene::SceneAt& now, const scene::Aim& aim) {
-        Renderer renderer(*context, scene,
-                          {scene.output.width,
-                           scene.output.height,
-                           {synthesis::Channel::verdict, synthesis::Channel::position},
-                           {}});
-        return renderer.draw(now, aim);
-    }
-
-    Comparison compare(const scene::Scene& scene, const scene::SceneAt& now,
-                       const scene::Aim& aim = {}) {
+    Comparison compare(Views& views, const scene::SceneAt& now, const scene::Aim& aim = {}) {
         Comparison result;
-        const Picture plain = look(with(scene, false, 1), now, aim);
-        const Picture beams = look(with(scene, true, 1), now, aim);
+        const Picture plain = views.plain(now, aim);
+        const Picture beams = views.beams(now, aim, 0);
         std::vector<Picture> finer;
         const auto channel = [](const Picture& picture, const char* name) {
             return std::span<const float>(picture.frame.find(name)->samples);
@@ -82,9 +94,7 @@ protected:
             ++result.hits;
             bool lost = is_lost(beams, k), later = is_later(beams, k);
             for (std::size_t f = 0; (lost || later) && f < 2; ++f) {
-                if (f == finer.size()) {
-                    finer.push_back(look(with(scene, true, f == 0 ? 5 : 23), now, aim));
-                }
+                if (f == finer.size()) finer.push_back(views.beams(now, aim, f + 1));
                 lost = lost && is_lost(finer[f], k);
                 later = later && is_later(finer[f], k);
             }
@@ -102,7 +112,7 @@ scene::SceneAt moment(const scene::Scene& scene) {
 
 TEST_P(Beams, LoseNoHitOfAnyAnimation) {
     int scenes = 0;
-    for (const auto& name : animations()) {
+    for (const auto& name : scene::animation_names()) {
         SCOPED_TRACE(name);
         scene::Scene scene = scene::load(name, {size});
         // What is compared is the eye's rays.
@@ -113,7 +123,8 @@ TEST_P(Beams, LoseNoHitOfAnyAnimation) {
         scene.ground.reset();
         for (auto& light : scene.lights) light.shadow = false;
         if (scene.surface.field->value.instructions.size() > 400) continue; // slow to compile
-        const Comparison result = compare(scene, moment(scene));
+        Views views(*context, scene);
+        const Comparison result = compare(views, moment(scene));
         EXPECT_GT(result.hits, 100);
         EXPECT_EQ(result.lost, 0) << "of " << result.hits;
         EXPECT_EQ(result.later, 0) << "of " << result.hits;
@@ -129,6 +140,7 @@ constexpr const char* kinds[] = {"torus", "cayley", "superquadric", "blobby75",
 TEST_P(Beams, LoseNoHitWhereverTheCameraIs) {
     for (const char* name : kinds) {
         const scene::Scene scene = scene::load(name, {size});
+        Views views(*context, scene);
         const scene::SceneAt now = moment(scene);
         const glm::dvec3 target = now.camera.target;
         const glm::dvec3 back = now.camera.position - target;
@@ -144,7 +156,7 @@ TEST_P(Beams, LoseNoHitWhereverTheCameraIs) {
                     from.camera.zoom = 1;
                 }
                 if (distance < 0.5) from.camera.fov = 100;
-                const Comparison result = compare(scene, from);
+                const Comparison result = compare(views, from);
                 EXPECT_EQ(result.lost, 0) << "of " << result.hits;
                 EXPECT_EQ(result.later, 0) << "of " << result.hits;
                 if (distance >= 1) {
@@ -158,6 +170,7 @@ TEST_P(Beams, LoseNoHitWhereverTheCameraIs) {
 TEST_P(Beams, LoseNoHitOfAnyAimOfALens) {
     for (const char* name : {"torus", "superquadric", "blobby75"}) {
         const scene::Scene scene = scene::load(name, {size});
+        Views views(*context, scene);
         scene::SceneAt now = moment(scene);
         const double distance = glm::length(now.camera.position - now.camera.target);
         for (const bool parallel : {false, true}) {
@@ -175,7 +188,7 @@ TEST_P(Beams, LoseNoHitOfAnyAimOfALens) {
                         SCOPED_TRACE(fmt::format("{}, aperture {}, focus {}, lens {} {}, {}", name,
                                                  aperture, focus, aim.lens.x, aim.lens.y,
                                                  parallel ? "parallel" : "from the eye"));
-                        const Comparison result = compare(scene, now, aim);
+                        const Comparison result = compare(views, now, aim);
                         EXPECT_EQ(result.lost, 0) << "of " << result.hits;
                         EXPECT_EQ(result.later, 0) << "of " << result.hits;
                     }
@@ -192,7 +205,8 @@ TEST_P(Beams, PicturesOfAnySizeAndTiling) {
          {std::pair{1, 1}, {3, 7}, {8, 8}, {9, 17}, {64, 65}, {129, 5}}) {
         const scene::Scene scene =
             scene::load("blobby75", {fmt::format("output.size=[{},{}]", width, height)});
-        const Comparison result = compare(scene, moment(scene));
+        Views views(*context, scene);
+        const Comparison result = compare(views, moment(scene));
         EXPECT_EQ(result.lost, 0) << width << " x " << height;
         EXPECT_EQ(result.later, 0) << width << " x " << height;
     }

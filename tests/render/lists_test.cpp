@@ -96,11 +96,11 @@ TEST_P(Lists, OfThousandsOfElements) {
     EXPECT_LT(found.behind, 1e-5);
 }
 
-// So wide that all matter everywhere: no list holds 600, and beams go on with all elements.
+// So wide that all matter everywhere: no list holds 1100, and beams go on with all elements.
 TEST_P(Lists, TooLongOnesAreLeftOut) {
     for (const double sharpness : {0.5, 3.0, 12.0}) {
-        const double threshold = sharpness < 1 ? 150 : sharpness < 10 ? 40 : 6;
-        const Difference found = compare(scene_of(blobs(600, gaussian(sharpness, threshold))), 1);
+        const double threshold = sharpness < 1 ? 275 : sharpness < 10 ? 73 : 11;
+        const Difference found = compare(scene_of(blobs(1100, gaussian(sharpness, threshold))), 1);
         EXPECT_GT(found.hits, 300) << sharpness;
         EXPECT_LE(found.lost, 1) << sharpness;
         EXPECT_LT(found.behind, 1e-5) << sharpness;

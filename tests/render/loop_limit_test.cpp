@@ -1,6 +1,7 @@
 // llvmpipe ends every loop of a shader, silently, after 65535 iterations in all. Pictures that need
 // more must be right all the same.
 #include "render/drawing.h"
+#include "render/piled_blobs.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,28 +13,15 @@ class LoopLimit : public Drawing {};
 ISOMOTION_ON_EVERY_BACKEND(LoopLimit);
 
 std::string blobs(int count, const std::string& weight) {
-    return fmt::format(R"toml(
-[surface]
-formula = "sum(blobs, weight*exp(-4*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))) - 0.5"
-bounds = {{ sphere = 2 }}
-[arrays.blobs]
-count = {}
-cx = "0.6*cos(2*pi*i/3)"
-cy = "0.6*sin(2*pi*i/3)"
-cz = "0*i"
-weight = "{}"
-[isolation]
+    return piled_blobs(count, weight, R"([isolation]
 method = "amp-sign"
 step = 0.05
 near = 0.4
 far = 0.49
 horizon = 0.5
-[camera]
-position = [4, 1, 2]
 [output]
 size = [32, 32]
-)toml",
-                       count, weight);
+)");
 }
 
 // The last three of 5,000 blobs are the only ones with weight: a loop that ends early misses them.

@@ -34,7 +34,8 @@ protected:
     // driver may reorder arithmetic differently. Measured on llvmpipe: most pictures are equal to
     // the bit; of sums over arrays, and of polynomials solved, some pixels take an evaluation more
     // or fewer and hits move by their last bits.
-    void expect_same(const scene::Scene& scene, int frame, std::optional<MarchPlan> plan = {}) {
+    void expect_same(const scene::Scene& scene, int frame, std::optional<MarchPlan> plan = {},
+                     int most_depths = 1) {
         const Picture fragment = draw_by(StageChoice::fragment, scene, frame, plan);
         const Picture compute = draw_by(StageChoice::compute, scene, frame, plan);
         EXPECT_GT(count(fragment, Verdict::hit), 0);
@@ -50,7 +51,7 @@ protected:
             other_depths += std::abs(depth[k] - depth_too[k]) > 1e-5 * depth[k];
         }
         EXPECT_LE(other_verdicts, 1);
-        EXPECT_LE(other_depths, 1);
+        EXPECT_LE(other_depths, most_depths);
         EXPECT_NEAR(double(fragment.evaluations), double(compute.evaluations),
                     1e-2 * double(fragment.evaluations));
     }
@@ -60,13 +61,18 @@ ISOMOTION_ON_EVERY_BACKEND(StageOf);
 // Neither side of the picture is a multiple of a work group's. Among the scenes: a high degree, a
 // sum over an array in a block, a sphere and a box as bounds.
 TEST_P(StageOf, ChangesLastBitsAtMostWhateverTheMethod) {
-    for (const char* name : {"barth_sextic", "goursat", "blobby75", "twisting_superquadric"}) {
+    for (const char* name :
+         {"barth_decic", "barth_sextic", "goursat", "blobby75", "twisting_superquadric"}) {
         for (const auto method : scene::methods_for(*scene::load(name).surface.field)) {
             SCOPED_TRACE(fmt::format("{} {}", name, scene::name(method)));
+            // Float32 loses so much in the coefficients of degree 10 that the order of arithmetic
+            // moves 3 hits.
+            const bool is_weak =
+                method == scene::Method::chebyshev && name == std::string_view("barth_decic");
             expect_same(
                 scene::load(name, {"output.size=[61,43]",
                                    fmt::format("isolation.method=\"{}\"", scene::name(method))}),
-                31);
+                31, {}, is_weak ? 4 : 1);
         }
     }
 }

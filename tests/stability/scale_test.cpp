@@ -1,10 +1,9 @@
 // Size and place of a scene change nothing: neither by its placement nor by its formula.
 #include "stability/hard_case.h"
 
-#include <filesystem>
-
 #include <fmt/format.h>
 
+#include "scene/data_folder.h"
 #include "scene/load.h"
 
 namespace isomotion::stability {
@@ -51,17 +50,7 @@ TEST_P(Placed, GivesTheSameVerdicts) {
     }
 }
 
-std::vector<std::string> animations() {
-    std::vector<std::string> names;
-    for (const auto& file :
-         std::filesystem::directory_iterator(ISOMOTION_SOURCE_DIR "/animations")) {
-        if (file.path().extension() == ".toml") names.push_back(file.path().stem());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Stability, Placed, testing::ValuesIn(animations()),
+INSTANTIATE_TEST_SUITE_P(Stability, Placed, testing::ValuesIn(scene::animation_names()),
                          [](const auto& tested) { return tested.param; });
 
 // The same shape in another unit of length: nothing but the formula and its bounds says so.

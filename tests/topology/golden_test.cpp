@@ -1,41 +1,22 @@
 // Timelines of the gallery that were looked at and kept: what is found today is the same.
-//
-// golden/NAME.timeline.json is what `isomotion topology NAME -o` writes. Where one changes for a
-// reason it is written anew, and its summary read.
+// Where one changes for a reason it is written anew, and its summary read.
 #include <algorithm>
-#include <filesystem>
 
 #include <gtest/gtest.h>
 
 #include "topology/analyse.h"
 #include "topology/expectation.h"
+#include "topology/golden.h"
 #include "topology/scenes.h"
+#include "topology/second_proof.h"
 #include "topology/timeline_file.h"
 
 namespace isomotion::topology {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::vector<std::string> names() {
-    constexpr std::string_view extension = ".timeline.json";
-    std::vector<std::string> names;
-    for (const auto& entry :
-         fs::directory_iterator(ISOMOTION_SOURCE_DIR "/tests/topology/golden")) {
-        const std::string file = entry.path().filename().string();
-        if (file.ends_with(extension))
-            names.push_back(file.substr(0, file.size() - extension.size()));
-    }
-    std::ranges::sort(names);
-    return names;
-}
-
 class Golden : public testing::TestWithParam<std::string> {
 protected:
-    fs::path file() const {
-        return fs::path(ISOMOTION_SOURCE_DIR) / "tests/topology/golden" /
-               (GetParam() + ".timeline.json");
-    }
+    std::filesystem::path file() const { return golden_file(GetParam()); }
 };
 
 TEST_P(Golden, IsFoundAgain) {
@@ -44,6 +25,7 @@ TEST_P(Golden, IsFoundAgain) {
     Record found{{}, analyse(scene)};
     found.subject = subject_of(scene, found.timeline.range);
     const Check same = check(expectation, found);
+    EXPECT_TRUE(std::ranges::all_of(found.timeline.events, &Event::is_proved_again));
     const Record golden = std::get<Record>(expectation);
     EXPECT_EQ(same.outcome(), golden.timeline.is_complete() ? Outcome::passes : Outcome::incomplete)
         << text(same, file().string());
@@ -66,7 +48,18 @@ TEST_P(Golden, IsFoundAgain) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Gallery, Golden, testing::ValuesIn(names()),
+// What is kept, not what is found today.
+TEST_P(Golden, IsProvedAgainInBalls) {
+    const scene::Scene scene = animated(GetParam());
+    Timeline timeline = read_timeline(file()).timeline;
+    const SecondProof proof(scene, solid_side(scene), timeline.range);
+    for (const Event& event : timeline.events) {
+        EXPECT_TRUE(event.is_proved_again);
+        EXPECT_EQ(proof.ask(event), SecondProof::Answer::holds) << event.time.lo;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Gallery, Golden, testing::ValuesIn(golden_names()),
                          [](const auto& name) { return name.param; });
 
 } // namespace

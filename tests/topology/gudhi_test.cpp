@@ -1,5 +1,9 @@
-// Betti numbers of grids against GUDHI's persistent homology of a cubical complex.
+// Betti numbers of grids against GUDHI's persistent homology, of two complexes.
 //
+// One is Kuhn's, as a simplex tree of the solid's simplices alone: edges between neighbours, and
+// all that these make, for its simplices are the sets of vertices any two of which are neighbours.
+//
+// The other one doesn't know of Kuhn's.
 // GUDHI's cells are closed cubes, which meet in corners too: not Kuhn's complex. Bricks are: of
 // size 4 by 2 by 1, each layer shifted against the one below, they meet exactly where vertices are
 // neighbours, and boxes that meet pairwise have a point in common. So the bricks of a solid have
@@ -18,6 +22,7 @@
 #include <gudhi/Bitmap_cubical_complex.h>
 #include <gudhi/Bitmap_cubical_complex_base.h>
 #include <gudhi/Persistent_cohomology.h>
+#include <gudhi/Simplex_tree.h>
 #pragma GCC diagnostic pop
 
 #include "topology/sign_grid.h"
@@ -65,6 +70,60 @@ Betti betti_by_bricks(const SignGrid& grid) {
     return betti_of_cubes({unsigned(nx), unsigned(ny), unsigned(nz)}, cubes);
 }
 
+Betti betti_by_simplices(const SignGrid& grid) {
+    const int n = grid.side();
+    Gudhi::Simplex_tree<> tree;
+    const auto is_in = [&](int x, int y, int z) {
+        return x < n && y < n && z < n && grid.at(x, y, z);
+    };
+    const auto vertex = [&](int x, int y, int z) { return (z * n + y) * n + x; };
+    for (int z = 0; z < n; ++z) {
+        for (int y = 0; y < n; ++y) {
+            for (int x = 0; x < n; ++x) {
+                if (is_in(x, y, z)) tree.insert_simplex(std::array{vertex(x, y, z)});
+            }
+        }
+    }
+    for (int z = 0; z < n; ++z) {
+        for (int y = 0; y < n; ++y) {
+            for (int x = 0; x < n; ++x) {
+                if (!is_in(x, y, z)) continue;
+                for (int step = 1; step < 8; ++step) {
+                    const int i = x + (step & 1), j = y + (step >> 1 & 1), k = z + (step >> 2);
+                    if (is_in(i, j, k))
+                        tree.insert_simplex(std::array{vertex(x, y, z), vertex(i, j, k)});
+                }
+            }
+        }
+    }
+    tree.expansion(3);
+    Gudhi::persistent_cohomology::Persistent_cohomology<Gudhi::Simplex_tree<>,
+                                                        Gudhi::persistent_cohomology::Field_Zp>
+        cohomology(tree, /*persistence_dim_max=*/true);
+    cohomology.init_coefficients(2);
+    cohomology.compute_persistent_cohomology();
+    return {cohomology.betti_number(0), cohomology.betti_number(1), cohomology.betti_number(2)};
+}
+
+// Waves in all directions, cut off by a ball.
+SignGrid waves(int side, std::uint64_t seed, double reach, double level) {
+    formula::Random random(seed);
+    struct Wave {
+        glm::dvec3 vector;
+        double phase;
+    };
+    std::vector<Wave> waves(8);
+    for (Wave& wave : waves) {
+        const auto v = random.point(reach);
+        wave = {{v[0], v[1], v[2]}, random.in(0, 2 * std::numbers::pi)};
+    }
+    return grid_of(side, [&](const glm::dvec3& p) {
+        double f = 0;
+        for (const Wave& wave : waves) f += std::sin(glm::dot(wave.vector, p) + wave.phase);
+        return f < level && glm::length(p) < 0.95;
+    });
+}
+
 TEST(Gudhi, Noise) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         formula::Random random(seed);
@@ -75,26 +134,36 @@ TEST(Gudhi, Noise) {
     }
 }
 
-// Waves in all directions, cut off by a ball.
 TEST(Gudhi, Waves) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-        formula::Random random(seed);
-        struct Wave {
-            glm::dvec3 vector;
-            double phase;
-        };
-        std::vector<Wave> waves(8);
-        for (Wave& wave : waves) {
-            const auto v = random.point(8);
-            wave = {{v[0], v[1], v[2]}, random.in(0, 2 * std::numbers::pi)};
-        }
-        const SignGrid grid = grid_of(15, [&](const glm::dvec3& p) {
-            double f = 0;
-            for (const Wave& wave : waves) f += std::sin(glm::dot(wave.vector, p) + wave.phase);
-            return f < -0.3 && glm::length(p) < 0.95;
-        });
-        EXPECT_EQ(betti(grid), betti_by_bricks(grid)) << "seed " << seed;
+        const SignGrid grid = waves(15, seed, 8, -0.3);
+        const Betti expected = betti_by_bricks(grid);
+        EXPECT_EQ(betti(grid), expected) << "seed " << seed;
+        EXPECT_EQ(betti_by_simplices(grid), expected) << "seed " << seed;
     }
+}
+
+// Ten of noise and ten of waves, with hundreds of components, tunnels and voids.
+TEST(Gudhi, LargeGrids) {
+    constexpr int side = 48;
+    Betti most{};
+    const auto expect_same = [&](const SignGrid& grid) {
+        const Betti found = betti(grid);
+        EXPECT_EQ(found, betti_by_simplices(grid));
+        most.components = std::max(most.components, found.components);
+        most.tunnels = std::max(most.tunnels, found.tunnels);
+        most.voids = std::max(most.voids, found.voids);
+    };
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        formula::Random random(seed);
+        const double density = random.in(0.05, 0.4);
+        expect_same(grid_of(side, [&](const glm::dvec3&) { return random.in(0, 1) < density; }));
+        expect_same(waves(side, seed, 30, random.in(-3, 0)));
+    }
+    EXPECT_GT(most.components, 100);
+    EXPECT_GT(most.tunnels, 100);
+    EXPECT_GT(most.voids, 0);
 }
 
 } // namespace

@@ -105,6 +105,12 @@ TEST(Seeded, StopsWhenAsked) {
     EXPECT_FALSE(timeline.is_proved);
 }
 
+bool says_that_events_were_missed(const Timeline& timeline) {
+    return std::ranges::any_of(timeline.doubts, [](const std::string& doubt) {
+        return doubt.starts_with("events were missed");
+    });
+}
+
 TEST(AnalyseFast, HasEventsKindsOfTheirIndexAndBothEnds) {
     Moving born = tangle;
     born.rest = "[time]\nfps = 10\nframes = 111\n";
@@ -127,6 +133,21 @@ TEST(AnalyseFast, HasEventsKindsOfTheirIndexAndBothEnds) {
     }
     EXPECT_EQ(births, 8);
     EXPECT_EQ(fills, 1);
+    EXPECT_FALSE(says_that_events_were_missed(timeline));
+}
+
+// No gradient leads to where a cube is born: the ends tell that something was.
+TEST(AnalyseFast, SaysThatEventsWereMissedWhereTheEulerNumberTells) {
+    Analysing how;
+    how.certify = Certify::fast;
+    how.threads = 1;
+    const Moving cube{"max(abs(x), max(abs(y), abs(z))) - c", "{ box = [[-1, -1, -1], [1, 1, 1]] }",
+                      "c = \"t - 0.5\"", "[time]\nfps = 10\nframes = 11\n"};
+    const Timeline missed = analyse(cube.scene(), how);
+    EXPECT_EQ(missed.start, (Betti{0, 0, 0}));
+    EXPECT_EQ(missed.end, (Betti{1, 0, 0}));
+    EXPECT_TRUE(missed.events.empty()) << described(missed);
+    EXPECT_TRUE(says_that_events_were_missed(missed)) << described(missed);
 }
 
 } // namespace

@@ -22,6 +22,16 @@ TEST(Summary, OfAllThatIsProved) {
                 HasSubstr("\n1 event: 1 birth; at frame 5.125\n"));
 }
 
+TEST(Summary, TellsHowManyEventsAreProvedAgain) {
+    Record record = story();
+    record.timeline.events[1].is_proved_again = true;
+    EXPECT_THAT(summary(record),
+                HasSubstr("\n1 of 4 events proved again in ball arithmetic\ncomplete"));
+    for (Event& event : record.timeline.events) event.is_proved_again = true;
+    EXPECT_THAT(summary(record),
+                HasSubstr("\neach event proved again in ball arithmetic\ncomplete"));
+}
+
 TEST(Summary, NeverCallsCompleteWhatIsNot) {
     const auto with = [](auto&& edit) {
         Record record = story();

@@ -89,6 +89,7 @@ Record any_record(std::mt19937_64& random) {
         event.grows = random() % 2;
         event.kind = Kind(random() % (std::uint64_t(Kind::none) + 1));
         event.is_proved = random() % 2;
+        event.is_proved_again = random() % 2;
         event.kind_proof = any_text(random);
         event.before = any_betti(random);
         event.after = any_betti(random);

@@ -1,11 +1,14 @@
 // Every operation of the language in balls, against its meaning on doubles: at points, and a ball
 // against its members. Arguments reach past the ends of what has a value.
-#include "ball_program.h"
+#include "ball/ball_program.h"
 
 #include "unit/formula/testing.h"
 
 namespace isomotion::truth_arb {
 namespace {
+
+using ball::Ball;
+using ball::BallProgram;
 
 constexpr unsigned seed = 31;
 
@@ -75,6 +78,35 @@ INSTANTIATE_TEST_SUITE_P(Balls, EveryOperation,
                                          "pow(x, 3)", "chebyshev(9, x/2)", "chebyshev(24, x/3)",
                                          "a*x + b*y + c", "sum(blobs, weight*exp(-(x - cx)^2))",
                                          "sum(blobs, cx*sum(links, px*abs(y - py)))"));
+
+// Against intervals, whose ends belong to them.
+TEST(Ball, IsInAnIntervalOrApart) {
+    constexpr double infinity = formula::infinity;
+    const double after_one = std::nextafter(1.0, 2.0);
+    const Ball one(1.0), wide(0.0, 1.0);
+    EXPECT_TRUE(one.is_in(1, 1));
+    EXPECT_TRUE(one.is_in(-infinity, 1));
+    EXPECT_FALSE(one.is_in(after_one, 2));
+    EXPECT_FALSE(one.is_apart_from(1, 2));
+    EXPECT_TRUE(one.is_apart_from(after_one, infinity));
+    EXPECT_TRUE(one.is_apart_from(-infinity, std::nextafter(1.0, 0.0)));
+    EXPECT_TRUE(wide.is_in(-1e-8, 1 + 1e-8));
+    EXPECT_FALSE(wide.is_in(0.1, 2));
+    EXPECT_FALSE(wide.is_apart_from(0.5, 0.5));
+    EXPECT_FALSE(wide.is_apart_from(1, 2));
+    EXPECT_TRUE(wide.is_apart_from(1 + 1e-8, 2));
+    // Of numbers that no double tells from 1.
+    Ball close(1.0);
+    arb_add_error_2exp_si(close.get(), -3000);
+    EXPECT_FALSE(close.is_in(1, 2));
+    EXPECT_FALSE(close.is_apart_from(1, 2));
+    EXPECT_TRUE(close.is_apart_from(after_one, 2));
+    // Without bounds it says nothing.
+    Ball any;
+    arb_indeterminate(any.get());
+    EXPECT_FALSE(any.is_in(-1e300, 1e300));
+    EXPECT_FALSE(any.is_apart_from(-infinity, infinity));
+}
 
 } // namespace
 } // namespace isomotion::truth_arb

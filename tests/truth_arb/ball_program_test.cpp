@@ -1,11 +1,14 @@
 // Doubles, intervals and balls agree on every field of the catalogue.
-#include "ball_program.h"
+#include "ball/ball_program.h"
 
 #include "formula/enclosure.h"
 #include "scenes.h"
 
 namespace isomotion::truth_arb {
 namespace {
+
+using ball::Ball;
+using ball::BallProgram;
 
 using formula::Interval;
 

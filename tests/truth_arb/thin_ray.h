@@ -11,10 +11,13 @@
 
 #include <glm/glm.hpp>
 
-#include "ball_program.h"
+#include "ball/ball_program.h"
 #include "formula/enclosure.h"
 
 namespace isomotion::truth_arb {
+
+using ball::Ball;
+using ball::BallProgram;
 
 struct Ray {
     glm::dvec3 anchor{0}, direction{0}; // points are anchor + t * direction, exactly

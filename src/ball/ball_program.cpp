@@ -1,9 +1,9 @@
-#include "ball_program.h"
+#include "ball/ball_program.h"
 
 #include <algorithm>
 #include <stdexcept>
 
-namespace isomotion::truth_arb {
+namespace isomotion::ball {
 namespace {
 
 using formula::Instruction;
@@ -318,4 +318,4 @@ void BallProgram::operation(const Instruction& now, const formula::Bindings<doub
     }
 }
 
-} // namespace isomotion::truth_arb
+} // namespace isomotion::ball

@@ -3,7 +3,7 @@
 
 #include <arb.h>
 
-namespace isomotion::truth_arb {
+namespace isomotion::ball {
 
 class Ball {
 public:
@@ -43,8 +43,30 @@ public:
     // 1 or -1 if all members have that sign, 0 if that isn't known.
     int sign() const { return arb_is_positive(value_) ? 1 : arb_is_negative(value_) ? -1 : 0; }
 
+    // It has bounds, and all members are in [low, high]; no member is.
+    bool is_in(double low, double high) const {
+        return is_finite() && compare_low(low) >= 0 && compare_high(high) <= 0;
+    }
+    bool is_apart_from(double low, double high) const {
+        return compare_low(high) > 0 || compare_high(low) < 0;
+    }
+
 private:
+    // The least member and the greatest against a number: negative, 0 or positive.
+    int compare_low(double number) const { return compare_end(number, arb_get_lbound_arf); }
+    int compare_high(double number) const { return compare_end(number, arb_get_ubound_arf); }
+    int compare_end(double number, void (*end)(arf_t, const arb_t, slong)) const {
+        // Rounded outwards at so many bits that two ends that differ don't become one.
+        constexpr slong precision = 4096;
+        arf_t bound;
+        arf_init(bound);
+        end(bound, value_, precision);
+        const int order = arf_cmp_d(bound, number);
+        arf_clear(bound);
+        return order;
+    }
+
     arb_t value_;
 };
 
-} // namespace isomotion::truth_arb
+} // namespace isomotion::ball

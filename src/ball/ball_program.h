@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "ball.h"
+#include "ball/ball.h"
 #include "formula/evaluate.h"
 
-namespace isomotion::truth_arb {
+namespace isomotion::ball {
 
 class BallProgram {
 public:
@@ -37,4 +37,4 @@ private:
     std::vector<Ball> registers_;
 };
 
-} // namespace isomotion::truth_arb
+} // namespace isomotion::ball

@@ -1,0 +1,11 @@
+// Where the results of a level of beams are kept. Software renderers give each square of 64 x 64
+// texels to one of their threads, and a level has few texels: squares of 2^bits blocks are kept
+// apart, one in the corner of each.
+
+ivec2 beam_texel(ivec2 block, int bits) {
+    return block + (block >> bits) * (64 - (1 << bits));
+}
+
+ivec2 beam_block(ivec2 texel, int bits) {
+    return ((texel >> 6) << bits) + (texel & 63);
+}

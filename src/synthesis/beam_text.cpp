@@ -1,0 +1,93 @@
+#include "synthesis/beam_text.h"
+
+#include <fmt/format.h>
+
+#include "formula/glsl_interval.h"
+#include "formula/linear_sum.h"
+#include "synthesis/shader_text.h"
+
+namespace isomotion::synthesis {
+namespace {
+
+void define_blocks(ShaderText& text, const BeamShader& beam) {
+    text.define("BLOCK", beam.block);
+    text.define("SQUARE_BITS", beam.square_bits);
+    text.file("march/beam_place.glsl");
+}
+
+// What lists of elements need: the bound of F, and of what an element adds to its sum.
+void add_bounds_of_sum(ShaderText& text, const formula::Field& field, const FieldStorage& storage) {
+    const formula::LinearSum sum = formula::linear_sum(field).value();
+    std::set<std::string> kernels = formula::interval_kernels_used(sum.rest_and_factor);
+    kernels.merge(formula::interval_kernels_used(sum.term));
+    add_field(text, field, storage, {FieldFunction::value_interval},
+              {{field.text, std::move(kernels),
+                formula::glsl_rest_and_factor_interval(sum, field.packing) +
+                    formula::glsl_term_interval(sum, field.packing)}},
+              true);
+}
+
+// `parent`: the beams that these lie in, or null.
+std::string beam_text(const scene::Scene& scene, const BeamShader& beam, const BeamShader* parent,
+                      Shaders& shaders) {
+    const formula::Field& field = *scene.surface.field;
+    ShaderText text(shaders.files);
+    const bool makes_lists = beam.lists != BeamLists::none;
+    if (makes_lists) text.version(430);
+    define_blocks(text, beam);
+    text.define("BOTH_ENDS", int(beam.lists == BeamLists::whole));
+    if (has_lists(shaders)) {
+        text.define("LISTS", 1);
+        text.generated("of a sum, by the lists of one level", "#define LEFT_OUT 6.25e-7\n");
+        FieldStorage written = shaders;
+        written.arrays[0].kind = ArrayStorage::Kind::storage_buffer;
+        add_bounds_of_sum(text, field, written);
+    } else {
+        add_field(text, field, shaders, {FieldFunction::value_interval});
+    }
+    const bool has_front = beam.lists == BeamLists::front;
+    text.generated("the front, as a part of all",
+                   fmt::format("#define FRONT {}\n", has_front ? "0.12" : "1.0"));
+    if (makes_lists) {
+        text.define("TEXELS", shaders.arrays[0].texels);
+        text.define("PIECES", 6);
+        text.generated("generated: where this level's lists go",
+                       "uniform ivec3 list; // first element, most of a block, blocks across\n");
+    }
+    text.file("frame.glsl");
+    text.generated("generated: least and most tau, the shortest piece; rounding, a length",
+                   "uniform vec4 beam;\n");
+    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+    text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
+    if (parent) {
+        text.define("PARENT_BLOCK", parent->block);
+        text.define("PARENT_SQUARE_BITS", parent->square_bits);
+    }
+    text.file(parent ? "march/beam_of_parent.glsl" : "march/beam_whole.glsl");
+    text.file("march/beam_way.glsl");
+    if (makes_lists) text.file("march/beam_list.glsl");
+    text.file("march/beam.frag");
+    return text.take();
+}
+
+} // namespace
+
+void add_entrance(ShaderText& text, const BeamShader* beam) {
+    if (beam) define_blocks(text, *beam);
+    text.file(beam ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
+}
+
+void add_beams(const scene::Scene& scene, Shaders& shaders) {
+    using enum BeamLists;
+    // Of squares a level has some 16 in pictures of 512 pixels, enough for as many threads.
+    shaders.beams = has_lists(shaders)
+                        ? std::vector<BeamShader>{{64, whole, 2}, {16, whole, 3}, {8, front, 4}}
+                        : std::vector<BeamShader>{{8, none, 4}};
+    const BeamShader* parent = nullptr;
+    for (BeamShader& beam : shaders.beams) {
+        beam.text = beam_text(scene, beam, parent, shaders);
+        parent = &beam;
+    }
+}
+
+} // namespace isomotion::synthesis
