@@ -14,7 +14,9 @@ namespace {
 
 TEST(Blobby75, IsCompleteAsClaimedAndAsKept) {
     const scene::Scene scene = animated("blobby75");
-    Record found{{}, analyse(scene, {.first = 1, .last = 61})};
+    Analysing how;
+    how.last = 61;
+    Record found{{}, analyse(scene, how)};
     found.subject = subject_of(scene, found.timeline.range);
     const Timeline& timeline = found.timeline;
     EXPECT_TRUE(timeline.is_complete());
