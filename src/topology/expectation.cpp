@@ -1,5 +1,6 @@
 #include "topology/expectation.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -88,7 +89,19 @@ Claims read_claims(const nlohmann::json& document, const std::string& file,
     return claims;
 }
 
-// At one frame, or at all of a span: each step that it touches says the number.
+// All that happens in the instant is known, and none of it changes the number: it is the same all
+// the time, in whatever order things happen.
+bool keeps(const Timeline& timeline, const Instant& instant, int Betti::*number) {
+    return instant.unresolved.empty() &&
+           std::ranges::all_of(instant.events, [&](const std::size_t k) {
+               const Event& event = timeline.events[k];
+               return event.is_proved && event.kind != Kind::unknown &&
+                      change(event.kind).*number == 0;
+           });
+}
+
+// At one frame, or at all of a span: each step that lasts in it says the number, and no instant in
+// it may change that.
 Judgement judge(const BettiClaim& claim, const Record& found, const Steps& steps) {
     const auto fps = found.subject.fps;
     const Timeline& timeline = found.timeline;
@@ -106,20 +119,31 @@ Judgement judge(const BettiClaim& claim, const Record& found, const Steps& steps
         const Interval frames = frames_at(fps, time);
         return frames.lo <= asked.hi && asked.lo <= frames.hi;
     };
+    const bool is_moment = is_point(asked);
+    // Of a span, a step that is over as it begins says nothing.
+    const auto lasts_in = [&](Interval time) {
+        const Interval frames = frames_at(fps, time);
+        return touches(time) &&
+               (is_moment || std::min(frames.hi, asked.hi) > std::max(frames.lo, asked.lo));
+    };
     Judgement judgement{Truth::holds, ""};
     const auto open = [&](std::string why) {
         if (judgement.truth == Truth::holds) judgement = {Truth::open, std::move(why)};
     };
-    if (is_point(claim.frames)) {
-        for (const Instant& instant : steps.instants) {
-            if (touches(instant.time)) {
-                return {Truth::open, "that is the instant of an event; ask a little before or "
-                                     "after it"};
-            }
+    for (const Instant& instant : steps.instants) {
+        if (!touches(instant.time)) continue;
+        if (is_moment) {
+            return {Truth::open, "that is the instant of an event; ask a little before or "
+                                 "after it"};
         }
+        if (keeps(timeline, instant, claim.number)) continue;
+        open(fmt::format("what the number is all through frame {} is not known",
+                         frame_text(frames_at(fps, instant.time))));
     }
+    bool is_seen = false;
     for (const Step& step : steps.steps) {
-        if (!touches(step.time)) continue;
+        if (!lasts_in(step.time)) continue;
+        is_seen = true;
         const std::string frame =
             frame_text(std::max(claim.frames.lo, frame_at(fps, step.time.lo)));
         if (!step.solid) {
@@ -136,6 +160,7 @@ Judgement judge(const BettiClaim& claim, const Record& found, const Steps& steps
             open(fmt::format("{} at frame {}, but not proved", number, frame));
         }
     }
+    if (!is_seen) open("no time between events is among the frames asked for");
     return judgement;
 }
 

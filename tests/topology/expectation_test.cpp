@@ -57,6 +57,32 @@ TEST(Expectation, AtTheMomentOfAnEventNumbersAreOpen) {
     EXPECT_THAT(beyond.undecided, ElementsAre("components.102 = 1: searched were frames 1 to 101"));
 }
 
+TEST(Expectation, WithinAnInstantNoNumberIsTold) {
+    // One place that is unresolved over the whole range.
+    Record found = complete({3, 0, 0}, {});
+    found.timeline.unresolved.push_back({found.timeline.range, {}, "a curve of them", {}, {}});
+    found.timeline.is_proved = false;
+    EXPECT_EQ(of(R"({"components": {"1..101": 12345}})", found).outcome(), Outcome::incomplete);
+    EXPECT_EQ(of(R"({"components": {"20..30": 3}})", found).outcome(), Outcome::incomplete);
+    // Two frames that differ, and a span from one to the other.
+    found.timeline.unresolved = {{{0.4, 0.5}, {}, "they differ", Betti{3, 0, 0}, Betti{2, 0, 0}}};
+    found.timeline.end = Betti{2, 0, 0};
+    EXPECT_EQ(of(R"({"components": {"5..6": 999}})", found).outcome(), Outcome::incomplete);
+    // A merge and a split in an order that isn't known: 2, and 1 or 3, and 2.
+    found = complete({2, 0, 0}, {event_at(20, Kind::merge), event_at(20.5, Kind::split)});
+    for (Event& event : found.timeline.events) event.time = {1.8, 2.1};
+    const Check check = of(R"({"components": {"1..101": 2, "19.5..21.5": 2, "20..21": 2},
+                               "tunnels": {"1..101": 0}, "voids": {"20..101": 0}})",
+                           found);
+    EXPECT_THAT(check.differences, IsEmpty());
+    EXPECT_EQ(check.undecided.size(), 3u);
+    EXPECT_EQ(check.agreed, 2u) << "nothing there changes tunnels or voids";
+    // An event of unknown kind in it opens all.
+    found = story();
+    found.timeline.events[1].kind = Kind::unknown;
+    EXPECT_EQ(of(R"({"voids": {"15..25": 0}})", found).outcome(), Outcome::incomplete);
+}
+
 TEST(Expectation, OnlyWhatIsProvedPassesOrFails) {
     Record found = story();
     found.timeline.is_proved = false;
