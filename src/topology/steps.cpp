@@ -35,30 +35,36 @@ std::vector<Instant> instants_of(const Timeline& timeline) {
     return merged;
 }
 
-// Before the first and after the last of an instant, by whichever of its parts says so.
+// Before the first event of an instant, and after the last. Numbers follow from event to event in
+// the order they are listed in, whatever their enclosures: those between two of an instant are none
+// of its ends. Where that event has none, a place says what is before or after all of the instant.
 std::optional<Betti> before(const Timeline& timeline, const Instant& instant) {
+    if (!instant.events.empty()) {
+        if (const auto& found = timeline.events[instant.events.front()].before) return found;
+    }
     std::optional<Betti> found;
     double first = formula::infinity;
-    const auto consider = [&](const auto& part) {
-        if (!part.before || part.time.lo >= first) return;
-        found = part.before;
-        first = part.time.lo;
-    };
-    for (const std::size_t k : instant.events) consider(timeline.events[k]);
-    for (const std::size_t k : instant.unresolved) consider(timeline.unresolved[k]);
+    for (const std::size_t k : instant.unresolved) {
+        const Unresolved& place = timeline.unresolved[k];
+        if (!place.before || place.time.lo >= first) continue;
+        found = place.before;
+        first = place.time.lo;
+    }
     return found;
 }
 
 std::optional<Betti> after(const Timeline& timeline, const Instant& instant) {
+    if (!instant.events.empty()) {
+        if (const auto& found = timeline.events[instant.events.back()].after) return found;
+    }
     std::optional<Betti> found;
     double last = -formula::infinity;
-    const auto consider = [&](const auto& part) {
-        if (!part.after || part.time.hi < last) return;
-        found = part.after;
-        last = part.time.hi;
-    };
-    for (const std::size_t k : instant.events) consider(timeline.events[k]);
-    for (const std::size_t k : instant.unresolved) consider(timeline.unresolved[k]);
+    for (const std::size_t k : instant.unresolved) {
+        const Unresolved& place = timeline.unresolved[k];
+        if (!place.after || place.time.hi < last) continue;
+        found = place.after;
+        last = place.time.hi;
+    }
     return found;
 }
 

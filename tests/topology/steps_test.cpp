@@ -43,6 +43,28 @@ TEST(Steps, EventsThatAreNotToldApartAreOneMoment) {
     EXPECT_TRUE(all.steps[2].is_proved);
 }
 
+TEST(Steps, OfEventsThatOverlapTheOrderOfTheListCounts) {
+    // Ordered by the middles of their times; the first begins first, and ends last.
+    Record record = complete({3, 0, 0}, {event_at(12, Kind::merge), event_at(12.5, Kind::merge)});
+    record.timeline.events[0].time = {0.9, 1.3};
+    record.timeline.events[1].time = {1.15, 1.2};
+    Steps all = steps_of(record.timeline);
+    ASSERT_EQ(all.instants.size(), 1u);
+    EXPECT_EQ(all.steps[0].solid, (Betti{3, 0, 0}));
+    EXPECT_EQ(all.steps[1].solid, (Betti{1, 0, 0}));
+    EXPECT_TRUE(all.steps[1].is_proved);
+    // The second begins first: what is before it is between the two.
+    record.timeline.events[0].time = {1.15, 1.2};
+    record.timeline.events[1].time = {0.9, 1.5};
+    record.timeline.start = std::nullopt;
+    all = steps_of(record.timeline);
+    EXPECT_EQ(all.steps[0].solid, (Betti{3, 0, 0}));
+    // Of unknown kind, the first leaves only what is between them: no end of the instant.
+    record.timeline.events[0].kind = Kind::unknown;
+    record.timeline.events[0].before = std::nullopt;
+    EXPECT_EQ(steps_of(record.timeline).steps[0].solid, std::nullopt);
+}
+
 TEST(Steps, WhatDoesNotChangeTheSolidIsNoMoment) {
     Record record = story();
     record.timeline.events.insert(record.timeline.events.begin(), event_at(5, Kind::none));
