@@ -152,14 +152,19 @@ private:
     std::vector<Gap> gaps(const Frame& from, const Frame& to) const {
         std::vector<Gap> found;
         double end = from.time; // of all events so far
+        // Of all events from each on: the order is that of the middles of their times.
+        std::vector<double> begins(to.at - from.at + 1, to.time);
+        for (std::size_t k = to.at; k-- > from.at;) {
+            begins[k - from.at] = std::min(begins[k - from.at + 1], timeline_.events[k].time.lo);
+        }
         std::size_t open_before = 0, open = 0;
         for (std::size_t k = from.at; k < to.at; ++k) open += is_open(timeline_.events[k]);
         for (std::size_t k = from.at; k < to.at; ++k) {
             const Event& event = timeline_.events[k];
             const bool is_between = open_before > 0 && open_before < open;
-            if (is_between && event.time.lo > end &&
-                !is_degenerate_between(timeline_, end, event.time.lo)) {
-                found.push_back({k, end / 2 + event.time.lo / 2, event.time.lo - end});
+            const double begin = begins[k - from.at];
+            if (is_between && begin > end && !is_degenerate_between(timeline_, end, begin)) {
+                found.push_back({k, end / 2 + begin / 2, begin - end});
             }
             end = std::max(end, event.time.hi);
             open_before += is_open(event);

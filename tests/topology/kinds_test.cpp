@@ -279,6 +279,23 @@ TEST(Counting, FramesBetween) {
     EXPECT_TRUE(timeline.is_complete());
 }
 
+// The last of three by the middles of their times may come right after the first.
+TEST(Counting, FramesAreAskedForWhereNoEventMayBe) {
+    std::vector<Event> events{an_event(1, 1, true), an_event(2, 1, false), an_event(2.1, 1, true),
+                              an_event(8, 1, false)};
+    events[2].time = {1.4, 2.8};
+    Timeline timeline = timeline_of(events, {3, 0, 0}, {3, 0, 0});
+    KindProofs proofs;
+    int asked = 0;
+    proofs.frame = [&](double time) -> std::optional<Betti> {
+        ++asked;
+        for (const Event& event : events) EXPECT_FALSE(contains(event.time, time)) << time;
+        return std::nullopt;
+    };
+    find_kinds(timeline, proofs);
+    EXPECT_GT(asked, 0);
+}
+
 TEST(Counting, EventsAtOneTime) {
     // Twelve necks form at once between eight blobs: seven merge, five make tunnels.
     const auto count = [](const Timeline& timeline, Kind kind) {
