@@ -60,7 +60,12 @@ int run(const std::vector<std::string>& arguments) {
     }
     if (scenes.empty()) scenes = {ISOMOTION_SOURCE_DIR "/animations/blobby75.toml:0:2"};
     for (const std::string& scene : scenes) {
-        const std::size_t last = scene.rfind(':'), first = scene.rfind(':', last - 1);
+        const std::size_t last = scene.rfind(':');
+        const std::size_t first = last == scene.npos ? last : scene.rfind(':', last - 1);
+        if (first == scene.npos) {
+            fmt::print(stderr, "{}: write SCENE.toml:FIRST:LAST, times in seconds\n", scene);
+            return 2;
+        }
         report(scene.substr(0, first), std::stod(scene.substr(first + 1, last - first - 1)),
                std::stod(scene.substr(last + 1)), threads);
     }

@@ -3,28 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include "scene/load.h"
 #include "topology/critical.h"
+#include "topology/scenes.h"
 
 namespace isomotion::topology {
-
-inline scene::Scene scene_of(const std::string& text) {
-    const auto file = std::filesystem::temp_directory_path() /
-                      fmt::format("isomotion-topology-{}.toml", getpid());
-    std::ofstream(file) << text;
-    scene::Scene scene = scene::load(file.string());
-    std::filesystem::remove(file);
-    return scene;
-}
 
 struct Moving {
     std::string formula;

@@ -98,6 +98,7 @@ TEST_P(SecondProofs, FailOfABoxBesideTheEvent) {
 
 // Around two events, or none: not that there is one.
 TEST_P(SecondProofs, DoNotHoldOfABoxAroundTwo) {
+    int asked = 0;
     for (std::size_t k = 0; k + 1 < timeline.events.size(); ++k) {
         Event both = timeline.events[k];
         const Event& next = timeline.events[k + 1];
@@ -105,7 +106,9 @@ TEST_P(SecondProofs, DoNotHoldOfABoxAroundTwo) {
         both.time = hull(both.time, next.time);
         for (std::size_t i = 0; i < 3; ++i) both.where[i] = hull(both.where[i], next.where[i]);
         EXPECT_NE(proof.ask(both), Answer::holds);
+        ++asked;
     }
+    if (asked == 0) GTEST_SKIP() << "no two events inside the bounds";
 }
 
 INSTANTIATE_TEST_SUITE_P(ClosedForms, SecondProofs, testing::ValuesIn(cases),
