@@ -1,5 +1,6 @@
 // Which part of their way the rays of a block of BLOCK x BLOCK pixels need to march: one fragment a
-// block walks along the block's beam by interval arithmetic, from both ends. A piece of the beam
+// block walks along the block's beam by interval arithmetic, from its near end and, but for the
+// smallest blocks with lists, from its far one. A piece of the beam
 // whose box is proved free of roots is passed, and the next is twice as long; another is halved,
 // until it is short against the block. What was passed holds no root of any of the block's rays,
 // rounding included.
@@ -21,7 +22,7 @@ void main() {
     float front_end = mix(low, high, FRONT);
     int evaluations = beam_evaluations;
 #ifdef LISTS
-    evaluations = min(evaluations, 20000 / max(array0_count, 1)); // as in beam_list.glsl
+    evaluations = min(evaluations, MOST_TERMS / max(array0_count, 1)); // as in beam_list.glsl
     vec2 all = vec2(float(array0_count), float(array0_first)), front = all;
     // Few elements matter in the front, where most rays end; the walk there is the cheaper, too.
     if (FRONT < 1.0 && open) front = list_of(block, way, low, front_end);

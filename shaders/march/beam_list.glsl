@@ -6,7 +6,7 @@
 vec2 list_of(ivec2 block, Beam way, float low, float high) {
     int first = list.x + (block.y * list.z + block.x) * list.y;
     // Loops must end before drivers end them, silently.
-    int pieces = clamp(20000 / max(array0_count, 1), 1, PIECES);
+    int pieces = clamp(MOST_TERMS / max(array0_count, 1), 1, PIECES);
     float left = IM_SATURATION;
     for (int k = 0; k < pieces; ++k) {
         vec2 x, y, z, rest, factor;

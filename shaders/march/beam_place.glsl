@@ -3,9 +3,10 @@
 // apart, one in the corner of each.
 
 ivec2 beam_texel(ivec2 block, int bits) {
-    return block + (block >> bits) * (64 - (1 << bits));
+    return block + (block >> bits) * (SQUARES_APART - (1 << bits));
 }
 
 ivec2 beam_block(ivec2 texel, int bits) {
-    return ((texel >> 6) << bits) + (texel & 63);
+    ivec2 square = texel / SQUARES_APART;
+    return texel - square * (SQUARES_APART - (1 << bits));
 }

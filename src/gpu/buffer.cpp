@@ -74,6 +74,8 @@ void TextureBuffer::bind_storage(unsigned binding) const {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer_.get());
 }
 
-void TextureBuffer::wait_for_storage() const { glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT); }
+void TextureBuffer::wait_for_storage() const {
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
 
 } // namespace isomotion::gpu

@@ -38,8 +38,8 @@ public:
 
     void bind(int unit) const;
 
-    /// For shaders that write into it, as a storage buffer (OpenGL 4.3); and before what reads
-    /// that as texels.
+    /// For shaders that write into it, as a storage buffer (OpenGL 4.3); and before others read
+    /// that, as texels or in the storage buffer.
     void bind_storage(unsigned binding) const;
     void wait_for_storage() const;
 

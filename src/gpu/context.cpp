@@ -141,6 +141,9 @@ void Context::describe() {
     info_.max_texture_size = integer_of(GL_MAX_TEXTURE_SIZE);
     info_.max_uniform_block_size = integer_of(GL_MAX_UNIFORM_BLOCK_SIZE);
     info_.max_texture_buffer_size = integer_of(GL_MAX_TEXTURE_BUFFER_SIZE);
+    if (info_.has(4, 3)) {
+        info_.max_storage_block_size = integer_of(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
+    }
     info_.software = draws_in_software(info_.renderer);
 }
 

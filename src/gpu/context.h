@@ -27,6 +27,7 @@ struct ContextInfo {
     int max_texture_size = 0;
     int max_uniform_block_size = 0;  ///< bytes
     int max_texture_buffer_size = 0; ///< texels
+    int max_storage_block_size = 0;  ///< bytes; 0 before OpenGL 4.3
     bool software = false;
 };
 

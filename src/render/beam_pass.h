@@ -1,6 +1,6 @@
 // Beams: blocks of rays for which intervals prove, before they march, what they need not.
 //
-// Each level of beams is a draw of one pixel a block; its beams lie in those of the level before,
+// Each level of beams is drawn with one pixel a block; its beams lie in those of the level before,
 // and so do their lists of the array's elements that matter there.
 #pragma once
 

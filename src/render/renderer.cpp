@@ -60,8 +60,7 @@ struct Renderer::Parts {
         , parameters(std::size_t(shaders.parameter_vectors + shaders.count_vectors) * 16)
         , shading((7 + 2 * scene.lights.size()) * sizeof(glm::vec4)) {
         if (!shaders.beams.empty()) {
-            beams.emplace(shaders, scene, plan, context.info().max_texture_buffer_size,
-                          beam_unit());
+            beams.emplace(shaders, scene, plan, texels_for_lists(), beam_unit());
         }
         for (const auto& storage : shaders.arrays) {
             arrays.emplace_back(storage, storage.has_lists ? beams->listed() : 0);
@@ -86,6 +85,14 @@ struct Renderer::Parts {
         pixels.resize(std::size_t(plan.tile_width) * std::size_t(plan.tile_height) * 4);
     }
 
+    // Lists are texels of a buffer that beams write and read as a storage block. Elements are told
+    // by floats, too.
+    int texels_for_lists() const {
+        const gpu::ContextInfo& info = context.info();
+        return std::min({info.max_texture_buffer_size,
+                         info.max_storage_block_size / int(sizeof(glm::vec4)), 1 << 24});
+    }
+
     void make_passes() {
         passes.emplace(ray_program(shaders, shaders.march, "march"),
                        gpu::Program(shaders.vertex, shaders.active, "active"),
@@ -106,12 +113,18 @@ struct Renderer::Parts {
         environment->bind(unit);
     }
 
-    MarchPlan make_plan() const {
+    std::vector<int> capacities() const {
         std::vector<int> counts;
         for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
+        return counts;
+    }
+
+    MarchPlan make_plan() const {
+        const std::vector<int> counts = capacities();
         const formula::Field& field = *scene.surface.field;
-        if (synthesis::has_lists(shaders)) counts[0] = std::min(counts[0], usual_list);
-        formula::Cost cost = synthesis::cost(field, shaders.samples, counts);
+        std::vector<int> usual = counts;
+        if (synthesis::has_lists(shaders)) usual[0] = std::min(usual[0], usual_list);
+        formula::Cost cost = synthesis::cost(field, shaders.samples, usual);
         if (!shaders.surface.empty()) {
             // Up to eight samples at the end of a ray (shaders/effects/end_of_ray.glsl) and five of
             // its surroundings, each in one draw.
@@ -124,8 +137,14 @@ struct Renderer::Parts {
                                 end, loop_iterations_per_pass));
             }
         }
-        // The shade pass must fit the loop limit too.
-        cost.iterations = std::max(cost.iterations, shade_iterations(counts));
+        // The shade pass must fit the loop limit too; it knows no lists.
+        if (const double sums = shade_iterations(counts); sums > loop_iterations_per_pass) {
+            throw std::length_error(
+                fmt::format("the normal and the paint sum {:.0f} terms a pixel; a shader can sum "
+                            "{:.0f}: draw fewer elements or no paint",
+                            sums, loop_iterations_per_pass));
+        }
+        cost.iterations = std::max(cost.iterations, shade_iterations(usual));
         constexpr int largest_tile = 2048;
         const MarchPlan fitting =
             plan_march(cost, options.width, options.height,
@@ -225,7 +244,7 @@ struct Renderer::Parts {
                                   const RayTargets& targets, int& draws) {
         const gpu::Rectangle viewport{0, 0, tile.width, tile.height};
         program.set("tile_origin", glm::ivec2(tile.x, tile.y));
-        program.set("evaluations_per_pass", plan.evaluations_per_pass);
+        program.set("evaluations_per_pass", evaluations_of(program));
         program.set("element_budget", element_budget());
         const gpu::Target *from = &targets.odd, *to = &targets.even;
         for (bool first = true;; first = false) {
@@ -247,6 +266,17 @@ struct Renderer::Parts {
             if (!still_active.any_passed()) return *to;
             std::swap(from, to);
         }
+    }
+
+    // Of one draw. Only the eye's rays go by lists: the others' loops are over all elements.
+    int evaluations_of(const gpu::Program& program) const {
+        if (!synthesis::has_lists(shaders) || &program == &passes->march) {
+            return plan.evaluations_per_pass;
+        }
+        const formula::Cost all =
+            synthesis::cost(*scene.surface.field, shaders.samples, capacities());
+        const int fitting = int(loop_iterations_per_pass / (1 + all.iterations));
+        return std::clamp(fitting, shaders.degree + 1, plan.evaluations_per_pass);
     }
 
     // How many elements the evaluations of one draw may go through, all together, where only lists

@@ -37,8 +37,8 @@ bool bounds_pay(const formula::Field& field) {
 FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers) {
     std::vector<int> counts;
     for (const auto& array : scene.timeline.animation.arrays()) counts.push_back(array.count);
-    // Beyond the most elements the loops of a beam's shader end too soon.
-    constexpr int fewest = 9, most = 20'000;
+    // With more elements the loops of a beam's shader might end too soon (beam_text.cpp).
+    constexpr int fewest = 9, most = 15'000;
     const bool lists = writes_buffers && uses_beams(scene) && !counts.empty() &&
                        counts[0] >= fewest && counts[0] <= most &&
                        formula::linear_sum(*scene.surface.field).has_value();

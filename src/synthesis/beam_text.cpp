@@ -9,9 +9,15 @@
 namespace isomotion::synthesis {
 namespace {
 
+// What loops over an array in a beam's shader may add up to, once to make a list and once to walk.
+// Lanes of blocks with lists of other lengths go through the longest of each, so that the driver's
+// limit is spent up to six times over: llvmpipe ends all loops of a shader after 65535 turns.
+constexpr int most_terms = 10'000;
+
 void define_blocks(ShaderText& text, const BeamShader& beam) {
     text.define("BLOCK", beam.block);
     text.define("SQUARE_BITS", beam.square_bits);
+    text.define("SQUARES_APART", beam_square);
     text.file("march/beam_place.glsl");
 }
 
@@ -51,6 +57,7 @@ std::string beam_text(const scene::Scene& scene, const BeamShader& beam, const B
     if (makes_lists) {
         text.define("TEXELS", shaders.arrays[0].texels);
         text.define("PIECES", 6);
+        text.define("MOST_TERMS", most_terms);
         text.generated("generated: where this level's lists go",
                        "uniform ivec3 list; // first element, most of a block, blocks across\n");
     }
@@ -79,7 +86,7 @@ void add_entrance(ShaderText& text, const BeamShader* beam) {
 
 void add_beams(const scene::Scene& scene, Shaders& shaders) {
     using enum BeamLists;
-    // Of squares a level has some 16 in pictures of 512 pixels, enough for as many threads.
+    // A picture of 512 pixels has 16 squares of the smaller blocks, 4 of the largest.
     shaders.beams = has_lists(shaders)
                         ? std::vector<BeamShader>{{64, whole, 2}, {16, whole, 3}, {8, front, 4}}
                         : std::vector<BeamShader>{{8, none, 4}};

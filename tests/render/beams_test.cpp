@@ -173,6 +173,7 @@ TEST_P(Beams, LoseNoHitOfAnyAimOfALens) {
         Views views(*context, scene);
         scene::SceneAt now = moment(scene);
         const double distance = glm::length(now.camera.position - now.camera.target);
+        long hits = 0;
         for (const bool parallel : {false, true}) {
             if (parallel) {
                 now.camera.projection = scene::Camera::Projection::orthographic;
@@ -189,12 +190,14 @@ TEST_P(Beams, LoseNoHitOfAnyAimOfALens) {
                                                  aperture, focus, aim.lens.x, aim.lens.y,
                                                  parallel ? "parallel" : "from the eye"));
                         const Comparison result = compare(views, now, aim);
+                        hits += result.hits;
                         EXPECT_EQ(result.lost, 0) << "of " << result.hits;
                         EXPECT_EQ(result.later, 0) << "of " << result.hits;
                     }
                 }
             }
         }
+        EXPECT_GT(hits, 36 * 200);
     }
 }
 
@@ -202,11 +205,14 @@ TEST_P(Beams, LoseNoHitOfAnyAimOfALens) {
 // block fits, where a beam's pixels are counted from the tile's corner.
 TEST_P(Beams, PicturesOfAnySizeAndTiling) {
     for (const auto& [width, height] :
-         {std::pair{1, 1}, {3, 7}, {8, 8}, {9, 17}, {64, 65}, {129, 5}}) {
+         {std::pair{1, 1}, {3, 7}, {8, 8}, {9, 17}, {64, 65}, {129, 5}, {300, 270}}) {
         const scene::Scene scene =
             scene::load("blobby75", {fmt::format("output.size=[{},{}]", width, height)});
         Views views(*context, scene);
         const Comparison result = compare(views, moment(scene));
+        if (std::min(width, height) > 8) {
+            EXPECT_GT(result.hits, width * height / 10);
+        }
         EXPECT_EQ(result.lost, 0) << width << " x " << height;
         EXPECT_EQ(result.later, 0) << width << " x " << height;
     }

@@ -40,6 +40,21 @@ TEST_P(LoopLimit, LongSumsAreSummedToTheirEnd) {
     EXPECT_GT(many.passes, few.passes);
 }
 
+// The same with beams, whose lists leave out all the others, as long as there may be lists and
+// beyond.
+TEST_P(LoopLimit, BeamsGoThroughLongSums) {
+    const auto scene = [](int count, const std::string& weight) {
+        return piled_blobs(count, weight, "[isolation]\nbeam = true\n[output]\nsize = [48, 48]\n");
+    };
+    const Picture few = draw(*context, scene_of(scene(3, "1 + 0*i")));
+    EXPECT_GT(count(few, Verdict::hit), 100);
+    for (const int blobs : {9'999, 15'000, 15'003}) {
+        SCOPED_TRACE(blobs);
+        const Picture many = draw(*context, scene_of(scene(blobs, "max(0, min(1, i - (n - 4)))")));
+        EXPECT_EQ(few.verdicts, many.verdicts);
+    }
+}
+
 // 200,000 steps before the surface: three times the driver's limit.
 TEST_P(LoopLimit, SmallStepsReachTheSurface) {
     const Picture picture = draw(*context, scene_of(R"(

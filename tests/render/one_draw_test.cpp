@@ -45,7 +45,10 @@ void OneDraw::expect_same(const char* name) {
         EXPECT_EQ(one.passes, 1);
         for (const int evaluations : {1, 3, 50}) {
             const Picture passes = in_passes(scene, frame, evaluations);
-            EXPECT_GE(passes.passes, 1);
+            // A polynomial's samples take one pass whatever is planned.
+            if (evaluations == 1 && method != scene::Method::chebyshev) {
+                EXPECT_GT(passes.passes, 1);
+            }
             if (same_bits(one.frame, passes.frame)) continue;
             std::string told;
             for (const char* channel : {"verdict", "evaluations", "Z", "R"}) {

@@ -50,7 +50,12 @@ TEST_P(Placed, GivesTheSameVerdicts) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Stability, Placed, testing::ValuesIn(scene::animation_names()),
+std::vector<std::string> animations() {
+    setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1); // wherever tests are built
+    return scene::animation_names();
+}
+
+INSTANTIATE_TEST_SUITE_P(Stability, Placed, testing::ValuesIn(animations()),
                          [](const auto& tested) { return tested.param; });
 
 // The same shape in another unit of length: nothing but the formula and its bounds says so.
