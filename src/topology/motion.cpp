@@ -174,9 +174,14 @@ Motions motions(const scene::Scene& scene, Side side, Interval range, Clock cloc
     const animation::Animation& animation = scene.timeline.animation;
     animation::Parts parts;
     find_steps(piece(scene, side, mid(range), std::nullopt, &parts), all.doubts);
-    const std::vector<animation::Knot> knots = animation::knots(animation, parts, range);
+    std::vector<animation::Knot> knots = animation::knots(animation, parts, range);
     for (const animation::Knot& knot : knots) {
         if (knot.jumps) all.jumps.push_back(knot.time);
+    }
+    if (!knots.empty() && knots.back().time == range.hi) {
+        all.at_end = piece(scene, side, range.hi, std::nullopt);
+        all.at_end->clock = range.hi;
+        knots.pop_back();
     }
     if (clock == Clock::track_if_one && all.jumps.empty()) {
         if (auto motion = through_one_track(scene, parts, side, mid(range))) {

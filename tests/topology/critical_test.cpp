@@ -1,5 +1,6 @@
 // Events of surfaces whose critical times are known in closed form: all of them and no others.
 #include "moving.h"
+#include "topology/analyse.h"
 #include "topology/motion.h"
 #include "topology/moving_field.h"
 
@@ -191,6 +192,24 @@ TEST(Events, AcrossAJumpAreUnresolved) {
     EXPECT_FALSE(timeline.is_proved);
     ASSERT_EQ(timeline.unresolved.size(), 1u);
     EXPECT_EQ(timeline.unresolved[0].time, formula::Interval(2.0));
+}
+
+TEST(Events, AtAJumpAtTheEndAreUnresolved) {
+    // The last frame shows what is after the jump: nothing. And so at one inside, seen from there.
+    const Moving ball{"x^2 + y^2 + z^2 - r", "{ sphere = 2 }",
+                      "r = { keys = [[0, 1], [1, -1]], ease = \"hold\" }",
+                      "[time]\nframes = 11\nfps = 10"};
+    const Timeline timeline = analyse(ball.scene(), {});
+    EXPECT_FALSE(timeline.is_complete());
+    ASSERT_EQ(timeline.unresolved.size(), 1u) << described(timeline);
+    EXPECT_EQ(timeline.unresolved[0].time, formula::Interval(1.0));
+    EXPECT_EQ(timeline.start, (Betti{1, 0, 0}));
+    EXPECT_EQ(timeline.end, (Betti{0, 0, 0}));
+    // No jump at an end that only rests from there on.
+    const Moving still{"x^2 + y^2 + z^2 - r", "{ sphere = 2 }",
+                       "r = { keys = [[0, 1], [1, 1]], ease = \"hold\" }",
+                       "[time]\nframes = 11\nfps = 10"};
+    EXPECT_TRUE(analyse(still.scene(), {}).is_complete());
 }
 
 TEST(Events, AreNotDisturbedByWhatMovesElsewhere) {
