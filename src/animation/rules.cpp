@@ -25,7 +25,8 @@ std::map<double, bool> knots_of(const Keys& keys) {
 std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula::Interval range) {
     std::map<double, bool> all;
     const auto add = [&](double time, bool jumps) {
-        if (range.lo < time && time < range.hi) all[time] |= jumps;
+        const bool is_inside = range.lo < time && time < range.hi;
+        if (is_inside || (jumps && time == range.hi && range.lo < range.hi)) all[time] |= jumps;
     };
     for (const int track : parts.tracks) {
         const auto* keys = std::get_if<Keys>(&animation.tracks()[std::size_t(track)].source);

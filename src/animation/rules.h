@@ -26,8 +26,8 @@ struct Parts {
     std::set<int> tracks, arrays;
 };
 
-// The times inside `range` at which a rule of these parts changes: of keys and of samples.
-// Ascending.
+// The times inside `range` at which a rule of these parts changes: of keys and of samples; and the
+// range's end, if values jump there, as at a jump's own time they are those after it. Ascending.
 std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula::Interval range);
 
 // A track whose value another node gives: what depends on time through this track alone then
@@ -39,8 +39,8 @@ struct Driver {
 
 class Rules {
 public:
-    // Of the time around `within`, which lies between two knots. Nodes are made in `graph`, where
-    // `time` stands for the time.
+    // Of the time around `within`, which lies between two knots; at a knot, of the time after it.
+    // Nodes are made in `graph`, where `time` stands for the time.
     Rules(const Animation& animation, double within, formula::Graph& graph, formula::NodeId time,
           std::optional<Driver> driver = {});
 

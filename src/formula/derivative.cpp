@@ -41,8 +41,10 @@ private:
         case Op::parameter:
         case Op::element:
             return leaf_(g_, id);
-        case Op::random:
-            return zero();
+        case Op::random: {
+            const bool rests = g_.is_constant(d(0), 0) && g_.is_constant(d(1), 0);
+            return rests ? zero() : scatters(id);
+        }
         case Op::select:
             return g_.select(a, b, d(2), d(3));
         case Op::sum:
@@ -122,6 +124,13 @@ private:
     NodeId jumps(NodeId id) {
         if (slopes_ != Slopes::generalized) return zero();
         return g_.select(id, id, g_.constant(std::numeric_limits<double>::infinity()), zero());
+    }
+
+    // ... and unbounded on both sides where `id` may jump up or down.
+    NodeId scatters(NodeId id) {
+        if (slopes_ != Slopes::generalized) return zero();
+        const NodeId down = g_.constant(-std::numeric_limits<double>::infinity());
+        return g_.add(jumps(id), g_.select(id, id, down, zero()));
     }
 
     // sqrt is constant below 0, asin and acos beyond -1 and 1.

@@ -16,13 +16,14 @@ using LeafDerivative = std::function<NodeId(Graph&, NodeId leaf)>;
 // Where a function has a kink, a jump or an end.
 enum class Slopes {
     // One number a point, for numbers: abs and sqrt(0) have slope 0 for a resting argument, min and
-    // max take the side they return, sign and floor have slope 0.
+    // max take the side they return, sign, floor and random have slope 0.
     pointwise,
     // The same for what is a derivative already. There a resting argument makes 0/0 of the slopes
     // of sqrt, asin and acos at their ends: 1/b keeps slope 0 where b = 0 rests.
     pointwise_again,
     // For intervals: over one, all difference quotients between its points. sign and floor go up
-    // without bound where they jump; what sqrt, asin and acos hold constant has slope 0.
+    // without bound where they jump, random up and down; what sqrt, asin and acos hold constant has
+    // slope 0.
     generalized,
 };
 

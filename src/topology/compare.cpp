@@ -32,6 +32,12 @@ double diagonal(const Subject& subject) {
     return std::isfinite(sum) && sum > 0 ? std::sqrt(sum) : 1;
 }
 
+// What is said of each event of a moment is that it has one of the two kinds that its index leaves.
+bool may_change_kinds(const Event& a, const Event& b) {
+    return a.kind_proof == "together" && b.kind_proof == "together" && a.index == b.index &&
+           a.grows == b.grows;
+}
+
 class Comparison {
 public:
     Comparison(const Record& expected, const Record& found, double dt)
@@ -59,6 +65,7 @@ public:
         pair_rest();
         for (const std::size_t k : wanted_) missing(expected_.events[k]);
         for (const std::size_t k : there_) extra(found_.events[k]);
+        compare_moments();
         compare_ends();
         return std::move(check_);
     }
@@ -93,8 +100,8 @@ private:
     }
 
     bool is_same(const Event& a, const Event& b) const {
-        return a.kind == b.kind && least_distance(a.time, b.time) <= dt_ &&
-               place_distance(a, b) <= same_place_;
+        return (a.kind == b.kind || may_change_kinds(a, b)) &&
+               least_distance(a.time, b.time) <= dt_ && place_distance(a, b) <= same_place_;
     }
 
     // Most events of most checks; what is left is matched in more than linear time.
@@ -181,6 +188,10 @@ private:
 
     template<class Tell>
     bool same_kind_or_told(const Event& wanted, const Event& event, Tell&& tell) {
+        if (may_change_kinds(wanted, event)) {
+            together_.emplace_back(&wanted, &event);
+            return true;
+        }
         if (wanted.kind == event.kind) return same_change(wanted, event, tell);
         const std::string line = fmt::format("kind: {} {}, expected {}", name(event.kind),
                                              place(event), name(wanted.kind));
@@ -246,6 +257,30 @@ private:
         }
     }
 
+    // Of events that have a kind only together, as many must be of each.
+    void compare_moments() {
+        while (!together_.empty()) {
+            const Event &wanted = *together_.front().first, &event = *together_.front().second;
+            const auto [rest, end] =
+                std::ranges::stable_partition(together_, [&](const auto& pair) {
+                    return !are_interchangeable(*pair.first, wanted);
+                });
+            int expected = 0, had = 0;
+            bool certain = true;
+            for (auto it = rest; it != end; ++it) {
+                expected += it->first->kind == wanted.kind;
+                had += it->second->kind == wanted.kind;
+                certain = certain && it->first->is_proved && it->second->is_proved;
+            }
+            together_.erase(rest, end);
+            if (had == expected) continue;
+            const std::string line =
+                fmt::format("kind: {} of events that are not told apart {}, expected {}",
+                            counted(had, wanted.kind), place(event), expected);
+            certain ? differ(line) : doubt("not proved: " + line);
+        }
+    }
+
     void compare_ends() {
         const Steps expected = steps_of(expected_), found = steps_of(found_);
         for (const auto& [where, time] :
@@ -267,6 +302,8 @@ private:
     double dt_, span_, diagonal_, same_place_ = 0;
     Check check_;
     std::vector<std::size_t> wanted_, there_; // not matched yet
+    // Pairs that may have changed kinds with others of their moments.
+    std::vector<std::pair<const Event*, const Event*>> together_;
 };
 
 } // namespace

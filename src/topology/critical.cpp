@@ -162,6 +162,10 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range, const
         timeline.unresolved.push_back(
             {Interval(jump), {}, "the surface jumps from one shape to another", {}, {}});
     }
+    for (const Interval& time : all.collapses) {
+        timeline.unresolved.push_back(
+            {time, {}, "the bounds may be empty or turned inside out", {}, {}});
+    }
     double done = 0;
     for (const Motion& motion : all.pieces) {
         if (!motion.moves || how.stop.stop_requested()) continue;

@@ -64,6 +64,11 @@ std::vector<Kind> kinds_of(int index, bool grows) {
     }
 }
 
+bool are_interchangeable(const Event& a, const Event& b) {
+    return a.kind_proof == "together" && b.kind_proof == "together" && a.index == b.index &&
+           a.grows == b.grows && a.time.lo <= b.time.hi && b.time.lo <= a.time.hi;
+}
+
 int euler_change(const Event& event) {
     if (event.kind == Kind::none) return 0;
     return event.index % 2 == (event.grows ? 0 : 1) ? 1 : -1;

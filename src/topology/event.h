@@ -55,12 +55,16 @@ struct Event {
     Kind kind = Kind::unknown;
     bool is_proved = false; // that it exists, is alone in its enclosure, its index and direction
     bool is_proved_again = false; // the same, in another arithmetic (second_proof.h)
-    // How the kind is known: "index", "path", "counting", "frames"; empty if it isn't.
+    // How the kind is known: "index", "path", "counting", "frames"; empty if it isn't. "together":
+    // only how many events of its moment are of this kind is known, not that this one is.
     std::string kind_proof;
     std::optional<Betti> before, after; // of the solid; empty where unknown
 
     bool operator==(const Event&) const = default;
 };
+
+// Their kinds are known of both together only, and may be the other way round.
+bool are_interchangeable(const Event& a, const Event& b);
 
 // What the event adds to the solid's Euler number b0 - b1 + b2, whatever its kind: (-1)^index if it
 // grows, and that from it if it shrinks.

@@ -32,6 +32,16 @@ void settle(Event& event, Kind kind, const char* proof) {
     event.kind_proof = proof;
 }
 
+// Some time is in the enclosures of all of them, so that none is known to come before another.
+bool is_one_moment(std::span<const Interval> times) {
+    double last_begin = -formula::infinity, first_end = formula::infinity;
+    for (const Interval& time : times) {
+        last_begin = std::max(last_begin, time.lo);
+        first_end = std::min(first_end, time.hi);
+    }
+    return last_begin <= first_end;
+}
+
 // `change` is what these events of one index add to b0 (1) or b2 (2): each of them adds `parts` or
 // nothing.
 bool force(std::vector<Event*> events, int change, int Betti::*number, const char* proof) {
@@ -43,12 +53,12 @@ bool force(std::vector<Event*> events, int change, int Betti::*number, const cha
     if (change < least || change > most) return false;
     if (change != least && change != most) {
         // At one moment there is no order: as many as there are, the first ones by convention.
-        const bool is_one_moment = std::ranges::all_of(
-            events, [&](const Event* event) { return event->time.lo <= events.front()->time.hi; });
-        if (!is_one_moment || (least != 0 && most != 0)) return true;
+        std::vector<Interval> times;
+        for (const Event* event : events) times.push_back(event->time);
+        if (!is_one_moment(times) || (least != 0 && most != 0)) return true;
         int parts = std::abs(change);
         for (Event* event : events)
-            settle(*event, parts-- > 0 ? by_parts(*event) : by_path(*event), proof);
+            settle(*event, parts-- > 0 ? by_parts(*event) : by_path(*event), "together");
         return true;
     }
     for (Event* event : events) {
@@ -365,9 +375,9 @@ bool count_kinds(std::span<Event> events, const Betti& before, const Betti& afte
         of_voids -= change(event.kind).voids;
     }
     // Two frames about one moment are a closer look than counting.
-    const bool is_one_moment = std::ranges::all_of(
-        events, [&](const Event& event) { return event.time.lo <= events.front().time.hi; });
-    const char* proof = is_one_moment ? "frames" : "counting";
+    std::vector<Interval> times;
+    for (const Event& event : events) times.push_back(event.time);
+    const char* proof = is_one_moment(times) ? "frames" : "counting";
     const bool agree = force(first, of_components, &Betti::components, proof) &&
                        force(second, of_voids, &Betti::voids, proof);
     if (!agree) {

@@ -137,9 +137,10 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
     return motion;
 }
 
-// The track that all motion goes through, with the surface as it depends on it.
+// The track that all motion goes through, with the surface as it depends on it. No rule beside the
+// track's own may change in the range: where something rests at one time, it may move at another.
 std::optional<Motion> through_one_track(const scene::Scene& scene, const animation::Parts& parts,
-                                        Side side, double within) {
+                                        Side side, Interval range) {
     const animation::Animation& animation = scene.timeline.animation;
     for (const int k : parts.arrays) {
         const auto& samples = animation.arrays()[std::size_t(k)].samples;
@@ -147,13 +148,17 @@ std::optional<Motion> through_one_track(const scene::Scene& scene, const animati
     }
     for (const int k : parts.tracks) {
         if (std::holds_alternative<double>(animation.tracks()[std::size_t(k)].source)) continue;
-        Motion motion = piece(scene, side, within, k);
+        animation::Parts beside;
+        Motion motion = piece(scene, side, mid(range), k, &beside);
+        beside.tracks.erase(k);
+        if (!animation::knots(animation, beside, range).empty()) continue;
         if (reads(motion, clock_input) && !reads(motion, time_input)) return motion;
     }
     return std::nullopt;
 }
 
-// Operations that may step from one value to another: where they do there is no derivative.
+// Of one piece: operations that may step from one value to another. Where they do there is no
+// derivative.
 void find_steps(const Motion& motion, std::vector<std::string>& doubts) {
     const std::vector<NodeId> below = formula::nodes_below(motion.graph, roots(motion));
     const std::vector<bool> rests = resting(motion.graph, below);
@@ -167,31 +172,87 @@ void find_steps(const Motion& motion, std::vector<std::string>& doubts) {
     }
 }
 
+// Spans of the piece's clock, which is the time, in which the bounds may be empty or turned inside
+// out: scenes are refused for that at the times of frames only.
+void find_collapses(const Motion& motion, std::vector<Interval>& collapses) {
+    Graph g;
+    const auto of_clock = [&](NodeId root) {
+        return formula::substitute(g, motion.graph, std::array{root},
+                                   [](Graph& to, const Node& node, NodeId rebuilt) {
+                                       return node.op == Op::input ? to.input(0) : rebuilt;
+                                   })[0];
+    };
+    std::vector<NodeId> wholes; // greater than 0 while the bounds hold anything
+    if (motion.shape == scene::Bounds::Shape::sphere) {
+        wholes.push_back(of_clock(motion.radius));
+    } else {
+        for (std::size_t k = 0; k < 3; ++k)
+            wholes.push_back(g.subtract(of_clock(motion.high[k]), of_clock(motion.low[k])));
+    }
+    const formula::Program program = formula::schedule(g, wholes);
+    formula::Bindings<Interval> bindings;
+    bindings.seed = motion.bindings.seed;
+    formula::Evaluator<Interval> evaluator(program);
+    std::vector<Interval> values(wholes.size());
+    // Two halves that touch are one span.
+    const auto add = [&](Interval time) {
+        if (!collapses.empty() && collapses.back().hi == time.lo) {
+            collapses.back().hi = time.hi;
+        } else {
+            collapses.push_back(time);
+        }
+    };
+    constexpr int most_halvings = 14;
+    std::vector<std::pair<Interval, int>> stack{{motion.clock, 0}};
+    while (!stack.empty()) {
+        const auto [time, halvings] = stack.back();
+        stack.pop_back();
+        evaluator.point(bindings, {&time, 1}, values);
+        if (std::ranges::all_of(values, [](Interval value) { return value.lo > 0; })) continue;
+        const double middle = mid(time);
+        const bool collapses_all =
+            std::ranges::any_of(values, [](Interval value) { return value.hi <= 0; });
+        if (collapses_all || halvings == most_halvings || !(time.lo < middle && middle < time.hi)) {
+            add(time);
+            continue;
+        }
+        stack.push_back({{middle, time.hi}, halvings + 1});
+        stack.push_back({{time.lo, middle}, halvings + 1});
+    }
+}
+
 } // namespace
 
 Motions motions(const scene::Scene& scene, Side side, Interval range, Clock clock) {
     Motions all;
     const animation::Animation& animation = scene.timeline.animation;
     animation::Parts parts;
-    find_steps(piece(scene, side, mid(range), std::nullopt, &parts), all.doubts);
-    const std::vector<animation::Knot> knots = animation::knots(animation, parts, range);
+    piece(scene, side, mid(range), std::nullopt, &parts);
+    std::vector<animation::Knot> knots = animation::knots(animation, parts, range);
     for (const animation::Knot& knot : knots) {
         if (knot.jumps) all.jumps.push_back(knot.time);
     }
-    if (clock == Clock::track_if_one && all.jumps.empty()) {
-        if (auto motion = through_one_track(scene, parts, side, mid(range))) {
-            motion->clock = Driven(scene, *motion->driver, range).values();
-            all.pieces.push_back(std::move(*motion));
-            return all;
-        }
+    if (!knots.empty() && knots.back().time == range.hi) {
+        all.at_end = piece(scene, side, range.hi, std::nullopt);
+        all.at_end->clock = range.hi;
+        knots.pop_back();
     }
     double from = range.lo;
     for (std::size_t k = 0; k <= knots.size(); ++k) {
         const double to = k < knots.size() ? knots[k].time : range.hi;
         Motion motion = piece(scene, side, from + (to - from) / 2, std::nullopt);
         motion.clock = {from, to};
+        find_steps(motion, all.doubts);
+        find_collapses(motion, all.collapses);
         all.pieces.push_back(std::move(motion));
         from = to;
+    }
+    if (clock == Clock::track_if_one && all.jumps.empty()) {
+        if (auto motion = through_one_track(scene, parts, side, range)) {
+            motion->clock = Driven(scene, *motion->driver, range).values();
+            all.pieces.clear();
+            all.pieces.push_back(std::move(*motion));
+        }
     }
     return all;
 }

@@ -38,8 +38,11 @@ struct Motion {
 };
 
 struct Motions {
-    std::vector<Motion> pieces;      // one, or one between each two knots of the animation
-    std::vector<double> jumps;       // times at which the surface is not continuous
+    std::vector<Motion> pieces;   // one, or one between each two knots of the animation
+    std::vector<double> jumps;    // times at which the surface is not continuous
+    std::optional<Motion> at_end; // of the range's end alone, if it jumps there: what is after
+    // Spans of time in which the bounds may hold nothing. Ascending.
+    std::vector<formula::Interval> collapses;
     std::vector<std::string> doubts; // what the expressions don't tell
 };
 

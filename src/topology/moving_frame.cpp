@@ -8,18 +8,20 @@ namespace isomotion::topology {
 using formula::Interval;
 
 MovingFrames::MovingFrames(const scene::Scene& scene, Side solid, Interval range) {
-    for (const Motion& piece : motions(scene, solid, range, Clock::time).pieces)
-        pieces_.emplace_back(piece);
+    const Motions all = motions(scene, solid, range, Clock::time);
+    for (const Motion& piece : all.pieces) pieces_.emplace_back(piece);
+    if (all.at_end) at_end_.emplace(*all.at_end);
 }
 
-std::size_t MovingFrames::piece_at(Interval time) const {
+const TimedFormula& MovingFrames::piece_at(Interval time) const {
+    if (at_end_ && time.lo == at_end_->clock().hi) return *at_end_;
     const auto now = std::ranges::find_if(
         pieces_, [&](const TimedFormula& piece) { return contains(piece.clock(), mid(time)); });
-    return std::min(std::size_t(now - pieces_.begin()), pieces_.size() - 1);
+    return now == pieces_.end() ? pieces_.back() : *now;
 }
 
 MovingFrames::Frame MovingFrames::at(Interval time) const {
-    const TimedFormula& piece = pieces_[piece_at(time)];
+    const TimedFormula& piece = piece_at(time);
     Frame frame{piece.formula(), piece.bounds(mid(time))};
     frame.formula.bindings = piece.bindings(time);
     return frame;

@@ -18,7 +18,8 @@ public:
         SpaceFormula formula;
         scene::BoundsAt bounds; // rounded
     };
-    // The time lies between two knots of the animation.
+    // The time lies between two knots of the animation, or is the end of the range: there values
+    // are those after a jump, as they are drawn.
     Frame at(formula::Interval time) const;
 
     CertifiedFrame certify(double time, const FrameLimits& limits = {}) const;
@@ -27,9 +28,10 @@ public:
                       const FrameLimits& limits = {}) const;
 
 private:
-    std::size_t piece_at(formula::Interval time) const;
+    const TimedFormula& piece_at(formula::Interval time) const;
 
     std::vector<TimedFormula> pieces_;
+    std::optional<TimedFormula> at_end_;
 };
 
 } // namespace isomotion::topology

@@ -255,16 +255,44 @@ struct Count {
 
 bool overlap(Interval a, Interval b) { return a.lo <= b.hi && b.lo <= a.hi; }
 
+// The statement's frames hold some of the events that this one may have changed kinds with, but not
+// all: how many of a kind are inside isn't known.
+bool parts_moment(const Statement& statement, const Event& event, const Timeline& timeline,
+                  animation::FrameRate fps) {
+    if (event.kind_proof != "together") return false;
+    bool has_inside = false, has_outside = false;
+    for (const Event& other : timeline.events) {
+        if (!are_interchangeable(event, other)) continue;
+        const Interval frames = frames_at(fps, other.time);
+        has_inside |= overlap(frames, statement.frames);
+        has_outside |= !formula::contains(statement.frames, frames);
+    }
+    return has_inside && has_outside;
+}
+
+bool admits_any(const Statement& statement, const std::vector<Kind>& kinds) {
+    return std::ranges::any_of(kinds, [&](Kind kind) { return statement.admits(kind); });
+}
+
+bool admits_all(const Statement& statement, const std::vector<Kind>& kinds) {
+    return std::ranges::all_of(kinds, [&](Kind kind) { return statement.admits(kind); });
+}
+
 Count count(const Statement& statement, const Timeline& timeline, animation::FrameRate fps) {
     Count count;
     for (const Event& event : timeline.events) {
         if (event.kind == Kind::none) continue;
         const Interval frames = frames_at(fps, event.time);
-        const bool may_be = event.kind == Kind::unknown || statement.admits(event.kind);
-        if (!may_be || !overlap(frames, statement.frames)) continue;
-        ++count.possible;
-        count.certain += event.is_proved && statement.admits(event.kind) &&
-                         formula::contains(statement.frames, frames);
+        if (!overlap(frames, statement.frames)) continue;
+        bool is_meant = statement.admits(event.kind);
+        bool may_be = event.kind == Kind::unknown || is_meant;
+        if (parts_moment(statement, event, timeline, fps)) {
+            const std::vector<Kind> kinds = kinds_of(event.index, event.grows);
+            is_meant = admits_all(statement, kinds);
+            may_be = admits_any(statement, kinds);
+        }
+        count.possible += may_be;
+        count.certain += event.is_proved && is_meant && formula::contains(statement.frames, frames);
     }
     count.is_open = !timeline.is_proved || !timeline.doubts.empty() ||
                     std::ranges::any_of(timeline.unresolved, [&](const Unresolved& place) {
@@ -305,15 +333,26 @@ std::string nearest_text(const Statement& statement, const Timeline& timeline,
 Judgement judge_rest(const std::vector<Statement>& all, const Timeline& timeline,
                      animation::FrameRate fps) {
     Judgement judgement{Truth::holds, ""};
-    const auto meant = [&](const Event& event) {
+    const auto speaks_of = [&](const Statement& other, const Event& event) {
+        return !other.is_nothing_else && other.most > 0 &&
+               overlap(frames_at(fps, event.time), other.frames);
+    };
+    const auto meant = [&](const Event& event, Kind kind) {
         return std::ranges::any_of(all, [&](const Statement& other) {
-            return !other.is_nothing_else && other.most > 0 && other.admits(event.kind) &&
-                   overlap(frames_at(fps, event.time), other.frames);
+            return other.admits(kind) && speaks_of(other, event);
         });
     };
     for (const Event& event : timeline.events) {
-        if (event.kind == Kind::none || meant(event)) continue;
-        const bool certain = event.is_proved && event.kind != Kind::unknown;
+        if (event.kind == Kind::none) continue;
+        const bool is_parted = std::ranges::any_of(all, [&](const Statement& other) {
+            return !other.is_nothing_else && parts_moment(other, event, timeline, fps);
+        });
+        const std::vector<Kind> kinds =
+            is_parted ? kinds_of(event.index, event.grows) : std::vector{event.kind};
+        const auto as_kind = [&](Kind kind) { return meant(event, kind); };
+        if (std::ranges::all_of(kinds, as_kind)) continue;
+        const bool certain =
+            event.is_proved && event.kind != Kind::unknown && std::ranges::none_of(kinds, as_kind);
         judgement.why +=
             fmt::format("{}{} at frame {}{}", judgement.why.empty() ? "" : ", ", name(event.kind),
                         frame_text(frames_at(fps, event.time)), certain ? "" : " (not proved)");

@@ -227,5 +227,26 @@ TEST(Compare, AnotherSceneIsNoted) {
     EXPECT_THAT(check.notes, ElementsAre(HasSubstr("not the one that the expectation was made")));
 }
 
+TEST(Compare, KindsKnownOnlyTogetherMayChangePlaces) {
+    const auto at_once = [](std::array<Kind, 3> kinds) {
+        Record record = complete({4, 0, 0}, {event_at(12, kinds[0], {-0.5, 0, 0}),
+                                             event_at(12, kinds[1], {0, 0, 0}),
+                                             event_at(12, kinds[2], {0.5, 0, 0})});
+        for (Event& event : record.timeline.events) event.kind_proof = "together";
+        return record;
+    };
+    constexpr Kind merge = Kind::merge, tunnel = Kind::tunnel_forms;
+    const Record one = at_once({merge, merge, tunnel});
+    EXPECT_EQ(compare(one, at_once({tunnel, merge, merge}), 1e-9).outcome(), Outcome::passes);
+    Record other = at_once({tunnel, tunnel, merge});
+    const Check check = compare(one, other, 1e-9);
+    EXPECT_EQ(check.outcome(), Outcome::differs);
+    EXPECT_THAT(check.differences, testing::Contains(testing::HasSubstr("1 merge of events")));
+    // A path tells which it is: then it is that one.
+    other = at_once({tunnel, merge, merge});
+    for (Event& event : other.timeline.events) event.kind_proof = "path";
+    EXPECT_EQ(compare(one, other, 1e-9).outcome(), Outcome::differs);
+}
+
 } // namespace
 } // namespace isomotion::topology

@@ -1,5 +1,6 @@
 // Events of surfaces whose critical times are known in closed form: all of them and no others.
 #include "moving.h"
+#include "topology/analyse.h"
 #include "topology/motion.h"
 #include "topology/moving_field.h"
 
@@ -193,6 +194,24 @@ TEST(Events, AcrossAJumpAreUnresolved) {
     EXPECT_EQ(timeline.unresolved[0].time, formula::Interval(2.0));
 }
 
+TEST(Events, AtAJumpAtTheEndAreUnresolved) {
+    // The last frame shows what is after the jump: nothing. And so at one inside, seen from there.
+    const Moving ball{"x^2 + y^2 + z^2 - r", "{ sphere = 2 }",
+                      "r = { keys = [[0, 1], [1, -1]], ease = \"hold\" }",
+                      "[time]\nframes = 11\nfps = 10"};
+    const Timeline timeline = analyse(ball.scene(), {});
+    EXPECT_FALSE(timeline.is_complete());
+    ASSERT_EQ(timeline.unresolved.size(), 1u) << described(timeline);
+    EXPECT_EQ(timeline.unresolved[0].time, formula::Interval(1.0));
+    EXPECT_EQ(timeline.start, (Betti{1, 0, 0}));
+    EXPECT_EQ(timeline.end, (Betti{0, 0, 0}));
+    // No jump at an end that only rests from there on.
+    const Moving still{"x^2 + y^2 + z^2 - r", "{ sphere = 2 }",
+                       "r = { keys = [[0, 1], [1, 1]], ease = \"hold\" }",
+                       "[time]\nframes = 11\nfps = 10"};
+    EXPECT_TRUE(analyse(still.scene(), {}).is_complete());
+}
+
 TEST(Events, AreNotDisturbedByWhatMovesElsewhere) {
     // Cuts of the camera are none of the surface.
     const Moving two{two_gaussians, "{ sphere = 4 }", "T = 0.5\ns = \"2 - t\"",
@@ -218,6 +237,62 @@ TEST(Events, AtStepsOfTheMotionAreInDoubt) {
     const Timeline timeline = events_of(two, 0, 1.5);
     EXPECT_FALSE(timeline.is_proved);
     EXPECT_FALSE(timeline.doubts.empty());
+}
+
+TEST(Events, OfATrackThatRestsHalfwayAreNotLeftToAnother) {
+    // In the middle of the range r rests, and all seems to go through c.
+    const Moving ball{"(x - c)^2 + y^2 + z^2 - r", "{ sphere = 4 }",
+                      "c = \"0.1*t\"\nr = { keys = [[0, 1], [1, -1], [1.5, 1]], ease = "
+                      "\"linear\" }"};
+    expect_events(events_of(ball, 0, 4), {{0.5, 1, 0, false}, {1.25, 1, 0, true}});
+}
+
+TEST(Events, AtStepsBeforeTheMotionRestsAreInDoubt) {
+    // In the middle of the range the keys rest, and with them what steps.
+    for (const char* step : {"floor(k)", "sign(k - 0.5)", "random(k, 1)", "floor(0.5 + k)*t"}) {
+        SCOPED_TRACE(step);
+        for (const char* other : {"", " + 0.1*t"}) {
+            const Moving ball{"x^2 + y^2 + z^2 - 1 - 0.1*s", "{ sphere = 4 }",
+                              fmt::format("s = \"{}{}\"\nk = {{ keys = [[0, 0], [0.5, 1]], "
+                                          "ease = \"linear\" }}",
+                                          step, other)};
+            const Timeline timeline = events_of(ball, 0, 4);
+            EXPECT_FALSE(timeline.is_proved);
+            EXPECT_FALSE(timeline.doubts.empty());
+        }
+    }
+    // What never moves steps nowhere.
+    const Moving ball{"x^2 + y^2 + z^2 - 1 - 0.1*s", "{ sphere = 4 }",
+                      "s = \"0.1*t + floor(1.5) + random(3, 1)\""};
+    EXPECT_TRUE(events_of(ball, 0, 1).is_proved);
+}
+
+TEST(Events, WhereTheBoundsTurnInsideOutAreUnresolved) {
+    const auto unresolved = [](const Moving& moving) {
+        const Timeline timeline = events_of(moving, 0, 1);
+        EXPECT_EQ(timeline.is_proved, timeline.unresolved.empty()) << described(timeline);
+        return timeline.unresolved;
+    };
+    // From 1/4 s to 3/4 s the box is none; the ball is off its walls else.
+    const Moving box{"x^2 + y^2 + z^2 - 0.01", "{ box = [[-1, -1, -1], [\"w\", 1, 1]] }",
+                     "w = { keys = [[0, 1], [0.5, -3], [1, 1]], ease = \"linear\" }"};
+    const auto turned = unresolved(box);
+    ASSERT_FALSE(turned.empty());
+    const auto holds = [&](double time) {
+        return std::ranges::any_of(
+            turned, [&](const Unresolved& place) { return contains(place.time, time); });
+    };
+    for (const double time : {0.25, 0.3, 0.5, 0.6, 0.75}) EXPECT_TRUE(holds(time)) << time;
+    EXPECT_FALSE(holds(0.2));
+    EXPECT_FALSE(holds(0.8));
+    EXPECT_FALSE(
+        unresolved({"x^2 + y^2 + z^2 - 0.01", "{ sphere = \"cos(2*pi*t)\" }", ""}).empty());
+    EXPECT_TRUE(
+        unresolved({"x^2 + y^2 + z^2 - 0.01", "{ sphere = \"2 + cos(2*pi*t)\" }", ""}).empty());
+    // A wall that moves less is no matter.
+    EXPECT_TRUE(unresolved({"x^2 + y^2 + z^2 - 0.01", "{ box = [[-1, -1, -1], [\"w\", 1, 1]] }",
+                            "w = \"1.2 + cos(2*pi*t)\""})
+                    .empty());
 }
 
 TEST(Events, OfASumOverAnArrayAreThoseOfItsTermsWritten) {

@@ -307,6 +307,7 @@ TEST(Counting, EventsAtOneTime) {
     EXPECT_EQ(count(timeline, Kind::merge), 7);
     EXPECT_EQ(count(timeline, Kind::tunnel_forms), 5);
     EXPECT_TRUE(timeline.is_complete());
+    for (const Event& event : timeline.events) EXPECT_EQ(event.kind_proof, "together");
 
     // Six holes in the faces close at once: a void forms, five tunnels close.
     events.assign(6, an_event(5, 2, true));
@@ -325,6 +326,20 @@ TEST(Counting, EventsAtOneTime) {
     EXPECT_EQ(count(timeline, Kind::void_opens), 1);
     EXPECT_EQ(count(timeline, Kind::tunnel_opens), 5);
     EXPECT_TRUE(timeline.is_complete());
+
+    // Two of three are known to come one after another: that the first overlaps both isn't enough.
+    events.assign(3, an_event(5, 1, true));
+    events[0].time = {1, 3};
+    events[1].time = {1.5, 1.6};
+    events[2].time = {2.8, 2.9};
+    timeline = timeline_of(events, {2, 0, 0}, {1, 2, 0});
+    find_kinds(timeline, {});
+    EXPECT_EQ(count(timeline, Kind::unknown), 3);
+    EXPECT_FALSE(timeline.is_complete());
+    // All three are merges, whenever they come: but no frames about one moment say so.
+    timeline = timeline_of(events, {4, 0, 0}, {1, 0, 0});
+    find_kinds(timeline, {});
+    for (const Event& event : timeline.events) EXPECT_EQ(event.kind_proof, "counting");
 
     // Some grow and some shrink: nothing tells how many.
     events = {an_event(5, 1, true), an_event(5, 1, false)};

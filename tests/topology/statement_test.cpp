@@ -202,5 +202,25 @@ TEST(Statement, WhatChangesNothingIsNoEvent) {
     EXPECT_EQ(judged({"4 events", "nothing else"}, timeline).truth, Truth::holds);
 }
 
+TEST(Statement, KindsKnownOnlyTogetherAreNotPartedByFrames) {
+    // The merge may be either, and either may be before frame 12.
+    Record record =
+        complete({2, 0, 0}, {event_at(11.5, Kind::merge), event_at(12, Kind::tunnel_forms)});
+    record.timeline.events[0].time = {1.0, 1.09};
+    record.timeline.events[1].time = {1.05, 1.2};
+    for (Event& event : record.timeline.events) event.kind_proof = "together";
+    const Timeline& timeline = record.timeline;
+    EXPECT_EQ(judged({"merge before frame 12"}, timeline).truth, Truth::open);
+    EXPECT_EQ(judged({"no tunnel forms before frame 11.95"}, timeline).truth, Truth::open);
+    EXPECT_EQ(judged({"merge", "tunnel forms"}, timeline).truth, Truth::holds);
+    EXPECT_EQ(judged({"merge between frames 10 and 14"}, timeline).truth, Truth::holds);
+    EXPECT_EQ(judged({"2 merges between frames 10 and 14"}, timeline).truth, Truth::fails);
+    EXPECT_EQ(judged({"nothing else", "merge", "tunnel forms"}, timeline).truth, Truth::holds);
+    EXPECT_EQ(judged({"nothing else", "2 merges"}, timeline).truth, Truth::fails);
+    EXPECT_EQ(
+        judged({"nothing else", "merge before frame 12", "event after frame 12"}, timeline).truth,
+        Truth::open);
+}
+
 } // namespace
 } // namespace isomotion::topology

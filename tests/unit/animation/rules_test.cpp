@@ -93,6 +93,23 @@ TEST(Rules, ChangeAtKnotsOfWhatIsUsed) {
     EXPECT_EQ(times({{0, 2}, {}}, {0, 4}), (Times{{1, false}, {1.5, false}}));
     EXPECT_EQ(times({{1}, {}}, {-1, 5}), (Times{{0, false}, {1, true}, {1.5, true}, {4, true}}));
     EXPECT_TRUE(times({{2}, {}}, {0, 4}).empty());
+    // At its own time a jump is over: one at the end of a range is seen there, one at its begin
+    // not.
+    EXPECT_EQ(times({{1}, {}}, {1, 4}), (Times{{1.5, true}, {4, true}}));
+    EXPECT_EQ(times({{0}, {}}, {1, 1.5}), (Times{}));
+    EXPECT_EQ(times({{1}, {}}, {4, 4}), (Times{}));
+}
+
+TEST(Rules, SamplesThatHoldJumpAtTheEndOfARange) {
+    for (const auto how :
+         {ElementSamples::Interpolation::hold, ElementSamples::Interpolation::linear}) {
+        const ElementSamples::Rows rows{{0, 1, 2}, {0, 1, 2, 3}, {{0.0, 1.0, 3.0}}, {}};
+        Array blobs{"blobs", 1, {{"x", Column{0}}}, std::make_shared<ElementSamples>(rows, how)};
+        const Animation animation({}, {blobs});
+        const auto found = knots(animation, {{}, {0}}, {0.5, 1});
+        ASSERT_EQ(found.size(), how == ElementSamples::Interpolation::hold ? 1u : 0u);
+        for (const Knot& knot : found) EXPECT_TRUE(knot.time == 1 && knot.jumps);
+    }
 }
 
 } // namespace

@@ -186,5 +186,28 @@ TEST(Derivative, OfAPowerOfANegativeNumberIsZero) {
     EXPECT_EQ(value_of("(-2)^x", {3, 0, 0}), -8);
 }
 
+// Nothing is known of how values differ where random's arguments move, so nothing is proved there.
+TEST(Derivative, OfRandomOverAnIntervalIsUnbounded) {
+    Graph graph;
+    const NodeId x = graph.input(0);
+    const NodeId moves = graph.binary(Op::random, x, graph.constant(1));
+    const NodeId rests = graph.binary(Op::random, graph.constant(3), graph.constant(1));
+    std::vector<NodeId> slopes;
+    for (const auto kind : {Slopes::generalized, Slopes::pointwise}) {
+        for (const NodeId root : {moves, rests})
+            slopes.push_back(differentiate_inputs(graph, root, {graph.constant(1)}, kind));
+    }
+    const Program program = schedule(graph, slopes);
+    const auto at = [&](Interval value) {
+        std::vector<Interval> found(slopes.size());
+        Evaluator<Interval>(program).point({}, {&value, 1}, found);
+        return found;
+    };
+    const std::vector<Interval> over = at({1, 2}), here = at(1.5);
+    EXPECT_EQ(over[0], (Interval{-infinity, infinity}));
+    for (const std::size_t k : {1, 2, 3}) EXPECT_EQ(over[k], Interval(0.0)) << k;
+    for (const Interval slope : here) EXPECT_EQ(slope, Interval(0.0));
+}
+
 } // namespace
 } // namespace isomotion::formula
