@@ -128,8 +128,10 @@ Sides EventPaths::sides(Fields& fields, std::size_t which, int effort) const {
     // Of a critical point of index 2 on a wall the sides are the inside and the outside.
     if (event.index != 1 && (event.index != 2 || event.stratum != 3)) return Sides::unknown;
     const TimedFormula& piece = piece_of(mid(event.time));
+    // At a knot another piece has a rule of its own.
+    if (!contains(piece.clock(), event.time)) return Sides::unknown;
     const auto bindings = piece.bindings(event.time);
-    const Moment moment = field_moment(fields.over(piece, bindings), piece.bounds(mid(event.time)));
+    const Moment moment = field_moment(fields.over(piece, bindings), piece.bounds(event.time));
     const Region region(moment, is_solid);
     const auto starts = both_sides(region, event);
     if (!starts) return Sides::unknown;
@@ -162,14 +164,12 @@ Sides EventPaths::sides(Fields& fields, std::size_t which, int effort) const {
     };
     add(saddles_[std::size_t(event.index - 1)][which]);
     if (effort > 1) add(saddles_from_seeds(field, moment.box, most_seeds));
-    bool is_tried = false;
     for (int tries = 0, bridges = effort > 0 ? most_bridges : 0; tries < most_routes;) {
         const auto route = graph.route(own_ways[0], own_ways[1]);
         if (!route) {
             if (bridges-- > 0 && bridge(graph, own_ways, field, ground, add)) continue;
-            return is_tried ? Sides::unknown : Sides::apart;
+            return Sides::unknown;
         }
-        is_tried = true;
         ++tries;
         std::size_t failed = 0;
         if (is_path(region, route->points, &failed)) return Sides::joined;
