@@ -1,4 +1,5 @@
 #include <cmath>
+#include <exception>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
@@ -80,15 +81,15 @@ void write_text(const std::string& file, const std::string& text) {
     image::write_whole(file, std::as_bytes(std::span(text)));
 }
 
-// Pictures of the frames that tell most; none where there is no driver to draw them.
+// Pictures of the frames that tell most; those before one that cannot be drawn.
 std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& arguments,
                                                const topology::Record& record,
                                                const StopOnSignal& stop) {
     std::vector<scene::Override> settings = arguments.settings;
     settings.push_back(fmt::format("output.size=[{0},{0}]", thumbnail_size));
-    const scene::Scene scene = scene::load(arguments.scene, settings);
     std::vector<topology::Thumbnail> thumbnails;
     try {
+        const scene::Scene scene = scene::load(arguments.scene, settings);
         const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
         render::Renderer renderer(*context, scene, {thumbnail_size, thumbnail_size, {}, {}, {}});
         const auto frames = topology::telling_frames(record, most_thumbnails);
@@ -104,8 +105,30 @@ std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& argument
     } catch (const gpu::Unavailable&) {
         fmt::print(stderr, "warning: no OpenGL here: {} has no pictures of the surface\n",
                    arguments.plot);
+    } catch (const std::exception& error) { // a shader too long, a value out of range in between
+        fmt::print(stderr, "warning: {} lacks pictures of the surface: {}\n", arguments.plot,
+                   error.what());
     }
     return thumbnails;
+}
+
+// Each file whatever becomes of the others. What the first that fails throws is thrown at the end.
+void write_files(const TopologyArguments& arguments, const topology::Record& record,
+                 const StopOnSignal& stop) {
+    std::exception_ptr first;
+    const auto write = [&](const std::string& file, const auto& text) {
+        if (file.empty()) return;
+        try {
+            write_text(file, text());
+        } catch (...) {
+            if (!first) first = std::current_exception();
+        }
+    };
+    write(arguments.output, [&] { return topology::to_json(record); });
+    write(arguments.csv, [&] { return topology::betti_csv(record); });
+    write(arguments.plot,
+          [&] { return topology::plot_svg(record, thumbnails_of(arguments, record, stop)); });
+    if (first) std::rethrow_exception(first);
 }
 
 topology::Record analysed(const TopologyArguments& arguments, const scene::Scene& scene,
@@ -119,9 +142,10 @@ topology::Record analysed(const TopologyArguments& arguments, const scene::Scene
         progress.show(int(1000 * part), what);
     };
     how.stop = [&] { return stop.asked(); };
-    topology::Record record{{}, topology::analyse(scene, how)};
-    record.subject = topology::subject_of(scene, record.timeline.range);
-    return record;
+    // A mistake in the last frame is told before minutes of searching.
+    const topology::Subject subject = topology::subject_of(
+        scene, {scene.timeline.time(how.first), scene.timeline.time(how.last)});
+    return {subject, topology::analyse(scene, how)};
 }
 
 int judged(const TopologyArguments& arguments, const topology::Expectation& expectation,
@@ -159,13 +183,9 @@ int topology_of(const TopologyArguments& arguments) {
     const topology::Record record = analysed(arguments, scene, frames, stop);
     const bool is_whole = !stop.asked();
     if (!arguments.quiet) fmt::print("{}", topology::summary(record));
-    if (!arguments.output.empty()) write_text(arguments.output, topology::to_json(record));
-    if (!arguments.csv.empty()) write_text(arguments.csv, topology::betti_csv(record));
-    if (!arguments.plot.empty()) {
-        write_text(arguments.plot,
-                   topology::plot_svg(record, thumbnails_of(arguments, record, stop)));
-    }
+    // Judged first: no file that fails to be written keeps the judgement back.
     const int code = expectation ? judged(arguments, *expectation, record) : exit_done;
+    write_files(arguments, record, stop);
     if (is_whole) return code;
     fmt::print(stderr, "interrupted; what was written is what was known\n");
     return exit_interrupted;

@@ -10,9 +10,10 @@
 #include "formula/operations.h"
 
 // Loops over lanes for wider registers too, where the processor has them; the values are the same,
-// for nothing is contracted.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
-    !defined(__SANITIZE_ADDRESS__)
+// for nothing is contracted. Which loop runs is chosen while the program is linked, by glibc:
+// before a sanitiser is ready.
+#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GLIBC__) && defined(__GNUC__) &&    \
+    !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define ISOMOTION_CLONES __attribute__((target_clones("avx2", "default")))
 #else
 #define ISOMOTION_CLONES

@@ -1,7 +1,7 @@
 #include "topology/analyse.h"
 
 #include <algorithm>
-#include <stop_token>
+#include <mutex>
 #include <thread>
 
 #include <fmt/format.h>
@@ -16,25 +16,32 @@ namespace {
 
 using formula::Interval;
 
-// Passes on what was asked by std::function to searches that ask a token.
+// Asks and tells from one thread at a time, whichever threads search.
 class Asking {
 public:
     explicit Asking(const Analysing& how)
         : how_(how) {}
 
-    std::stop_token token() const { return source_.get_token(); }
     bool stopped() const {
-        if (how_.stop && how_.stop()) source_.request_stop();
-        return source_.stop_requested();
+        const std::lock_guard lock(one_at_a_time_);
+        return is_stopped();
     }
     void show(const char* what, double part) const {
-        stopped();
-        if (how_.progress) how_.progress(what, part);
+        const std::lock_guard lock(one_at_a_time_);
+        is_stopped();
+        part_ = what_ == what ? std::max(part_, part) : part;
+        what_ = what;
+        if (how_.progress) how_.progress(what_, part_);
     }
 
 private:
+    bool is_stopped() const { return is_stopped_ = is_stopped_ || (how_.stop && how_.stop()); }
+
     const Analysing& how_;
-    mutable std::stop_source source_;
+    mutable std::mutex one_at_a_time_;
+    mutable bool is_stopped_ = false;
+    mutable std::string what_;
+    mutable double part_ = 0; // of this
 };
 
 int threads_of(const Analysing& how) {
@@ -84,7 +91,7 @@ Timeline sampled(const scene::Scene& scene, Side side, const Analysing& how, int
 EventSearch event_search(const Analysing& how, const Asking& asking) {
     EventSearch searching;
     searching.threads = threads_of(how);
-    searching.stop = asking.token();
+    searching.stopped = [&] { return asking.stopped(); };
     searching.progress = [&](double part) { asking.show("events", part); };
     return searching;
 }
@@ -129,10 +136,11 @@ Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Inte
     Timeline timeline = find_events(scene, side, range, event_search(how, asking));
 
     const MovingFrames frames(scene, side, range);
+    const FrameLimits limits{.stopped = [&] { return asking.stopped(); }};
     const auto prove_end = [&](double time, std::optional<Betti>& betti, bool& is_proved) {
         std::string why;
         if (asking.stopped()) return why;
-        const CertifiedFrame frame = frames.certify(time);
+        const CertifiedFrame frame = frames.certify(time, limits);
         betti = frame.betti;
         is_proved = betti.has_value();
         if (!is_proved) why = fmt::format("the frame at {:g} s is not proved: {}", time, frame.why);
@@ -146,8 +154,8 @@ Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Inte
     SeekingPaths seeking;
     seeking.threads = threads_of(how);
     seeking.progress = [&](double part) { asking.show("kinds", part); };
-    seeking.stopped = [&] { return asking.stopped(); };
-    KindProofs proofs = frames.proofs(timeline.events, seeking);
+    seeking.stopped = limits.stopped;
+    KindProofs proofs = frames.proofs(timeline.events, seeking, limits);
     proofs.stopped = seeking.stopped;
     const bool is_late = asking.stopped();
     if (is_late && timeline.is_proved)
@@ -158,7 +166,7 @@ Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Inte
     if (!timeline.events.empty() && !asking.stopped()) {
         asking.show("proofs again", 0);
         Confirming confirming{.threads = threads_of(how)};
-        confirming.stopped = [&] { return asking.stopped(); };
+        confirming.stopped = limits.stopped;
         prove_again(timeline, SecondProof(scene, side, range), confirming);
     }
     if (asking.stopped()) {

@@ -20,10 +20,10 @@ struct Analysing {
     Certify certify = Certify::full;
     int first = 1, last = 0; // frames, first < last; 0: the scene's last
     int threads = 0;         // 0: as many as the machine runs at once
-    // Called from one thread at a time; `part` in [0, 1] of what `what` is.
+    // Called from one thread at a time; `part` in [0, 1] of what `what` is, which doesn't fall.
     std::function<void(const std::string& what, double part)> progress;
-    // Asked often. Once true, the timeline returned has what is known so far: it is not proved and
-    // its doubts say why.
+    // Asked often, from one thread at a time. Once true, the timeline returned has what is known so
+    // far: it is not proved and its doubts say why.
     std::function<bool()> stop;
 };
 

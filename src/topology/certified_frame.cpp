@@ -16,8 +16,8 @@ constexpr int deepest = 10;
 // between two boxes are in the enclosures of both.
 constexpr double rim = 0x1p-30;
 
-// One value of each enclosure. The topology is the same for all (docs/topology-proofs.md), so the signs
-// may be those of any.
+// One value of each enclosure. The topology is the same for all (docs/topology-proofs.md), so the
+// signs may be those of any.
 formula::Bindings<Interval> one_of(formula::Bindings<Interval> bindings) {
     for (Interval& value : bindings.parameters) value = mid(value);
     for (auto& array : bindings.arrays) {
@@ -161,6 +161,7 @@ private:
     void divide(const Cell& cell, const Near& near);
     // Settles the cell, or says that it must be divided.
     bool settle(const Cell& cell, const SpaceBox& box, const ValueAndGradient& g, const Near& near);
+    bool is_interrupted(const Cell& cell);
     bool may_go_on(const Cell& cell);
     void fill(const Cell& cell, SignGrid& grid) const;
     // The signs of the grid's vertices in a crossed leaf; false if one is lost in rounding that
@@ -188,7 +189,8 @@ CertifiedFrame Octree::certify() {
         SignGrid grid((1 << depth_) + 1);
         for (const Cell& cell : solid_) fill(cell, grid);
         for (const Crossed& leaf : crossed_) {
-            if (draw(leaf, grid)) continue;
+            if (!is_interrupted(leaf.cell) && draw(leaf, grid)) continue;
+            if (failure_) break;
             failure_ = Failure{"a sign is lost in rounding", leaf.cell};
             break;
         }
@@ -201,7 +203,13 @@ CertifiedFrame Octree::certify() {
     return frame;
 }
 
+bool Octree::is_interrupted(const Cell& cell) {
+    if (!failure_ && limits_.stopped && limits_.stopped()) failure_ = Failure{"interrupted", cell};
+    return failure_.has_value();
+}
+
 bool Octree::may_go_on(const Cell& cell) {
+    if (is_interrupted(cell)) return false;
     if (!failure_ && cell.depth >= limits_.depth)
         failure_ = Failure{"not settled at the greatest depth", cell};
     if (!failure_ && boxes_ >= limits_.boxes) failure_ = Failure{"too many boxes", cell};

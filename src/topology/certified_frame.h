@@ -10,6 +10,7 @@
 // bounds if they are a box; reaching a sphere, it is not proved.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -30,6 +31,7 @@ struct CertifiedFrame {
 struct FrameLimits {
     int depth = 10; // at most 10
     int boxes = 4'000'000;
+    std::function<bool()> stopped{}; // asked often; once true nothing is proved
 };
 
 CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt& bounds,

@@ -37,10 +37,10 @@ public:
         }
     }
 
-    void add_reaching(const MovingField& field, std::stop_token stop) {
+    void add_reaching(const MovingField& field, const std::function<bool()>& stopped) {
         constexpr std::size_t most = 4096;
         const std::vector<Box> boxes =
-            merged(on_the_sphere(field, most, stop), field.domain(), 1e-6);
+            merged(on_the_sphere(field, most, stopped), field.domain(), 1e-6);
         for (const Box& box : boxes) unresolved(field, box, "the surface may reach the sphere");
     }
 
@@ -166,9 +166,10 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range, const
         timeline.unresolved.push_back(
             {time, {}, "the bounds may be empty or turned inside out", {}, {}});
     }
+    const auto is_stopped = [&] { return how.stopped && how.stopped(); };
     double done = 0;
     for (const Motion& motion : all.pieces) {
-        if (!motion.moves || how.stop.stop_requested()) continue;
+        if (!motion.moves || is_stopped()) continue;
         std::optional<Driven> driven;
         if (motion.driver) driven.emplace(scene, *motion.driver, range);
         Stratified events(motion, driven ? &*driven : nullptr, timeline);
@@ -185,15 +186,16 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range, const
                 progress = [&](double of_this) { how.progress(done + of_this * share); };
             }
             const Found found =
-                how.seeds > 0 ? from_seeds(field, {how.seeds, how.threads, how.stop, progress})
-                              : search(field, {how.smallest, how.threads, how.stop, progress});
+                how.seeds > 0 ? from_seeds(field, {how.seeds, how.threads, how.stopped, progress})
+                              : search(field, {how.smallest, how.threads, how.stopped, progress});
             done += share;
             if (cost) cost->boxes += found.work.boxes;
             events.add(field, found);
-            if (motion.shape == scene::Bounds::Shape::sphere) events.add_reaching(field, how.stop);
+            if (motion.shape == scene::Bounds::Shape::sphere)
+                events.add_reaching(field, how.stopped);
         }
     }
-    if (how.stop.stop_requested()) timeline.doubts.push_back("the search was interrupted");
+    if (is_stopped()) timeline.doubts.push_back("the search was interrupted");
     if (!timeline.doubts.empty() || !timeline.unresolved.empty()) timeline.is_proved = false;
     const auto earlier = [](const auto& a, const auto& b) { return mid(a.time) < mid(b.time); };
     std::stable_sort(timeline.events.begin(), timeline.events.end(), earlier);

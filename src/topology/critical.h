@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <stop_token>
 
 #include "formula/interval.h"
 #include "scene/scene.h"
@@ -19,8 +18,8 @@ struct EventSearch {
     // Above 0: so many seeds (from_seeds) in place of the search. That none is missing is then not
     // proved, and a doubt says so.
     int seeds = 0;
-    std::stop_token stop{};
-    std::function<void(double)> progress{}; // part of the search that is done; from any thread
+    std::function<bool()> stopped{};        // asked often, from any thread
+    std::function<void(double)> progress{}; // part of the search that is done; see SharedLoop
 };
 
 struct SearchCost {

@@ -20,29 +20,47 @@ std::string reason(const json::exception& error) {
     return end == text.npos ? text : text.substr(end + 2);
 }
 
-json converted(const toml::node& node, const std::string& file, const std::string& key) {
-    if (const auto* table = node.as_table()) {
-        json object = json::object();
-        for (const auto& [name, value] : *table) {
-            const std::string inner(name.str());
-            object[inner] = converted(value, file, key.empty() ? inner : key + "." + inner);
-        }
-        return object;
-    }
-    if (const auto* array = node.as_array()) {
-        json list = json::array();
-        for (std::size_t k = 0; k < array->size(); ++k) {
-            list.push_back(converted(*array->get(k), file, fmt::format("{}[{}]", key, k)));
-        }
-        return list;
-    }
-    if (const auto text = node.value_exact<std::string>()) return *text;
-    if (const auto whole = node.value_exact<std::int64_t>()) return *whole;
-    if (const auto number = node.value_exact<double>()) return *number;
-    if (const auto boolean = node.value_exact<bool>()) return *boolean;
-    throw DocumentError(
-        fmt::format("{}: {}: must be a number, a text, a list or a table, no date", file, key));
+std::string place(const std::string& file, std::size_t line, const std::string& key) {
+    const std::string at = line == 0 ? file : fmt::format("{}:{}", file, line);
+    return key.empty() ? at : fmt::format("{}: {}", at, key);
 }
+
+// From TOML; notes the lines of all nodes.
+class Conversion {
+public:
+    Conversion(const std::string& file, std::map<std::string, std::size_t>& lines)
+        : file_(file)
+        , lines_(lines) {}
+
+    json of(const toml::node& node, const std::string& key) {
+        const std::size_t line = node.source().begin.line;
+        if (!key.empty()) lines_[key] = line;
+        if (const auto* table = node.as_table()) {
+            json object = json::object();
+            for (const auto& [name, value] : *table) {
+                const std::string inner(name.str());
+                object[inner] = of(value, key.empty() ? inner : key + "." + inner);
+            }
+            return object;
+        }
+        if (const auto* array = node.as_array()) {
+            json list = json::array();
+            for (std::size_t k = 0; k < array->size(); ++k)
+                list.push_back(of(*array->get(k), fmt::format("{}[{}]", key, k)));
+            return list;
+        }
+        if (const auto text = node.value_exact<std::string>()) return *text;
+        if (const auto whole = node.value_exact<std::int64_t>()) return *whole;
+        if (const auto number = node.value_exact<double>()) return *number;
+        if (const auto boolean = node.value_exact<bool>()) return *boolean;
+        throw DocumentError(fmt::format("{}: must be a number, a text, a list or a table, no date",
+                                        place(file_, line, key)));
+    }
+
+private:
+    const std::string& file_;
+    std::map<std::string, std::size_t>& lines_;
+};
 
 } // namespace
 
@@ -68,9 +86,11 @@ json parse_json(std::string_view text, const std::string& file) {
     }
 }
 
-json parse_toml(std::string_view text, const std::string& file) {
+Document parse_toml(std::string_view text, const std::string& file) {
     try {
-        return converted(toml::parse(text), file, "");
+        Document document{json()};
+        document.value = Conversion(file, document.lines).of(toml::parse(text), "");
+        return document;
     } catch (const toml::parse_error& error) {
         throw DocumentError(fmt::format("{}:{}: not valid TOML: {}", file,
                                         error.source().begin.line, error.description()));
@@ -78,8 +98,17 @@ json parse_toml(std::string_view text, const std::string& file) {
 }
 
 void JsonValue::fail(const std::string& message) const {
-    throw DocumentError(key_.empty() ? fmt::format("{}: {}", *file_, message)
-                                     : fmt::format("{}: {}: {}", *file_, key_, message));
+    std::size_t line = 0; // not known
+    if (lines_) {
+        if (const auto at = lines_->find(key_); at != lines_->end()) line = at->second;
+    }
+    throw DocumentError(fmt::format("{}: {}", place(*file_, line, key_), message));
+}
+
+JsonValue JsonValue::inner(const json& value, std::string key) const {
+    JsonValue node(value, *file_, std::move(key));
+    node.lines_ = lines_;
+    return node;
 }
 
 std::string JsonValue::text() const {
@@ -116,7 +145,7 @@ std::vector<JsonValue> JsonValue::list() const {
     if (!value_->is_array()) fail("must be a list, in [ ]");
     std::vector<JsonValue> items;
     for (std::size_t k = 0; k < value_->size(); ++k) {
-        items.emplace_back((*value_)[k], *file_, fmt::format("{}[{}]", key_, k));
+        items.push_back(inner((*value_)[k], fmt::format("{}[{}]", key_, k)));
     }
     return items;
 }
@@ -151,7 +180,7 @@ std::optional<JsonValue> JsonObject::find(const std::string& name) {
     known_.insert(name);
     const auto found = node_.value_->find(name);
     if (found == node_.value_->end()) return std::nullopt;
-    return JsonValue(*found, *node_.file_, node_.key_.empty() ? name : node_.key_ + "." + name);
+    return node_.inner(*found, node_.key_.empty() ? name : node_.key_ + "." + name);
 }
 
 JsonValue JsonObject::at(const std::string& name) {

@@ -1,7 +1,8 @@
-// Typed access to a JSON document that says where a mistake is: "file: key: what is wrong, and what
-// would be right". What nobody asked for is a mistake too.
+// Typed access to a JSON or TOML document that says where a mistake is: "file: key: what is wrong,
+// and what would be right", of TOML "file:line: key: ...". What nobody asked for is a mistake too.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -21,9 +22,18 @@ public:
     using std::invalid_argument::invalid_argument;
 };
 
-// Throws DocumentError, also for a key that is given twice.
+// A document with the lines of what can be named in it: "components.12", "events[3]".
+struct Document {
+    Document(nlohmann::json json) // without lines
+        : value(std::move(json)) {}
+
+    nlohmann::json value;
+    std::map<std::string, std::size_t> lines;
+};
+
+// Throw DocumentError, also for a key that is given twice.
 nlohmann::json parse_json(std::string_view text, const std::string& file);
-nlohmann::json parse_toml(std::string_view text, const std::string& file);
+Document parse_toml(std::string_view text, const std::string& file);
 
 class JsonObject;
 
@@ -33,6 +43,11 @@ public:
         : value_(&value)
         , file_(&file)
         , key_(std::move(key)) {}
+    // All of a document.
+    JsonValue(const Document& document, const std::string& file)
+        : value_(&document.value)
+        , lines_(&document.lines)
+        , file_(&file) {}
 
     [[noreturn]] void fail(const std::string& message) const;
     const std::string& key() const { return key_; }
@@ -51,7 +66,10 @@ public:
 
 private:
     friend class JsonObject;
+    JsonValue inner(const nlohmann::json& value, std::string key) const;
+
     const nlohmann::json* value_;
+    const std::map<std::string, std::size_t>* lines_ = nullptr;
     const std::string* file_;
     std::string key_;
 };

@@ -53,8 +53,12 @@ struct Event {
     int index = 0;                          // of F along the stratum
     bool grows = false;
     Kind kind = Kind::unknown;
-    bool is_proved = false; // that it exists, is alone in its enclosure, its index and direction
-    bool is_proved_again = false; // the same, in another arithmetic (second_proof.h)
+    // That it exists, its index and direction; and that it is alone in the box of coordinates and
+    // clock that it was found in, of which `time` and `where` are a hull: these may hold more.
+    bool is_proved = false;
+    // That it exists and is alone in `time` and `where`, its index and direction: in another
+    // arithmetic (second_proof.h).
+    bool is_proved_again = false;
     // How the kind is known: "index", "path", "counting", "frames"; empty if it isn't. "together":
     // only how many events of its moment are of this kind is known, not that this one is.
     std::string kind_proof;

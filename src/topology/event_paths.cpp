@@ -1,15 +1,13 @@
 #include "topology/event_paths.h"
 
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <memory>
-#include <mutex>
-#include <thread>
 
 #include "topology/field_moment.h"
 #include "topology/pass_graph.h"
 #include "topology/saddle_tracks.h"
+#include "topology/workers.h"
 
 namespace isomotion::topology {
 namespace {
@@ -110,27 +108,17 @@ std::vector<Sides> EventPaths::seek(std::span<const std::size_t> which, const Se
         if (is_asked && !is_followed) to_follow.push_back(index);
         is_followed |= is_asked;
     }
-    const auto share = [&](std::size_t count, const auto& work) {
-        std::atomic<std::size_t> next{0};
-        std::mutex telling;
-        std::size_t done = 0;
-        const auto on = [&] {
-            Fields fields;
-            for (std::size_t k = next++; k < count; k = next++) {
-                if (how.stopped && how.stopped()) return;
-                work(fields, k);
-                const std::lock_guard lock(telling);
-                if (++done; how.progress) how.progress(double(done) / double(count));
-            }
-        };
-        std::vector<std::jthread> others;
-        for (int k = 1; k < std::min(how.threads, int(count)); ++k) others.emplace_back(on);
-        on();
+    const auto loop = [&](std::size_t count) {
+        return SharedLoop{count, how.threads, how.stopped, how.progress};
     };
-    share(to_follow.size(), [&](Fields&, std::size_t k) { follow_saddles(to_follow[k]); });
+    share(loop(to_follow.size()),
+          [&] { return [&](std::size_t k) { follow_saddles(to_follow[k]); }; });
     std::vector<Sides> found(which.size(), Sides::unknown);
-    share(which.size(),
-          [&](Fields& fields, std::size_t k) { found[k] = sides(fields, which[k], how.effort); });
+    share(loop(which.size()), [&] {
+        return [&, fields = Fields{}](std::size_t k) mutable {
+            found[k] = sides(fields, which[k], how.effort);
+        };
+    });
     return found;
 }
 
@@ -140,8 +128,10 @@ Sides EventPaths::sides(Fields& fields, std::size_t which, int effort) const {
     // Of a critical point of index 2 on a wall the sides are the inside and the outside.
     if (event.index != 1 && (event.index != 2 || event.stratum != 3)) return Sides::unknown;
     const TimedFormula& piece = piece_of(mid(event.time));
+    // At a knot another piece has a rule of its own.
+    if (!contains(piece.clock(), event.time)) return Sides::unknown;
     const auto bindings = piece.bindings(event.time);
-    const Moment moment = field_moment(fields.over(piece, bindings), piece.bounds(mid(event.time)));
+    const Moment moment = field_moment(fields.over(piece, bindings), piece.bounds(event.time));
     const Region region(moment, is_solid);
     const auto starts = both_sides(region, event);
     if (!starts) return Sides::unknown;
@@ -174,14 +164,12 @@ Sides EventPaths::sides(Fields& fields, std::size_t which, int effort) const {
     };
     add(saddles_[std::size_t(event.index - 1)][which]);
     if (effort > 1) add(saddles_from_seeds(field, moment.box, most_seeds));
-    bool is_tried = false;
     for (int tries = 0, bridges = effort > 0 ? most_bridges : 0; tries < most_routes;) {
         const auto route = graph.route(own_ways[0], own_ways[1]);
         if (!route) {
             if (bridges-- > 0 && bridge(graph, own_ways, field, ground, add)) continue;
-            return is_tried ? Sides::unknown : Sides::apart;
+            return Sides::unknown;
         }
-        is_tried = true;
         ++tries;
         std::size_t failed = 0;
         if (is_path(region, route->points, &failed)) return Sides::joined;

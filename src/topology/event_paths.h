@@ -18,7 +18,6 @@ namespace isomotion::topology {
 enum class Sides {
     unknown,
     joined, // proved
-    apart,  // no path is known; nothing is proved
 };
 
 struct SeekingPaths {
@@ -31,7 +30,7 @@ struct SeekingPaths {
 // Keeps what it found of the motion's saddles from call to call.
 class EventPaths {
 public:
-    // Refers to the pieces. Events by time, each in one piece.
+    // Refers to the pieces. Events by time; of one that is not all in one piece nothing is known.
     EventPaths(std::span<const TimedFormula> pieces, std::vector<Event> events);
 
     // Of the events at these positions.

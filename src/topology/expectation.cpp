@@ -62,9 +62,8 @@ void read_betti(const JsonValue& node, const NumberName& which, std::vector<Bett
     }
 }
 
-Claims read_claims(const nlohmann::json& document, const std::string& file,
-                   animation::FrameRate fps) {
-    JsonObject root(JsonValue(document, file, ""));
+Claims read_claims(const Document& document, const std::string& file, animation::FrameRate fps) {
+    JsonObject root(JsonValue(document, file));
     Claims claims;
     for (const NumberName& which : number_names) {
         if (const auto node = root.find(which.name)) read_betti(*node, which, claims.betti);

@@ -10,16 +10,14 @@ namespace {
 
 using formula::Interval;
 
-constexpr double uncertainty = 1e-9; // of the bounds, as a part of their size
-
 // The bounds are halved in all directions, several times; each part has the elements near it,
 // chosen from those near the part that it is of.
 class Parts {
 public:
-    Parts(std::shared_ptr<FrameField> field, const scene::BoundsAt& bounds)
+    Parts(std::shared_ptr<FrameField> field, const SpaceBox& whole)
         : field_(std::move(field))
         , everything_(field_->everything())
-        , bounds_(bounds) {}
+        , whole_(whole) {}
 
     void over(std::span<const SpaceBox> boxes, std::span<ValueAndGradient> out) {
         by_part<ValueAndGradient>(boxes, out, [&](const auto& near, auto some, auto of_some) {
@@ -53,8 +51,8 @@ private:
     }
 
     double wall(std::size_t axis, int index, int depth) const {
-        const int k = int(axis);
-        return bounds_.min[k] + (bounds_.max[k] - bounds_.min[k]) * (double(index) / (1 << depth));
+        const Interval side = whole_[axis];
+        return side.lo + (side.hi - side.lo) * (double(index) / (1 << depth));
     }
     SpaceBox box_of(const Place& place) const {
         SpaceBox box;
@@ -72,7 +70,7 @@ private:
             for (std::size_t i = 0; i < 3; ++i) {
                 const double side = wall(i, 1, depth) - wall(i, 0, depth);
                 size = std::max(size, side);
-                place[1 + i] = int(std::floor((box[i].lo - bounds_.min[int(i)]) / side));
+                place[1 + i] = int(std::floor((box[i].lo - whole_[i].lo) / side));
             }
             const SpaceBox part = box_of(place);
             bool holds = true, is_small = true;
@@ -100,38 +98,38 @@ private:
 
     std::shared_ptr<FrameField> field_;
     const FrameField::Near everything_;
-    scene::BoundsAt bounds_;
+    SpaceBox whole_;
     std::map<Place, FrameField::Near> near_;
 };
 
 } // namespace
 
-Moment field_moment(std::shared_ptr<FrameField> field, const scene::BoundsAt& bounds) {
-    const auto parts = std::make_shared<Parts>(std::move(field), bounds);
-    const double slack = uncertainty * bounds.radius;
-    const bool is_sphere = bounds.shape == scene::Bounds::Shape::sphere;
+Moment field_moment(std::shared_ptr<FrameField> field, const EnclosedBounds& bounds) {
     Moment moment;
+    for (std::size_t i = 0; i < 3; ++i) moment.box[i] = hull(bounds.low[i], bounds.high[i]);
+    moment.low = bounds.low;
+    moment.high = bounds.high;
+    const auto parts = std::make_shared<Parts>(std::move(field), moment.box);
     moment.over = [parts](auto boxes, auto out) { parts->over(boxes, out); };
     moment.values = [parts](auto boxes, auto out) { parts->values(boxes, out); };
     moment.hessian = [parts](const SpaceBox& box) { return parts->hessian(box); };
-    for (std::size_t i = 0; i < 3; ++i)
-        moment.box[i] = {bounds.min[int(i)] - slack, bounds.max[int(i)] + slack};
+    const auto squared_distance = [centre = bounds.centre](const SpaceBox& box) {
+        Interval sum = 0;
+        for (std::size_t i = 0; i < 3; ++i) sum = sum + square(box[i] - centre[i]);
+        return sum;
+    };
+    const bool is_sphere = bounds.shape == scene::Bounds::Shape::sphere;
     moment.is_inside = [=](const SpacePoint& p) {
-        const glm::dvec3 at(p[0], p[1], p[2]);
-        if (is_sphere) return glm::distance(at, bounds.centre) < bounds.radius - slack;
-        return glm::all(glm::greaterThan(at, bounds.min + slack)) &&
-               glm::all(glm::lessThan(at, bounds.max - slack));
+        bool inside = !is_sphere || squared_distance(point_box(p)).hi < square(bounds.radius).lo;
+        for (std::size_t i = 0; i < 3; ++i)
+            inside = inside && p[i] > bounds.low[i].hi && p[i] < bounds.high[i].lo;
+        return inside;
     };
     moment.is_outside = [=](const SpaceBox& box) {
-        Interval squared = 0;
-        bool beyond_a_wall = false;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const int k = int(i);
-            squared = squared + square(box[i] - Interval(bounds.centre[k]));
-            beyond_a_wall |= box[i].lo > bounds.max[k] + slack || box[i].hi < bounds.min[k] - slack;
-        }
-        return beyond_a_wall ||
-               (is_sphere && squared.lo > (bounds.radius + slack) * (bounds.radius + slack));
+        bool outside = is_sphere && squared_distance(box).lo > square(bounds.radius).hi;
+        for (std::size_t i = 0; i < 3; ++i)
+            outside = outside || box[i].lo > bounds.high[i].hi || box[i].hi < bounds.low[i].lo;
+        return outside;
     };
     return moment;
 }

@@ -1,8 +1,9 @@
 #include "topology/frame_signs.h"
 
 #include <algorithm>
-#include <atomic>
 #include <thread>
+
+#include "topology/workers.h"
 
 namespace isomotion::topology {
 namespace {
@@ -62,18 +63,14 @@ private:
 SignGrid frame_signs(const formula::Field& field, const formula::Bindings<double>& bindings,
                      const scene::BoundsAt& bounds, Side solid, int side, int threads) {
     SignGrid grid(side);
-    std::atomic<int> next_slab = 0;
-    const auto work = [&] {
-        RowSigns rows(field, bindings, bounds, solid, grid);
-        for (int z = next_slab++; z < side; z = next_slab++) {
-            for (int y = 0; y < side; ++y) rows.make(y, z);
-        }
+    const auto slabs = [&] {
+        return
+            [side, rows = RowSigns(field, bindings, bounds, solid, grid)](std::size_t z) mutable {
+                for (int y = 0; y < side; ++y) rows.make(y, int(z));
+            };
     };
     const int wanted = threads > 0 ? threads : int(std::thread::hardware_concurrency());
-    std::vector<std::jthread> others;
-    for (int k = 1; k < std::clamp(wanted, 1, side); ++k) others.emplace_back(work);
-    work();
-    others.clear(); // joins
+    share({.count = std::size_t(side), .threads = wanted}, slabs);
     return grid;
 }
 

@@ -30,16 +30,12 @@ bool holds(const Region& region, const SpaceBox& box) {
     return h.value.hi < 0 || value.hi < 0;
 }
 
-// The coordinates that are free on the event's stratum: those farthest from the walls.
-std::array<bool, 3> free_axes(const Event& event, const SpaceBox& box) {
-    std::array<std::size_t, 3> axes{0, 1, 2};
-    const auto to_wall = [&](std::size_t i) {
-        const double at = mid(event.where[i]);
-        return std::min(std::abs(at - box[i].lo), std::abs(at - box[i].hi));
-    };
-    std::ranges::sort(axes, std::greater{}, to_wall);
+// The coordinates that are free on the event's stratum; none where another might be on a wall.
+std::optional<std::array<bool, 3>> free_axes(const Region& region, const Event& event) {
+    if (event.stratum == 3) return std::array{true, true, true};
     std::array<bool, 3> free{};
-    for (int k = 0; k < event.stratum; ++k) free[axes[std::size_t(k)]] = true;
+    for (std::size_t i = 0; i < 3; ++i) free[i] = !region.may_be_on_wall(i, event.where[i]);
+    if (std::ranges::count(free, true) != event.stratum) return std::nullopt;
     return free;
 }
 
@@ -107,7 +103,9 @@ SpaceHessian Region::hessian(const SpaceBox& box) const {
 // that they are in different nappes.
 std::optional<std::array<SpacePoint, 2>> both_sides(const Region& region, const Event& event) {
     const SpaceBox& where = event.where;
-    const std::array<bool, 3> free = free_axes(event, region.box());
+    const auto axes = free_axes(region, event);
+    if (!axes) return std::nullopt;
+    const std::array<bool, 3>& free = *axes;
     const SpaceHessian bend = region.hessian(where);
     SpaceMatrix numbers;
     for (std::size_t i = 0; i < 3; ++i) {

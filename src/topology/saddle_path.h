@@ -23,6 +23,7 @@ struct Moment {
     std::function<void(std::span<const SpaceBox>, std::span<formula::Interval>)> values;
     std::function<SpaceHessian(const SpaceBox&)> hessian;
     SpaceBox box;
+    SpaceBox low, high; // the walls of the bounds, or of the box around them
     std::function<bool(const SpacePoint&)> is_inside;
     std::function<bool(const SpaceBox&)> is_outside;
 };
@@ -37,6 +38,11 @@ public:
 
     bool is_solid() const { return is_solid_; }
     const SpaceBox& box() const { return moment_.box; }
+    // False where a coordinate is provably off both walls across it.
+    bool may_be_on_wall(std::size_t axis, formula::Interval coordinate) const {
+        return !is_empty(intersect(coordinate, moment_.low[axis])) ||
+               !is_empty(intersect(coordinate, moment_.high[axis]));
+    }
 
     std::vector<ValueAndGradient> over(std::span<const SpaceBox> boxes) const;
     std::vector<formula::Interval> values(std::span<const SpaceBox> boxes) const;

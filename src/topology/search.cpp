@@ -1,12 +1,11 @@
 #include "topology/search.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <memory>
-#include <thread>
 
 #include "topology/critical_system.h"
+#include "topology/workers.h"
 
 namespace isomotion::topology {
 namespace {
@@ -84,10 +83,7 @@ public:
             smaller.clear();
             const bool inside = enclosures_.place(around) == Enclosures::Place::inside;
             while (!now.boxes.empty() || !bent_.empty()) {
-                if (searching_.stop.stop_requested()) {
-                    found_.is_interrupted = true;
-                    return std::move(found_);
-                }
+                if (searching_.stopped && searching_.stopped()) return std::move(found_);
                 next_.clear();
                 if (!now.boxes.empty() && bent_.size() < together) {
                     const std::size_t count = std::min(together, now.boxes.size());
@@ -487,25 +483,17 @@ std::vector<Box> merged(std::vector<Box> boxes, const Box& domain, double gap) {
 Found search(const MovingField& field, const Searching& searching) {
     const std::vector<Box> boxes = tasks(field);
     std::vector<Found> parts(boxes.size());
-    std::atomic<std::size_t> next{0}, done{0};
-    const auto work = [&] {
-        Enclosures enclosures(field);
-        Numbers numbers(field);
-        for (std::size_t k = next++; k < boxes.size(); k = next++) {
-            parts[k] = Task(field, searching, enclosures, numbers).run(boxes[k]);
-            if (searching.progress) searching.progress(double(++done) / double(boxes.size()));
-        }
+    const auto seek = [&] {
+        return
+            [&, enclosures = Enclosures(field), numbers = Numbers(field)](std::size_t k) mutable {
+                parts[k] = Task(field, searching, enclosures, numbers).run(boxes[k]);
+            };
     };
-    {
-        std::vector<std::jthread> others;
-        for (int k = 1; k < searching.threads; ++k) others.emplace_back(work);
-        work();
-    }
+    share({boxes.size(), searching.threads, searching.stopped, searching.progress}, seek);
     Found all;
     for (Found& part : parts) {
         all.points.insert(all.points.end(), part.points.begin(), part.points.end());
         all.unresolved.insert(all.unresolved.end(), part.unresolved.begin(), part.unresolved.end());
-        all.is_interrupted |= part.is_interrupted;
         all.work += part.work;
     }
     put_together(all);

@@ -9,7 +9,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <stop_token>
 #include <vector>
 
 #include "topology/isolation.h"
@@ -20,9 +19,9 @@ namespace isomotion::topology {
 struct Searching {
     // Boxes with no side longer than this part of the domain's are not divided any more.
     double smallest = 1e-6;
-    int threads = 1; // the result doesn't depend on it
-    std::stop_token stop{};
-    std::function<void(double)> progress{}; // part of the domain that is done; from any thread
+    int threads = 1;                        // the result doesn't depend on it
+    std::function<bool()> stopped{};        // asked often, from any thread
+    std::function<void(double)> progress{}; // part of the domain that is done; see SharedLoop
 };
 
 // What ended a box.
@@ -52,7 +51,6 @@ struct Work {
 struct Found {
     std::vector<CriticalPoint> points; // by clock
     std::vector<Box> unresolved;       // outside of these, no other points; each with a gap around
-    bool is_interrupted = false;       // not everything was searched
     Work work;
 };
 

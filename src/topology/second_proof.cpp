@@ -1,8 +1,6 @@
 #include "topology/second_proof.h"
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -11,6 +9,7 @@
 #include "formula/substitute.h"
 #include "topology/kinks.h"
 #include "topology/krawczyk.h"
+#include "topology/workers.h"
 
 namespace isomotion::topology {
 namespace {
@@ -327,20 +326,15 @@ SecondProof::Answer SecondProof::ask(const Event& event) const {
 
 void prove_again(Timeline& timeline, const SecondProof& proof, const Confirming& how) {
     std::vector<SecondProof::Answer> answers(timeline.events.size(), SecondProof::Answer::open);
-    std::atomic<std::size_t> next{0};
-    std::atomic<bool> stopped{false};
-    const auto work = [&](bool asks) {
-        for (std::size_t k = next++; k < answers.size() && !stopped; k = next++) {
-            if (asks && how.stopped && how.stopped()) stopped = true;
-            if (timeline.events[k].is_proved) answers[k] = proof.ask(timeline.events[k]);
-        }
-        flint_cleanup(); // of this thread's caches
+    struct Caches { // of a thread
+        ~Caches() { flint_cleanup(); }
     };
-    {
-        std::vector<std::jthread> others;
-        for (int k = 1; k < how.threads; ++k) others.emplace_back(work, false);
-        work(true);
-    }
+    const auto ask = [&] {
+        return [&, caches = Caches{}](std::size_t k) {
+            if (timeline.events[k].is_proved) answers[k] = proof.ask(timeline.events[k]);
+        };
+    };
+    share({.count = answers.size(), .threads = how.threads, .stopped = how.stopped}, ask);
     for (std::size_t k = 0; k < answers.size(); ++k) {
         Event& event = timeline.events[k];
         event.is_proved_again = answers[k] == SecondProof::Answer::holds;

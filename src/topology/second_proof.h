@@ -53,8 +53,8 @@ private:
 };
 
 struct Confirming {
-    int threads = 1; // the result doesn't depend on it
-    std::function<bool()> stopped{};
+    int threads = 1;                 // the result doesn't depend on it
+    std::function<bool()> stopped{}; // from any thread
 };
 
 // Asks of all proved events: Event::is_proved_again where it holds. One of which it fails is not

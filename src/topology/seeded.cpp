@@ -1,11 +1,10 @@
 #include "topology/seeded.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
 #include "topology/critical_system.h"
+#include "topology/workers.h"
 
 namespace isomotion::topology {
 namespace {
@@ -113,26 +112,6 @@ Box about(const MovingField& field, const Point& x) {
     return box;
 }
 
-// Work for all numbers below `count`, shared out among threads.
-template<class Worker>
-void share(std::size_t count, const Seeding& seeding, const Worker& worker, double from,
-           double to) {
-    std::atomic<std::size_t> next{0}, done{0};
-    const auto work = [&] {
-        auto part = worker();
-        for (std::size_t k = next++; k < count; k = next++) {
-            if (seeding.stop.stop_requested()) return;
-            part(k);
-            if (seeding.progress) {
-                seeding.progress(from + (to - from) * double(++done) / double(count));
-            }
-        }
-    };
-    std::vector<std::jthread> others;
-    for (int k = 1; k < seeding.threads; ++k) others.emplace_back(work);
-    work();
-}
-
 } // namespace
 
 // Multiples of the powers of 1/g modulo 1, where g^(n+1) = g + 1: the golden ratio's sequence in n
@@ -153,6 +132,14 @@ Point seed(const MovingField& field, int number) {
 
 Found from_seeds(const MovingField& field, const Seeding& seeding) {
     Found found;
+    const auto loop = [&](std::size_t count, double from, double to) {
+        SharedLoop turns{count, seeding.threads, seeding.stopped, {}};
+        if (seeding.progress)
+            turns.progress = [&, from, to](double part) {
+                seeding.progress(from + (to - from) * part);
+            };
+        return turns;
+    };
     const int seeds = seeds_of(field, seeding.seeds);
     const auto batches = std::size_t((seeds + seeds_together - 1) / seeds_together);
     std::vector<std::vector<Point>> parts(batches);
@@ -164,7 +151,7 @@ Found from_seeds(const MovingField& field, const Seeding& seeding) {
                               evaluations[k]);
         };
     };
-    share(batches, seeding, seek, 0, 0.7);
+    share(loop(batches, 0, 0.7), seek);
     std::vector<Point> all;
     for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
     for (const std::int64_t number : evaluations) found.work.boxes += number;
@@ -177,8 +164,7 @@ Found from_seeds(const MovingField& field, const Seeding& seeding) {
                 points[k] = isolate(field, enclosures, numbers, about(field, once[k]));
             };
     };
-    share(once.size(), seeding, prove, 0.7, 1);
-    found.is_interrupted = seeding.stop.stop_requested();
+    share(loop(once.size(), 0.7, 1), prove);
     for (std::size_t k = 0; k < once.size(); ++k) {
         if (points[k]) {
             found.points.push_back(*points[k]);

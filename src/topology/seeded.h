@@ -4,7 +4,7 @@
 // same. Each limit is then proved (isolate); that there are no others is not.
 #pragma once
 
-#include <stop_token>
+#include <functional>
 
 #include "topology/search.h"
 
@@ -15,8 +15,8 @@ Point seed(const MovingField& field, int number);
 struct Seeding {
     int seeds = 1 << 16; // of a stratum with all coordinates free; fewer where there are fewer
     int threads = 1;     // the result doesn't depend on it
-    std::stop_token stop{};
-    std::function<void(double)> progress{}; // part of the seeds that is done; from any thread
+    std::function<bool()> stopped{};        // asked often, from any thread
+    std::function<void(double)> progress{}; // part of the seeds that is done; see SharedLoop
 };
 
 // Found::unresolved holds limits without a proof, near each other put together; Found::work counts

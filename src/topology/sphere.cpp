@@ -1,5 +1,7 @@
 #include "topology/sphere.h"
 
+#include <algorithm>
+
 namespace isomotion::topology {
 namespace {
 
@@ -25,18 +27,26 @@ void divide(const Box& box, const Box& domain, std::vector<Box>& halves) {
 
 } // namespace
 
-std::vector<Box> on_the_sphere(const MovingField& inside, std::size_t most, std::stop_token stop) {
+std::vector<Box> on_the_sphere(const MovingField& inside, std::size_t most,
+                               const std::function<bool()>& stopped) {
+    constexpr std::size_t together = 64;
     Enclosures enclosures(inside);
     std::vector<Box> boxes{inside.domain()};
     std::vector<Interval> values;
     // Sides shrink to a thousandth: a gap below that is not told from none.
-    for (int level = 0; level < 40 && boxes.size() <= most && !stop.stop_requested(); ++level) {
-        std::vector<Box> halves, kept;
-        for (const Box& box : boxes) divide(box, inside.domain(), halves);
-        std::erase_if(halves, [&](const Box& box) { return !holds_zero(enclosures.reach(box)); });
-        enclosures.values(enclosures.all(), halves, values);
-        for (std::size_t k = 0; k < halves.size(); ++k) {
-            if (holds_zero(values[k])) kept.push_back(halves[k]);
+    for (int level = 0; level < 40 && boxes.size() <= most; ++level) {
+        std::vector<Box> kept;
+        for (std::size_t first = 0; first < boxes.size(); first += together) {
+            if (stopped && stopped()) return boxes;
+            std::vector<Box> halves;
+            for (std::size_t k = first; k < std::min(first + together, boxes.size()); ++k)
+                divide(boxes[k], inside.domain(), halves);
+            std::erase_if(halves,
+                          [&](const Box& box) { return !holds_zero(enclosures.reach(box)); });
+            enclosures.values(enclosures.all(), halves, values);
+            for (std::size_t k = 0; k < halves.size(); ++k) {
+                if (holds_zero(values[k])) kept.push_back(halves[k]);
+            }
         }
         boxes = std::move(kept);
     }

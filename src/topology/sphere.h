@@ -1,7 +1,7 @@
 // Where a moving surface may reach the sphere that bounds it.
 #pragma once
 
-#include <stop_token>
+#include <functional>
 #include <vector>
 
 #include "topology/moving_field.h"
@@ -9,7 +9,9 @@
 namespace isomotion::topology {
 
 // Boxes that hold all points of the surface on the sphere; none where it provably keeps off. Boxes
-// are divided until there are about `most`.
-std::vector<Box> on_the_sphere(const MovingField& inside, std::size_t most, std::stop_token stop);
+// are divided until there are about `most`, or until `stopped`, which is asked often and may be
+// empty.
+std::vector<Box> on_the_sphere(const MovingField& inside, std::size_t most,
+                               const std::function<bool()>& stopped);
 
 } // namespace isomotion::topology

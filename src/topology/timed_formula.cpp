@@ -118,28 +118,37 @@ formula::Bindings<Interval> TimedFormula::bindings(Interval time) const {
     return all;
 }
 
-scene::BoundsAt TimedFormula::bounds(double time) const {
-    std::vector<double> walls;
+EnclosedBounds TimedFormula::bounds(Interval time) const {
+    std::vector<Interval> walls;
     for (const Part& part : bounds_) {
-        const Interval now = time;
-        Interval value;
-        formula::Evaluator<Interval>(part.program).point(resting_, {&now, 1}, {&value, 1});
-        walls.push_back(mid(value));
+        Interval& value = walls.emplace_back();
+        formula::Evaluator<Interval>(part.program).point(resting_, {&time, 1}, {&value, 1});
     }
-    scene::BoundsAt bounds;
-    bounds.shape = shape_;
-    for (int i = 0; i < 3; ++i) {
-        bounds.min[i] = walls[std::size_t(i)];
-        bounds.max[i] = walls[std::size_t(3 + i)];
+    EnclosedBounds bounds{.shape = shape_};
+    for (std::size_t i = 0; i < 3; ++i) {
+        bounds.low[i] = walls[i];
+        bounds.high[i] = walls[3 + i];
+        if (shape_ == scene::Bounds::Shape::sphere) bounds.centre[i] = walls[6 + i];
     }
-    if (shape_ == scene::Bounds::Shape::sphere) {
-        for (int i = 0; i < 3; ++i) bounds.centre[i] = walls[std::size_t(6 + i)];
-        bounds.radius = walls[9];
-    } else {
-        bounds.centre = 0.5 * (bounds.min + bounds.max);
-        bounds.radius = 0.5 * glm::distance(bounds.min, bounds.max);
-    }
+    if (shape_ == scene::Bounds::Shape::sphere) bounds.radius = walls[9];
     return bounds;
+}
+
+scene::BoundsAt TimedFormula::bounds(double time) const {
+    const EnclosedBounds exact = bounds(Interval(time));
+    scene::BoundsAt rounded;
+    rounded.shape = shape_;
+    for (std::size_t i = 0; i < 3; ++i) {
+        rounded.min[int(i)] = mid(exact.low[i]);
+        rounded.max[int(i)] = mid(exact.high[i]);
+        rounded.centre[int(i)] = mid(exact.centre[i]);
+    }
+    rounded.radius = mid(exact.radius);
+    if (shape_ == scene::Bounds::Shape::box) {
+        rounded.centre = 0.5 * (rounded.min + rounded.max);
+        rounded.radius = 0.5 * glm::distance(rounded.min, rounded.max);
+    }
+    return rounded;
 }
 
 } // namespace isomotion::topology

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "scene/scene_at.h"
+#include "topology/enclosed_bounds.h"
 #include "topology/frame_field.h"
 #include "topology/motion.h"
 
@@ -20,6 +21,8 @@ public:
     const SpaceFormula& formula() const { return formula_; }
     // For all times of the enclosure.
     formula::Bindings<formula::Interval> bindings(formula::Interval time) const;
+    // The same of the bounds.
+    EnclosedBounds bounds(formula::Interval time) const;
     // Rounded.
     scene::BoundsAt bounds(double time) const;
 

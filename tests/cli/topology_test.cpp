@@ -108,5 +108,43 @@ TEST_F(Topology, AWrongClaimNeverPasses) {
     EXPECT_EQ(topology({"--frames", "1-3", "--certify", "off", "--check", "two.json"}).code, 2);
 }
 
+// What cannot be written keeps back neither the judgement nor the other files.
+TEST_F(Topology, OneFileThatCannotBeWrittenIsAllThatIsMissing) {
+    write("taken", "a file, no folder");
+    const Ending ending =
+        topology({"--frames", "1-2", "--certify", "off", "-o", "taken/s.timeline.json", "--csv",
+                  "s.csv", "--plot", "s.svg", "--check", "two.json"});
+    EXPECT_EQ(ending.code, 3) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("components.1 = 2: "));
+    EXPECT_THAT(ending.err, HasSubstr("taken"));
+    EXPECT_THAT(bytes("s.csv"), StartsWith("frame,"));
+    EXPECT_THAT(bytes("s.svg"), StartsWith("<svg"));
+}
+
+// Bounds that there are at whole frames only: all is known but for pictures in between.
+TEST_F(Topology, APictureThatCannotBeDrawnIsAllThatIsMissing) {
+    write("blink.toml", "[time]\nfps = 10\nframes = 3\n[surface]\n"
+                        "formula = 'x^2 + y^2 + z^2 - 0.25'\n"
+                        "bounds = { sphere = 'cos(20*pi*t)' }\n");
+    const Ending ending = run(
+        {"topology", "blink.toml", "--certify", "off", "--plot", "b.svg", "--check", "two.json"});
+    EXPECT_EQ(ending.code, 2) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("components.1 = 2: "));
+    EXPECT_THAT(ending.err, HasSubstr("warning: "));
+    EXPECT_THAT(bytes("b.svg"), StartsWith("<svg"));
+}
+
+// A mistake that only the last frame has.
+TEST_F(Topology, TheLastFrameIsLookedAtToo) {
+    write("gone.toml", "[time]\nfps = 10\nframes = 3\n[surface]\n"
+                       "formula = 'x^2 + y^2 + z^2 - 0.25'\n"
+                       "bounds = { sphere = '1 - 6*t' }\n");
+    const Ending ending = run({"topology", "gone.toml", "-o", "gone.json"});
+    EXPECT_EQ(ending.code, 2) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("surface.bounds.sphere"));
+    EXPECT_THAT(ending.err, HasSubstr("at t = 0.2"));
+    EXPECT_THAT(ending.out, IsEmpty());
+}
+
 } // namespace
 } // namespace isomotion::cli

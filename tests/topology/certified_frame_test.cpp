@@ -229,5 +229,24 @@ TEST(FrameField, EnclosesValuesAndSlopes) {
     }
 }
 
+// Asked in between, after little work each time.
+TEST(CertifiedFrame, StopsWhenAsked) {
+    const scene::Scene tangle =
+        still("x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8", "{ sphere = 4.4 }");
+    int asked = 0;
+    const CertifiedFrame whole = certified(tangle, 0, {.stopped = [&] { return ++asked < 0; }});
+    EXPECT_TRUE(whole.betti);
+    EXPECT_GE(asked, whole.boxes / 8 - 1);
+    const int times = asked;
+    for (const int after : {1, times / 4, times - 1}) {
+        asked = 0;
+        const CertifiedFrame some =
+            certified(tangle, 0, {.stopped = [&] { return ++asked > after; }});
+        EXPECT_FALSE(some.betti) << after;
+        EXPECT_EQ(some.why, "interrupted") << after;
+        EXPECT_EQ(asked, after + 1);
+    }
+}
+
 } // namespace
 } // namespace isomotion::topology

@@ -142,5 +142,21 @@ TEST(EventPaths, OfCrowds) {
     EXPECT_GE(compared, 3);
 }
 
+// The rule of a piece of the motion is proved of no time beyond it.
+TEST(EventPaths, NotAcrossAKnot) {
+    const scene::Scene scene = moving("(x^2 + y^2 - 1)^2/4 + z^2 + 0.05*(x^2 - y^2) - 0.001*x - c",
+                                      "[parameters]\nc = '0.2*t'\n", "{ sphere = 2 }");
+    const Found ring = found(scene, {0, 0.5}, 0);
+    ASSERT_EQ(ring.sides.size(), 2u);
+    ASSERT_EQ(ring.sides[1], Sides::joined);
+    const std::size_t last = 1;
+    const formula::Interval time = ring.timeline.events[last].time;
+    for (const auto& range : {formula::Interval{0, time.hi}, formula::Interval{0, mid(time)}}) {
+        const MovingFrames frames(scene, solid_side(scene), range);
+        const auto sides = frames.proofs(ring.timeline.events).paths({&last, 1}, 0);
+        EXPECT_EQ(sides[0], range.hi == time.hi ? Sides::joined : Sides::unknown);
+    }
+}
+
 } // namespace
 } // namespace isomotion::topology

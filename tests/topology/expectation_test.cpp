@@ -119,12 +119,23 @@ TEST(Expectation, TomlOfTheSameShape) {
     EXPECT_EQ(check(claims, story()).outcome(), Outcome::passes);
     EXPECT_EQ(claims.betti.size(), 2u);
     EXPECT_EQ(mistake("[components]\n40.5 = 1\n", "e.toml"),
-              "e.toml: components.40: TOML takes the dots for tables of tables; put the frame in "
+              "e.toml:2: components.40: TOML takes the dots for tables of tables; put the frame in "
               "quotes: \"40.5\" = 2");
     EXPECT_THAT(mistake("[components\n", "e.toml"), StartsWith("e.toml:1: not valid TOML: "));
     EXPECT_EQ(mistake("[components]\n1 = 2020-01-01\n", "e.toml"),
-              "e.toml: components.1: must be a number, a text, a list or a table, no date");
+              "e.toml:2: components.1: must be a number, a text, a list or a table, no date");
     EXPECT_THAT(mistake("[components]\n1 = nan\n", "e.toml"), HasSubstr("must be a whole number"));
+}
+
+TEST(Expectation, TomlMistakesNameTheLine) {
+    EXPECT_THAT(mistake("events = [\n  \"2 merges\",\n  # one more\n  \"mege\",\n]\n", "e.toml"),
+                StartsWith("e.toml:4: events[1]: "));
+    EXPECT_THAT(mistake("[tunnels]\n1 = 0\n\nx = 2\n", "e.toml"),
+                StartsWith("e.toml:4: tunnels.x: 'x' is no frame"));
+    EXPECT_THAT(mistake("\n\ntunnels = 3\n", "e.toml"), StartsWith("e.toml:3: tunnels: "));
+    // Of the whole, none.
+    EXPECT_THAT(mistake("component = 1\n", "e.toml"),
+                StartsWith("e.toml: unknown key 'component'; did you mean 'components'?"));
 }
 
 TEST(Expectation, MistakesNameTheKey) {

@@ -64,9 +64,8 @@ int measure(const scene::Scene& scene, formula::Interval range, int threads,
         const std::vector<Sides> sides = paths(which, effort);
         std::map<Sides, int> count;
         for (const Sides each : sides) ++count[each];
-        fmt::print("  paths    {:8.2f} s: effort {}, {} events, {} joined, {} apart, {} unknown\n",
-                   since(begun), effort, which.size(), count[Sides::joined], count[Sides::apart],
-                   count[Sides::unknown]);
+        fmt::print("  paths    {:8.2f} s: effort {}, {} events, {} joined, {} unknown\n",
+                   since(begun), effort, which.size(), count[Sides::joined], count[Sides::unknown]);
         return sides;
     };
     const auto frame = proofs.frame;

@@ -5,6 +5,7 @@
 
 #include "topology/field_moment.h"
 #include "topology/scenes.h"
+#include "topology/timed_formula.h"
 #include "unit/formula/testing.h"
 
 namespace isomotion::topology {
@@ -17,7 +18,7 @@ public:
         : scene_(still(formula, bounds))
         , frame_(scene_, 0)
         , field_(std::make_shared<FrameField>(frame_.formula(Side::negative)))
-        , moment_(field_moment(field_, frame_.bounds)) {}
+        , moment_(field_moment(field_, enclosed(frame_.bounds))) {}
 
     Region solid() const { return {moment_, true}; }
     Region rest() const { return {moment_, false}; }
@@ -141,6 +142,43 @@ TEST(SaddlePath, RandomSegments) {
     }
     EXPECT_GT(proved, 100);
     EXPECT_GT(refused, 50);
+}
+
+// Of bounds that move only what lies inside, or outside, at all times of a span is said to.
+TEST(SaddlePath, BoundsOfAWholeSpan) {
+    for (const std::string bounds : {"{ sphere = 'r' }", "{ box = [[-1, -1, -1], ['r', 1, 1]] }"}) {
+        SCOPED_TRACE(bounds);
+        const scene::Scene scene =
+            scene_of("[time]\nfps = 10\nframes = 11\n[parameters]\nr = '1 + t'\n[surface]\n"
+                     "formula = 'x^2 + y^2 + z^2 - 0.5'\nbounds = " +
+                     bounds + "\n");
+        const TimedFormula formula(
+            motions(scene, Side::negative, {0, 1}, Clock::time).pieces.at(0));
+        const formula::Interval span{0.25, 0.75};
+        const auto field = std::make_shared<FrameField>(formula.formula());
+        const Moment moment = field_moment(field, formula.bounds(span));
+        const auto is_outside = [&](double x) { return moment.is_outside(SpaceBox{x, 0, 0}); };
+        EXPECT_TRUE(moment.is_inside({1.2499, 0, 0}));
+        EXPECT_FALSE(moment.is_inside({1.2501, 0, 0}));
+        EXPECT_FALSE(is_outside(1.7499));
+        EXPECT_TRUE(is_outside(1.7501));
+        EXPECT_TRUE(contains(moment.box[0], 1.75));
+    }
+}
+
+// A saddle on the floor, so near to an edge that it might be on the wall behind it as well.
+TEST(SaddlePath, OnWhichWallIsNotGuessed) {
+    for (const double above : {1e-3, 1e-8}) {
+        SCOPED_TRACE(above);
+        const Still surface(fmt::format("2*(y + 1 - {0:.17g})^2 - x^2 + z + 1", above),
+                            "{ box = [[-1, -1, -1], [1, 1, 1]] }");
+        const double off = 2e-8, y = above - 1;
+        Event event;
+        event.where = {formula::Interval(-1e-9, 1e-9), {y - off, y + off}, -1.0};
+        event.stratum = 2;
+        event.index = 1;
+        EXPECT_EQ(both_sides(surface.solid(), event).has_value(), above > off);
+    }
 }
 
 } // namespace

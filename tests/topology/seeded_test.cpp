@@ -97,11 +97,9 @@ TEST(Seeded, LimitsOutsideOfTheDomainAreNone) {
 }
 
 TEST(Seeded, StopsWhenAsked) {
-    std::stop_source stop;
-    stop.request_stop();
     EventSearch how;
     how.seeds = many;
-    how.stop = stop.get_token();
+    how.stopped = [] { return true; };
     const Timeline timeline = events_of(tangle, 0, 11, Side::negative, how);
     EXPECT_TRUE(timeline.events.empty());
     EXPECT_FALSE(timeline.is_proved);
