@@ -52,7 +52,7 @@ TEST_P(Golden, IsFoundAgain) {
 TEST_P(Golden, IsProvedAgainInBalls) {
     const scene::Scene scene = animated(GetParam());
     Timeline timeline = read_timeline(file()).timeline;
-    if (timeline.events.empty()) GTEST_SKIP() << "has no events";
+    EXPECT_EQ(timeline.events.empty(), GetParam() == "torus"); // its events are unresolved places
     const SecondProof proof(scene, solid_side(scene), timeline.range);
     for (const Event& event : timeline.events) {
         EXPECT_TRUE(event.is_proved_again);
