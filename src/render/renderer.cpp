@@ -53,6 +53,8 @@ struct Renderer::Parts {
                                       choose_stage(options.stage, context.info()),
                                       context.info().has(4, 3)))
         , plan(make_plan())
+        , evaluations_without_lists(plan_without_lists())
+        , element_budget(budget_of_elements())
         , one_draw(shaders.stage == synthesis::Stage::fragment && !shaders.whole.empty() &&
                    plan.evaluations_per_pass > 1)
         , result(plan.tile_width, plan.tile_height, 2 + int(shaders.attachments.size()))
@@ -245,7 +247,7 @@ struct Renderer::Parts {
         const gpu::Rectangle viewport{0, 0, tile.width, tile.height};
         program.set("tile_origin", glm::ivec2(tile.x, tile.y));
         program.set("evaluations_per_pass", evaluations_of(program));
-        program.set("element_budget", element_budget());
+        program.set("element_budget", element_budget);
         const gpu::Target *from = &targets.odd, *to = &targets.even;
         for (bool first = true;; first = false) {
             from->texture(0).bind(unit_state_0);
@@ -268,20 +270,22 @@ struct Renderer::Parts {
         }
     }
 
-    // Of one draw. Only the eye's rays go by lists: the others' loops are over all elements.
+    // Only the eye's rays go by lists.
     int evaluations_of(const gpu::Program& program) const {
-        if (!synthesis::has_lists(shaders) || &program == &passes->march) {
-            return plan.evaluations_per_pass;
-        }
+        const bool is_planned = !synthesis::has_lists(shaders) || &program == &passes->march;
+        return is_planned ? plan.evaluations_per_pass : evaluations_without_lists;
+    }
+
+    int plan_without_lists() const {
         const formula::Cost all =
             synthesis::cost(*scene.surface.field, shaders.samples, capacities());
         const int fitting = int(loop_iterations_per_pass / (1 + all.iterations));
-        return std::clamp(fitting, shaders.degree + 1, plan.evaluations_per_pass);
+        const int fewest = std::min(shaders.degree + 1, plan.evaluations_per_pass);
+        return std::clamp(fitting, fewest, plan.evaluations_per_pass);
     }
 
-    // How many elements the evaluations of one draw may go through, all together, where only lists
-    // tell their number.
-    float element_budget() const {
+    // Where only lists tell how many elements an evaluation takes.
+    float budget_of_elements() const {
         const auto once = std::vector<int>(shaders.arrays.size(), 1);
         const double loops =
             std::max(1.0, synthesis::cost(*scene.surface.field, shaders.samples, once).iterations);
@@ -325,7 +329,7 @@ struct Renderer::Parts {
         gpu::set_viewport({0, 0, tile.width, tile.height});
         whole->set("tile_origin", glm::ivec2(tile.x, tile.y));
         whole->set("evaluations_per_pass", plan.evaluations_per_pass);
-        whole->set("element_budget", element_budget());
+        whole->set("element_budget", element_budget);
         whole->use();
         triangle.draw();
     }
@@ -530,7 +534,9 @@ struct Renderer::Parts {
     RenderOptions options;
     synthesis::Shaders shaders;
     MarchPlan plan;
-    bool one_draw; // as long as every tile's rays ended in one
+    int evaluations_without_lists; // of one draw, for rays that go by all elements
+    float element_budget;          // that the evaluations of one draw may go through, all together
+    bool one_draw;                 // as long as every tile's rays ended in one
     std::optional<gpu::Program> whole;
     struct Passes {
         gpu::Program march, active, shade;
