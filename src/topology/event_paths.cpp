@@ -21,8 +21,8 @@ Ground ground_of(const Moment& moment, bool is_solid) {
             [&](const SpacePoint& p) { return moment.is_outside(point_box(p)); }};
 }
 
-// Looks for passes where a route is missing: saddles near the highest points of its gaps, and those
-// points themselves where they are low enough. False where there are no gaps.
+// Looks for passes where a route is missing: its gaps themselves where all of them seems to be low
+// enough, and saddles near their highest points. False where there are no gaps.
 bool bridge(PassGraph& graph, std::span<const Way> ends, PointField& field, const Ground& ground,
             const std::function<void(std::span<const SpacePoint>)>& add) {
     constexpr int samples = 16;
@@ -35,14 +35,19 @@ bool bridge(PassGraph& graph, std::span<const Way> ends, PointField& field, cons
     }
     std::vector<PointJet> jets;
     field.jets(points, jets);
-    std::vector<Start> low;
+    std::vector<Pass> straight;
     for (std::size_t g = 0; g < gaps.size(); ++g) {
         const auto first = jets.begin() + std::ptrdiff_t(g * (samples - 1));
         const auto top = std::ranges::max_element(first, first + samples - 1, {}, &PointJet::value);
         const SpacePoint at = points[std::size_t(top - jets.begin())];
         tops.push_back(at);
-        const SpacePoint across = difference(gaps[g].to, gaps[g].from);
-        if (top->value < 0) low.push_back({at, along({}, 1 / length(across), across)});
+        if (!(top->value < 0)) continue;
+        const auto end = [&](const SpacePoint& p) {
+            return ground.is_outside(p) ? Way::End::outside : Way::End::minimum;
+        };
+        straight.push_back(
+            {top->value,
+             {Way{{at, gaps[g].from}, end(gaps[g].from)}, Way{{at, gaps[g].to}, end(gaps[g].to)}}});
     }
     const double size = longest_side(ground.box);
     std::vector<SpacePoint> saddles;
@@ -50,7 +55,7 @@ bool bridge(PassGraph& graph, std::span<const Way> ends, PointField& field, cons
         if (saddle) saddles.push_back(*saddle);
     }
     add(saddles);
-    graph.add(passes(field, ground, low));
+    graph.add(std::move(straight));
     return !gaps.empty();
 }
 
