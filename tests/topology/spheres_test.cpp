@@ -50,6 +50,22 @@ TEST(Spheres, SeventyFiveAreAsClaimedAndAsKept) {
     expect(found, scene, "blobby75.timeline.json");
 }
 
+TEST(Spheres, SeedsFindNearlyAllOfSeventyFives) {
+    const scene::Scene scene = animated("blobby75");
+    Analysing how;
+    how.last = 61;
+    how.certify = Certify::fast;
+    const Timeline seeded = analyse(scene, how);
+    const Timeline kept = read_timeline(beside("blobby75.timeline.json")).timeline;
+    EXPECT_FALSE(seeded.is_proved);
+    EXPECT_GE(seeded.events.size(), 400u);
+    for (const Event& event : seeded.events) {
+        EXPECT_TRUE(std::ranges::any_of(kept.events, [&](const Event& other) {
+            return !is_empty(intersect(event.time, other.time)) && event.index == other.index;
+        })) << event.time.lo;
+    }
+}
+
 // Where valleys bend, the ways down from points between two minima end in one of them.
 TEST(Spheres, AHundredAndFiftyAreAsClaimed) {
     const scene::Scene scene = scene::load(beside("blobby150.toml"));
