@@ -92,7 +92,7 @@ const TimedFormula& EventPaths::piece_of(double time) const {
     return now == pieces_.end() ? pieces_.back() : *now;
 }
 
-void EventPaths::follow_saddles(int index) {
+void EventPaths::follow_saddles(int index, const std::function<bool()>& stopped) {
     Fields fields;
     const FieldAt field = [&](double time) -> PointField& {
         const TimedFormula& piece = piece_of(time);
@@ -101,7 +101,7 @@ void EventPaths::follow_saddles(int index) {
     SpaceBox box;
     const scene::BoundsAt bounds = pieces_.front().bounds(mid(pieces_.front().clock()));
     for (std::size_t i = 0; i < 3; ++i) box[i] = {bounds.min[int(i)], bounds.max[int(i)]};
-    saddles_[std::size_t(index - 1)] = saddles_at_events(field, events_, index, box);
+    saddles_[std::size_t(index - 1)] = saddles_at_events(field, events_, index, box, stopped);
 }
 
 std::vector<Sides> EventPaths::seek(std::span<const std::size_t> which, const SeekingPaths& how) {
@@ -117,7 +117,7 @@ std::vector<Sides> EventPaths::seek(std::span<const std::size_t> which, const Se
         return SharedLoop{count, how.threads, how.stopped, how.progress};
     };
     share(loop(to_follow.size()),
-          [&] { return [&](std::size_t k) { follow_saddles(to_follow[k]); }; });
+          [&] { return [&](std::size_t k) { follow_saddles(to_follow[k], how.stopped); }; });
     std::vector<Sides> found(which.size(), Sides::unknown);
     share(loop(which.size()), [&] {
         return [&, fields = Fields{}](std::size_t k) mutable {
