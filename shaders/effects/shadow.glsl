@@ -4,6 +4,9 @@
 
 uniform bool first_pass;
 uniform int evaluations_per_pass;
+#ifdef LISTS
+uniform float element_budget;
+#endif
 
 Ray shadow_ray(SurfacePoint p, int k) {
     LightRay light = light_at(k, p.position);
@@ -11,6 +14,10 @@ Ray shadow_ray(SurfacePoint p, int k) {
     vec2 inside = clip_to_bounds(ray.anchor, ray.direction);
     ray.t_near = max(inside.x, 0.0);
     ray.t_far = min(inside.y, light.reach);
+#ifdef LIGHT_BEAMS
+    if (((LIGHT_BEAMS >> k) & 1) != 0) come_from_light(ray, k);
+    else come_to_light();
+#endif
     return ray;
 }
 
@@ -42,14 +49,31 @@ void march_pixel() {
         s = load_state();
     }
     Ray ray = shadow_ray(p, max(s.refinements, 0));
-    for (int k = 0; k < evaluations_per_pass; ++k) {
-        if (s.phase == PHASE_DONE) break;
-        s.evaluations += 1;
-        int outcome = any_hit(s, ray, p.offset);
-        if (outcome == RAY_GOES_ON && s.evaluations < int(refinement.y)) continue;
+    int turns = s.phase == PHASE_DONE ? 0 : evaluations_per_pass;
+#ifdef LISTS
+    // Loops must end before drivers end them. Drivers go through the longest list of some eight
+    // neighbours, each of which has its own.
+    int elements = int(0.125 * element_budget);
+#endif
+    // One light after the other; software renderers, which skip no branch, should not look for the
+    // next at every sample.
+    while (turns > 0) {
+        int outcome;
+        do {
+            s.evaluations += 1;
+            outcome = any_hit(s, ray, p.offset);
+            turns -= 1;
+#ifdef LISTS
+            elements -= array0_count;
+            if (elements < array0_count) turns = 0;
+#endif
+            if (outcome == RAY_GOES_ON && s.evaluations >= int(refinement.y)) outcome = RAY_IS_FREE;
+        } while (turns > 0 && outcome == RAY_GOES_ON);
+        if (outcome == RAY_GOES_ON) break;
         if (outcome == RAY_IS_HIDDEN) s.verdict += 1 << s.refinements;
         s = next_light(s, p);
         ray = shadow_ray(p, max(s.refinements, 0));
+        if (s.phase == PHASE_DONE) turns = 0;
     }
     store_state(s);
 }

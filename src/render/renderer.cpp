@@ -14,6 +14,7 @@
 #include "render/beam_pass.h"
 #include "render/blocks.h"
 #include "render/effect_uniforms.h"
+#include "render/light_beams.h"
 #include "render/ray_pass.h"
 #include "render/secondary_rays.h"
 #include "scene/fingerprint.h"
@@ -51,7 +52,7 @@ struct Renderer::Parts {
         , options(std::move(wanted))
         , shaders(synthesis::assemble(scene, options.channels,
                                       choose_stage(options.stage, context.info()),
-                                      context.info().has(4, 3)))
+                                      context.info().has(4, 3), options.finest_beam))
         , plan(make_plan())
         , evaluations_without_lists(plan_without_lists())
         , element_budget(budget_of_elements())
@@ -64,8 +65,14 @@ struct Renderer::Parts {
         if (!shaders.beams.empty()) {
             beams.emplace(shaders, scene, plan, texels_for_lists(), beam_unit());
         }
+        if (shaders.light_beams != 0) {
+            light_beams.emplace(*beams, shaders, int(scene.lights.size()), options.width,
+                                options.height, texels_for_lists());
+        }
+        const int listed =
+            (beams ? beams->listed() : 0) + (light_beams ? light_beams->listed() : 0);
         for (const auto& storage : shaders.arrays) {
-            arrays.emplace_back(storage, storage.has_lists ? beams->listed() : 0);
+            arrays.emplace_back(storage, storage.has_lists ? listed : 0);
         }
         if (one_draw) {
             whole.emplace(shaders.shade_vertex, shaders.whole, "whole");
@@ -200,6 +207,7 @@ struct Renderer::Parts {
         program.bind_sampler("state_texture_2", unit_state_2);
         program.bind_sampler("beam_texture", beam_unit());
         program.bind_sampler("beam_lists_texture", beam_unit() + 1);
+        if (light_beams) light_beams->connect(program, light_unit());
         for (std::size_t a = 0; a < shaders.arrays.size(); ++a) {
             const auto& storage = shaders.arrays[a];
             if (storage.kind == synthesis::ArrayStorage::Kind::uniform_block) {
@@ -220,10 +228,18 @@ struct Renderer::Parts {
         if (environment) {
             environment->bind(unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units);
         }
+        if (light_beams) draw_light_beams(now);
         if (beams) beams->upload(now, options.width, options.height, aim);
         if (proofs) proofs->upload(scene, now, options.width, options.height, aim);
         frame.bind(binding_frame);
         shading.bind(binding_shading);
+    }
+
+    void draw_light_beams(const scene::SceneAt& now) {
+        light_beams->draw(scene, now, binding_frame,
+                          synthesis::has_lists(shaders) ? &arrays[0] : nullptr);
+        light_beams->bind(light_unit());
+        light_beams->set_views(secondary->shadows());
     }
 
     void set_effects(const gpu::Program& program, const scene::SceneAt& now) const {
@@ -270,9 +286,11 @@ struct Renderer::Parts {
         }
     }
 
-    // Only the eye's rays go by lists.
+    // Mirrored rays go by no lists.
     int evaluations_of(const gpu::Program& program) const {
-        const bool is_planned = !synthesis::has_lists(shaders) || &program == &passes->march;
+        const bool by_lists =
+            &program == &passes->march || (light_beams && &program == &secondary->shadows());
+        const bool is_planned = !synthesis::has_lists(shaders) || by_lists;
         return is_planned ? plan.evaluations_per_pass : evaluations_without_lists;
     }
 
@@ -295,12 +313,16 @@ struct Renderer::Parts {
     int beam_unit() const {
         return unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units + 1;
     }
+    int light_unit() const { return beam_unit() + 2 + Proofs::units; }
 
     // Draws a tile into `result`, reads its record into `pixels` and adds it to the picture's.
     // Returns its rays, or null if they were not kept.
     const gpu::Target* draw_tile(const gpu::Rectangle& tile, const scene::SceneAt& now,
                                  Picture& picture) {
-        if (beams) beams->draw(tile, synthesis::has_lists(shaders) ? &arrays[0] : nullptr);
+        if (beams && !keeps_beams) {
+            beams->draw({0, 0, tile.width, tile.height}, {tile.x, tile.y},
+                        synthesis::has_lists(shaders) ? &arrays[0] : nullptr);
+        }
         if (one_draw) {
             draw_whole(tile);
             ++picture.passes;
@@ -555,6 +577,8 @@ struct Renderer::Parts {
     };
     std::optional<Moved> moved; // of the channel velocity
     std::optional<BeamPass> beams;
+    bool keeps_beams = false;
+    std::optional<LightBeams> light_beams;
     std::optional<Proofs> proofs; // of scenes that ask for them
     gpu::Fullscreen triangle;
     gpu::SamplesQuery still_active;
@@ -573,6 +597,14 @@ const MarchPlan& Renderer::plan() const { return parts_->plan; }
 void Renderer::reuse(Picture picture) { parts_->used = std::move(picture.frame); }
 
 bool Renderer::needs_motion() const { return parts_->moved.has_value(); }
+
+void Renderer::keep_beams(bool keep) {
+    const Parts& p = *parts_;
+    if (p.plan.tile_width < p.options.width || p.plan.tile_height < p.options.height) {
+        throw std::logic_error("beams are kept of one tile, and the picture has several");
+    }
+    parts_->keeps_beams = keep;
+}
 
 Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion) {
     Parts& p = *parts_;
