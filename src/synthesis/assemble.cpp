@@ -266,6 +266,7 @@ std::string whole_text(const scene::Scene& scene, const std::vector<Channel>& ch
     add_march(text, scene, shaders, Origin::eye);
     text.file(has_flat_shading(scene) ? "shade/shading_flat.glsl" : "shade/shading.glsl");
     text.file("shade/hit.glsl");
+    text.file("shade/record.glsl");
     text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
     text.file("shade/lambert.glsl");
     text.file(shaders.march_takes_gradient ? "shade/gradient_from_state.glsl"
@@ -299,6 +300,7 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
     add_ray(text, scene);
     text.file(has_flat_shading(scene) ? "shade/shading_flat.glsl" : "shade/shading.glsl");
     text.file("shade/hit.glsl");
+    text.file("shade/record.glsl");
     if (paint) {
         add_paint(text, *paint);
     } else {

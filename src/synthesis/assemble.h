@@ -58,7 +58,7 @@ struct Shaders : FieldStorage {
     // samples the gradient at the root, which else the shade pass does.
     std::vector<FieldFunction> samples;
     bool march_takes_gradient = false;
-    // Attachments of the shade pass: 0 colour, 1 verdict and evaluations, then these.
+    // Attachments of the shade pass: 0 colour, 1 what is counted (render/record.h), then these.
     std::vector<Channel> attachments;
     std::vector<std::string> files; // of shaders/, as used
 };
