@@ -27,11 +27,7 @@ RayState next_light(RayState s, SurfacePoint p) {
     for (int k = s.refinements + 1; k < LIGHTS && anything; ++k) {
         if (((SHADOWS >> k) & 1) == 0) continue;
         if (dot(p.normal, light_at(k, p.position).direction) <= 0.0) continue;
-        Ray ray = shadow_ray(p, k);
-        if (!(ray.t_near < ray.t_far)) continue;
         s.refinements = k;
-        s.low = ray.t_near;
-        s.high = ray.t_near;
         s.phase = PHASE_START;
         return s;
     }
@@ -44,12 +40,10 @@ void march_pixel() {
     if (first_pass) {
         s = state_at(0.0);
         s.refinements = -1;
-        s = next_light(s, p);
     } else {
         s = load_state();
     }
-    Ray ray = shadow_ray(p, max(s.refinements, 0));
-    int turns = s.phase == PHASE_DONE ? 0 : evaluations_per_pass;
+    int turns = evaluations_per_pass;
 #ifdef LISTS
     // Loops must end before drivers end them. Drivers go through the longest list of some eight
     // neighbours, each of which has its own.
@@ -57,9 +51,14 @@ void march_pixel() {
 #endif
     // One light after the other; software renderers, which skip no branch, should not look for the
     // next at every sample.
-    while (turns > 0) {
-        int outcome;
-        do {
+    bool begins = first_pass;
+    while (true) {
+        if (begins) s = next_light(s, p);
+        if (s.phase == PHASE_DONE) break;
+        Ray ray = shadow_ray(p, s.refinements);
+        if (begins) s.low = s.high = ray.t_near;
+        int outcome = ray.t_near < ray.t_far ? RAY_GOES_ON : RAY_IS_FREE;
+        while (turns > 0 && outcome == RAY_GOES_ON) {
             s.evaluations += 1;
             outcome = any_hit(s, ray, p.offset);
             turns -= 1;
@@ -68,12 +67,10 @@ void march_pixel() {
             if (elements < array0_count) turns = 0;
 #endif
             if (outcome == RAY_GOES_ON && s.evaluations >= int(refinement.y)) outcome = RAY_IS_FREE;
-        } while (turns > 0 && outcome == RAY_GOES_ON);
-        if (outcome == RAY_GOES_ON) break;
+        }
+        if (outcome == RAY_GOES_ON) break; // in the next pass
         if (outcome == RAY_IS_HIDDEN) s.verdict += 1 << s.refinements;
-        s = next_light(s, p);
-        ray = shadow_ray(p, max(s.refinements, 0));
-        if (s.phase == PHASE_DONE) turns = 0;
+        begins = true;
     }
     store_state(s);
 }
