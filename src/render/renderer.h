@@ -42,7 +42,12 @@ struct RenderOptions {
     std::function<void(const std::string&)> warn = {};
     // What marches the rays; it changes hits by last bits at most.
     StageChoice stage = StageChoice::fragment;
+    // Asked before each tile; where it says true, draw() throws Stopped.
+    std::function<bool()> stop = {};
 };
+
+// A picture that was given up.
+struct Stopped {};
 
 class Renderer {
 public:
@@ -57,6 +62,14 @@ public:
                  const Motion* motion = nullptr);
     // Gives back a picture's memory, for the next one.
     void reuse(Picture picture);
+
+    // Of the next pictures. Nothing is compiled or made anew, so it costs nothing; pictures larger
+    // than the options' are cut into more tiles, for which the options' sides must be multiples of
+    // 64, or else this throws std::invalid_argument.
+    void resize(int width, int height);
+    // Other settings of the scene's method, for the next pictures. Throws std::invalid_argument for
+    // another method, beams or proofs: those are other shaders.
+    void adjust(const scene::Isolation& settings);
     bool needs_motion() const;
 
     // Everything that decides the pixels of a picture beside the driver: shader text, uniform
