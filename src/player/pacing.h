@@ -7,8 +7,7 @@
 // and three rules keep them still:
 //   * down only after two draws in a row over the budget, so that a hiccup of the machine changes
 //     nothing and a heavier scene is answered at its second picture (the very first draw at once);
-//   * up only when the model promises less than `roomy` of the budget, draw after draw, `patience`
-//     times in a row;
+//   * up only when the model promises room to spare, `patience` times in a row;
 //   * a rise that had to be taken back doubles the patience.
 // Pure: the state is a value, the clock is the caller's. The draw that compiles is not to be told.
 #pragma once
@@ -41,13 +40,15 @@ struct MeasuredDraw {
 CostModel cost_of(const std::vector<MeasuredDraw>& draws, const CostModel& before);
 
 struct Pacing {
-    int rung = 0;                    // scale_of(rung) is the next draw's
-    std::vector<MeasuredDraw> draws; // since the cost last changed, the latest last
+    int rung = 0;                      // scale_of(rung) is the next draw's
+    std::vector<MeasuredDraw> draws;   // the model is fitted to these, the latest last
+    std::optional<MeasuredDraw> stray; // the last one, if it was far off what its scale had cost
     CostModel model;
-    int over = 0;          // draws in a row over the budget
-    int roomy = 0;         // draws in a row that leave room for a larger picture
-    int patience = 6;      // so many of them make it larger
-    int since_rise = 1000; // draws since it last grew
+    int over = 0;      // draws in a row over the budget
+    int roomy = 0;     // draws in a row that leave room for a larger picture
+    int patience = 6;  // so many of them make it larger
+    int steady = 0;    // draws since the scale changed
+    bool rose = false; // when it did
 
     double scale() const { return scale_of(rung); }
 };
@@ -63,8 +64,8 @@ struct Quality {
     bool operator==(const Quality&) const = default;
 };
 
-// The next picture at rest, after one of this quality: full size, then 4 and 16 times as many
-// samples up to `most` (the scene's own number where that is larger); none when all is done.
+// The next picture at rest, after one of this quality: full size, then four times as many samples
+// again and again, up to `most`; none when that is done.
 std::optional<Quality> refined(const Quality& shown, int most = 16);
 
 } // namespace isomotion::player

@@ -171,9 +171,10 @@ Playback moved_to(const Playback& p, const animation::Timeline& from, const anim
     Position there = here;
     if (from.fps != to.fps) {
         const double time = from.time(here.frame, here.part);
-        there.frame = frame_of_time(to.fps, time);
-        there.part =
-            (time - to.time(there.frame)) * double(to.fps.numerator) / double(to.fps.denominator);
+        const double frames = double(to.fps.numerator) / double(to.fps.denominator);
+        // A frame's beginning stays one, whichever way the time was rounded.
+        there.frame = frame_of_time(to.fps, time + 1e-9 / frames);
+        there.part = std::max((time - to.time(there.frame)) * frames, 0.0);
     }
     return anchored(other, std::min(number(there.frame, there.part), double(to.frames)), now);
 }

@@ -18,6 +18,4 @@ std::vector<Mark> key_marks(const scene::Scene&) { return {}; }
 scene::CameraAt orbited(const scene::CameraAt& c, const glm::dvec2&) { return c; }
 scene::CameraAt panned(const scene::CameraAt& c, const glm::dvec2&) { return c; }
 scene::CameraAt dollied(const scene::CameraAt& c, double, const glm::dvec2&) { return c; }
-double scale_of(int rung) { return std::pow(2.0, -rung / 4.0); }
-Pacing paced(Pacing p, const MeasuredDraw&, double) { return p; }
 }
