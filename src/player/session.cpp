@@ -19,12 +19,6 @@ scene::Isolation beside(const scene::Isolation& isolation) {
     return other;
 }
 
-bool same_settings(const scene::Isolation& a, const scene::Isolation& b) {
-    return a.method == b.method && a.step == b.step && a.near == b.near && a.far == b.far &&
-           a.horizon == b.horizon && a.bisections == b.bisections && a.beam == b.beam &&
-           a.certify == b.certify && a.safety == b.safety && a.limit == b.limit;
-}
-
 } // namespace
 
 Session::Session(scene::Scene scene)
@@ -46,8 +40,8 @@ void Session::reload(scene::Scene scene, double now) {
     const std::shared_ptr<const scene::Scene> before = scene_;
     playback = moved_to(playback, before->timeline, scene.timeline, now);
     scene_ = std::make_shared<const scene::Scene>(std::move(scene));
-    if (same_settings(look_.isolation, before->isolation)) look_.isolation = scene_->isolation;
-    if (same_settings(look_.other, beside(before->isolation))) {
+    if (look_.isolation == before->isolation) look_.isolation = scene_->isolation;
+    if (look_.other == beside(before->isolation)) {
         look_.other = beside(scene_->isolation);
     }
     study();

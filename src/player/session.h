@@ -22,6 +22,8 @@ struct Look {
     scene::Isolation other; // the method that View::difference holds beside it
     View view = View::shaded;
     bool smooth = true; // edges, at rest
+
+    bool operator==(const Look&) const = default;
 };
 
 class Session {

@@ -1,0 +1,58 @@
+#include "player/overrides.h"
+
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "player/camera_text.h"
+#include "scene/method.h"
+
+namespace isomotion::player {
+namespace {
+
+// The lines of a section as one table in braces.
+std::string inline_table(const std::string& section) {
+    std::istringstream lines(section);
+    std::string table;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty() || line.front() == '[') continue;
+        table += (table.empty() ? "" : ", ") + line;
+    }
+    return "{" + table + "}";
+}
+
+} // namespace
+
+std::vector<scene::Override> overrides_of(const Session& session) {
+    const Look& look = session.look();
+    const scene::Scene& scene = session.scene();
+    std::vector<scene::Override> all;
+    for (const auto& [name, value] : look.released.values) {
+        const bool of_array = name.find('.') != name.npos;
+        all.push_back(fmt::format("{}{}={}", of_array ? "arrays." : "", name, value));
+    }
+    if (look.camera) {
+        all.push_back("camera=" +
+                      inline_table(camera_text(*look.camera, scene.camera.shutter)));
+    }
+    const scene::Isolation& own = scene.isolation;
+    const scene::Isolation& used = look.isolation;
+    if (used.method != own.method) {
+        all.push_back(fmt::format("isolation.method=\"{}\"", scene::name(used.method)));
+    }
+    // What a scene leaves out follows from its first frame, which a released parameter moves: all
+    // of them are said.
+    all.push_back(fmt::format("isolation.step={}", used.step));
+    all.push_back(fmt::format("isolation.near={}", used.near));
+    all.push_back(fmt::format("isolation.far={}", used.far));
+    all.push_back(fmt::format("isolation.horizon={}", used.horizon));
+    all.push_back(fmt::format("isolation.bisections={}", used.bisections));
+    all.push_back(fmt::format("isolation.safety={}", used.safety));
+    all.push_back(fmt::format("isolation.limit={}", used.limit));
+    if (const int samples = session.samples(); samples != scene.output.samples) {
+        all.push_back(fmt::format("output.samples={}", samples));
+    }
+    return all;
+}
+
+} // namespace isomotion::player

@@ -1,0 +1,15 @@
+// What a person changed of a scene, as `isomotion render` takes it.
+#pragma once
+
+#include <vector>
+
+#include "player/session.h"
+#include "scene/load.h"
+
+namespace isomotion::player {
+
+// Settings that load the session's scene as it is shown: its camera, its parameters, its method.
+// With the size that is shown, its frames are the pictures shown at rest, bit for bit.
+std::vector<scene::Override> overrides_of(const Session& session);
+
+} // namespace isomotion::player

@@ -1,0 +1,55 @@
+// The parts of the side panel: each shows its part of what is looked at and changes it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "player/draw_thread.h"
+#include "player/render_process.h"
+#include "player/session.h"
+#include "player/shortcuts.h"
+
+namespace isomotion::player {
+
+// A part's heading; false if it is folded.
+bool heading(const char* title);
+// A line's name on the left; the widget that follows takes the rest, less `less`.
+void row(const char* name, float less = 0);
+
+void view_section(Look& look, const scene::Scene& scene, const std::optional<Shown>& shown);
+
+// What else is to be done.
+std::optional<Command> camera_section(Look& look, const scene::CameraAt& camera);
+
+void parameter_section(Look& look, const Session& session, const animation::Values& values);
+
+void method_section(Look& look, const scene::Scene& scene);
+
+// What the last picture took.
+void reading_section(const std::optional<Shown>& shown, glm::ivec2 size);
+
+// Frames into files.
+class ExportSection {
+public:
+    // `frame` is the one shown, in a picture of `size`.
+    void show(const Session& session, std::int64_t frame, glm::ivec2 size);
+    void save_picture(const Session& session, std::int64_t frame, glm::ivec2 size);
+    // Whether files are being written: a frame now and then shows how far.
+    bool running() const { return process_.has_value(); }
+    // Looks after the process.
+    void attend();
+
+private:
+    void start(const Session& session, int first, int last, glm::ivec2 size);
+    std::string stem(const Session& session) const;
+
+    std::optional<RenderProcess> process_;
+    std::filesystem::path folder_ = "out";
+    std::array<int, 2> range_{0, 0}; // 0: not chosen yet
+    bool as_shown_ = false, movie_ = false;
+    std::string told_;
+    bool failed_ = false;
+};
+
+} // namespace isomotion::player
