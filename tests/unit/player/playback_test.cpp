@@ -187,6 +187,7 @@ TEST(Playback, KnowsWhenTheNextFrameIsDue) {
         EXPECT_EQ(before.frame, here.frame);
         EXPECT_FALSE(before.ended);
         EXPECT_GT(*due, now);
+        EXPECT_EQ(shown(paused(p, std::nextafter(*due, -1e9)), 0), here.frame);
     }
     EXPECT_EQ(next_change(paused(playing(1, 9), after(0)), after(0)), std::nullopt);
     EXPECT_EQ(next_change(playing(1, 9), after(2.5)), after(3));
