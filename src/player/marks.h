@@ -17,11 +17,13 @@ struct Mark {
     std::string label; // "keys of m, camera.position", "merge at frame 12.41"
 };
 
-// Of every track, one mark for all that have a key at that time; within the scene's frames.
+// Of every track, one mark for all that have a key at that time; within the scene's frames, in
+// their order.
 std::vector<Mark> key_marks(const scene::Scene& scene);
 
 // Of what is known of the scene's topology: events (also those that are not proved, which say so)
-// and places where something is not told apart. Or why they cannot be marked.
+// and places where something is not told apart. Events on the bounds that change nothing are left
+// out. Or why nothing can be marked.
 struct TopologyMarks {
     std::vector<Mark> marks;
     std::string refusal; // empty unless there is a timeline that is not this scene's, or is broken

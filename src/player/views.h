@@ -81,6 +81,7 @@ struct VerdictColour {
 // In the order of Verdict. Step limit and NaN as the picture has them.
 const std::array<VerdictColour, 5>& verdict_colours();
 Raster verdicts(const image::Frame& frame);
+inline constexpr Rgb no_verdict{255, 0, 0}; // a number that is none
 
 // How two pictures of one scene at one time, by two methods, tell of the same rays.
 struct Difference {
