@@ -27,6 +27,7 @@ enum class Command {
     view_difference,
     reset_camera,
     fit_camera,
+    copy_camera,
     panel,
     open,
     save,
