@@ -1,8 +1,6 @@
-#include "player/camera_text.h"
 #include "player/memory.h"
 #include "player/watch.h"
 namespace isomotion::player {
-std::string camera_text(const scene::CameraAt&, double) { return ""; }
 FileWatch::FileWatch(const std::vector<std::filesystem::path>&) {}
 void FileWatch::watch(const std::vector<std::filesystem::path>&) {}
 std::vector<std::filesystem::path> FileWatch::changed() { return {}; }
