@@ -5,29 +5,33 @@
 
 #include "image/child_process.h"
 #include "image/sequence.h"
+#include "player/landmarks.h"
 #include "player/overrides.h"
 #include "player/sections.h"
 #include "player/theme.h"
 
 namespace isomotion::player {
 
-std::string ExportSection::stem(const Session& session) const {
-    return (folder_ / session.scene().file.stem()).string();
+std::string ExportSection::stem(const scene::Scene& scene) const {
+    return (folder_ / scene.file.stem()).string();
 }
 
-void ExportSection::start(const Session& session, int first, int last, glm::ivec2 size) {
+void ExportSection::start(const LiveScene& live, int first, int last, glm::ivec2 size) {
+    const scene::Scene& scene = live.session.scene();
     RenderOrder order;
-    order.scene = session.scene().file;
-    order.overrides = overrides_of(session);
-    order.output = stem(session) + ".####.png";
+    order.scene = scene.file;
+    order.output = stem(scene) + ".####.png";
     order.first = first;
     order.last = last;
-    order.width = as_shown_ ? size.x : session.scene().output.width;
-    order.height = as_shown_ ? size.y : session.scene().output.height;
-    if (movie_ && last > first) order.movie = stem(session) + ".mp4";
+    order.width = as_shown_ ? size.x : scene.output.width;
+    order.height = as_shown_ ? size.y : scene.output.height;
+    if (movie_ && last > first) order.movie = stem(scene) + ".mp4";
     told_.clear();
     failed_ = false;
     try {
+        order.overrides = live.overrides();
+        const auto more = overrides_of(live.session);
+        order.overrides.insert(order.overrides.end(), more.begin(), more.end());
         process_.emplace(std::move(order));
     } catch (const std::exception& error) {
         told_ = error.what();
@@ -35,8 +39,8 @@ void ExportSection::start(const Session& session, int first, int last, glm::ivec
     }
 }
 
-void ExportSection::save_picture(const Session& session, std::int64_t frame, glm::ivec2 size) {
-    if (!process_) start(session, int(frame), int(frame), size);
+void ExportSection::save_picture(const LiveScene& scene, std::int64_t frame, glm::ivec2 size) {
+    if (!process_) start(scene, int(frame), int(frame), size);
 }
 
 void ExportSection::attend() {
@@ -52,11 +56,12 @@ void ExportSection::attend() {
     process_.reset();
 }
 
-void ExportSection::show(const Session& session, std::int64_t frame, glm::ivec2 size) {
+void ExportSection::show(const LiveScene& live, std::int64_t frame, glm::ivec2 size) {
     if (!heading("Export")) return;
-    const int last = session.scene().timeline.frames;
+    const scene::Scene& scene = live.session.scene();
+    const int last = scene.timeline.frames;
     if (range_[0] < 1 || range_[1] > last) range_ = {1, last};
-    const scene::Output& output = session.scene().output;
+    const scene::Output& output = scene.output;
     const std::string own = fmt::format("{} x {}", output.width, output.height);
     const std::string here = fmt::format("{} x {}, as shown", size.x, size.y);
     row("size");
@@ -81,13 +86,14 @@ void ExportSection::show(const Session& session, std::int64_t frame, glm::ivec2 
     }
     const float gap = 4;
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-    if (ImGui::Button("save picture", {width, 0})) save_picture(session, frame, size);
+    if (ImGui::Button("save picture", {width, 0})) save_picture(live, frame, size);
     if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip("frame %lld to %s.####.png (F12)", static_cast<long long>(frame),
-                          stem(session).c_str());
+                          stem(scene).c_str());
     }
     ImGui::SameLine(0, gap);
-    if (ImGui::Button("save frames", {width, 0})) start(session, range_[0], range_[1], size);
+    if (ImGui::Button("save frames", {width, 0})) start(live, range_[0], range_[1], size);
+    landmark("save frames");
     if (told_.empty()) return;
     ImGui::PushTextWrapPos(0);
     if (failed_) {

@@ -10,6 +10,7 @@
 #include "image/decode.h"
 #include "image/file.h"
 #include "image/screen.h"
+#include "player/landmarks.h"
 #include "player/theme.h"
 #include "player/watch.h"
 #include "scene/data_folder.h"
@@ -147,6 +148,7 @@ bool Gallery::show_entry(Entry& entry, float side) {
     ImGui::PushID(&entry);
     const bool chosen = ImGui::InvisibleButton("open", {side, side});
     ImGui::PopID();
+    landmark("scene " + entry.scene);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end{at.x + side, at.y + side};
     const float rounding = 5;

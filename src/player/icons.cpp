@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "player/landmarks.h"
 #include "player/theme.h"
 
 namespace isomotion::player {
@@ -75,6 +76,7 @@ bool icon_button(const char* id, Icon icon, bool lit, const char* tip) {
     ImGui::PushID(id);
     const bool clicked = ImGui::Button("##icon", {1.25f * side, side});
     ImGui::PopID();
+    landmark(id);
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const ImVec2 middle{0.5f * (low.x + high.x), 0.5f * (low.y + high.y)};
     draw(icon, Pen(middle, 0.24f * side, lit ? accent_color() : text_color()));

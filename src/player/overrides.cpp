@@ -1,6 +1,8 @@
 #include "player/overrides.h"
 
+#include <optional>
 #include <sstream>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -21,6 +23,33 @@ std::string inline_table(const std::string& section) {
     return "{" + table + "}";
 }
 
+// A field of all elements, multiplied as controls.h does; none if there is no such field.
+std::optional<scene::Override> multiplied(const animation::Animation& animation,
+                                          const std::string& name, double factor) {
+    for (const animation::Array& array : animation.arrays()) {
+        for (const animation::ArrayField& field : array.fields) {
+            if (array.name + "." + field.name != name) continue;
+            const std::string key = "arrays." + name;
+            if (const auto* number = std::get_if<double>(&field.source)) {
+                return fmt::format("{}={}", key, factor * *number);
+            }
+            if (const auto* list = std::get_if<std::vector<double>>(&field.source)) {
+                std::vector<double> values = *list;
+                for (double& value : values) value *= factor;
+                return fmt::format("{}=[{}]", key, fmt::join(values, ", "));
+            }
+            if (const auto* text = std::get_if<animation::Expression>(&field.source)) {
+                return fmt::format("{}=\"{}*({})\"", key, factor, text->text);
+            }
+            throw std::runtime_error(
+                fmt::format("{} comes from a file and is multiplied here: give it back to save "
+                            "frames",
+                            name));
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 std::vector<scene::Override> overrides_of(const Session& session) {
@@ -30,6 +59,11 @@ std::vector<scene::Override> overrides_of(const Session& session) {
     for (const auto& [name, value] : look.released.values) {
         const bool of_array = name.find('.') != name.npos;
         all.push_back(fmt::format("{}{}={}", of_array ? "arrays." : "", name, value));
+    }
+    for (const auto& [name, factor] : look.released.factors) {
+        if (auto setting = multiplied(scene.timeline.animation, name, factor)) {
+            all.push_back(*std::move(setting));
+        }
     }
     if (look.camera) {
         all.push_back("camera=" +

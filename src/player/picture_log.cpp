@@ -11,6 +11,18 @@ namespace isomotion::player {
 PictureLog::PictureLog(const std::filesystem::path& file)
     : file_(file.empty() ? nullptr : std::fopen(file.c_str(), "we"), std::fclose) {
     if (!file.empty() && !file_) throw image::FileError(file, "cannot be written", errno);
+    if (file_) note_landmarks();
+}
+
+void PictureLog::write(const std::string& line) {
+    std::fprintf(file_.get(), "%s\n", line.c_str());
+    std::fflush(file_.get());
+}
+
+void PictureLog::add(const Landmarks& landmarks) {
+    if (!file_ || landmarks == last_) return;
+    last_ = landmarks;
+    write(nlohmann::ordered_json{{"seconds", seconds()}, {"widgets", landmarks}}.dump());
 }
 
 double PictureLog::seconds() const {
@@ -34,16 +46,13 @@ void PictureLog::add(const Shown& shown, glm::ivec2 corner, glm::ivec2 size, boo
         {"evaluations", shown.tally.evaluations},
         {"verdicts", shown.tally.verdicts},
     };
-    std::fprintf(file_.get(), "%s\n", line.dump().c_str());
-    std::fflush(file_.get());
+    write(line.dump());
 }
 
 void PictureLog::add_failure(const std::string& text) {
     if (!file_) return;
     const nlohmann::ordered_json line{{"seconds", seconds()}, {"error", text}};
-    std::fprintf(file_.get(), "%s\n",
-                 line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-    std::fflush(file_.get());
+    write(line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 } // namespace isomotion::player

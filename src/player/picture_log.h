@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "player/draw_thread.h"
+#include "player/landmarks.h"
 
 namespace isomotion::player {
 
@@ -21,10 +22,14 @@ public:
     // will follow though nothing changes.
     void add(const Shown& shown, glm::ivec2 corner, glm::ivec2 size, bool at_rest);
     void add_failure(const std::string& text);
+    // Where widgets are, if that has changed.
+    void add(const Landmarks& landmarks);
 
 private:
     double seconds() const; // since the program began, about
+    void write(const std::string& line);
 
+    Landmarks last_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };

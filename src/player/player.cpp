@@ -293,7 +293,7 @@ private:
         case Command::copy_camera:
             return copy_camera();
         case Command::save:
-            return export_.save_picture(session, frame(), size_);
+            return export_.save_picture(*scene_, frame(), size_);
         default:
             return;
         }
@@ -316,7 +316,7 @@ private:
 
     void fit_camera() {
         if (const auto at = scene_now()) {
-            hold_camera(fit(at->camera, at->bounds, at->placement,
+            hold_camera(fitted(at->camera, at->bounds, at->placement,
                             double(size_.x) / double(std::max(size_.y, 1))));
         }
     }
@@ -343,6 +343,7 @@ private:
             show_transport({0, area.y - bar}, {area.x, bar});
         }
         notices_.show(thread_.compiling_since());
+        log_.add(take_landmarks());
         touched_ = ImGui::IsAnyItemActive() && !area_.held();
         window_.end_frame();
         if (std::exchange(new_picture_, false) && area_.shown()) {
@@ -390,7 +391,7 @@ private:
         method_section(look, session.scene());
         reading_section(area_.shown(), size_);
         topology_.show(*scene_);
-        export_.show(session, frame(), size_);
+        export_.show(*scene_, frame(), size_);
         ImGui::End();
         if (look != session.look() && revision == session.revision()) session.set(look);
         if (wish) obey_in_scene(*wish);

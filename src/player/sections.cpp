@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "player/landmarks.h"
 #include "player/theme.h"
 #include "scene/method_domain.h"
 
@@ -137,6 +138,7 @@ bool parameter_slider(const Slider& slider, Released& released,
     const bool touched =
         ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &slider.least, &slider.most,
                             "%.4g", ImGuiSliderFlags_NoRoundToFormat);
+    landmark("slider " + slider.name);
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
         ImGui::SetTooltip(slider.released  ? "held; Ctrl + click to type"
                           : slider.moves ? "moves; a touch holds it, Ctrl + click to type"
@@ -149,6 +151,7 @@ bool parameter_slider(const Slider& slider, Released& released,
             released.values.erase(slider.name);
             released.factors.erase(slider.name);
         }
+        landmark("give back " + slider.name);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("give it back to the scene");
     }
     ImGui::PopID();

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "player/draw_thread.h"
+#include "player/live_scene.h"
 #include "player/render_process.h"
 #include "player/session.h"
 #include "player/shortcuts.h"
@@ -33,16 +34,16 @@ void reading_section(const std::optional<Shown>& shown, glm::ivec2 size);
 class ExportSection {
 public:
     // `frame` is the one shown, in a picture of `size`.
-    void show(const Session& session, std::int64_t frame, glm::ivec2 size);
-    void save_picture(const Session& session, std::int64_t frame, glm::ivec2 size);
+    void show(const LiveScene& scene, std::int64_t frame, glm::ivec2 size);
+    void save_picture(const LiveScene& scene, std::int64_t frame, glm::ivec2 size);
     // Whether files are being written: a frame now and then shows how far.
     bool running() const { return process_.has_value(); }
     // Looks after the process.
     void attend();
 
 private:
-    void start(const Session& session, int first, int last, glm::ivec2 size);
-    std::string stem(const Session& session) const;
+    void start(const LiveScene& live, int first, int last, glm::ivec2 size);
+    std::string stem(const scene::Scene& scene) const;
 
     std::optional<RenderProcess> process_;
     std::filesystem::path folder_ = "out";

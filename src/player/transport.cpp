@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "player/icons.h"
+#include "player/landmarks.h"
 #include "player/theme.h"
 
 namespace isomotion::player {
@@ -124,6 +125,7 @@ Playback Transport::scrubber(Playback playback, const std::vector<Mark>& marks, 
     const float width = ImGui::GetContentRegionAvail().x, height = scrubber_height();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("##timeline", {std::max(width, 1.0f), height});
+    landmark("timeline");
     const bool held = ImGui::IsItemActive();
     const float knob = 0.32f * ImGui::GetFontSize();
     const float left = corner.x + knob, right = corner.x + width - knob;
