@@ -55,7 +55,8 @@ std::string foundation() {
 }
 
 std::string in_lower_case(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return char(std::tolower(c)); });
     return text;
 }
 
@@ -88,7 +89,8 @@ void Gallery::open(const std::vector<fs::path>& opened) {
         if (file.parent_path() != installed) add(file.string(), file, ground);
     }
     opened_ = entries_.size();
-    for (const auto& name : scene::animation_names()) add(name, scene::animation_file(name), ground);
+    for (const auto& name : scene::animation_names())
+        add(name, scene::animation_file(name), ground);
 }
 
 void Gallery::close() {

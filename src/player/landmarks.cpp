@@ -23,8 +23,6 @@ void landmark(const std::string& name) {
 
 void note_landmarks() { noted.emplace(); }
 
-Landmarks take_landmarks() {
-    return noted ? std::exchange(*noted, Landmarks{}) : Landmarks{};
-}
+Landmarks take_landmarks() { return noted ? std::exchange(*noted, Landmarks{}) : Landmarks{}; }
 
 } // namespace isomotion::player

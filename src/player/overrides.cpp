@@ -66,8 +66,7 @@ std::vector<scene::Override> overrides_of(const Session& session) {
         }
     }
     if (look.camera) {
-        all.push_back("camera=" +
-                      inline_table(camera_text(*look.camera, scene.camera.shutter)));
+        all.push_back("camera=" + inline_table(camera_text(*look.camera, scene.camera.shutter)));
     }
     const scene::Isolation& own = scene.isolation;
     const scene::Isolation& used = look.isolation;

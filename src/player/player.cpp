@@ -28,10 +28,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr ImGuiWindowFlags pane =
-    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
-    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+constexpr ImGuiWindowFlags pane = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                                  ImGuiWindowFlags_NoSavedSettings |
+                                  ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
 constexpr ImGuiWindowFlags still_pane =
     pane | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
 
@@ -317,7 +317,7 @@ private:
     void fit_camera() {
         if (const auto at = scene_now()) {
             hold_camera(fitted(at->camera, at->bounds, at->placement,
-                            double(size_.x) / double(std::max(size_.y, 1))));
+                               double(size_.x) / double(std::max(size_.y, 1))));
         }
     }
 
@@ -402,6 +402,7 @@ private:
         Session& session = scene_->session;
         session.playback =
             transport_.show(session.playback, session.scene().timeline, scene_->marks(), now());
+        reading_line(area_.shown());
         ImGui::End();
     }
 

@@ -11,7 +11,9 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> render_words(const RenderOrder& order) {
     std::vector<std::string> words{"render", order.scene.string(), "--quiet", "-o", order.output};
-    words.insert(words.end(), {"--frames", order.poster ? "poster" : fmt::format("{}-{}", order.first, order.last)});
+    words.insert(
+        words.end(),
+        {"--frames", order.poster ? "poster" : fmt::format("{}-{}", order.first, order.last)});
     words.insert(words.end(), {"--size", fmt::format("{}x{}", order.width, order.height)});
     for (const scene::Override& setting : order.overrides) {
         words.insert(words.end(), {"--set", setting});

@@ -20,7 +20,8 @@ void color_line(Rgb color, const std::string& text) {
     const float side = 0.7f * ImGui::GetFontSize();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float down = 0.2f * ImGui::GetFontSize();
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + down}, {at.x + side, at.y + down + side},
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + down},
+                                              {at.x + side, at.y + down + side},
                                               IM_COL32(color[0], color[1], color[2], 255), 2);
     ImGui::Dummy({side, side});
     ImGui::SameLine();
@@ -54,19 +55,21 @@ void heat_legend(double end) {
 void normal_legend() { ImGui::TextDisabled("x, y, z of the normal as red, green, blue"); }
 
 void difference_legend(const Difference& found, const Tally& left, const Tally& right) {
-    const std::int64_t all = found.both_hit + found.both_miss + found.only_first +
-                             found.only_second + found.other;
-    color_line(agree_hit, fmt::format("agree: {}", percent(found.both_hit + found.both_miss -
-                                                               found.apart,
-                                                           all)));
+    const std::int64_t all =
+        found.both_hit + found.both_miss + found.only_first + found.only_second + found.other;
+    color_line(
+        agree_hit,
+        fmt::format("agree: {}", percent(found.both_hit + found.both_miss - found.apart, all)));
     color_line(far_apart, fmt::format("at other depths: {}", percent(found.apart, all)));
-    color_line(first_alone, fmt::format("hit by the first alone: {}", percent(found.only_first, all)));
+    color_line(first_alone,
+               fmt::format("hit by the first alone: {}", percent(found.only_first, all)));
     color_line(second_alone,
                fmt::format("hit by the second alone: {}", percent(found.only_second, all)));
     if (found.other > 0) color_line(other_pair, fmt::format("other: {}", found.other));
     const auto each = [](const Tally& tally) {
         return fmt::format("{:.1f} ms, {:.1f} evaluations a ray", 1e3 * tally.drawing.count(),
-                           double(tally.evaluations) / double(std::max<std::int64_t>(1, tally.rays())));
+                           double(tally.evaluations) /
+                               double(std::max<std::int64_t>(1, tally.rays())));
     };
     ImGui::TextDisabled("first: %s", each(left).c_str());
     ImGui::TextDisabled("second: %s", each(right).c_str());
@@ -140,9 +143,9 @@ bool parameter_slider(const Slider& slider, Released& released,
                             "%.4g", ImGuiSliderFlags_NoRoundToFormat);
     landmark("slider " + slider.name);
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
-        ImGui::SetTooltip(slider.released  ? "held; Ctrl + click to type"
-                          : slider.moves ? "moves; a touch holds it, Ctrl + click to type"
-                                         : "Ctrl + click to type");
+        ImGui::SetTooltip(slider.released ? "held; Ctrl + click to type"
+                          : slider.moves  ? "moves; a touch holds it, Ctrl + click to type"
+                                          : "Ctrl + click to type");
     }
     if (touched && std::isfinite(value)) held[slider.name] = value;
     if (slider.released) {
@@ -296,13 +299,28 @@ void reading_section(const std::optional<Shown>& shown, glm::ivec2 size) {
     line("drawing", fmt::format("{:.1f} ms", 1e3 * seconds));
     line("evaluations", fmt::format("{:.1f} a ray", double(tally.evaluations) / rays));
     line("rays", fmt::format("{:.2f} million/s", 1e-6 * rays / seconds));
-    line("size", fmt::format("{} x {} of {} x {}", shown->raster.width, shown->raster.height, size.x,
-                             size.y));
+    line("size", fmt::format("{} x {} of {} x {}", shown->raster.width, shown->raster.height,
+                             size.x, size.y));
     line("samples", fmt::format("{} of {}", shown->samples, shown->asked));
     for (std::size_t k = 0; k < tally.verdicts.size(); ++k) {
         if (tally.verdicts[k] == 0) continue;
         line(render::verdict_names[k], percent(tally.verdicts[k], tally.rays()));
     }
+}
+
+void reading_line(const std::optional<Shown>& shown) {
+    if (!shown) return;
+    const Tally& tally = shown->tally;
+    const double rays = double(std::max<std::int64_t>(1, tally.rays()));
+    const std::string text = fmt::format(
+        "{} x {}   {:.1f} ms   {:.1f} evaluations a ray", shown->raster.width, shown->raster.height,
+        1e3 * tally.drawing.count(), double(tally.evaluations) / rays);
+    const float begin = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SameLine();
+    if (ImGui::GetCursorPosX() > begin) return ImGui::NewLine(); // no room
+    ImGui::SetCursorPosX(begin);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", text.c_str());
 }
 
 } // namespace isomotion::player

@@ -27,8 +27,9 @@ void parameter_section(Look& look, const Session& session, const animation::Valu
 
 void method_section(Look& look, const scene::Scene& scene);
 
-// What the last picture took.
+// What the last picture took: all of it, and in a line that ends at the right of the window's.
 void reading_section(const std::optional<Shown>& shown, glm::ivec2 size);
+void reading_line(const std::optional<Shown>& shown);
 
 // Frames into files.
 class ExportSection {

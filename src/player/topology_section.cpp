@@ -27,7 +27,8 @@ void TopologySection::attend() {
     if (!process_ || !process_->ended()) return;
     if (!process_->succeeded() && !cancelled_) {
         const std::string words = process_->last_words(6);
-        failure_ = words.empty() ? fmt::format("topology ended with {}", process_->ending()) : words;
+        failure_ =
+            words.empty() ? fmt::format("topology ended with {}", process_->ending()) : words;
     }
     process_.reset();
 }

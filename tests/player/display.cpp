@@ -76,7 +76,8 @@ Pixels Display::screenshot() const {
     const std::size_t begin = number(header_size) + color_size * number(colors);
     for (int y = 0; y < pixels.height; ++y) {
         for (int x = 0; x < pixels.width; ++x) {
-            const std::size_t at = begin + std::size_t(y) * number(bytes_a_row) + 4 * std::size_t(x);
+            const std::size_t at =
+                begin + std::size_t(y) * number(bytes_a_row) + 4 * std::size_t(x);
             pixels.rgb.push_back({byte(at + 2), byte(at + 1), byte(at)});
         }
     }

@@ -22,8 +22,7 @@ protected:
     Json begin() {
         play({"--paused", "sphere.toml"});
         key("End");
-        return await_rest("the last frame",
-                          [](const Json& line) { return line["frame"] == 64; });
+        return await_rest("the last frame", [](const Json& line) { return line["frame"] == 64; });
     }
 };
 
@@ -51,17 +50,16 @@ TEST_F(Hands, TheMouseTurnsTheCameraAndAKeyResetsIt) {
     const auto verdicts = before["verdicts"];
     mark();
     drag({300, 300}, {300, 420});
-    const Json turned = await_rest("a turned picture",
-                                   [&](const Json& l) { return l["verdicts"] != verdicts; });
+    const Json turned =
+        await_rest("a turned picture", [&](const Json& l) { return l["verdicts"] != verdicts; });
     EXPECT_EQ(turned["frame"], before["frame"]);
     mark();
     key("r");
     await_rest("the scene's own camera", [&](const Json& l) { return l["verdicts"] == verdicts; });
     mark();
     EXPECT_TRUE(display().drive({"mousemove", "300", "300", "click", "4", "click", "4"}));
-    await_rest("a nearer picture", [&](const Json& l) {
-        return l["verdicts"][1] > before["verdicts"][1];
-    });
+    await_rest("a nearer picture",
+               [&](const Json& l) { return l["verdicts"][1] > before["verdicts"][1]; });
     mark();
     key("f");
     const Json fitted = await_rest("all of the bounds", [&](const Json& l) {
@@ -76,12 +74,11 @@ TEST_F(Hands, ASliderHoldsAParameterUntilItIsGivenBack) {
     const auto verdicts = before["verdicts"];
     mark();
     drag(place_of("slider r", 0.8), place_of("slider r", 0.35));
-    const Json held = await_rest(
-        "a smaller sphere", [&](const Json& l) { return l["verdicts"][1] < verdicts[1]; });
+    const Json held = await_rest("a smaller sphere",
+                                 [&](const Json& l) { return l["verdicts"][1] < verdicts[1]; });
     mark();
     key("Home"); // the scene's own would be a dot
-    const Json first =
-        await_rest("the first frame", [](const Json& l) { return l["frame"] == 1; });
+    const Json first = await_rest("the first frame", [](const Json& l) { return l["frame"] == 1; });
     EXPECT_EQ(first["verdicts"], held["verdicts"]);
     mark();
     click(place_of("give back r"));
@@ -94,9 +91,8 @@ TEST_F(Hands, AFileThatChangesIsReadAgain) {
     const auto hits = before["verdicts"][1].get<std::int64_t>();
     mark();
     write("sphere.toml", growing_sphere("x^2 + y^2 + z^2 - r^2/4"));
-    const Json smaller = await_rest("a smaller sphere", [&](const Json& l) {
-        return is_hit_of(l, hits / 5, hits / 3);
-    });
+    const Json smaller = await_rest(
+        "a smaller sphere", [&](const Json& l) { return is_hit_of(l, hits / 5, hits / 3); });
     EXPECT_EQ(smaller["frame"], 64) << "the time is kept";
     mark();
     write("sphere.toml", growing_sphere("x^2 + y^2 + z^2 - q"));
@@ -113,8 +109,8 @@ TEST_F(Hands, SavesThePictureAsItIsShown) {
     drag(place_of("slider r", 0.8), place_of("slider r", 0.35));
     drag({300, 300}, {340, 420});
     key("F12");
-    EXPECT_TRUE(screen_comes_to(
-        [&] { return std::filesystem::exists(*this / "out/sphere.0064.png"); }));
+    EXPECT_TRUE(
+        screen_comes_to([&] { return std::filesystem::exists(*this / "out/sphere.0064.png"); }));
     const image::Frame saved = image::decode(*this / "out/sphere.0064.png");
     EXPECT_EQ(saved.width, 64);
     quit();
@@ -128,8 +124,8 @@ TEST_F(Hands, SavesTheRangeWhileTheWindowGoesOn) {
     mark();
     key("Home");
     await("a picture meanwhile", [](const Json& l) { return l.value("frame", 0) == 1; });
-    EXPECT_TRUE(screen_comes_to(
-        [&] { return std::filesystem::exists(*this / "out/sphere.0064.png"); }));
+    EXPECT_TRUE(
+        screen_comes_to([&] { return std::filesystem::exists(*this / "out/sphere.0064.png"); }));
     EXPECT_EQ(image::decode(*this / "out/sphere.0001.png").width, 64);
     quit();
 }
@@ -137,7 +133,8 @@ TEST_F(Hands, SavesTheRangeWhileTheWindowGoesOn) {
 TEST_F(Hands, TheGalleryOpensAScene) {
     play({});
     click(place_of("scene barth_decic"));
-    await("its picture", [](const Json& l) { return l.contains("verdicts") && l["verdicts"][1] > 0; });
+    await("its picture",
+          [](const Json& l) { return l.contains("verdicts") && l["verdicts"][1] > 0; });
     quit();
 }
 
@@ -146,9 +143,8 @@ TEST_F(Hands, TheCameraIsRemembered) {
     const Json before = begin();
     mark();
     drag({300, 300}, {300, 420});
-    const Json turned = await_rest("a turned picture", [&](const Json& l) {
-        return l["verdicts"] != before["verdicts"];
-    });
+    const Json turned = await_rest(
+        "a turned picture", [&](const Json& l) { return l["verdicts"] != before["verdicts"]; });
     quit();
     EXPECT_EQ(begin()["verdicts"], turned["verdicts"]);
 }

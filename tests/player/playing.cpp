@@ -184,9 +184,10 @@ void Playing::drag(std::array<int, 2> from, std::array<int, 2> to) const {
     const std::array<int, 2> half{(from[0] + to[0]) / 2, (from[1] + to[1]) / 2};
     const auto x = [](std::array<int, 2> at) { return std::to_string(at[0]); };
     const auto y = [](std::array<int, 2> at) { return std::to_string(at[1]); };
-    EXPECT_TRUE(display_->drive({"mousemove", x(from), y(from), "sleep", "0.1", "mousedown", "1",
-                                 "sleep", "0.1", "mousemove", x(half), y(half), "sleep", "0.1",
-                                 "mousemove", x(to), y(to), "sleep", "0.1", "mouseup", "1"}));
+    EXPECT_TRUE(
+        display_->drive({"mousemove", x(from), y(from),     "sleep", "0.1",   "mousedown", "1",
+                         "sleep",     "0.1",   "mousemove", x(half), y(half), "sleep",     "0.1",
+                         "mousemove", x(to),   y(to),       "sleep", "0.1",   "mouseup",   "1"}));
 }
 
 std::vector<std::array<std::uint8_t, 3>> Playing::picture(const Json& line) const {

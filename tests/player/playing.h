@@ -58,7 +58,6 @@ protected:
     Display& display() { return *display_; }
 
 private:
-
     image::TemporaryFolder folder_;
     std::unique_ptr<Display> display_;
     pid_t player_ = -1;

@@ -29,6 +29,8 @@ TEST_F(Playing, ShowsAtRestWhatRenderWritesPixelByPixel) {
         run({"render", "sphere.toml", "--frames", "5", "--set", "output.samples=16", "--size",
              std::to_string(width) + "x" + std::to_string(height), "-o", "frame.png"});
     ASSERT_EQ(rendered.code, 0) << rendered;
+    // The cursor is on the screen too.
+    EXPECT_TRUE(display().drive({"mousemove", std::to_string(Display::width - 1), "0"}));
     const auto codes = image::screen_codes(image::decode(*this / "frame.png"));
     const auto differing = [&] {
         const auto shown = picture(line);
@@ -38,15 +40,15 @@ TEST_F(Playing, ShowsAtRestWhatRenderWritesPixelByPixel) {
         }
         return count;
     };
-    EXPECT_TRUE(screen_comes_to([&] { return differing() == 0; })) << differing() << " codes differ";
+    EXPECT_TRUE(screen_comes_to([&] { return differing() == 0; }))
+        << differing() << " codes differ";
 }
 
 TEST_F(Playing, PlaysUntilPausedAndThenDoesNothing) {
     play({"sphere.toml"});
     await("some frame", [](const Json& line) { return line.value("frame", 0) > 10; });
-    await("the next round", [](const Json& line) {
-        return line.value("frame", 99) < 10 && line["seconds"] > 2.2;
-    });
+    await("the next round",
+          [](const Json& line) { return line.value("frame", 99) < 10 && line["seconds"] > 2.2; });
     mark();
     key("space");
     const Json rest = await_rest("a pause");
@@ -86,12 +88,11 @@ TEST_F(Playing, StepsJumpsAndScrubs) {
 }
 
 TEST_F(Playing, SaysWhatToDoWithoutADisplay) {
-    const cli::Ending end =
-        cli::run({ISOMOTION_PROGRAM, "play", "sphere.toml"},
-                 {.folder = *this / ".",
-                  .environment = {{"DISPLAY", {}},
-                                  {"WAYLAND_DISPLAY", {}},
-                                  {"ISOMOTION_DATA", ISOMOTION_SOURCE_DIR}}});
+    const cli::Ending end = cli::run({ISOMOTION_PROGRAM, "play", "sphere.toml"},
+                                     {.folder = *this / ".",
+                                      .environment = {{"DISPLAY", {}},
+                                                      {"WAYLAND_DISPLAY", {}},
+                                                      {"ISOMOTION_DATA", ISOMOTION_SOURCE_DIR}}});
     EXPECT_EQ(end.code, 3) << end;
     EXPECT_THAT(end.err, HasSubstr("no display"));
     EXPECT_THAT(end.err, HasSubstr("isomotion render"));
