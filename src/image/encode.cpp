@@ -14,7 +14,7 @@
 
 #include "image/extension.h"
 #include "image/image_attributes.h"
-#include "image/pixel_codes.h"
+#include "image/srgb.h"
 
 namespace isomotion::image {
 namespace {
@@ -83,6 +83,23 @@ constexpr int rows_at_once = 128;
 template<class Pack> void write_in_bands(int height, const Pack& pack) {
     for (int begin = 0; begin < height; begin += rows_at_once)
         pack(begin, std::min(begin + rows_at_once, height));
+}
+
+std::uint8_t signal(float light, std::uint8_t) { return srgb8().code(light); }
+std::uint16_t signal(float light, std::uint16_t) {
+    return quantised<std::uint16_t>(srgb_from_linear(std::clamp(light, 0.0f, 1.0f)));
+}
+
+template<class Code>
+void pack_pixel(const ColourPlanes& planes, std::size_t pixel, std::vector<Code>& out) {
+    float scale = 1.0f;
+    if (planes.coverage) {
+        const float coverage = std::min(planes.coverage[pixel], 1.0f);
+        scale = coverage > 0.0f ? 1.0f / coverage : 0.0f;
+    }
+    for (const float* plane : {planes.red, planes.green, planes.blue})
+        out.push_back(signal(scale > 0.0f ? plane[pixel] * scale : 0.0f, Code{}));
+    if (planes.coverage) out.push_back(quantised<Code>(planes.coverage[pixel]));
 }
 
 template<class Code> std::vector<std::byte> encode_png(const Frame& frame) {

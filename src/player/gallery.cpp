@@ -9,9 +9,9 @@
 
 #include "image/decode.h"
 #include "image/file.h"
-#include "image/screen.h"
 #include "player/landmarks.h"
 #include "player/theme.h"
+#include "player/views.h"
 #include "player/watch.h"
 #include "scene/data_folder.h"
 #include "scene/error.h"
@@ -105,7 +105,7 @@ bool Gallery::take_picture(Entry& entry) {
     try {
         const image::Frame frame = image::decode(entry.picture);
         entry.texture.emplace();
-        entry.texture->update(frame.width, frame.height, image::screen_codes(frame),
+        entry.texture->update(frame.width, frame.height, shaded(frame).rgba,
                               gpu::ScreenTexture::Enlarged::smooth);
         return true;
     } catch (const std::runtime_error&) { // broken: it is rendered again
@@ -133,6 +133,7 @@ bool Gallery::attend() {
         order.output = entry.picture.string();
         order.poster = true;
         order.width = order.height = picture_side;
+        order.overrides = {"output.samples=4"};
         try {
             process_.emplace(std::move(order));
             rendered_ = k;

@@ -12,7 +12,6 @@
 // Pure: the state is a value, the clock is the caller's. The draw that compiles is not to be told.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 

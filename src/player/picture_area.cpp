@@ -57,7 +57,7 @@ void PictureArea::take(Shown shown) {
     holes_ = has_holes(shown_->raster);
 }
 
-void PictureArea::show(glm::ivec2 size) {
+void PictureArea::show(glm::ivec2 size, bool map) {
     const ImVec2 corner = ImGui::GetWindowPos();
     const ImVec2 area = ImGui::GetWindowSize();
     const ImVec2 pixel = ImGui::GetIO().DisplayFramebufferScale; // pixels a unit of the screen
@@ -72,14 +72,14 @@ void PictureArea::show(glm::ivec2 size) {
     const ImVec2 high{float(corner_.x + size.x) / pixel.x, float(corner_.y + size.y) / pixel.y};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (shown_->difference) {
-        show_split();
+        show_split(map);
         return;
     }
     if (holes_) draw_squares(list, low, high);
     list.AddImage(handle(picture_), low, high);
 }
 
-void PictureArea::show_split() {
+void PictureArea::show_split(bool map) {
     const ImVec2 pixel = ImGui::GetIO().DisplayFramebufferScale;
     const ImVec2 low{float(corner_.x) / pixel.x, float(corner_.y) / pixel.y};
     const float width = float(size_.x) / pixel.x, height = float(size_.y) / pixel.y;
@@ -87,7 +87,7 @@ void PictureArea::show_split() {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float x = low.x + split_ * width;
     list.AddImage(handle(left_), low, {x, high.y}, {0, 0}, {split_, 1});
-    list.AddImage(handle(picture_), {x, low.y}, high, {split_, 0}, {1, 1});
+    list.AddImage(handle(map ? picture_ : right_), {x, low.y}, high, {split_, 0}, {1, 1});
     const float mouse = ImGui::GetIO().MousePos.x;
     const bool near = splitting_ || (ImGui::IsItemHovered() && std::abs(mouse - x) < 6);
     list.AddLine({x, low.y}, {x, high.y}, near ? accent_color() : text_color(), near ? 3.0f : 1.5f);

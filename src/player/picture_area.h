@@ -18,8 +18,10 @@ public:
     void take(Shown shown);
     const std::optional<Shown>& shown() const { return shown_; }
 
-    // Shows the last picture in the middle of Dear ImGui's current window, `size` pixels large.
-    void show(glm::ivec2 size);
+    // Shows the last picture in the middle of Dear ImGui's current window, `size` pixels large. Of
+    // two methods the first is left of the line, and right of it the second, or the `map` of what
+    // sets them apart.
+    void show(glm::ivec2 size, bool map);
     // The same, and what the mouse makes of `camera`; none if it does nothing.
     std::optional<scene::CameraAt> steer(const scene::CameraAt& camera);
     // Whether a button that moves the camera is held.
@@ -30,7 +32,7 @@ public:
     glm::ivec2 size() const { return size_; }
 
 private:
-    void show_split();
+    void show_split(bool map);
     glm::dvec2 in_heights(float x, float y) const; // from the picture's middle, to the right and up
 
     std::optional<Shown> shown_;

@@ -375,7 +375,7 @@ private:
         if (const auto at = scene_now()) {
             if (const auto camera = area_.steer(at->camera)) hold_camera(*camera);
         }
-        area_.show(size_);
+        area_.show(size_, scene_->session.look().map);
         ImGui::End();
     }
 

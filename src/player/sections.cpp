@@ -195,6 +195,7 @@ void view_section(Look& look, const scene::Scene& scene, const std::optional<Sho
     if (look.view == View::difference) {
         row("second");
         method_combo("##second", look.other.method, scene);
+        ImGui::Checkbox("right of the line: what differs", &look.map);
     }
     if (!shown || shown->view != look.view) return;
     switch (look.view) {

@@ -71,6 +71,7 @@ scene::SceneAt Session::at(std::int64_t frame, double part) const {
 
 int Session::samples() const {
     const int own = scene_->output.samples;
+    if (look_.view != View::shaded) return 1; // of channels there is no mean
     return look_.smooth ? std::max(own, smooth_samples) : own;
 }
 

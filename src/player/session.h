@@ -21,6 +21,7 @@ struct Look {
     scene::Isolation isolation;
     scene::Isolation other; // the method that View::difference holds beside it
     View view = View::shaded;
+    bool map = true;    // of View::difference: what sets the methods apart, or the second's picture
     bool smooth = true; // edges, at rest
 
     bool operator==(const Look&) const = default;

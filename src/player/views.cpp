@@ -26,13 +26,18 @@ const float* samples(const Frame& frame, std::string_view channel) {
     return found->samples.data();
 }
 
+// Of a frame's size; what is drawn in it comes next.
+Raster raster_for(const Frame& frame) {
+    return {frame.width, frame.height, std::vector<std::uint8_t>(4 * area(frame))};
+}
+
 // One opaque colour a pixel.
 template<class Colour> Raster raster_of(const Frame& frame, Colour&& colour) {
-    Raster raster{frame.width, frame.height, {}};
-    raster.rgba.reserve(4 * area(frame));
-    for (std::size_t i = 0; i < area(frame); ++i) {
+    Raster raster = raster_for(frame);
+    std::uint8_t* out = raster.rgba.data();
+    for (std::size_t i = 0, count = area(frame); i < count; ++i, out += 4) {
         const Rgb rgb = colour(i);
-        raster.rgba.insert(raster.rgba.end(), {rgb[0], rgb[1], rgb[2], 255});
+        out[0] = rgb[0], out[1] = rgb[1], out[2] = rgb[2], out[3] = 255;
     }
     return raster;
 }
@@ -40,7 +45,7 @@ template<class Colour> Raster raster_of(const Frame& frame, Colour&& colour) {
 Rgb mixed(const Rgb& from, const Rgb& to, double part) {
     Rgb rgb;
     for (std::size_t k = 0; k < 3; ++k) {
-        rgb[k] = std::uint8_t(std::lround(from[k] + part * (double(to[k]) - from[k])));
+        rgb[k] = std::uint8_t(from[k] + part * (double(to[k]) - from[k]) + 0.5);
     }
     return rgb;
 }
@@ -57,10 +62,10 @@ void include(std::optional<Extent>& extent, const float* depths, std::size_t cou
 
 // What a channel of verdicts holds; anything else than a verdict is none.
 std::optional<render::Verdict> verdict_of(float number) {
-    for (const VerdictColour& entry : verdict_colours()) {
-        if (number == float(entry.verdict)) return entry.verdict;
-    }
-    return std::nullopt;
+    if (!(0 <= number && number < float(render::verdict_names.size()))) return std::nullopt;
+    const int verdict = int(number);
+    if (float(verdict) != number) return std::nullopt;
+    return render::Verdict(verdict);
 }
 
 enum class Ray { hit, miss, unsettled };
@@ -108,19 +113,16 @@ std::vector<synthesis::Channel> channels_of(View view) {
 Raster shaded(const Frame& frame) {
     const image::ColourPlanes planes = image::colour_planes(frame);
     const image::Srgb8& srgb = image::srgb8();
-    Raster raster{frame.width, frame.height, {}};
-    raster.rgba.reserve(4 * area(frame));
-    for (std::size_t i = 0; i < area(frame); ++i) {
-        float scale = 1.0f;
-        if (planes.coverage) {
-            const float coverage = std::min(planes.coverage[i], 1.0f);
-            scale = coverage > 0.0f ? 1.0f / coverage : 0.0f;
-        }
-        for (const float* plane : {planes.red, planes.green, planes.blue}) {
-            raster.rgba.push_back(srgb.code(scale > 0.0f ? plane[i] * scale : 0.0f));
-        }
-        raster.rgba.push_back(planes.coverage ? image::quantised<std::uint8_t>(planes.coverage[i])
-                                              : 255);
+    Raster raster = raster_for(frame);
+    std::uint8_t* out = raster.rgba.data();
+    for (std::size_t i = 0, count = area(frame); i < count; ++i, out += 4) {
+        const float coverage = planes.coverage ? std::min(planes.coverage[i], 1.0f) : 1.0f;
+        out[3] = image::quantised<std::uint8_t>(coverage);
+        if (!(coverage > 0.0f)) continue; // no colour, which is 0
+        const float scale = 1.0f / coverage;
+        out[0] = srgb.code(planes.red[i] * scale);
+        out[1] = srgb.code(planes.green[i] * scale);
+        out[2] = srgb.code(planes.blue[i] * scale);
     }
     return raster;
 }
@@ -134,13 +136,15 @@ std::optional<Extent> depth_extent(const Frame& frame) {
 Raster depth(const Frame& frame, std::optional<Extent> extent) {
     const float* depths = samples(frame, "Z");
     if (!extent) extent = depth_extent(frame);
+    const double range = extent ? extent->most - extent->least : 0;
+    const double per_unit = range > 0 ? (255 - far_grey) / range : 0;
     return raster_of(frame, [&](std::size_t i) {
         const double z = double(depths[i]);
         if (std::isnan(z)) return no_number;
         if (std::isinf(z) || !extent) return nothing;
-        const double range = extent->most - extent->least;
-        const double part = range > 0 ? std::clamp((z - extent->least) / range, 0.0, 1.0) : 0;
-        return mixed({255, 255, 255}, {far_grey, far_grey, far_grey}, part);
+        const double darker = std::clamp((z - extent->least) * per_unit, 0.0, 255.0 - far_grey);
+        const auto grey = std::uint8_t(255.5 - darker);
+        return Rgb{grey, grey, grey};
     });
 }
 
@@ -204,8 +208,7 @@ Raster evaluations(const Frame& frame, double end) {
     return raster_of(frame, [&](std::size_t i) {
         const double u = double(counts[i]) / end;
         if (std::isnan(u)) return no_number;
-        return colours[std::size_t(
-            std::lround(std::clamp(u, 0.0, 1.0) * double(colours.size() - 1)))];
+        return colours[std::size_t(std::clamp(u, 0.0, 1.0) * double(colours.size() - 1) + 0.5)];
     });
 }
 
@@ -223,9 +226,10 @@ const std::array<VerdictColour, 5>& verdict_colours() {
 
 Raster verdicts(const Frame& frame) {
     const float* numbers = samples(frame, "verdict");
+    const auto& colours = verdict_colours();
     return raster_of(frame, [&](std::size_t i) {
         const auto verdict = verdict_of(numbers[i]);
-        return verdict ? verdict_colours()[std::size_t(*verdict)].colour : no_verdict;
+        return verdict ? colours[std::size_t(*verdict)].colour : no_verdict;
     });
 }
 

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "image/decode.h"
-#include "image/screen.h"
 
 namespace isomotion::player {
 namespace {

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "image/decode.h"
-#include "image/screen.h"
+#include "player/views.h"
 
 namespace isomotion::player {
 namespace {
@@ -31,7 +31,7 @@ TEST_F(Playing, ShowsAtRestWhatRenderWritesPixelByPixel) {
     ASSERT_EQ(rendered.code, 0) << rendered;
     // The cursor is on the screen too.
     EXPECT_TRUE(display().drive({"mousemove", std::to_string(Display::width - 1), "0"}));
-    const auto codes = image::screen_codes(image::decode(*this / "frame.png"));
+    const auto codes = shaded(image::decode(*this / "frame.png")).rgba;
     const auto differing = [&] {
         const auto shown = picture(line);
         int count = 0;
