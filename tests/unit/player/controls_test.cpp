@@ -180,6 +180,7 @@ frames = 101
 [surface]
 use = "bowl"
 [parameters]
+a = 0.25
 c = { keys = [[0, 1], [0.05, 9], [0.1, 1]] }
 g = "4*sin(2*pi*t/10)"
 h = "2 + t"
@@ -193,7 +194,7 @@ h = "2 + t"
         EXPECT_NEAR(by_name[name].most, most, 0.01);
         EXPECT_EQ(by_name[name].moves, moves);
     };
-    expect("a", 0.5, 20, false);
+    expect("a", 0.25, 20, false); // below the catalogue's range
     expect("b", -3, 2, false);
     expect("c", 0, 9, true); // a key between two frames, above the catalogue's range
     expect("d", -1, 1, false);

@@ -245,10 +245,11 @@ TEST(Dolly, NeverReachesTheTargetNorTheEndOfNumbers) {
             camera.target = {1, 1, 1};
             camera.height = 3;
             camera.projection = projection;
+            const glm::dvec3 forward = picture_axes(camera).forward;
             for (int k = 0; k < 500; ++k) camera = dollied(camera, amount);
+            EXPECT_LT(glm::length(picture_axes(camera).forward - forward), 1e-6);
             EXPECT_TRUE(distance(camera) > 0 && distance(camera) < 1e39);
             EXPECT_TRUE(camera.height > 0 && camera.height < 1e39);
-            EXPECT_TRUE(std::isfinite(glm::length(picture_axes(camera).up)));
             // It can be left again.
             const double shown = shown_height(camera);
             const CameraAt away = dollied(camera, amount > 0 ? -1 : 1);
