@@ -239,7 +239,12 @@ void DrawThread::fail(const Request& request, const std::string& text) {
 }
 
 void DrawThread::run() {
-    context_.make_current();
+    try {
+        context_.make_current();
+    } catch (const std::runtime_error& error) {
+        fail({}, error.what());
+        return;
+    }
     {
         Work work(*this, context_);
         for (;;) {

@@ -20,14 +20,18 @@ constexpr int frames_to_settle = 3;
 constexpr int smallest_width = 480, smallest_height = 320;
 constexpr int usual_width = 1280, usual_height = 800;
 
-GLFWwindow* open_window(const gpu::Glfw& glfw, const std::string& title, const WindowPlace& place) {
+// A size that was remembered is already the screen's; the usual one is not.
+GLFWwindow* open_window(const gpu::Glfw& glfw, const std::string& title,
+                        const std::optional<WindowPlace>& place) {
+    const int width = place ? place->width : usual_width;
+    const int height = place ? place->height : usual_height;
     for (const auto& version : {std::pair{4, 5}, std::pair{3, 3}}) {
         glfw.hint(version, true);
-        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-        glfwWindowHint(GLFW_MAXIMIZED, place.maximised ? GLFW_TRUE : GLFW_FALSE);
-        GLFWwindow* window =
-            glfwCreateWindow(place.width, place.height, title.c_str(), nullptr, nullptr);
-        if (window) return window;
+        glfwWindowHint(GLFW_SCALE_TO_MONITOR, place ? GLFW_FALSE : GLFW_TRUE);
+        glfwWindowHint(GLFW_MAXIMIZED, place && place->maximised ? GLFW_TRUE : GLFW_FALSE);
+        if (GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr)) {
+            return window;
+        }
     }
     throw NoWindow("no window can be opened: " + gpu::Glfw::reason());
 }
@@ -104,7 +108,7 @@ struct Window::Events {
 Window::Window(const std::string& title, const std::optional<WindowPlace>& place)
     : glfw_(open_display())
     , windowed_(place.value_or(WindowPlace{0, 0, usual_width, usual_height})) {
-    window_ = open_window(*glfw_, title, windowed_);
+    window_ = open_window(*glfw_, title, place);
     if (place && !place->maximised) glfwSetWindowPos(window_, place->x, place->y);
     glfwSetWindowSizeLimits(window_, smallest_width, smallest_height, GLFW_DONT_CARE,
                             GLFW_DONT_CARE);
@@ -139,7 +143,7 @@ void Window::rescale() {
     glfwGetWindowContentScale(window_, &x, &y);
     scale_ = std::clamp(std::max(x, y), 0.5f, 4.0f);
     apply_theme(scale_);
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_DestroyDeviceObjects(); // the next frame makes them anew, with the new font
 }
 
 void Window::wait(double seconds) {
