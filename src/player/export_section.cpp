@@ -16,15 +16,16 @@ std::string ExportSection::stem(const scene::Scene& scene) const {
     return (folder_ / scene.file.stem()).string();
 }
 
-void ExportSection::start(const LiveScene& live, int first, int last, glm::ivec2 size) {
+void ExportSection::start(const LiveScene& live, int first, int last, glm::ivec2 size,
+                          int samples) {
     const scene::Scene& scene = live.session.scene();
     RenderOrder order;
     order.scene = scene.file;
     order.output = stem(scene) + ".####.png";
     order.first = first;
     order.last = last;
-    order.width = as_shown_ ? size.x : scene.output.width;
-    order.height = as_shown_ ? size.y : scene.output.height;
+    order.width = size.x;
+    order.height = size.y;
     if (movie_ && last > first) order.movie = stem(scene) + ".mp4";
     told_.clear();
     failed_ = false;
@@ -32,6 +33,7 @@ void ExportSection::start(const LiveScene& live, int first, int last, glm::ivec2
         order.overrides = live.overrides();
         const auto more = overrides_of(live.session);
         order.overrides.insert(order.overrides.end(), more.begin(), more.end());
+        order.overrides.push_back(fmt::format("output.samples={}", samples));
         process_.emplace(std::move(order));
     } catch (const std::exception& error) {
         told_ = error.what();
@@ -40,7 +42,8 @@ void ExportSection::start(const LiveScene& live, int first, int last, glm::ivec2
 }
 
 void ExportSection::save_picture(const LiveScene& scene, std::int64_t frame, glm::ivec2 size) {
-    if (!process_) start(scene, int(frame), int(frame), size);
+    if (process_) return;
+    start(scene, int(frame), int(frame), size, scene.session.samples());
 }
 
 void ExportSection::attend() {
@@ -75,6 +78,7 @@ void ExportSection::show(const LiveScene& live, std::int64_t frame, glm::ivec2 s
                              "to %d", ImGuiSliderFlags_AlwaysClamp)) {
         range_[1] = std::max(range_[0], range_[1]);
     }
+    ImGui::Checkbox("16 samples a pixel", &smooth_);
     static const bool has_ffmpeg = image::find_program("ffmpeg").has_value();
     if (has_ffmpeg) ImGui::Checkbox("join them in a movie", &movie_);
     if (process_) {
@@ -88,11 +92,15 @@ void ExportSection::show(const LiveScene& live, std::int64_t frame, glm::ivec2 s
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
     if (ImGui::Button("save picture", {width, 0})) save_picture(live, frame, size);
     if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("frame %lld to %s.####.png (F12)", static_cast<long long>(frame),
-                          stem(scene).c_str());
+        ImGui::SetTooltip("frame %lld, as shown, to %s.####.png (F12)",
+                          static_cast<long long>(frame), stem(scene).c_str());
     }
     ImGui::SameLine(0, gap);
-    if (ImGui::Button("save frames", {width, 0})) start(live, range_[0], range_[1], size);
+    if (ImGui::Button("save frames", {width, 0})) {
+        const glm::ivec2 wanted = as_shown_ ? size : glm::ivec2(output.width, output.height);
+        start(live, range_[0], range_[1], wanted,
+              smooth_ ? std::max(16, output.samples) : output.samples);
+    }
     landmark("save frames");
     if (told_.empty()) return;
     ImGui::PushTextWrapPos(0);

@@ -82,9 +82,6 @@ std::vector<scene::Override> overrides_of(const Session& session) {
     all.push_back(fmt::format("isolation.bisections={}", used.bisections));
     all.push_back(fmt::format("isolation.safety={}", used.safety));
     all.push_back(fmt::format("isolation.limit={}", used.limit));
-    if (const int samples = session.samples(); samples != scene.output.samples) {
-        all.push_back(fmt::format("output.samples={}", samples));
-    }
     return all;
 }
 

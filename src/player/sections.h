@@ -36,6 +36,7 @@ class ExportSection {
 public:
     // `frame` is the one shown, in a picture of `size`.
     void show(const LiveScene& scene, std::int64_t frame, glm::ivec2 size);
+    // As it is shown at rest.
     void save_picture(const LiveScene& scene, std::int64_t frame, glm::ivec2 size);
     // Whether files are being written: a frame now and then shows how far.
     bool running() const { return process_.has_value(); }
@@ -43,13 +44,13 @@ public:
     void attend();
 
 private:
-    void start(const LiveScene& live, int first, int last, glm::ivec2 size);
+    void start(const LiveScene& live, int first, int last, glm::ivec2 size, int samples);
     std::string stem(const scene::Scene& scene) const;
 
     std::optional<RenderProcess> process_;
     std::filesystem::path folder_ = "out";
-    std::array<int, 2> range_{0, 0}; // 0: not chosen yet
-    bool as_shown_ = false, movie_ = false;
+    std::array<int, 2> range_{0, 0};                         // 0: not chosen yet
+    bool as_shown_ = false, smooth_ = false, movie_ = false; // of many frames
     std::string told_;
     bool failed_ = false;
 };

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "image/decode.h"
+#include "player/views.h"
 
 namespace isomotion::player {
 namespace {
@@ -104,19 +105,30 @@ TEST_F(Hands, AFileThatChangesIsReadAgain) {
 }
 
 TEST_F(Hands, SavesThePictureAsItIsShown) {
-    begin();
+    const Json before = begin();
     drag(place_of("slider r", 0.8), place_of("slider r", 0.35));
+    mark();
     drag({300, 300}, {340, 420});
+    const Json line = await_rest("a held sphere, turned", [&](const Json& l) {
+        return l["verdicts"][1] < before["verdicts"][1];
+    });
+    EXPECT_TRUE(display().drive({"mousemove", std::to_string(Display::width - 1), "0"}));
     key("F12");
-    EXPECT_TRUE(
-        screen_comes_to([&] { return std::filesystem::exists(*this / "out/sphere.0064.png"); }));
-    const image::Frame saved = image::decode(*this / "out/sphere.0064.png");
-    EXPECT_EQ(saved.width, 64);
+    const auto file = *this / "out/sphere.0064.png";
+    ASSERT_TRUE(screen_comes_to([&] { return std::filesystem::exists(file); }));
+    const auto codes = shaded(image::decode(file)).rgba;
+    EXPECT_TRUE(screen_comes_to([&] {
+        const auto pixels = picture(line);
+        if (codes.size() != 4 * pixels.size()) return false;
+        for (std::size_t k = 0; k < 4 * pixels.size(); ++k) {
+            if (k % 4 != 3 && codes[k] != pixels[k / 4][k % 4]) return false;
+        }
+        return true;
+    }));
     quit();
 }
 
 TEST_F(Hands, SavesTheRangeWhileTheWindowGoesOn) {
-    write("sphere.toml", growing_sphere());
     begin();
     EXPECT_TRUE(display().drive({"mousemove", "850", "400", "click", "--repeat", "30", "5"}));
     click(place_of("save frames"));
