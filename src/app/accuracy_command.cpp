@@ -199,7 +199,7 @@ void add_accuracy(CLI::App& app, Action& chosen) {
         "--certify", a.certify,
         "prove pixels as render does; tells how many, and which proofs truth refutes");
     command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
-    command->add_option("--backend", a.backend, "auto, egl or osmesa");
+    command->add_option("--backend", a.backend, "auto, egl, osmesa or glfw");
     command->add_option("--stage", a.stage, "fragment, compute or auto, as for render");
     command->add_flag("--quiet", a.quiet, "no table, no progress");
     command->callback(

@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     Action chosen;
     add_render(app, chosen);
+    add_play(app, chosen);
     add_show(app, chosen);
     add_list(app, chosen);
     add_accuracy(app, chosen);

@@ -28,6 +28,7 @@ void add_list(CLI::App& app, Action& chosen);
 void add_show(CLI::App& app, Action& chosen);
 void add_accuracy(CLI::App& app, Action& chosen);
 void add_topology(CLI::App& app, Action& chosen);
+void add_play(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
 
 int run(int argc, char** argv);

@@ -64,7 +64,8 @@ int doctor() {
     fmt::print("files    {}\n", scene::data_folder().string());
     const bool egl = examine(gpu::Backend::egl);
     const bool osmesa = examine(gpu::Backend::osmesa);
-    return egl || osmesa ? exit_done : exit_machine;
+    const bool glfw = examine(gpu::Backend::glfw);
+    return egl || osmesa || glfw ? exit_done : exit_machine;
 }
 
 } // namespace

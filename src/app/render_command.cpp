@@ -323,7 +323,7 @@ void add_render(CLI::App& app, Action& chosen) {
                      "choose the cheapest method and step with at most so many wrong pixels in a "
                      "million, against certified truth; exit code 1 if there is none")
         ->check(CLI::NonNegativeNumber);
-    command->add_option("--backend", a.backend, "auto, egl or osmesa");
+    command->add_option("--backend", a.backend, "auto, egl, osmesa or glfw");
     command->add_option("--stage", a.stage,
                         "shaders that march the rays: fragment, compute, or auto, the faster here");
     command->add_option("--channels", a.channels,

@@ -217,7 +217,7 @@ void add_topology(CLI::App& app, Action& chosen) {
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
-    command->add_option("--backend", a.backend, "auto, egl or osmesa; for the pictures of --plot");
+    command->add_option("--backend", a.backend, "auto, egl, osmesa or glfw; for the pictures of --plot");
     command->add_flag("--quiet", a.quiet, "no summary, no progress");
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return topology_of(*arguments); }; });

@@ -15,5 +15,6 @@ inline constexpr std::pair<int, int> wanted_versions[] = {{4, 5}, {3, 3}};
 // Each opens a context that is not yet current, or returns null and adds why to `failed`.
 std::unique_ptr<Context> open_egl(std::vector<Attempt>& failed);
 std::unique_ptr<Context> open_osmesa(std::vector<Attempt>& failed);
+std::unique_ptr<Context> open_glfw(std::vector<Attempt>& failed);
 
 } // namespace isomotion::gpu

@@ -18,6 +18,7 @@ constexpr std::array backend_names = {
     std::pair{Backend::automatic, std::string_view{"auto"}},
     std::pair{Backend::egl, std::string_view{"egl"}},
     std::pair{Backend::osmesa, std::string_view{"osmesa"}},
+    std::pair{Backend::glfw, std::string_view{"glfw"}},
 };
 
 /// The default floating-point environment while a driver starts its threads: they inherit the
@@ -87,8 +88,12 @@ std::unique_ptr<Context> Context::create(Backend backend) {
     const DefaultArithmetic arithmetic;
     std::vector<Attempt> failed;
     std::unique_ptr<Context> context;
-    if (backend != Backend::osmesa) context = open_egl(failed);
-    if (!context && backend != Backend::egl) context = open_osmesa(failed);
+    const auto wanted = [&](Backend kind) {
+        return !context && (backend == kind || backend == Backend::automatic);
+    };
+    if (wanted(Backend::egl)) context = open_egl(failed);
+    if (wanted(Backend::osmesa)) context = open_osmesa(failed);
+    if (backend == Backend::glfw) context = open_glfw(failed);
     if (!context) throw Unavailable(std::move(failed));
     context->make_current();
     context->describe();

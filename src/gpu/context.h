@@ -6,19 +6,21 @@
 #include <string_view>
 #include <vector>
 
+struct GLFWwindow;
+
 namespace isomotion::gpu {
 
 struct Discarded;
 class Name;
 
-enum class Backend { automatic, egl, osmesa };
+enum class Backend { automatic, egl, osmesa, glfw };
 
 /// Throws std::invalid_argument that lists the names there are.
 Backend parse_backend(std::string_view text);
 std::string_view name(Backend backend);
 
 struct ContextInfo {
-    std::string backend; ///< how it was reached: "egl-device", "egl-surfaceless", "osmesa"
+    std::string backend; ///< how it was reached: "egl-device", "egl-surfaceless", "osmesa", "glfw"
     std::string vendor, renderer, version, glsl_version;
     int major = 0, minor = 0;
     bool has(int wanted_major, int wanted_minor) const {
@@ -47,14 +49,16 @@ private:
     std::vector<Attempt> attempts_;
 };
 
-/// An OpenGL core context, 4.5 where the driver has it and 3.3 at least, with no window.
+/// An OpenGL core context, 4.5 where the driver has it and 3.3 at least.
 ///
 /// The GL functions belong to the back end whose context was made current last, in the whole
-/// process: draw from one thread. (llvmpipe gains nothing from several; processes scale.)
+/// process: draw from one thread, or from several with contexts of one back end, the first of which
+/// was current before the others' threads began. (llvmpipe gains nothing from several; processes
+/// scale.)
 class Context {
 public:
     /// Returns a context that is current on this thread. `automatic` takes a graphics card where
-    /// there is one. Throws Unavailable.
+    /// there is one, and no display; `glfw` is of a hidden window. Throws Unavailable.
     static std::unique_ptr<Context> create(Backend backend = Backend::automatic);
 
     /// The context current on this thread, or null.
@@ -78,6 +82,7 @@ protected:
 
 private:
     friend class Name;
+    friend std::unique_ptr<Context> context_of(GLFWwindow* window);
 
     /// A destructor of a back end calls release() while these still are its own.
     virtual void bind() = 0;

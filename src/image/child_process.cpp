@@ -116,8 +116,22 @@ bool ChildProcess::finish() {
     while (::waitpid(id_, &status_, 0) < 0 && errno == EINTR) {
     }
     id_ = -1;
-    return WIFEXITED(status_) && WEXITSTATUS(status_) == 0;
+    return succeeded();
 }
+
+bool ChildProcess::ended() {
+    if (id_ < 0) return true;
+    if (::waitpid(id_, &status_, WNOHANG) != id_) return false;
+    input_.close();
+    id_ = -1;
+    return true;
+}
+
+void ChildProcess::interrupt() {
+    if (id_ >= 0) ::kill(id_, SIGINT);
+}
+
+bool ChildProcess::succeeded() const { return WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
 
 std::string ChildProcess::ending() const {
     return WIFSIGNALED(status_) ? fmt::format("signal {}", WTERMSIG(status_))

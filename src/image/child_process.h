@@ -32,7 +32,15 @@ public:
     /// Ends the input and waits for the program: true if it ended with exit status 0.
     bool finish();
 
-    /// How it ended: "exit status 1", "signal 9". Only after finish().
+    /// Whether it has ended; does not wait for it.
+    bool ended();
+
+    /// Asks it to end, as Ctrl-C does.
+    void interrupt();
+
+    /// Only after finish(), or once it has ended().
+    bool succeeded() const;
+    /// How it ended: "exit status 1", "signal 9".
     std::string ending() const;
 
     /// The last lines it wrote to its standard error.

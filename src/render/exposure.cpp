@@ -9,8 +9,6 @@
 namespace isomotion::render {
 namespace {
 
-constexpr std::size_t color_channels = 4; // R G B A, a frame's first
-
 // Calls take(now, aim) for every picture of a frame, the one at its time first.
 template<class Take> void for_each_picture(const scene::Scene& scene, int frame, Take&& take) {
     const scene::SceneAt first = scene::at(scene, scene.timeline.values(frame));
@@ -23,28 +21,6 @@ template<class Take> void for_each_picture(const scene::Scene& scene, int frame,
         }
     }
 }
-
-// In double the sum of up to 2^29 equal floats is exact: a flat region keeps its colour.
-class ColorSum {
-public:
-    void add(const image::Frame& frame) {
-        for (std::size_t c = 0; c < color_channels; ++c) {
-            const auto& from = frame.channels[c].samples;
-            sums_[c].resize(from.size());
-            std::transform(from.begin(), from.end(), sums_[c].begin(), sums_[c].begin(),
-                           [](float sample, double sum) { return sum + double(sample); });
-        }
-    }
-    void write_mean(int count, image::Frame& frame) const {
-        for (std::size_t c = 0; c < color_channels; ++c) {
-            std::transform(sums_[c].begin(), sums_[c].end(), frame.channels[c].samples.begin(),
-                           [&](double sum) { return float(sum / count); });
-        }
-    }
-
-private:
-    std::array<std::vector<double>, color_channels> sums_;
-};
 
 void add_record(const Picture& from, Picture& to) {
     for (std::size_t v = 0; v < to.verdicts.size(); ++v) to.verdicts[v] += from.verdicts[v];
@@ -62,6 +38,41 @@ std::optional<Motion> motion_of(const Renderer& renderer, const scene::Scene& sc
 
 } // namespace
 
+void Exposure::add(Picture picture) {
+    ++count_;
+    if (!first_) { // its own sum
+        first_ = std::move(picture);
+        return;
+    }
+    for (std::size_t c = 0; c < color_channels_; ++c) {
+        const auto& from = picture.frame.channels[c].samples;
+        const auto& first = first_->frame.channels[c].samples;
+        if (count_ == 2) sums_[c].assign(first.begin(), first.end());
+        std::transform(from.begin(), from.end(), sums_[c].begin(), sums_[c].begin(),
+                       [](float sample, double sum) { return sum + double(sample); });
+    }
+    add_record(picture, *first_);
+}
+
+void Exposure::write_mean(Picture& into) const {
+    if (count_ == 1) return;
+    for (std::size_t c = 0; c < color_channels_; ++c) {
+        std::transform(sums_[c].begin(), sums_[c].end(), into.frame.channels[c].samples.begin(),
+                       [&](double sum) { return float(sum / count_); });
+    }
+}
+
+Picture Exposure::mean() const& {
+    Picture picture = first_.value();
+    write_mean(picture);
+    return picture;
+}
+
+Picture Exposure::mean() && {
+    write_mean(first_.value());
+    return std::move(*first_);
+}
+
 Picture expose(Renderer& renderer, const scene::Scene& scene, int frame) {
     const int count = scene.output.samples;
     const std::optional<Motion> motion = motion_of(renderer, scene, frame);
@@ -69,19 +80,12 @@ Picture expose(Renderer& renderer, const scene::Scene& scene, int frame) {
         return renderer.draw(scene::at(scene, scene.timeline.values(frame)), {},
                              motion ? &*motion : nullptr);
     }
-    std::optional<Picture> exposed;
-    ColorSum sum;
+    Exposure exposure;
     for_each_picture(scene, frame, [&](const scene::SceneAt& now, const scene::Aim& aim) {
-        Picture picture = renderer.draw(now, aim, motion && !exposed ? &*motion : nullptr);
-        sum.add(picture.frame);
-        if (exposed) {
-            add_record(picture, *exposed);
-        } else {
-            exposed = std::move(picture);
-        }
+        const bool is_first = exposure.count() == 0;
+        exposure.add(renderer.draw(now, aim, motion && is_first ? &*motion : nullptr));
     });
-    sum.write_mean(count, exposed->frame);
-    return std::move(*exposed);
+    return std::move(exposure).mean();
 }
 
 std::string fingerprint(const Renderer& renderer, const scene::Scene& scene, int frame) {

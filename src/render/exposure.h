@@ -9,6 +9,27 @@
 
 namespace isomotion::render {
 
+// Pictures of one frame, taken one by one.
+class Exposure {
+public:
+    void add(Picture picture);
+    int count() const { return count_; }
+    // What the frame is after so many pictures. Of what has no mean (depth, a normal, a verdict) it
+    // holds the first picture's; verdicts, evaluations, passes and the time of drawing are sums.
+    // Bit for bit the picture itself after one; there must be one.
+    Picture mean() const&;
+    Picture mean() &&;
+
+private:
+    void write_mean(Picture& into) const;
+
+    static constexpr std::size_t color_channels_ = 4; // R G B A, a frame's first
+    std::optional<Picture> first_;
+    // In double the sum of up to 2^29 equal floats is exact: a flat region keeps its colour.
+    std::array<std::vector<double>, color_channels_> sums_;
+    int count_ = 0;
+};
+
 // R, G, B and A are the means over the scene's `samples` pictures, in linear light and multiplied
 // by coverage, as they are kept. Of what has no mean (depth, a normal, a verdict) the frame holds
 // the first picture: pixel centres, seen from the eye at the frame's time. Verdicts, evaluations,

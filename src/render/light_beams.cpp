@@ -36,10 +36,15 @@ double square(const glm::dvec3& v) { return glm::dot(v, v); }
 LightBeams::LightBeams(const BeamPass& eye, const synthesis::Shaders& shaders, int lights,
                        int width, int height, int texels)
     : mask_(shaders.light_beams)
-    , pixels_(pixels_of(width, height))
-    , beams_(eye, shaders, pixels_, pixels_ * lights, texels)
+    , most_(pixels_of(width, height))
+    , pixels_(most_)
+    , beams_(eye, shaders, most_, most_ * lights, texels)
     , frame_(sizeof(FrameBlock))
     , views_(std::size_t(lights) * 4) {}
+
+void LightBeams::resize(int width, int height) {
+    pixels_ = std::min(most_, pixels_of(width, height));
+}
 
 void LightBeams::draw(const scene::Scene& scene, const scene::SceneAt& now, unsigned binding,
                       const ArrayBuffer* array) {

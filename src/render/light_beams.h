@@ -15,6 +15,8 @@ public:
                int height, int texels);
 
     int listed() const { return beams_.listed(); }
+    // For pictures of another size; finer than at first the beams don't get.
+    void resize(int width, int height);
 
     // Draws the frame's; the field's values are uploaded and bound. `binding` is that of the block
     // Frame, which is left changed, as the uniforms are that the eye's beams have.
@@ -27,7 +29,7 @@ public:
     void set_views(const gpu::Program& program) const;
 
 private:
-    int mask_, pixels_; // of a picture's side
+    int mask_, most_, pixels_; // of a picture's side
     BeamPass beams_;
     gpu::UniformBuffer frame_;
     std::vector<glm::vec4> views_; // see shaders/effects/light_beam.glsl

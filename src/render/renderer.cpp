@@ -536,6 +536,34 @@ const MarchPlan& Renderer::plan() const { return parts_->plan; }
 
 void Renderer::reuse(Picture picture) { parts_->used = std::move(picture.frame); }
 
+void Renderer::resize(int width, int height) {
+    Parts& p = *parts_;
+    // Beams' blocks lie in tiles: tiles that begin elsewhere would cut other blocks.
+    const auto cuts = [](int tile, int side) {
+        return side > tile && tile % synthesis::beam_square != 0;
+    };
+    if (width < 1 || height < 1 || cuts(p.plan.tile_width, width) ||
+        cuts(p.plan.tile_height, height)) {
+        throw std::invalid_argument(fmt::format(
+            "a picture of {} x {} cannot be drawn with tiles of {} x {}: make the renderer for "
+            "multiples of {}",
+            width, height, p.plan.tile_width, p.plan.tile_height, synthesis::beam_square));
+    }
+    p.options.width = width;
+    p.options.height = height;
+    p.planes = Planes(width, height);
+    if (p.light_beams) p.light_beams->resize(width, height);
+}
+
+void Renderer::adjust(const scene::Isolation& settings) {
+    scene::Isolation& current = parts_->scene.isolation;
+    if (settings.method != current.method || settings.beam != current.beam ||
+        settings.certify != current.certify) {
+        throw std::invalid_argument("other shaders are another renderer's");
+    }
+    current = settings;
+}
+
 bool Renderer::needs_motion() const { return parts_->moved.has_value(); }
 
 void Renderer::keep_beams(bool keep) {
@@ -559,6 +587,7 @@ Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const M
     image::Channel* evaluations = asked(synthesis::Channel::evaluations);
     for (int y = 0; y < p.options.height; y += p.plan.tile_height) {
         for (int x = 0; x < p.options.width; x += p.plan.tile_width) {
+            if (p.options.stop && p.options.stop()) throw Stopped{};
             const gpu::Rectangle tile{x, y, std::min(p.plan.tile_width, p.options.width - x),
                                       std::min(p.plan.tile_height, p.options.height - y)};
             const gpu::Target* rays = p.draw_tile(tile, now, picture);

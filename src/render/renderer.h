@@ -45,7 +45,12 @@ struct RenderOptions {
     StageChoice stage = StageChoice::fragment;
     // Pixels across the smallest beams: 8, or 1 to measure what closer starts would be worth.
     int finest_beam = synthesis::usual_beam;
+    // Asked before each tile; where it says true, draw() throws Stopped.
+    std::function<bool()> stop = {};
 };
+
+// A picture that was given up.
+struct Stopped {};
 
 class Renderer {
 public:
@@ -60,6 +65,14 @@ public:
                  const Motion* motion = nullptr);
     // Gives back a picture's memory, for the next one.
     void reuse(Picture picture);
+
+    // Of the next pictures. Nothing is compiled or made anew, so it costs nothing; pictures larger
+    // than the options' are cut into more tiles, for which the options' sides must be multiples of
+    // 64, or else this throws std::invalid_argument.
+    void resize(int width, int height);
+    // Other settings of the scene's method, for the next pictures. Throws std::invalid_argument for
+    // another method, beams or proofs: those are other shaders.
+    void adjust(const scene::Isolation& settings);
     bool needs_motion() const;
     // From the next picture on rays begin where the beams of the one drawn last have them, until
     // it is called off: right for that picture's moment and aim alone, to measure what starts cost.

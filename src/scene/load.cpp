@@ -46,13 +46,15 @@ void override_key(toml::table& document, const Override& setting) {
     }
     std::string path = setting.substr(0, equals);
     const std::string value = setting.substr(equals + 1);
-    if (path.find('.') == path.npos) path = "parameters." + path;
     toml::table parsed;
     try { // as TOML, else as an expression or a name: m=2.5, m="2+t", m=2+t, camera.up=[0,1,0]
         parsed = toml::parse("value = " + value);
     } catch (const toml::parse_error&) {
         parsed.insert("value", value);
     }
+    // A whole camera instead of the scene's.
+    const bool is_camera = path == "camera" && parsed.get("value")->is_table();
+    if (!is_camera && path.find('.') == path.npos) path = "parameters." + path;
     // parse() without a path leaves lines but no file; documents tell by that it was the command
     // line.
     toml::table* table = &document;

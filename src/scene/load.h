@@ -11,7 +11,8 @@
 namespace isomotion::scene {
 
 // "name=value" of the command line: `name` is a parameter, or a dotted key of the scene file
-// ("camera.fov"); `value` a number or an expression.
+// ("camera.fov"); `value` a number or an expression. "camera={...}" is a whole camera in place of
+// the scene's.
 using Override = std::string;
 
 // `scene` is a path to a .toml file or the name of an animation of the gallery. Throws SceneError.

@@ -69,6 +69,8 @@ struct Isolation {
     bool certify = false; // prove by intervals, on the GPU, where rays ended: render/proofs.h
     double safety = 32; // of cubics: how many times their estimated error F must keep off 0
     int limit = 100'000; // evaluations after which a ray gives up with the verdict step limit
+
+    bool operator==(const Isolation&) const = default;
 };
 
 // Stands at `position`, or on an orbit about the target; what a scene leaves out follows from the

@@ -39,6 +39,8 @@ struct CameraAt {
     double aperture = 0; // diameter of the lens, world units
     double focus = 0;    // of the sharp plane, from the eye along the axis, world units
     Camera::Projection projection = Camera::Projection::perspective;
+
+    bool operator==(const CameraAt&) const = default;
 };
 
 struct LightAt {

@@ -11,13 +11,13 @@ namespace isomotion::gpu {
 namespace {
 
 TEST(BackendName, ReadsBackWhatItWrites) {
-    for (const Backend backend : {Backend::automatic, Backend::egl, Backend::osmesa})
+    for (const Backend backend : {Backend::automatic, Backend::egl, Backend::osmesa, Backend::glfw})
         EXPECT_EQ(parse_backend(name(backend)), backend);
     try {
         parse_backend("vulkan");
         FAIL() << "an unknown name was accepted";
     } catch (const std::invalid_argument& error) {
-        EXPECT_STREQ(error.what(), "unknown back end 'vulkan': it is one of auto, egl, osmesa");
+        EXPECT_STREQ(error.what(), "unknown back end 'vulkan': it is one of auto, egl, osmesa, glfw");
     }
 }
 

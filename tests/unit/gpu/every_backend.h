@@ -39,7 +39,8 @@ inline std::string backend_name(const testing::TestParamInfo<Backend>& info) {
 #define ISOMOTION_ON_EVERY_BACKEND(suite)                                                          \
     INSTANTIATE_TEST_SUITE_P(                                                                      \
         Backends, suite,                                                                           \
-        testing::Values(isomotion::gpu::Backend::egl, isomotion::gpu::Backend::osmesa),            \
+        testing::Values(isomotion::gpu::Backend::egl, isomotion::gpu::Backend::osmesa,             \
+                        isomotion::gpu::Backend::glfw),                                            \
         isomotion::gpu::backend_name)
 
 inline constexpr const char* fullscreen_vertex = R"(#version 330 core

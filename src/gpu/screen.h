@@ -1,0 +1,39 @@
+#pragma once
+
+#include "gpu/name.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace isomotion::gpu {
+
+/// Draws go to the current context's window, over all of its pixels, which get this colour.
+void begin_screen(int width, int height, glm::vec3 color);
+
+/// A picture to show in a window: four sRGB codes a pixel, the top row first, as player/views.h
+/// makes them. They are shown as they are.
+class ScreenTexture {
+public:
+    /// How it looks where it is shown larger than it is.
+    enum class Enlarged { as_squares, smooth };
+
+    /// Throws std::invalid_argument unless there are four codes a pixel, ResourceError over the
+    /// driver's limit.
+    void update(int width, int height, std::span<const std::uint8_t> codes,
+                Enlarged enlarged = Enlarged::as_squares);
+
+    int width() const noexcept { return width_; }
+    int height() const noexcept { return height_; }
+    bool empty() const noexcept { return width_ == 0; }
+
+    /// The GL name, for calls this class does not make.
+    unsigned id() const noexcept { return name_.get(); }
+
+private:
+    Name name_{Kind::texture};
+    int width_ = 0, height_ = 0;
+};
+
+} // namespace isomotion::gpu

@@ -1,0 +1,61 @@
+// Which picture is asked for next: of what moves one that keeps up, of what rests a better one.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <glm/glm.hpp>
+
+#include "player/draw_thread.h"
+#include "player/pacing.h"
+#include "player/session.h"
+
+namespace isomotion::player {
+
+// The largest size of this aspect within an area, pixels.
+glm::ivec2 fitted_size(glm::ivec2 area, double aspect);
+
+// Asks a DrawThread for a session's pictures.
+class Easel {
+public:
+    explicit Easel(DrawThread& thread)
+        : thread_(thread) {}
+
+    // A scene was opened or read again: what a draw costs is unknown.
+    void begin_scene();
+
+    // Asks for what `session` shows at `frame` in a picture of `size` if that is not asked for yet:
+    // at once, as large as keeps `rate` pictures a second; and, once nothing has changed for a
+    // moment, whole. `hand_rests`: no mouse button is held that changes it.
+    // Throws scene::SceneError where a value leaves its range at this frame.
+    void ask(Session& session, std::int64_t frame, glm::ivec2 size, double now, bool hand_rests);
+    // A picture came.
+    void learn(const Shown& shown);
+    // When ask() is to be called again though nothing has happened; in seconds of `now`.
+    std::optional<double> next_change() const;
+
+    // Whether the last picture asked for is whole and has come.
+    bool at_rest() const { return whole_ && came_; }
+    double scale() const { return pacing_.scale(); }
+
+    static constexpr double rate = 30;
+
+private:
+    struct Subject {
+        std::uint64_t revision = 0;
+        std::int64_t frame = 0;
+        glm::ivec2 size{0};
+        bool operator==(const Subject&) const = default;
+    };
+
+    void post(const Session& session, double scale, int samples, bool may_be_dropped);
+
+    DrawThread& thread_;
+    Pacing pacing_;
+    std::optional<Subject> subject_;
+    std::uint64_t number_ = 0; // of the last request
+    bool whole_ = false, came_ = false;
+    double changed_ = 0;
+};
+
+} // namespace isomotion::player

@@ -1,0 +1,53 @@
+// Cameras moved by hand: a camera and what the mouse did, to a camera.
+//
+// `drag` and `at` are in heights of the picture, to the right and up; `at` counts from the
+// picture's middle. So nothing depends on pixels, and a hand's way means the same in every window.
+// All lengths are ratios: scenes of any size are moved alike. The camera's `up` never changes; what
+// does not concern a motion (fov, zoom, lens) stays, but a plane in focus at the target stays
+// there.
+//
+// Resetting needs nothing: it is the scene's own camera at the frame.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "scene/scene_at.h"
+
+namespace isomotion::player {
+
+inline constexpr double degrees_per_height = 180; // of an orbit
+// An orbit keeps so far off the poles, in degrees: there the picture's upright direction is lost.
+inline constexpr double pole_distance = 0.1;
+
+// Right, up and forward of the picture: unit length, world. A camera that looks along its own `up`
+// has the upright direction that its rays have (scene/rays.h).
+struct PictureAxes {
+    glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
+};
+PictureAxes picture_axes(const scene::CameraAt& camera);
+
+// World units that the picture's height takes in at the target.
+double shown_height(const scene::CameraAt& camera);
+
+// The point of the plane through the target, parallel to the picture, that is seen at `at`.
+glm::dvec3 point_at(const scene::CameraAt& camera, const glm::dvec2& at);
+
+// About the target, as if the hand had turned the surface: dragged to the right the camera goes
+// left. Up to the poles and no further; the distance stays.
+scene::CameraAt orbited(const scene::CameraAt& camera, const glm::dvec2& drag);
+
+// Moves camera and target in the picture's plane: what is as far away as the target stays under
+// the cursor.
+scene::CameraAt panned(const scene::CameraAt& camera, const glm::dvec2& drag);
+
+// Nearer by the factor exp(-amount), farther if negative; an orthographic camera takes in so much
+// less. The point of the target's plane under `at` stays where it is seen. Where lengths would
+// leave the range of numbers the camera stays.
+scene::CameraAt dollied(const scene::CameraAt& camera, double amount, const glm::dvec2& at = {});
+
+// In the same direction, so far that a sphere about the bounds touches the nearer edges of a
+// picture with this width / height. The target is the middle of the bounds.
+scene::CameraAt fitted(const scene::CameraAt& camera, const scene::BoundsAt& bounds,
+                       const scene::PlacementAt& placement, double aspect);
+
+} // namespace isomotion::player

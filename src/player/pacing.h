@@ -1,0 +1,70 @@
+// How large a picture may be while something moves, so that pictures keep coming at a wanted rate;
+// and how it is refined when all is at rest.
+//
+// A draw at scale s of the window's width and height is taken to cost a + b s^2 milliseconds. Both
+// are fitted to the draws since the cost last changed, by least squares of relative errors. From
+// that follows the largest scale within the budget of 1000 / fps. Scales come from a short ladder,
+// and three rules keep them still:
+//   * down only after two draws in a row over the budget, so that a hiccup of the machine changes
+//     nothing and a heavier scene is answered at its second picture (the very first draw at once);
+//   * up only when the model promises room to spare, `patience` times in a row;
+//   * a rise that had to be taken back doubles the patience.
+// Pure: the state is a value, the clock is the caller's. The draw that compiles is not to be told.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace isomotion::player {
+
+// Scales, each with half as many pixels as two before it: 2^(-k/4), from 1 to 1/8.
+inline constexpr int scale_count = 13;
+double scale_of(int rung);
+
+// Of a picture's cost; never negative.
+struct CostModel {
+    double fixed = 0;  // a: milliseconds whatever the size
+    double filled = 0; // b: milliseconds a picture of full size takes beside that
+
+    double at(double scale) const { return fixed + filled * scale * scale; }
+};
+
+struct MeasuredDraw {
+    double scale = 1;
+    double milliseconds = 0;
+};
+
+// Least squares of relative errors, with a and b not below 0. Where all draws have one scale they
+// cannot tell a from b: then a is the same part of the whole as in `before`.
+CostModel cost_of(const std::vector<MeasuredDraw>& draws, const CostModel& before);
+
+struct Pacing {
+    int rung = 0;                      // scale_of(rung) is the next draw's
+    std::vector<MeasuredDraw> draws;   // the model is fitted to these, the latest last
+    std::optional<MeasuredDraw> stray; // the last one, if it was far off what its scale had cost
+    CostModel model;
+    int over = 0;      // draws in a row over the budget
+    int roomy = 0;     // draws in a row that leave room for a larger picture
+    int patience = 6;  // so many of them make it larger
+    int steady = 0;    // draws since the scale changed
+    bool rose = false; // when it did
+
+    double scale() const { return scale_of(rung); }
+};
+
+// After a draw, of whatever scale, that took so long; the wanted rate in pictures a second. What is
+// no positive time or scale is left out of account.
+Pacing paced(Pacing pacing, const MeasuredDraw& draw, double fps);
+
+// What a picture is drawn with.
+struct Quality {
+    double scale = 1;
+    int samples = 1; // pictures whose mean it is
+    bool operator==(const Quality&) const = default;
+};
+
+// The next picture at rest, after one of this quality: full size, then four times as many samples
+// again and again, up to `most`; none when that is done.
+std::optional<Quality> refined(const Quality& shown, int most = 16);
+
+} // namespace isomotion::player

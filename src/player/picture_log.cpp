@@ -1,0 +1,58 @@
+#include "player/picture_log.h"
+
+#include <cerrno>
+
+#include <nlohmann/json.hpp>
+
+#include "image/file.h"
+
+namespace isomotion::player {
+
+PictureLog::PictureLog(const std::filesystem::path& file)
+    : file_(file.empty() ? nullptr : std::fopen(file.c_str(), "we"), std::fclose) {
+    if (!file.empty() && !file_) throw image::FileError(file, "cannot be written", errno);
+    if (file_) note_landmarks();
+}
+
+void PictureLog::write(const std::string& line) {
+    std::fprintf(file_.get(), "%s\n", line.c_str());
+    std::fflush(file_.get());
+}
+
+void PictureLog::add(const Landmarks& landmarks) {
+    if (!file_ || landmarks == last_) return;
+    last_ = landmarks;
+    write(nlohmann::ordered_json{{"seconds", seconds()}, {"widgets", landmarks}}.dump());
+}
+
+double PictureLog::seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+void PictureLog::add(const Shown& shown, glm::ivec2 corner, glm::ivec2 size, bool at_rest) {
+    if (!file_) return;
+    const nlohmann::ordered_json line{
+        {"seconds", seconds()},
+        {"frame", shown.frame},
+        {"view", name(shown.view)},
+        {"scale", shown.scale},
+        {"samples", shown.samples},
+        {"at_rest", at_rest},
+        {"corner", {corner.x, corner.y}},
+        {"size", {size.x, size.y}},
+        {"drawn", {shown.raster.width, shown.raster.height}},
+        {"milliseconds", 1e3 * shown.took.count()},
+        {"compiled", shown.compiled},
+        {"evaluations", shown.tally.evaluations},
+        {"verdicts", shown.tally.verdicts},
+    };
+    write(line.dump());
+}
+
+void PictureLog::add_failure(const std::string& text) {
+    if (!file_) return;
+    const nlohmann::ordered_json line{{"seconds", seconds()}, {"error", text}};
+    write(line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+} // namespace isomotion::player

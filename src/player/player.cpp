@@ -1,0 +1,434 @@
+#include "player/player.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include <imgui.h>
+
+#include "player/camera_text.h"
+#include "player/draw_thread.h"
+#include "player/easel.h"
+#include "player/gallery.h"
+#include "player/live_scene.h"
+#include "player/memory.h"
+#include "player/notices.h"
+#include "player/orbit.h"
+#include "player/picture_area.h"
+#include "player/picture_log.h"
+#include "player/sections.h"
+#include "player/shortcuts.h"
+#include "player/topology_section.h"
+#include "player/transport.h"
+#include "player/window.h"
+#include "scene/error.h"
+
+namespace isomotion::player {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr ImGuiWindowFlags pane = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                                  ImGuiWindowFlags_NoSavedSettings |
+                                  ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+constexpr ImGuiWindowFlags still_pane =
+    pane | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+
+constexpr double files_every = 0.5;     // seconds between looks at files
+constexpr double processes_every = 0.2; // and at processes that run
+constexpr double progress_every = 0.1;
+
+void begin_pane(const char* name, ImVec2 corner, ImVec2 size, ImGuiWindowFlags flags) {
+    ImGui::SetNextWindowPos(corner);
+    ImGui::SetNextWindowSize(size);
+    ImGui::Begin(name, nullptr, flags);
+}
+
+class Player {
+public:
+    explicit Player(const PlayOptions& options)
+        : first_scene_(load(options))
+        , memory_(options.remembers ? state_folder() : std::filesystem::path())
+        , log_(options.log)
+        , window_("isomotion", place())
+        , drawing_(open_drawing())
+        , thread_(*drawing_)
+        , easel_(thread_) {
+        if (first_scene_) {
+            take(std::move(first_scene_), options.playing);
+        } else {
+            gallery_.open(memory_.opened());
+        }
+    }
+    ~Player() { remember(); }
+
+    void run() {
+        while (!window_.closing()) {
+            window_.wait(sleep());
+            attend();
+            obey_keys();
+            if (window_.stale() || new_picture_ || compiling()) show();
+            ask();
+        }
+    }
+
+private:
+    // Before the window opens, so that a mistake in the scene is told where it was called from.
+    static std::unique_ptr<LiveScene> load(const PlayOptions& options) {
+        if (options.scene.empty()) return nullptr;
+        return std::make_unique<LiveScene>(options.scene, options.overrides);
+    }
+
+    std::optional<WindowPlace> place() const {
+        if (first_scene_) return memory_.recall(first_scene_->file()).window;
+        return std::nullopt;
+    }
+
+    // Beside the window's, whose functions were loaded before; the thread makes it current.
+    std::unique_ptr<gpu::Context> open_drawing() {
+        try {
+            auto context = gpu::Context::create(gpu::Backend::glfw);
+            window_.make_current();
+            return context;
+        } catch (const gpu::Unavailable& error) {
+            throw NoWindow(error.what());
+        }
+    }
+
+    double now() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+    bool compiling() const { return thread_.compiling_since().has_value(); }
+    bool processes_run() const {
+        return export_.running() || topology_.running() || gallery_.rendering();
+    }
+
+    // ----- scenes
+
+    void take(std::unique_ptr<LiveScene> scene, bool playing) {
+        remember();
+        scene_ = std::move(scene);
+        Session& session = scene_->session;
+        Look look = session.look();
+        look.camera = memory_.recall(scene_->file()).camera;
+        session.set(look);
+        if (playing) session.playback = played(session.playback, now());
+        memory_.add_opened(std::filesystem::absolute(scene_->file()));
+        easel_.begin_scene();
+        gallery_.close();
+        notices_.load_error.clear();
+        notices_.draw_error.clear();
+        window_.set_title(session.scene().title + " - isomotion");
+        window_.refresh();
+    }
+
+    void open(const std::string& scene) {
+        try {
+            take(std::make_unique<LiveScene>(scene, std::vector<scene::Override>{}), true);
+        } catch (const std::exception& error) {
+            fail_to_load(error.what());
+        }
+    }
+
+    void fail_to_load(const std::string& text) {
+        notices_.load_error = text;
+        log_.add_failure(text);
+        window_.refresh();
+    }
+
+    void remember() const {
+        if (!scene_) return;
+        memory_.remember(scene_->file(), {window_.place(), scene_->session.look().camera});
+    }
+
+    // ----- what happens between frames
+
+    // Seconds that nothing has to be done for; below 0: until an event comes.
+    double sleep() const {
+        double least = -1;
+        const auto sooner = [&](double seconds) {
+            seconds = std::max(0.0, seconds);
+            least = least < 0 ? seconds : std::min(least, seconds);
+        };
+        if (compiling()) sooner(progress_every);
+        if (processes_run()) sooner(processes_every);
+        if (!scene_) return least;
+        sooner(next_look_ - now());
+        if (const auto at = next_change(scene_->session.playback, now())) sooner(*at - now());
+        if (const auto at = easel_.next_change()) sooner(*at - now());
+        return least;
+    }
+
+    void attend() {
+        take_pictures();
+        for (const auto& file : window_.take_dropped()) open(file.string());
+        if (processes_run()) {
+            export_.attend();
+            topology_.attend();
+            if (!gallery_.is_open()) window_.refresh();
+        }
+        if (gallery_.is_open()) {
+            window_.make_current();
+            if (gallery_.attend()) window_.refresh();
+        }
+        if (scene_ && now() >= next_look_) look_at_files();
+    }
+
+    void take_pictures() {
+        if (auto shown = thread_.take_shown()) {
+            easel_.learn(*shown);
+            window_.make_current();
+            area_.take(std::move(*shown));
+            notices_.draw_error.clear();
+            new_picture_ = true;
+        }
+        if (auto failure = thread_.take_failure()) fail_to_draw(failure->text);
+    }
+
+    void fail_to_draw(const std::string& text) {
+        if (notices_.draw_error == text) return;
+        notices_.draw_error = text;
+        log_.add_failure(text);
+        window_.refresh();
+    }
+
+    void look_at_files() {
+        next_look_ = now() + files_every;
+        const LiveScene::News news = scene_->look(now());
+        if (!news.any()) return;
+        window_.refresh();
+        if (news.scene) {
+            notices_.load_error.clear();
+            window_.set_title(scene_->session.scene().title + " - isomotion");
+        }
+        if (!news.error.empty()) fail_to_load(news.error);
+        if (news.shaders) thread_.forget_shaders();
+        if (news.scene || news.shaders) easel_.begin_scene();
+    }
+
+    void ask() {
+        if (!scene_ || size_.x < 1) return;
+        Session& session = scene_->session;
+        session.playback = settled(session.playback, now());
+        const bool rests = !area_.held() && !touched_;
+        try {
+            easel_.ask(session, frame(), size_, now(), rests);
+        } catch (const scene::SceneError& error) {
+            fail_to_draw(error.what());
+        }
+    }
+
+    std::int64_t frame() const { return frame_at(scene_->session.playback, now()).frame; }
+
+    // ----- commands
+
+    void obey_keys() {
+        for (const KeyPress& key : window_.take_keys()) {
+            if (ImGui::GetIO().WantTextInput) continue;
+            if (const auto command = command_of(key)) obey(*command);
+        }
+    }
+
+    void obey(Command command) {
+        switch (command) {
+        case Command::quit:
+            return window_.close();
+        case Command::full_screen:
+            return window_.toggle_full_screen();
+        case Command::help:
+            notices_.help = !notices_.help;
+            return;
+        case Command::panel:
+            panel_ = !panel_;
+            return;
+        case Command::dismiss:
+            if (!std::exchange(notices_.help, false) && scene_) gallery_.close();
+            return;
+        case Command::open:
+            if (!gallery_.is_open()) return gallery_.open(memory_.opened());
+            if (scene_) gallery_.close();
+            return;
+        default:
+            if (scene_ && !gallery_.is_open()) obey_in_scene(command);
+        }
+    }
+
+    void obey_in_scene(Command command) {
+        Session& session = scene_->session;
+        Playback& playback = session.playback;
+        Look look = session.look();
+        if (const auto view = view_of(command)) {
+            look.view = *view;
+            return session.set(look);
+        }
+        switch (command) {
+        case Command::toggle:
+            playback = toggled(playback, now());
+            return;
+        case Command::forward:
+            playback = stepped(playback, 1, now());
+            return;
+        case Command::back:
+            playback = stepped(playback, -1, now());
+            return;
+        case Command::first:
+            playback = scrubbed(playback, playback.first, now());
+            return;
+        case Command::last:
+            playback = scrubbed(playback, playback.last, now());
+            return;
+        case Command::faster:
+            playback = with_speed(playback, playback.doublings + 1, now());
+            return;
+        case Command::slower:
+            playback = with_speed(playback, playback.doublings - 1, now());
+            return;
+        case Command::loop:
+            playback = with_loop(playback, !playback.loop, now());
+            return;
+        case Command::reset_camera:
+            look.camera.reset();
+            return session.set(look);
+        case Command::fit_camera:
+            return fit_camera();
+        case Command::copy_camera:
+            return copy_camera();
+        case Command::save:
+            return export_.save_picture(*scene_, frame(), size_);
+        default:
+            return;
+        }
+    }
+
+    // The scene as it is shown; none where a value leaves its range, which ask() tells.
+    std::optional<scene::SceneAt> scene_now() const {
+        try {
+            return scene_->session.at(frame());
+        } catch (const scene::SceneError&) {
+            return std::nullopt;
+        }
+    }
+
+    void hold_camera(const scene::CameraAt& camera) {
+        Look look = scene_->session.look();
+        look.camera = camera;
+        scene_->session.set(look);
+    }
+
+    void fit_camera() {
+        if (const auto at = scene_now()) {
+            hold_camera(fitted(at->camera, at->bounds, at->placement,
+                               double(size_.x) / double(std::max(size_.y, 1))));
+        }
+    }
+
+    void copy_camera() {
+        if (const auto at = scene_now()) {
+            window_.copy(camera_text(at->camera, scene_->session.scene().camera.shutter));
+        }
+    }
+
+    // ----- frames
+
+    void show() {
+        if (!window_.begin_frame()) return;
+        const ImVec2 area = ImGui::GetIO().DisplaySize;
+        if (gallery_.is_open()) {
+            show_gallery(area);
+        } else if (scene_) {
+            const float bar = Transport::height();
+            const float side =
+                panel_ ? std::min(20.5f * ImGui::GetFontSize(), 0.5f * area.x) : 0.0f;
+            show_picture({0, 0}, {area.x - side, area.y - bar});
+            if (panel_) show_panel({area.x - side, 0}, {side, area.y - bar});
+            show_transport({0, area.y - bar}, {area.x, bar});
+        }
+        notices_.show(thread_.compiling_since());
+        log_.add(take_landmarks());
+        touched_ = ImGui::IsAnyItemActive() && !area_.held();
+        window_.end_frame();
+        if (std::exchange(new_picture_, false) && area_.shown()) {
+            log_.add(*area_.shown(), area_.corner(), area_.size(), easel_.at_rest());
+        }
+    }
+
+    void show_gallery(ImVec2 area) {
+        begin_pane("gallery", {0, 0}, area, pane);
+        const auto chosen = gallery_.show();
+        ImGui::End();
+        if (chosen) open(*chosen);
+    }
+
+    void show_picture(ImVec2 corner, ImVec2 size) {
+        ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0, 0, 0, 0));
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+        begin_pane("picture", corner, size, still_pane);
+        ImGui::PopStyleVar();
+        ImGui::PopStyleColor();
+        ImGui::InvisibleButton("mouse", {std::max(size.x, 1.0f), std::max(size.y, 1.0f)},
+                               ImGuiButtonFlags_MouseButtonLeft |
+                                   ImGuiButtonFlags_MouseButtonRight |
+                                   ImGuiButtonFlags_MouseButtonMiddle);
+        const ImVec2 pixel = ImGui::GetIO().DisplayFramebufferScale;
+        const scene::Output& output = scene_->session.scene().output;
+        const glm::ivec2 room(int(size.x * pixel.x), int(size.y * pixel.y));
+        size_ = fitted_size(room, double(output.width) / output.height);
+        if (const auto at = scene_now()) {
+            if (const auto camera = area_.steer(at->camera)) hold_camera(*camera);
+        }
+        area_.show(size_, scene_->session.look().map);
+        ImGui::End();
+    }
+
+    void show_panel(ImVec2 corner, ImVec2 size) {
+        begin_pane("panel", corner, size, pane);
+        Session& session = scene_->session;
+        Look look = session.look();
+        const std::uint64_t revision = session.revision();
+        std::optional<Command> wish;
+        view_section(look, session.scene(), area_.shown());
+        if (const auto at = scene_now()) wish = camera_section(look, at->camera);
+        parameter_section(look, session, session.moved().timeline.values(frame()));
+        method_section(look, session.scene());
+        reading_section(area_.shown(), size_);
+        topology_.show(*scene_);
+        export_.show(*scene_, frame(), size_);
+        ImGui::End();
+        if (look != session.look() && revision == session.revision()) session.set(look);
+        if (wish) obey_in_scene(*wish);
+    }
+
+    void show_transport(ImVec2 corner, ImVec2 size) {
+        begin_pane("transport", corner, size, still_pane);
+        Session& session = scene_->session;
+        session.playback =
+            transport_.show(session.playback, session.scene().timeline, scene_->marks(), now());
+        reading_line(area_.shown());
+        ImGui::End();
+    }
+
+    const Clock::time_point begin_ = Clock::now();
+    std::unique_ptr<LiveScene> first_scene_, scene_;
+    Memory memory_;
+    PictureLog log_;
+    Window window_;
+    std::unique_ptr<gpu::Context> drawing_;
+    DrawThread thread_;
+    Easel easel_;
+    PictureArea area_;
+    Transport transport_;
+    TopologySection topology_;
+    ExportSection export_;
+    Gallery gallery_;
+    Notices notices_;
+    glm::ivec2 size_{0}; // of the picture, in the window
+    double next_look_ = files_every;
+    bool panel_ = true;
+    bool touched_ = false; // a widget is held: what it changes has not come to rest
+    bool new_picture_ = false;
+};
+
+} // namespace
+
+void play(const PlayOptions& options) { Player(options).run(); }
+
+} // namespace isomotion::player

@@ -1,0 +1,25 @@
+// The live window: isomotion play.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/load.h"
+
+namespace isomotion::player {
+
+struct PlayOptions {
+    std::string scene; // a file or a name of the gallery; empty: the gallery
+    std::vector<scene::Override> overrides;
+    bool playing = true;       // at once
+    std::filesystem::path log; // a line of JSON for each picture shown; empty: none
+    bool remembers = true;     // places and cameras, from one day to the next
+};
+
+// Opens the window and returns when it is closed. Throws NoWindow, and SceneError for the scene it
+// is started with; what goes wrong later is shown in the window.
+void play(const PlayOptions& options);
+
+} // namespace isomotion::player

@@ -1,0 +1,52 @@
+// Frames rendered into files by `isomotion render` itself, in a process of its own: the same code,
+// and neither a long draw nor a crash in it touches the window.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/child_process.h"
+#include "scene/load.h"
+
+namespace isomotion::player {
+
+struct RenderOrder {
+    std::filesystem::path scene;
+    std::vector<scene::Override> overrides;
+    std::string output; // out/name.####.png
+    int first = 1, last = 1;
+    bool poster = false; // the one frame that stands for the scene, instead
+    int width = 0, height = 0;
+    std::string movie; // empty: none
+};
+
+class RenderProcess {
+public:
+    // Throws std::system_error if no process can be started.
+    explicit RenderProcess(RenderOrder order);
+
+    bool ended() { return process_.ended(); }
+    // Of the frames; those that are written count, by their files.
+    int done() const;
+    int frames() const { return order_.last - order_.first + 1; }
+    // Whole frames stay.
+    void cancel();
+
+    // Once it has ended: empty where all was written, else why not.
+    std::string error() const;
+    const RenderOrder& order() const { return order_; }
+
+private:
+    RenderOrder order_;
+    std::filesystem::file_time_type begin_;
+    bool cancelled_ = false;
+    image::ChildProcess process_;
+};
+
+// The words after `isomotion`.
+std::vector<std::string> render_words(const RenderOrder& order);
+
+} // namespace isomotion::player

@@ -1,0 +1,58 @@
+// The parts of the side panel: each shows its part of what is looked at and changes it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "player/draw_thread.h"
+#include "player/live_scene.h"
+#include "player/render_process.h"
+#include "player/session.h"
+#include "player/shortcuts.h"
+
+namespace isomotion::player {
+
+// A part's heading; false if it is folded.
+bool heading(const char* title);
+// A line's name on the left; the widget that follows takes the rest, less `less`.
+void row(const char* name, float less = 0);
+
+void view_section(Look& look, const scene::Scene& scene, const std::optional<Shown>& shown);
+
+// What else is to be done.
+std::optional<Command> camera_section(Look& look, const scene::CameraAt& camera);
+
+void parameter_section(Look& look, const Session& session, const animation::Values& values);
+
+void method_section(Look& look, const scene::Scene& scene);
+
+// What the last picture took: all of it, and in a line that ends at the right of the window's.
+void reading_section(const std::optional<Shown>& shown, glm::ivec2 size);
+void reading_line(const std::optional<Shown>& shown);
+
+// Frames into files.
+class ExportSection {
+public:
+    // `frame` is the one shown, in a picture of `size`.
+    void show(const LiveScene& scene, std::int64_t frame, glm::ivec2 size);
+    // As it is shown at rest.
+    void save_picture(const LiveScene& scene, std::int64_t frame, glm::ivec2 size);
+    // Whether files are being written: a frame now and then shows how far.
+    bool running() const { return process_.has_value(); }
+    // Looks after the process.
+    void attend();
+
+private:
+    void start(const LiveScene& live, int first, int last, glm::ivec2 size, int samples);
+    std::string stem(const scene::Scene& scene) const;
+
+    std::optional<RenderProcess> process_;
+    std::filesystem::path folder_ = "out";
+    std::array<int, 2> range_{0, 0};                         // 0: not chosen yet
+    bool as_shown_ = false, smooth_ = false, movie_ = false; // of many frames
+    std::string told_;
+    bool failed_ = false;
+};
+
+} // namespace isomotion::player

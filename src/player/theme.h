@@ -1,0 +1,20 @@
+// How the window looks: one dark grey, one accent, one font.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace isomotion::player {
+
+// Fonts and style of Dear ImGui's current context, for a screen of this scale.
+void apply_theme(float scale);
+
+glm::vec3 background_color(); // sRGB codes, 0 to 1
+
+// Packed as Dear ImGui's draw lists take them.
+unsigned accent_color();
+unsigned text_color();
+unsigned faint_color(); // of lines and of text that is not read first
+unsigned error_color();
+unsigned panel_color(float opacity = 1);
+
+} // namespace isomotion::player

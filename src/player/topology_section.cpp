@@ -1,0 +1,74 @@
+#include "player/topology_section.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "player/sections.h"
+#include "player/theme.h"
+
+namespace isomotion::player {
+
+void TopologySection::start(const std::filesystem::path& scene,
+                            const std::filesystem::path& timeline) {
+    failure_.clear();
+    cancelled_ = false;
+    try {
+        process_.emplace("/proc/self/exe",
+                         std::vector<std::string>{"topology", scene.string(), "--quiet", "-o",
+                                                  timeline.string()});
+    } catch (const std::exception& error) {
+        failure_ = error.what();
+    }
+}
+
+void TopologySection::attend() {
+    if (!process_ || !process_->ended()) return;
+    if (!process_->succeeded() && !cancelled_) {
+        const std::string words = process_->last_words(6);
+        failure_ =
+            words.empty() ? fmt::format("topology ended with {}", process_->ending()) : words;
+    }
+    process_.reset();
+}
+
+void TopologySection::show(const LiveScene& scene) {
+    if (!heading("Topology")) return;
+    const auto& marks = scene.marks();
+    const auto count = [&](Mark::Kind kind) {
+        return std::ranges::count(marks, kind, &Mark::kind);
+    };
+    ImGui::PushTextWrapPos(0);
+    const auto events = count(Mark::Kind::event), unresolved = count(Mark::Kind::unresolved);
+    if (events + unresolved > 0) {
+        ImGui::Text("%td events on the timeline", events);
+        if (unresolved > 0) ImGui::Text("%td places where something is not told", unresolved);
+    }
+    if (!scene.refusal().empty()) ImGui::TextDisabled("%s", scene.refusal().c_str());
+    if (!failure_.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, error_color());
+        ImGui::TextUnformatted(failure_.c_str());
+        ImGui::PopStyleColor();
+    }
+    ImGui::PopTextWrapPos();
+    if (process_) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("finding events ...");
+        ImGui::SameLine();
+        if (ImGui::Button("cancel", {-1, 0})) {
+            cancelled_ = true;
+            process_->interrupt();
+        }
+        return;
+    }
+    if (ImGui::Button("find events", {-1, 0})) {
+        start(scene.file(), timeline_path(scene.session.scene()));
+    }
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("isomotion topology, which may take minutes; writes\n%s",
+                          timeline_path(scene.session.scene()).c_str());
+    }
+}
+
+} // namespace isomotion::player

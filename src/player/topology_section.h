@@ -1,0 +1,28 @@
+// The part of the side panel that computes the timeline's marks of topology.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "image/child_process.h"
+#include "player/live_scene.h"
+
+namespace isomotion::player {
+
+class TopologySection {
+public:
+    void show(const LiveScene& scene);
+    // Whether `isomotion topology` runs; it writes the file that the scene is watched with.
+    bool running() const { return process_.has_value(); }
+    void attend();
+
+private:
+    void start(const std::filesystem::path& scene, const std::filesystem::path& timeline);
+
+    std::optional<image::ChildProcess> process_;
+    bool cancelled_ = false;
+    std::string failure_;
+};
+
+} // namespace isomotion::player

@@ -1,0 +1,30 @@
+// The bar at the bottom: play, step, speed, loop, and the timeline with its marks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "animation/timeline.h"
+#include "player/marks.h"
+#include "player/playback.h"
+
+namespace isomotion::player {
+
+class Transport {
+public:
+    // Widgets of the bar, in Dear ImGui's current window; what they make of a playback.
+    Playback show(const Playback& playback, const animation::Timeline& timeline,
+                  const std::vector<Mark>& marks, double now);
+
+    static float height(); // of the bar, in the current style
+
+private:
+    Playback buttons(Playback playback, double now);
+    Playback speed(Playback playback, double now);
+    Playback place(Playback playback, const animation::Timeline& timeline, double now);
+    Playback scrubber(Playback playback, const std::vector<Mark>& marks, double now);
+
+    bool scrubbing_ = false, played_ = false; // whether it played when the scrubbing began
+};
+
+} // namespace isomotion::player

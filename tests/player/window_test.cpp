@@ -1,0 +1,77 @@
+// A window that shrinks, vanishes or loses its display ends nothing that it should not.
+#include "playing.h"
+
+#include <csignal>
+
+namespace isomotion::player {
+namespace {
+
+class WindowTest : public Playing {
+protected:
+    bool window(std::vector<std::string> words) {
+        words.insert(words.begin(), {"search", "--name", "isomotion"});
+        return display().drive(words);
+    }
+};
+
+TEST_F(WindowTest, FollowsItsSize) {
+    play({"sphere.toml"});
+    await("a picture", [](const Json& l) { return l.contains("frame"); });
+    for (const char* side : {"1", "900"}) {
+        EXPECT_TRUE(window({"windowsize", side, side}));
+        mark();
+        if (side == std::string("1")) continue;
+        await("a larger picture",
+              [](const Json& l) { return l.contains("size") && l["size"][1] > 500; });
+    }
+    quit();
+}
+
+TEST_F(WindowTest, OutlivesBeingHidden) {
+    play({"sphere.toml"});
+    await("a picture", [](const Json& l) { return l.contains("frame"); });
+    EXPECT_TRUE(window({"windowunmap", "--sync"}));
+    EXPECT_TRUE(window({"windowmap", "--sync", "windowfocus", "--sync"}));
+    mark();
+    await("a picture", [](const Json& l) { return l.contains("frame"); });
+    quit();
+}
+
+TEST_F(WindowTest, GoesToFullScreenAndBack) {
+    play({"--paused", "sphere.toml"});
+    EXPECT_TRUE(window({"windowsize", "640", "480"}));
+    const auto height = [](const Json& line) { return line["size"][1].get<int>(); };
+    const Json before =
+        await_rest("a small picture", [&](const Json& l) { return height(l) < 480; });
+    mark();
+    key("F11");
+    await_rest("a large picture", [&](const Json& l) { return height(l) > 480; });
+    mark();
+    key("F11");
+    const Json again =
+        await_rest("a small picture", [&](const Json& l) { return height(l) < 480; });
+    EXPECT_EQ(again["size"], before["size"]);
+    quit();
+}
+
+// What X does to a program whose display goes is Xlib's; that it ends by no fault is ours.
+TEST_F(WindowTest, EndsByNoFaultWhenItsWindowIsKilled) {
+    play({"sphere.toml"});
+    await("a picture", [](const Json& l) { return l.contains("frame"); });
+    EXPECT_TRUE(window({"windowkill"}));
+    const cli::Ending end = ending();
+    EXPECT_NE(end.signal, SIGSEGV) << end;
+    EXPECT_NE(end.signal, SIGABRT) << end;
+}
+
+TEST_F(WindowTest, EndsByNoFaultWhenTheDisplayEnds) {
+    play({"sphere.toml"});
+    await("a picture", [](const Json& l) { return l.contains("frame"); });
+    display().end();
+    const cli::Ending end = ending();
+    EXPECT_NE(end.signal, SIGSEGV) << end;
+    EXPECT_NE(end.signal, SIGABRT) << end;
+}
+
+} // namespace
+} // namespace isomotion::player

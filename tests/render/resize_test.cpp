@@ -1,0 +1,72 @@
+// A renderer that is resized or adjusted draws what one made so would.
+#include "drawing.h"
+
+namespace isomotion::render {
+namespace {
+
+class Resize : public Drawing {};
+ISOMOTION_ON_EVERY_BACKEND(Resize);
+
+Picture drawn_small_tiled(gpu::Context& context, const scene::Scene& scene, int frame) {
+    Renderer renderer(context, scene, {128, 128, every_channel});
+    const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+    renderer.resize(40, 30);
+    renderer.draw(now);
+    renderer.resize(scene.output.width, scene.output.height);
+    return renderer.draw(now);
+}
+
+// Lists of elements, beams and a plain formula; sizes that tiles of 128 do not divide.
+TEST_P(Resize, DrawsWhatARendererOfThatSizeDraws) {
+    for (const char* name : {"blobby75", "barth_sextic", "superquadric"}) {
+        const scene::Scene scene = scene::load(name, {"output.size=[200,150]"});
+        const Picture whole = draw(*context, scene, 40);
+        const Picture tiled = drawn_small_tiled(*context, scene, 40);
+        EXPECT_GT(count(whole, Verdict::hit), 1000) << name;
+        EXPECT_TRUE(same_bits(whole.frame, tiled.frame)) << name;
+        EXPECT_EQ(whole.verdicts, tiled.verdicts) << name;
+        EXPECT_EQ(whole.evaluations, tiled.evaluations) << name;
+    }
+}
+
+TEST_P(Resize, RefusesTilesThatWouldCutOtherBlocks) {
+    const scene::Scene scene = scene_of(sphere_scene);
+    Renderer renderer(*context, scene, {100, 100, {}});
+    EXPECT_NO_THROW(renderer.resize(64, 100));
+    EXPECT_THROW(renderer.resize(101, 100), std::invalid_argument);
+    EXPECT_THROW(renderer.resize(0, 100), std::invalid_argument);
+}
+
+TEST_P(Resize, AdjustedSettingsAreTheScenesOwn) {
+    const std::string method = "isolation.method=\"amp-sign\"";
+    const scene::Scene coarse = scene_of(sphere_scene, {method, "isolation.step=0.5"});
+    const scene::Scene fine = scene_of(sphere_scene, {method, "isolation.step=0.01"});
+    const scene::SceneAt now = scene::at(coarse, coarse.timeline.values(1));
+    Renderer renderer(*context, coarse, {160, 120, every_channel});
+    const Picture before = renderer.draw(now);
+    renderer.adjust(fine.isolation);
+    const Picture after = renderer.draw(now);
+    EXPECT_GT(after.evaluations, 4 * before.evaluations);
+    EXPECT_TRUE(same_bits(after.frame, draw(*context, fine).frame));
+    scene::Isolation other = fine.isolation;
+    other.method = scene::Method::marching;
+    EXPECT_THROW(renderer.adjust(other), std::invalid_argument);
+}
+
+TEST_P(Resize, APictureThatIsGivenUpLeavesTheRendererWhole) {
+    const scene::Scene scene = scene_of(sphere_scene);
+    int tiles = 0;
+    bool stops = true;
+    RenderOptions options{64, 64, every_channel};
+    options.stop = [&] { return ++tiles > 2 && stops; };
+    Renderer renderer(*context, scene, options);
+    renderer.resize(scene.output.width, scene.output.height);
+    const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+    EXPECT_THROW(renderer.draw(now), Stopped);
+    EXPECT_EQ(tiles, 3);
+    stops = false;
+    EXPECT_TRUE(same_bits(renderer.draw(now).frame, draw(*context, scene).frame));
+}
+
+} // namespace
+} // namespace isomotion::render
