@@ -9,15 +9,28 @@ uniform sampler2D light_beam_texture;
 uniform sampler2D light_lists_texture;
 #endif
 // Of each light: across its picture and up, in pixels from the middle; w of the first, half of the
-// pixels. Depth tau; w, its unit. The place that has none of these; w, what rounding may add to a
-// depth.
+// pixels, and of the second, how far from the place that has none of these the pictures are right.
+// Depth tau; w, its unit. That place; w, what rounding may add to a depth.
 uniform vec4 light_views[4 * LIGHTS];
 
-// Turns the ray from `place` to light k round.
+// As it is, to a light: through all elements.
+void come_to_light() {
+#ifdef LISTS
+    float all = float(array_counts[0].x);
+    beam_lists = vec4(all, 0.0, all, 0.0);
+    enter_list(beam_lists.zw);
+#endif
+}
+
+// Turns the ray from a place to light k round, unless it is far away.
 void come_from_light(inout Ray ray, int k) {
     vec4 right = light_views[4 * k], up = light_views[4 * k + 1];
     vec4 depth = light_views[4 * k + 2], origin = light_views[4 * k + 3];
     vec3 place = ray.anchor - origin.xyz;
+    if (dot(place, place) > up.w * up.w) {
+        come_to_light();
+        return;
+    }
     vec2 at = vec2(dot(right.xyz, place), dot(up.xyz, place)) + right.w;
     ivec2 pixel = clamp(ivec2(floor(at)), ivec2(0), ivec2(2.0 * right.w) - 1);
     pixel.y += k * int(2.0 * right.w);
@@ -31,15 +44,6 @@ void come_from_light(inout Ray ray, int k) {
 #ifdef LISTS
     beam_lists = texelFetch(light_lists_texture, texel, 0);
     front_end = t.z;
-    enter_list(beam_lists.zw);
-#endif
-}
-
-// As it is, to another light: through all elements.
-void come_to_light() {
-#ifdef LISTS
-    float all = float(array_counts[0].x);
-    beam_lists = vec4(all, 0.0, all, 0.0);
     enter_list(beam_lists.zw);
 #endif
 }

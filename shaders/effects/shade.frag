@@ -1,7 +1,7 @@
 // The picture from what the rays ended on, where a scene calls for more than a plain light.
 
 layout(location = 0) out vec4 color;
-layout(location = 1) out uvec2 record; // and evaluations of shadow and mirrored rays
+layout(location = 1) out uvec2 record; // and evaluations of shadow rays
 
 void main() {
     Ray ray = pixel_ray();

@@ -46,8 +46,8 @@ void march_pixel() {
     int turns = evaluations_per_pass;
 #ifdef LISTS
     // Loops must end before drivers end them. Drivers go through the longest list of some eight
-    // neighbours, each of which has its own.
-    int elements = int(0.125 * element_budget);
+    // neighbours, each of which has its own; the last sample may go through all.
+    int elements = int(0.125 * element_budget) - array_counts[0].x;
 #endif
     // One light after the other; software renderers, which skip no branch, should not look for the
     // next at every sample.
@@ -64,7 +64,7 @@ void march_pixel() {
             turns -= 1;
 #ifdef LISTS
             elements -= array0_count;
-            if (elements < array0_count) turns = 0;
+            if (elements <= 0) turns = 0;
 #endif
             if (outcome == RAY_GOES_ON && s.evaluations >= int(refinement.y)) outcome = RAY_IS_FREE;
         }

@@ -63,7 +63,9 @@ void LightBeams::draw(const scene::Scene& scene, const scene::SceneAt& now, unsi
         const double half = 0.5 * pixels_, rounding = beam_range(view, pixels_, pixels_, {}, 1).w;
         glm::vec4* to = &views_[4 * k];
         to[0] = wide(half / square(rays.right) * rays.right, half);
-        to[1] = wide(half / square(rays.up) * rays.up, 0);
+        // Farther away rounding would take a place for its neighbour block's.
+        constexpr double radii = 16;
+        to[1] = wide(half / square(rays.up) * rays.up, radii * half / length(glm::dvec3(to[0])));
         to[2] = wide(rays.axis / square(rays.axis), glm::length(rays.axis));
         to[3] = wide(rays.origin, rounding);
     }

@@ -22,7 +22,7 @@ Tally Record::tally() const {
     for (int y = 0; y < height_; ++y) {
         const std::size_t row = std::size_t(y) * std::size_t(width_);
         std::array<int, 5> verdicts{};
-        unsigned evaluations = 0; // of a row: at most 2048 rays of a million
+        std::uint64_t evaluations = 0;
         const auto add = [&](std::size_t words) {
             const std::uint32_t* word = packed_.data() + row * words;
             for (std::size_t x = 0; x < std::size_t(width_); ++x) {
@@ -38,7 +38,7 @@ Tally Record::tally() const {
             add(2);
         }
         for (std::size_t k = 0; k < 5; ++k) tally.verdicts[k] += verdicts[k];
-        tally.evaluations += evaluations;
+        tally.evaluations += std::int64_t(evaluations);
     }
     return tally;
 }

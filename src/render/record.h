@@ -1,6 +1,6 @@
 // What is counted of a tile's rays, as shaders/shade/record.glsl packs it: verdict and evaluations
-// of the eye's ray in a word a pixel, and in another, where there are any, the evaluations of the
-// rays that start where it ended.
+// of the eye's ray in a word a pixel, and in another, where surfaces are kept, the evaluations of
+// its shadow rays.
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <bit>
 
 #include <fmt/format.h>
 
@@ -300,7 +301,11 @@ struct Renderer::Parts {
         const bool by_lists =
             &program == &passes->march || (light_beams && &program == &secondary->shadows());
         const bool is_planned = !synthesis::has_lists(shaders) || by_lists;
-        return is_planned ? plan.evaluations_per_pass : evaluations_without_lists;
+        const int all = is_planned ? plan.evaluations_per_pass : evaluations_without_lists;
+        if (shaders.shadow.empty() || &program != &secondary->shadows()) return all;
+        // One light after the other, neighbours wait for the longest ray of each.
+        const auto lights = std::popcount(unsigned(synthesis::shadow_mask(scene)));
+        return std::max(all / lights, shaders.degree + 1);
     }
 
     int plan_without_lists() const {
@@ -333,6 +338,7 @@ struct Renderer::Parts {
     // Returns its rays, or null if they were not kept.
     const gpu::Target* draw_tile(const gpu::Rectangle& tile, const scene::SceneAt& now,
                                  Picture& picture) {
+        if (keeps_beams) beams->bind(beam_unit());
         if (beams && !keeps_beams) {
             beams->draw({0, 0, tile.width, tile.height}, {tile.x, tile.y},
                         synthesis::has_lists(shaders) ? &arrays[0] : nullptr);

@@ -354,7 +354,10 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     active.file("march/active.frag");
     shaders.active = active.take();
     if (keeps_surfaces(scene)) shaders.surface = surface_text(scene, shaders, Origin::eye);
-    if (uses_beams(scene)) shaders.light_beams = shadow_mask(scene) & far_lights(scene);
+    // A polynomial is solved from where the eye's rays begin, off the surface: shadow rays from the
+    // light end on it.
+    if (uses_beams(scene) && scene.isolation.method != scene::Method::chebyshev)
+        shaders.light_beams = shadow_mask(scene) & far_lights(scene);
     if (shadow_mask(scene) != 0) shaders.shadow = shadow_text(scene, shaders);
     if (scene.material.reflection == scene::Material::Reflection::self) {
         shaders.mirror = march_text(scene, shaders, Origin::mirror);
