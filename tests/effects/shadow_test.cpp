@@ -282,6 +282,40 @@ TEST_P(CatalogueShadow, IsWhatTruthSays) {
     EXPECT_LE(different(picture, finer, 0.03f), 96 * 96 / 200);
 }
 
+// Drivers end loops that go on for long, wherever a sum then is. Of these all but three elements
+// add nothing, but the last takes back what the first added.
+TEST(Shadow, OfSeveralLightsThroughLongSums) {
+    const auto picture = [](int elements) {
+        std::string text = fmt::format(R"(
+[surface]
+formula = "0.6 - sum(blobs, w*exp(-12*((x-c)^2 + y^2 + (z-0.5*c)^2)) + b)"
+bounds = {{ sphere = 1.6 }}
+[arrays.blobs]
+count = {}
+w = "1 - floor(min(1, i/3))"
+c = "0.6*(min(i, 2) - 1)"
+b = "5*(1 - min(1, i)) - 5*floor(i/(n - 1))"
+[ground]
+height = -0.7
+color = [1, 1, 1]
+[isolation]
+method = "marching"
+step = 0.02
+[camera]
+position = [1, -3, 2]
+[output]
+size = [48, 48]
+)",
+                                       elements);
+        for (const char* from : {"[1, 0.2, 1]", "[-1, 0.5, 0.8]", "[0.1, -1, 0.9]"})
+            text += fmt::format("[[lights]]\ndirection = {}\nshadow = true\n", from);
+        return draw(context(), scene_of(text));
+    };
+    const Picture few = picture(3), many = picture(1500);
+    EXPECT_GT(count(few, Verdict::hit), 100);
+    EXPECT_EQ(different(few, many, 0.01f), 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Surfaces, CatalogueShadow, testing::ValuesIn(surfaces_in_balls()),
                          [](const auto& tested) { return tested.param; });
 
