@@ -46,8 +46,8 @@ void ExportSection::save_picture(const LiveScene& scene, std::int64_t frame, glm
     start(scene, int(frame), int(frame), size, scene.session.samples());
 }
 
-void ExportSection::attend() {
-    if (!process_ || !process_->ended()) return;
+std::optional<std::string> ExportSection::attend() {
+    if (!process_ || !process_->ended()) return std::nullopt;
     const RenderOrder& order = process_->order();
     told_ = process_->error();
     failed_ = !told_.empty();
@@ -57,6 +57,7 @@ void ExportSection::attend() {
         if (!order.movie.empty()) told_ += "\n" + order.movie;
     }
     process_.reset();
+    return failed_ ? std::optional(told_) : std::nullopt;
 }
 
 void ExportSection::show(const LiveScene& live, std::int64_t frame, glm::ivec2 size) {

@@ -162,7 +162,7 @@ private:
         take_pictures();
         for (const auto& file : window_.take_dropped()) open(file.string());
         if (processes_run()) {
-            export_.attend();
+            if (const auto failure = export_.attend()) log_.add_failure("export: " + *failure);
             topology_.attend();
             if (!gallery_.is_open()) window_.refresh();
         }

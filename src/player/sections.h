@@ -40,8 +40,8 @@ public:
     void save_picture(const LiveScene& scene, std::int64_t frame, glm::ivec2 size);
     // Whether files are being written: a frame now and then shows how far.
     bool running() const { return process_.has_value(); }
-    // Looks after the process.
-    void attend();
+    // Looks after the process; why nothing, or not all, was written, once that is known.
+    std::optional<std::string> attend();
 
 private:
     void start(const LiveScene& live, int first, int last, glm::ivec2 size, int samples);
