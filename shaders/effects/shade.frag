@@ -1,7 +1,7 @@
 // The picture from what the rays ended on, where a scene calls for more than a plain light.
 
 layout(location = 0) out vec4 color;
-layout(location = 1) out vec4 record; // verdict, evaluations; those of shadow and mirrored rays
+layout(location = 1) out uvec2 record; // and evaluations of shadow and mirrored rays
 
 void main() {
     Ray ray = pixel_ray();
@@ -18,6 +18,6 @@ void main() {
     } else {
         color = sky(ray.direction);
     }
-    record = vec4(float(p.verdict), float(s.evaluations), further_evaluations(), 0.0);
+    record = uvec2(packed_record(p.verdict, s.evaluations), uint(further_evaluations()));
     write_channels(ray, hit, on_surface);
 }

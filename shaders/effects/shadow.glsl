@@ -4,6 +4,9 @@
 
 uniform bool first_pass;
 uniform int evaluations_per_pass;
+#ifdef LISTS
+uniform float element_budget;
+#endif
 
 Ray shadow_ray(SurfacePoint p, int k) {
     LightRay light = light_at(k, p.position);
@@ -11,6 +14,10 @@ Ray shadow_ray(SurfacePoint p, int k) {
     vec2 inside = clip_to_bounds(ray.anchor, ray.direction);
     ray.t_near = max(inside.x, 0.0);
     ray.t_far = min(inside.y, light.reach);
+#ifdef LIGHT_BEAMS
+    if (((LIGHT_BEAMS >> k) & 1) != 0) come_from_light(ray, k);
+    else come_to_light();
+#endif
     return ray;
 }
 
@@ -20,11 +27,7 @@ RayState next_light(RayState s, SurfacePoint p) {
     for (int k = s.refinements + 1; k < LIGHTS && anything; ++k) {
         if (((SHADOWS >> k) & 1) == 0) continue;
         if (dot(p.normal, light_at(k, p.position).direction) <= 0.0) continue;
-        Ray ray = shadow_ray(p, k);
-        if (!(ray.t_near < ray.t_far)) continue;
         s.refinements = k;
-        s.low = ray.t_near;
-        s.high = ray.t_near;
         s.phase = PHASE_START;
         return s;
     }
@@ -37,19 +40,37 @@ void march_pixel() {
     if (first_pass) {
         s = state_at(0.0);
         s.refinements = -1;
-        s = next_light(s, p);
     } else {
         s = load_state();
     }
-    Ray ray = shadow_ray(p, max(s.refinements, 0));
-    for (int k = 0; k < evaluations_per_pass; ++k) {
+    int turns = evaluations_per_pass;
+#ifdef LISTS
+    // Loops must end before drivers end them. Drivers go through the longest list of some eight
+    // neighbours, each of which has its own.
+    int elements = int(0.125 * element_budget);
+#endif
+    // One light after the other; software renderers, which skip no branch, should not look for the
+    // next at every sample.
+    bool begins = first_pass;
+    while (true) {
+        if (begins) s = next_light(s, p);
         if (s.phase == PHASE_DONE) break;
-        s.evaluations += 1;
-        int outcome = any_hit(s, ray, p.offset);
-        if (outcome == RAY_GOES_ON && s.evaluations < int(refinement.y)) continue;
+        Ray ray = shadow_ray(p, s.refinements);
+        if (begins) s.low = s.high = ray.t_near;
+        int outcome = ray.t_near < ray.t_far ? RAY_GOES_ON : RAY_IS_FREE;
+        while (turns > 0 && outcome == RAY_GOES_ON) {
+            s.evaluations += 1;
+            outcome = any_hit(s, ray, p.offset);
+            turns -= 1;
+#ifdef LISTS
+            elements -= array0_count;
+            if (elements < array0_count) turns = 0;
+#endif
+            if (outcome == RAY_GOES_ON && s.evaluations >= int(refinement.y)) outcome = RAY_IS_FREE;
+        }
+        if (outcome == RAY_GOES_ON) break; // in the next pass
         if (outcome == RAY_IS_HIDDEN) s.verdict += 1 << s.refinements;
-        s = next_light(s, p);
-        ray = shadow_ray(p, max(s.refinements, 0));
+        begins = true;
     }
     store_state(s);
 }

@@ -16,11 +16,16 @@ struct Beam {
     vec3 low, high; // of `across`
 };
 
+// What is added to the middles of a block's outer pixels, in pixels: rays may be anywhere in blocks
+// of a light's picture.
+uniform float around_middles;
+
 Beam beam_of(ivec2 block) {
     vec2 first = (vec2(block * BLOCK) + picture.zw + 0.5) * picture.xy - 1.0;
     vec2 half_size = 0.5 * float(BLOCK - 1) * picture.xy;
     vec2 middle = first + half_size;
     vec3 across = middle.x * ray_right.xyz + middle.y * ray_up.xyz;
+    half_size += around_middles * picture.xy;
     vec3 reach = abs(half_size.x * ray_right.xyz) + abs(half_size.y * ray_up.xyz);
     return Beam(across - reach, across + reach);
 }

@@ -2,14 +2,6 @@
 uniform sampler2D beam_texture;
 #ifdef LISTS
 uniform sampler2D beam_lists_texture;
-
-vec4 beam_lists; // of elements that matter in the beam's front, and in all of it
-float front_end;
-
-// The list for samples at t, or for all up to there.
-void choose_list(float t) {
-    enter_list(t <= front_end ? beam_lists.xy : beam_lists.zw);
-}
 #endif
 
 void enter_beam(inout Ray ray) {

@@ -1,7 +1,7 @@
 // The picture from a finished ray.
 
 layout(location = 0) out vec4 color;
-layout(location = 1) out vec4 record; // verdict, evaluations
+layout(location = 1) out uint record;
 
 // |g| may leave float's range long before its direction does: scaled by its largest component.
 float magnitude(vec3 g) {
@@ -31,7 +31,7 @@ void shade_ray(Ray ray, RayState s) {
     } else if (verdict == VERDICT_STEP_LIMIT) {
         color = vec4(1.0, 0.8, 0.0, 1.0); // amber
     }
-    record = vec4(float(verdict), float(s.evaluations), 0.0, 0.0);
+    record = packed_record(verdict, s.evaluations);
     bool on_surface = verdict == VERDICT_HIT || verdict == VERDICT_ZERO_GRADIENT;
     write_channels(ray, hit, on_surface);
 }

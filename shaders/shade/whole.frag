@@ -1,8 +1,6 @@
 // March and picture in one draw, for rays that end within one pass. Of one that does not, the
 // record says so, and the tile has to be drawn in passes.
 
-const int VERDICT_UNFINISHED = -1;
-
 void main() {
     Ray ray = pixel_ray();
     enter_beam(ray);

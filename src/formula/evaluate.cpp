@@ -6,18 +6,12 @@
 #include <limits>
 #include <type_traits>
 
+#include "formula/clones.h"
 #include "formula/interval_operations.h"
 #include "formula/operations.h"
 
-// Loops over lanes for wider registers too, where the processor has them; the values are the same,
-// for nothing is contracted. Which loop runs is chosen while the program is linked, by glibc:
-// before a sanitiser is ready.
-#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GLIBC__) && defined(__GNUC__) &&    \
-    !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define ISOMOTION_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define ISOMOTION_CLONES
-#endif
+// Loops over lanes for wider registers too; the values are the same, for nothing is contracted.
+#define ISOMOTION_WIDER ISOMOTION_CLONES("avx2")
 
 namespace isomotion::formula {
 
@@ -129,7 +123,7 @@ void Evaluator<T>::together(const Bindings<T>& bindings, std::span<const std::sp
 
 template<class T>
 template<int Count>
-ISOMOTION_CLONES void Evaluator<T>::run(const Bindings<T>& bindings, std::span<const T> inputs) {
+ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings, std::span<const T> inputs) {
     using Do = Operations<T>;
     const auto& code = program_->instructions;
     loops_.clear();

@@ -15,6 +15,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "formula/exponential.h"
+
 namespace isomotion::formula {
 
 template<class T> struct Operations {
@@ -32,7 +34,15 @@ template<class T> struct Operations {
     static T abs(T a) { return std::abs(a); }
     static T sign(T a) { return a > 0 ? T(1) : a < 0 ? T(-1) : a == 0 ? T(0) : a; }
     static T sqrt(T a) { return a < 0 ? T(0) : std::sqrt(a); }
-    static T exp(T a) { return saturate(std::exp(a)); }
+    static T exp(T a) {
+        if constexpr (std::is_same_v<T, double>) {
+            // Loops over it vectorise. Results below the normal numbers are 0.
+            const double near = exponential(a < -708 ? -708 : a > 700 ? 700 : a);
+            return a < -708 ? 0 : a != a ? a : near < saturation() ? near : saturation();
+        } else {
+            return saturate(std::exp(a));
+        }
+    }
     static T log(T a) { return a == 0 ? -saturation() : saturate(std::log(a)); }
     static T sin(T a) { return std::sin(a); }
     static T cos(T a) { return std::cos(a); }

@@ -144,6 +144,11 @@ void Program::set(std::string_view uniform, std::span<const float> values) const
     glUniform1fv(uniform_location(uniform), GLsizei(values.size()), values.data());
 }
 
+void Program::set(std::string_view uniform, std::span<const glm::vec4> values) const {
+    use();
+    glUniform4fv(uniform_location(uniform), GLsizei(values.size()), &values.data()->x);
+}
+
 void Program::bind_block(std::string_view block, unsigned binding) const {
     const std::string key(block);
     const GLuint index = glGetUniformBlockIndex(name_.get(), key.c_str());

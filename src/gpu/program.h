@@ -46,6 +46,7 @@ public:
     void set(std::string_view uniform, glm::ivec3 value) const;
     void set(std::string_view uniform, glm::ivec4 value) const;
     void set(std::string_view uniform, std::span<const float> values) const;
+    void set(std::string_view uniform, std::span<const glm::vec4> values) const;
 
     void bind_block(std::string_view block, unsigned binding) const;
     void bind_sampler(std::string_view sampler, int unit) const { set(sampler, unit); }

@@ -11,8 +11,6 @@
 namespace isomotion::gpu {
 namespace {
 
-constexpr int pixel_floats = 4;
-
 int attachment_limit() {
     GLint colors = 0, draws = 0;
     glGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &colors);
@@ -20,21 +18,21 @@ int attachment_limit() {
     return std::min(colors, draws);
 }
 
-std::size_t floats_in(int width, int height) {
-    return std::size_t(width) * std::size_t(height) * pixel_floats;
-}
-
 } // namespace
 
-Target::Target(int width, int height, int attachments) {
-    const int limit = attachment_limit();
+Target::Target(int width, int height, int attachments)
+    : Target(width, height,
+             std::vector<Format>(std::size_t(std::max(attachments, 0)), Format::rgba32f)) {}
+
+Target::Target(int width, int height, std::span<const Format> formats) {
+    const int attachments = int(formats.size()), limit = attachment_limit();
     if (attachments < 1 || attachments > limit)
         throw ResourceError(fmt::format("a target with {} attachments: 1 to {} are possible here",
                                         attachments, limit));
     textures_.reserve(std::size_t(attachments));
     std::vector<GLenum> drawn;
     for (int i = 0; i < attachments; ++i) {
-        textures_.emplace_back(Format::rgba32f, width, height);
+        textures_.emplace_back(formats[std::size_t(i)], width, height);
         drawn.push_back(GL_COLOR_ATTACHMENT0 + GLenum(i));
     }
 
@@ -63,26 +61,42 @@ void Target::clear(int attachment, glm::vec4 value) const {
 }
 
 std::vector<float> Target::read(int attachment, int x, int y, int width, int height) const {
-    expect_inside(attachment, {x, y, width, height});
-    std::vector<float> pixels(floats_in(width, height));
+    std::vector<float> pixels(numbers_in(attachment, {x, y, width, height}));
     read(attachment, x, y, width, height, pixels);
     return pixels;
 }
 
 void Target::read(int attachment, int x, int y, int width, int height,
                   std::span<float> into) const {
-    expect_inside(attachment, {x, y, width, height});
-    if (into.size() != floats_in(width, height))
-        throw std::invalid_argument(fmt::format("{} x {} pixels are {} floats, not {}", width,
-                                                height, floats_in(width, height), into.size()));
+    constexpr GLenum externals[] = {GL_RED, GL_RG, GL_NONE, GL_RGBA};
+    read_into(attachment, {x, y, width, height}, externals, GL_FLOAT, into);
+}
+
+void Target::read(int attachment, int x, int y, int width, int height,
+                  std::span<std::uint32_t> into) const {
+    constexpr GLenum externals[] = {GL_RED_INTEGER, GL_RG_INTEGER, GL_NONE, GL_NONE};
+    read_into(attachment, {x, y, width, height}, externals, GL_UNSIGNED_INT, into);
+}
+
+template<class Number>
+void Target::read_into(int attachment, Rectangle read, std::span<const unsigned, 4> externals,
+                       unsigned type, std::span<Number> into) const {
+    const std::size_t numbers = numbers_in(attachment, read);
+    const Format format = texture(attachment).format();
+    if (into.size() != numbers || is_whole(format) != (type == GL_UNSIGNED_INT))
+        throw std::invalid_argument(
+            fmt::format("{} x {} pixels are {} {}, not {} {}", read.width, read.height, numbers,
+                        is_whole(format) ? "whole numbers" : "floats", into.size(),
+                        type == GL_FLOAT ? "floats" : "whole numbers"));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, name_.get());
     glReadBuffer(GL_COLOR_ATTACHMENT0 + GLenum(attachment));
     forget_errors();
-    glReadPixels(x, y, width, height, GL_RGBA, GL_FLOAT, into.data());
+    glReadPixels(read.x, read.y, read.width, read.height,
+                 externals[std::size_t(channels(format) - 1)], type, into.data());
     expect_success("reading back pixels");
 }
 
-void Target::expect_inside(int attachment, Rectangle read) const {
+std::size_t Target::numbers_in(int attachment, Rectangle read) const {
     const bool inside = attachment >= 0 && attachment < attachments() && read.x >= 0 &&
                         read.y >= 0 && read.width >= 0 && read.height >= 0 &&
                         read.width <= width() - read.x && read.height <= height() - read.y;
@@ -90,6 +104,8 @@ void Target::expect_inside(int attachment, Rectangle read) const {
         throw std::out_of_range(fmt::format(
             "reading {} x {} pixels at {}, {} of attachment {}: the target has {} x {} and {}",
             read.width, read.height, read.x, read.y, attachment, width(), height(), attachments()));
+    return std::size_t(read.width) * std::size_t(read.height) *
+           std::size_t(channels(texture(attachment).format()));
 }
 
 } // namespace isomotion::gpu

@@ -5,27 +5,32 @@
 
 #include <glm/vec4.hpp>
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace isomotion::gpu {
 
-/// What is drawn into: several RGBA32F colour attachments of one size, no depth.
+/// What is drawn into: several colour attachments of one size, no depth.
 class Target {
 public:
-    /// Throws ResourceError if the driver cannot draw into that many attachments of that size.
+    /// Attachments of RGBA32F. Throws ResourceError if the driver cannot draw into that many
+    /// attachments of that size.
     Target(int width, int height, int attachments = 1);
+    Target(int width, int height, std::span<const Format> attachments);
 
     /// Draws go here, over the whole area.
     void bind() const;
 
-    /// Fills one attachment, inside the current scissor only.
+    /// Fills one attachment of floats, inside the current scissor only.
     void clear(int attachment, glm::vec4 value = {}) const;
 
-    /// Rows from the bottom, four floats a pixel: the format it is stored in, as a conversion in
-    /// the driver costs more than the copy. Waits for the draws before it.
+    /// Rows from the bottom, as many numbers a pixel as the attachment has: the format it is stored
+    /// in, as a conversion in the driver costs more than the copy. Waits for the draws before it.
     std::vector<float> read(int attachment, int x, int y, int width, int height) const;
     void read(int attachment, int x, int y, int width, int height, std::span<float> into) const;
+    void read(int attachment, int x, int y, int width, int height,
+              std::span<std::uint32_t> into) const;
 
     const Texture& texture(int attachment) const { return textures_.at(std::size_t(attachment)); }
     int attachments() const noexcept { return int(textures_.size()); }
@@ -37,7 +42,11 @@ public:
     unsigned id() const noexcept { return name_.get(); }
 
 private:
-    void expect_inside(int attachment, Rectangle area) const;
+    std::size_t numbers_in(int attachment, Rectangle read) const;
+    /// `externals`: the driver's names for 1 to 4 numbers a pixel.
+    template<class Number>
+    void read_into(int attachment, Rectangle read, std::span<const unsigned, 4> externals,
+                   unsigned type, std::span<Number> into) const;
 
     std::vector<Texture> textures_;
     Name name_{Kind::framebuffer};

@@ -13,23 +13,28 @@ namespace {
 
 struct Layout {
     GLint internal;
-    GLenum external;
+    GLenum external, type;
     int channels;
 };
 
 Layout layout(Format format) {
     switch (format) {
     case Format::r32f:
-        return {GL_R32F, GL_RED, 1};
+        return {GL_R32F, GL_RED, GL_FLOAT, 1};
     case Format::rg32f:
-        return {GL_RG32F, GL_RG, 2};
+        return {GL_RG32F, GL_RG, GL_FLOAT, 2};
+    case Format::r32ui:
+        return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 1};
+    case Format::rg32ui:
+        return {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 2};
     case Format::rgba32f:
         break;
     }
-    return {GL_RGBA32F, GL_RGBA, 4};
+    return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 4};
 }
 
 void expect_size(Format format, int width, int height, std::span<const float> texels) {
+    if (is_whole(format)) throw std::invalid_argument("floats for a texture of whole numbers");
     const auto wanted = std::size_t(width) * std::size_t(height) * std::size_t(channels(format));
     if (texels.size() != wanted)
         throw std::invalid_argument(fmt::format("a {} x {} texture takes {} floats, not {}", width,
@@ -39,6 +44,8 @@ void expect_size(Format format, int width, int height, std::span<const float> te
 } // namespace
 
 int channels(Format format) { return layout(format).channels; }
+
+bool is_whole(Format format) { return layout(format).type == GL_UNSIGNED_INT; }
 
 Texture::Texture(Format format, int width, int height, std::span<const float> texels)
     : format_(format)
@@ -51,10 +58,10 @@ Texture::Texture(Format format, int width, int height, std::span<const float> te
         throw ResourceError(fmt::format("{}: each side must be 1 to {} here", what, limit));
     if (!texels.empty()) expect_size(format, width, height, texels);
 
-    const auto [internal, external, count] = layout(format);
+    const auto [internal, external, type, count] = layout(format);
     forget_errors();
     bind(editing_unit);
-    glTexImage2D(GL_TEXTURE_2D, 0, internal, width, height, 0, external, GL_FLOAT,
+    glTexImage2D(GL_TEXTURE_2D, 0, internal, width, height, 0, external, type,
                  texels.empty() ? nullptr : texels.data());
     expect_success(what);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);

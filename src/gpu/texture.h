@@ -6,14 +6,17 @@
 
 namespace isomotion::gpu {
 
-enum class Format { r32f, rg32f, rgba32f };
+enum class Format { r32f, rg32f, rgba32f, r32ui, rg32ui };
 
 int channels(Format format);
+/// Of unsigned whole numbers, which draws write and targets read back.
+bool is_whole(Format format);
 
-/// A 2D texture of floats, read with texelFetch: no filtering, clamped at the edges.
+/// A 2D texture of numbers, read with texelFetch: no filtering, clamped at the edges.
 class Texture {
 public:
-    /// `texels` fills it row by row from the bottom, or leaves it undefined if empty.
+    /// `texels` fills it row by row from the bottom, or leaves it undefined if empty, as it must be
+    /// with whole numbers.
     /// Throws ResourceError over the driver's limit or out of memory.
     Texture(Format format, int width, int height, std::span<const float> texels = {});
 

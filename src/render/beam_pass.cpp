@@ -24,15 +24,16 @@ int longest_list(const synthesis::BeamShader& level, int capacity) {
     return std::min(16 * level.block, capacity);
 }
 
-// The part of the longest lists that a buffer of so many texels has room for.
-double part_of_lists(const synthesis::Shaders& shaders, const MarchPlan& plan, int texels) {
+// The part of the longest lists that a buffer of so many texels has room for behind `first`.
+double part_of_lists(const synthesis::Shaders& shaders, const MarchPlan& plan, int texels,
+                     int first) {
     if (!synthesis::has_lists(shaders)) return 0;
     const auto& array = shaders.arrays[0];
     double wanted = 0;
     for (const auto& level : shaders.beams) {
         wanted += double(blocks_in(plan, level.block)) * longest_list(level, array.capacity);
     }
-    return std::clamp((texels / array.texels - array.capacity) / wanted, 0.0, 1.0);
+    return std::clamp((texels / array.texels - first) / wanted, 0.0, 1.0);
 }
 
 // What fits into the loops of a beam's shader; with lists it is less where these are long.
@@ -51,32 +52,53 @@ int evaluations_of_a_beam(const synthesis::Shaders& shaders, const formula::Fiel
 
 BeamPass::BeamPass(const synthesis::Shaders& shaders, const scene::Scene& scene,
                    const MarchPlan& plan, int texels, int unit)
-    : unit_(unit) {
-    const int elements = shaders.arrays.empty() ? 0 : shaders.arrays[0].capacity;
-    const double part = part_of_lists(shaders, plan, texels);
+    : first_(shaders.arrays.empty() ? 0 : shaders.arrays[0].capacity)
+    , unit_(unit) {
+    const double part = part_of_lists(shaders, plan, texels, first_);
     for (const synthesis::BeamShader& level : shaders.beams) {
-        const int block = level.block, square = block << level.square_bits;
-        const int length = int(part * longest_list(level, elements));
-        levels_.push_back(
-            {gpu::Program(shaders.vertex, level.text, fmt::format("beam {}", block)),
-             gpu::Target(texels_of(plan.tile_width, square), texels_of(plan.tile_height, square),
-                         synthesis::has_lists(shaders) ? 2 : 1),
-             block, level.square_bits,
-             evaluations_of_a_beam(shaders, *scene.surface.field, level.lists),
-             glm::ivec3(elements + listed_, length, blocks_in(plan.tile_width, block))});
-        listed_ += blocks_in(plan, block) * length;
+        const auto label = fmt::format("beam {}", level.block);
+        add_level(std::make_shared<gpu::Program>(shaders.vertex, level.text, label), shaders, level,
+                  plan, evaluations_of_a_beam(shaders, *scene.surface.field, level.lists), part);
     }
 }
 
-void BeamPass::for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
-    for (const Level& level : levels_) visit(level.program);
+BeamPass::BeamPass(const BeamPass& others, const synthesis::Shaders& shaders, int width, int height,
+                   int texels)
+    : first_(others.first_ + others.listed_)
+    , unit_(others.unit_) {
+    const MarchPlan plan{width, height, 0};
+    const double part = part_of_lists(shaders, plan, texels, first_);
+    for (std::size_t k = 0; k < shaders.beams.size(); ++k) {
+        add_level(others.levels_[k].program, shaders, shaders.beams[k], plan,
+                  others.levels_[k].evaluations, part);
+    }
 }
 
-void BeamPass::upload(const scene::SceneAt& now, int width, int height,
-                      const scene::Aim& aim) const {
+void BeamPass::add_level(std::shared_ptr<const gpu::Program> program,
+                         const synthesis::Shaders& shaders, const synthesis::BeamShader& level,
+                         const MarchPlan& plan, int evaluations, double part) {
+    const int elements = shaders.arrays.empty() ? 0 : shaders.arrays[0].capacity;
+    const int block = level.block, side = block << level.square_bits;
+    const int length = int(part * longest_list(level, elements));
+    levels_.push_back(
+        {std::move(program),
+         gpu::Target(texels_of(plan.tile_width, side), texels_of(plan.tile_height, side),
+                     synthesis::has_lists(shaders) ? 2 : 1),
+         block, level.square_bits, evaluations,
+         glm::ivec3(first_ + listed_, length, blocks_in(plan.tile_width, block))});
+    listed_ += blocks_in(plan, block) * length;
+}
+
+void BeamPass::for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
+    for (const Level& level : levels_) visit(*level.program);
+}
+
+void BeamPass::upload(const scene::SceneAt& now, int width, int height, const scene::Aim& aim,
+                      double around) const {
     for (const Level& level : levels_) {
-        level.program.set("beam", beam_range(now, width, height, aim, level.block));
-        level.program.set("beam_evaluations", level.evaluations);
+        level.program->set("beam", beam_range(now, width, height, aim, level.block));
+        level.program->set("beam_evaluations", level.evaluations);
+        level.program->set("around_middles", float(around));
     }
 }
 
@@ -84,23 +106,26 @@ void BeamPass::Level::bind_results(int unit) const {
     for (int k = 0; k < results.attachments(); ++k) results.texture(k).bind(unit + k);
 }
 
-void BeamPass::draw(const gpu::Rectangle& tile, const ArrayBuffer* array) const {
+void BeamPass::draw(const gpu::Rectangle& pixels, glm::ivec2 origin,
+                    const ArrayBuffer* array) const {
     const Level* before = nullptr;
     for (const Level& level : levels_) {
         if (array) array->bind_for_lists();
         if (before) before->bind_results(unit_);
-        level.program.set("tile_origin", glm::ivec2(tile.x, tile.y));
-        level.program.set("list", level.list);
+        level.program->set("tile_origin", origin);
+        level.program->set("list", level.list);
         level.results.bind();
-        level.program.use();
-        const int across = blocks_in(tile.width, level.block);
-        const int up = blocks_in(tile.height, level.block), side = 1 << level.square_bits;
-        for (int y = 0; y < up; y += side) {
-            for (int x = 0; x < across; x += side) {
-                // No blocks beyond the tile: these would write other blocks' lists.
+        level.program->use();
+        const int side = 1 << level.square_bits;
+        const int left = pixels.x / level.block, low = pixels.y / level.block;
+        const int right = left + blocks_in(pixels.width, level.block);
+        const int top = low + blocks_in(pixels.height, level.block);
+        for (int y = low; y < top; y += side) {
+            for (int x = left; x < right; x += side) {
+                // No blocks beyond these: they would write other blocks' lists.
                 gpu::set_viewport({x / side * synthesis::beam_square,
-                                   y / side * synthesis::beam_square, std::min(side, across - x),
-                                   std::min(side, up - y)});
+                                   y / side * synthesis::beam_square, std::min(side, right - x),
+                                   std::min(side, top - y)});
                 triangle_.draw();
             }
         }

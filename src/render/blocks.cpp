@@ -9,6 +9,19 @@ namespace {
 
 glm::vec4 wide(const glm::dvec3& v, double w = 0) { return glm::vec4(glm::dvec4(v, w)); }
 
+double largest(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+// What float32 may add to a coordinate of a point that is no farther than `reach` from its ray's
+// anchor, as truth's tubes have it (truth/tube.h).
+double rounding(const scene::Rays& rays, const scene::SceneAt& now, double reach) {
+    const double spread = glm::length(rays.right) + glm::length(rays.up);
+    const double direction = rays.parallel ? 0 : spread / glm::length(rays.axis);
+    return 0x1p-24 * (16 * (largest(rays.origin) + spread) + reach * 18 * (1 + direction) +
+                      2 * largest(now.bounds.centre));
+}
+
 } // namespace
 
 FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
@@ -16,13 +29,17 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     const scene::Rays rays = scene::rays(now, width, height, aim);
     const scene::Isolation& isolation = scene.isolation;
     const bool box = now.bounds.shape == scene::Bounds::Shape::box;
+    // The bounds are closed: a root that lies on their very face is one, however its ray is
+    // rounded. What is beyond by less than rounding is nobody's to tell.
+    const double face = rounding(rays, now, now.bounds.radius);
     FrameBlock block;
     block.ray_origin = wide(rays.origin);
     block.ray_axis = wide(rays.axis, rays.parallel ? 0 : 1);
     block.ray_right = wide(rays.right);
     block.ray_up = wide(rays.up);
-    block.bounds_min = box ? wide(now.bounds.min) : wide(now.bounds.centre, now.bounds.radius);
-    block.bounds_max = wide(now.bounds.max);
+    block.bounds_min =
+        box ? wide(now.bounds.min - face) : wide(now.bounds.centre, now.bounds.radius + face);
+    block.bounds_max = wide(now.bounds.max + face);
     block.picture = glm::vec4(2.0 / width, 2.0 / height, 0, 0);
     block.thresholds = glm::dvec4(isolation.step, isolation.near, isolation.far, isolation.horizon);
     const double footprint = 2 * glm::length(rays.up) / height;
@@ -48,19 +65,13 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const sce
     const glm::dvec3 forward = glm::normalize(glm::cross(rays.up, rays.right));
     const double depth = glm::dot(rays.axis, forward);
     const double middle = glm::dot(now.bounds.centre - rays.origin, forward) / depth;
-    // As truth's tubes have it (truth/tube.h), with the size of the picture's corner.
-    const auto largest = [](const glm::dvec3& v) {
-        return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    };
+    // Of the picture's corner.
     const double spread = glm::length(rays.right) + glm::length(rays.up);
     const double reach = now.bounds.radius + spread + largest(now.bounds.centre - rays.origin);
-    const double rounding = 0x1p-24 * (16 * (largest(rays.origin) + spread) +
-                                       reach * 18 * (1 + (rays.parallel ? 0 : spread / depth)) +
-                                       2 * largest(now.bounds.centre));
     const double half = 1.001 * now.bounds.radius / depth;
     const double pixel = 2 * glm::length(rays.up) / height;
     return glm::dvec4(rays.parallel ? middle - half : std::max(middle - half, -1.0), middle + half,
-                      0.5 * block * pixel / depth, 4 * rounding);
+                      0.5 * block * pixel / depth, 4 * rounding(rays, now, reach));
 }
 
 std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,

@@ -1,7 +1,6 @@
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -14,7 +13,10 @@
 #include "render/beam_pass.h"
 #include "render/blocks.h"
 #include "render/effect_uniforms.h"
+#include "render/light_beams.h"
+#include "render/planes.h"
 #include "render/ray_pass.h"
+#include "render/record.h"
 #include "render/secondary_rays.h"
 #include "scene/fingerprint.h"
 
@@ -51,21 +53,29 @@ struct Renderer::Parts {
         , options(std::move(wanted))
         , shaders(synthesis::assemble(scene, options.channels,
                                       choose_stage(options.stage, context.info()),
-                                      context.info().has(4, 3)))
+                                      context.info().has(4, 3), options.finest_beam))
         , plan(make_plan())
         , evaluations_without_lists(plan_without_lists())
         , element_budget(budget_of_elements())
         , one_draw(shaders.stage == synthesis::Stage::fragment && !shaders.whole.empty() &&
                    plan.evaluations_per_pass > 1)
-        , result(plan.tile_width, plan.tile_height, 2 + int(shaders.attachments.size()))
+        , record(plan.tile_width * plan.tile_height, !shaders.surface.empty())
+        , planes(options.width, options.height)
+        , result(plan.tile_width, plan.tile_height, formats())
         , frame(sizeof(FrameBlock))
         , parameters(std::size_t(shaders.parameter_vectors + shaders.count_vectors) * 16)
         , shading((7 + 2 * scene.lights.size()) * sizeof(glm::vec4)) {
         if (!shaders.beams.empty()) {
             beams.emplace(shaders, scene, plan, texels_for_lists(), beam_unit());
         }
+        if (shaders.light_beams != 0) {
+            light_beams.emplace(*beams, shaders, int(scene.lights.size()), options.width,
+                                options.height, texels_for_lists());
+        }
+        const int listed =
+            (beams ? beams->listed() : 0) + (light_beams ? light_beams->listed() : 0);
         for (const auto& storage : shaders.arrays) {
-            arrays.emplace_back(storage, storage.has_lists ? beams->listed() : 0);
+            arrays.emplace_back(storage, storage.has_lists ? listed : 0);
         }
         if (one_draw) {
             whole.emplace(shaders.shade_vertex, shaders.whole, "whole");
@@ -84,7 +94,6 @@ struct Renderer::Parts {
         }
         if (!shaders.proof.empty()) proofs.emplace(shaders, scene, plan, beam_unit() + 2);
         for_each_program([&](const gpu::Program& program) { connect(program); });
-        pixels.resize(std::size_t(plan.tile_width) * std::size_t(plan.tile_height) * 4);
     }
 
     // Lists are texels of a buffer that beams write and read as a storage block. Elements are told
@@ -93,6 +102,13 @@ struct Renderer::Parts {
         const gpu::ContextInfo& info = context.info();
         return std::min({info.max_texture_buffer_size,
                          info.max_storage_block_size / int(sizeof(glm::vec4)), 1 << 24});
+    }
+
+    // Of the shade pass's attachments.
+    std::vector<gpu::Format> formats() const {
+        std::vector<gpu::Format> all(2 + shaders.attachments.size(), gpu::Format::rgba32f);
+        all[1] = record.format();
+        return all;
     }
 
     void make_passes() {
@@ -200,6 +216,7 @@ struct Renderer::Parts {
         program.bind_sampler("state_texture_2", unit_state_2);
         program.bind_sampler("beam_texture", beam_unit());
         program.bind_sampler("beam_lists_texture", beam_unit() + 1);
+        if (light_beams) light_beams->connect(program, light_unit());
         for (std::size_t a = 0; a < shaders.arrays.size(); ++a) {
             const auto& storage = shaders.arrays[a];
             if (storage.kind == synthesis::ArrayStorage::Kind::uniform_block) {
@@ -220,10 +237,18 @@ struct Renderer::Parts {
         if (environment) {
             environment->bind(unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units);
         }
+        if (light_beams) draw_light_beams(now);
         if (beams) beams->upload(now, options.width, options.height, aim);
         if (proofs) proofs->upload(scene, now, options.width, options.height, aim);
         frame.bind(binding_frame);
         shading.bind(binding_shading);
+    }
+
+    void draw_light_beams(const scene::SceneAt& now) {
+        light_beams->draw(scene, now, binding_frame,
+                          synthesis::has_lists(shaders) ? &arrays[0] : nullptr);
+        light_beams->bind(light_unit());
+        light_beams->set_views(secondary->shadows());
     }
 
     void set_effects(const gpu::Program& program, const scene::SceneAt& now) const {
@@ -270,9 +295,11 @@ struct Renderer::Parts {
         }
     }
 
-    // Only the eye's rays go by lists.
+    // Mirrored rays go by no lists.
     int evaluations_of(const gpu::Program& program) const {
-        const bool is_planned = !synthesis::has_lists(shaders) || &program == &passes->march;
+        const bool by_lists =
+            &program == &passes->march || (light_beams && &program == &secondary->shadows());
+        const bool is_planned = !synthesis::has_lists(shaders) || by_lists;
         return is_planned ? plan.evaluations_per_pass : evaluations_without_lists;
     }
 
@@ -295,19 +322,28 @@ struct Renderer::Parts {
     int beam_unit() const {
         return unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units + 1;
     }
+    int light_unit() const { return beam_unit() + 2 + Proofs::units; }
 
-    // Draws a tile into `result`, reads its record into `pixels` and adds it to the picture's.
+    static void add(const Tally& tally, Picture& picture) {
+        for (std::size_t k = 0; k < 5; ++k) picture.verdicts[k] += tally.verdicts[k];
+        picture.evaluations += tally.evaluations;
+    }
+
+    // Draws a tile into `result`, reads its record and adds that to the picture's.
     // Returns its rays, or null if they were not kept.
     const gpu::Target* draw_tile(const gpu::Rectangle& tile, const scene::SceneAt& now,
                                  Picture& picture) {
-        if (beams) beams->draw(tile, synthesis::has_lists(shaders) ? &arrays[0] : nullptr);
+        if (beams && !keeps_beams) {
+            beams->draw({0, 0, tile.width, tile.height}, {tile.x, tile.y},
+                        synthesis::has_lists(shaders) ? &arrays[0] : nullptr);
+        }
         if (one_draw) {
             draw_whole(tile);
             ++picture.passes;
-            read_record(tile);
-            const Tally tally = tally_of(tile);
+            record.read(result, 1, tile.width, tile.height);
+            const Tally tally = record.tally();
             if (tally.rays() == std::int64_t(tile.width) * tile.height) {
-                tally.add_to(picture);
+                add(tally, picture);
                 return nullptr;
             }
             // Some ray takes longer than a draw may; others of this scene will too.
@@ -319,8 +355,8 @@ struct Renderer::Parts {
             }
         }
         const gpu::Target& rays = draw_in_passes(tile, picture.passes);
-        read_record(tile);
-        tally_of(tile).add_to(picture);
+        record.read(result, 1, tile.width, tile.height);
+        add(record.tally(), picture);
         return &rays;
     }
 
@@ -332,11 +368,6 @@ struct Renderer::Parts {
         whole->set("element_budget", element_budget);
         whole->use();
         triangle.draw();
-    }
-
-    void read_record(const gpu::Rectangle& tile) {
-        const auto count = std::size_t(tile.width) * std::size_t(tile.height) * 4;
-        result.read(1, 0, 0, tile.width, tile.height, std::span(pixels).first(count));
     }
 
     // The rays of a tile, which it returns, and what starts where they end.
@@ -379,7 +410,7 @@ struct Renderer::Parts {
         return moved->field.read(0, 0, 0, tile.width, tile.height);
     }
 
-    // The channel velocity of a tile whose rays and record are there: `pixels` holds the latter.
+    // The channel velocity of a tile whose rays and record are there.
     void draw_velocity(const gpu::Rectangle& tile, const gpu::Target& rays,
                        const scene::SceneAt& now, const Motion& motion, image::Frame& drawn) {
         rays.texture(0).bind(unit_state_0);
@@ -393,7 +424,7 @@ struct Renderer::Parts {
         for (int y = 0; y < tile.height; ++y) {
             for (int x = 0; x < tile.width; ++x) {
                 const auto at = std::size_t(y * tile.width + x);
-                const bool hit = Verdict(int(pixels[4 * at])) == Verdict::hit;
+                const bool hit = Verdict(record.verdict(at)) == Verdict::hit;
                 const double u = 2 * (tile.x + x + 0.5) / options.width - 1;
                 const double v = 2 * (tile.y + y + 0.5) / options.height - 1;
                 const glm::dvec3 across = u * from.right + v * from.up;
@@ -423,50 +454,13 @@ struct Renderer::Parts {
         rays.texture(0).bind(unit_state_0);
         rays.texture(1).bind(unit_state_1);
         const auto count = std::size_t(tile.width) * std::size_t(tile.height) * 4;
-        proofs->prove(tile, binding_frame, std::span(pixels).first(count));
+        std::vector<float> pixels(count);
+        proofs->prove(tile, binding_frame, pixels);
         frame.bind(binding_frame);
         for (std::size_t k = 0; k < count; k += 4) ++picture.proofs[std::size_t(pixels[k])];
         if (wants(synthesis::Channel::proof)) {
-            copy_pixels(tile, targets_of(picture.frame, synthesis::Channel::proof));
-        }
-    }
-
-    // Copies components of one attachment into channels, rows from the top.
-    void read_tile(const gpu::Rectangle& tile, int attachment,
-                   const std::vector<image::Channel*>& channels) {
-        const auto count = std::size_t(tile.width) * std::size_t(tile.height) * 4;
-        result.read(attachment, 0, 0, tile.width, tile.height, std::span(pixels).first(count));
-        copy_pixels(tile, channels);
-    }
-
-    // From `pixels`, of which channel k takes component k.
-    void copy_pixels(const gpu::Rectangle& tile, const std::vector<image::Channel*>& channels) {
-        const auto row_of = [&](image::Channel& channel, int y) {
-            const int row = options.height - 1 - (tile.y + y);
-            return channel.samples.data() + std::size_t(row) * std::size_t(options.width) +
-                   std::size_t(tile.x);
-        };
-        const bool is_color =
-            channels.size() == 4 && std::none_of(channels.begin(), channels.end(),
-                                                 [](const auto* channel) { return !channel; });
-        for (int y = 0; y < tile.height; ++y) {
-            const float* from = pixels.data() + std::size_t(y) * std::size_t(tile.width) * 4;
-            if (is_color) { // one way through memory instead of four
-                float *r = row_of(*channels[0], y), *g = row_of(*channels[1], y);
-                float *b = row_of(*channels[2], y), *a = row_of(*channels[3], y);
-                for (int x = 0; x < tile.width; ++x) {
-                    r[x] = from[4 * x];
-                    g[x] = from[4 * x + 1];
-                    b[x] = from[4 * x + 2];
-                    a[x] = from[4 * x + 3];
-                }
-                continue;
-            }
-            for (std::size_t c = 0; c < channels.size(); ++c) {
-                if (!channels[c]) continue;
-                float* to = row_of(*channels[c], y);
-                for (int x = 0; x < tile.width; ++x) to[x] = from[std::size_t(4 * x) + c];
-            }
+            planes.copy(pixels.data(), tile, 0, tile.height,
+                        targets_of(picture.frame, synthesis::Channel::proof));
         }
     }
 
@@ -496,39 +490,6 @@ struct Renderer::Parts {
         return std::find(all.begin(), all.end(), channel) != all.end();
     }
 
-    // What the rays of a tile went through.
-    struct Tally {
-        std::array<std::int64_t, 5> verdicts{};
-        std::int64_t evaluations = 0;
-
-        // Those that ended.
-        std::int64_t rays() const {
-            return std::accumulate(verdicts.begin(), verdicts.end(), std::int64_t(0));
-        }
-        void add_to(Picture& picture) const {
-            for (std::size_t k = 0; k < 5; ++k) picture.verdicts[k] += verdicts[k];
-            picture.evaluations += evaluations;
-        }
-    };
-
-    // From the record just read into `pixels`. Lanes of ints, which loops vectorise.
-    Tally tally_of(const gpu::Rectangle& tile) const {
-        Tally tally;
-        for (int y = 0; y < tile.height; ++y) {
-            const float* row = pixels.data() + std::size_t(y) * std::size_t(tile.width) * 4;
-            std::array<int, 5> verdicts{};
-            int evaluations = 0; // of a row: at most 2048 rays of a million
-            for (int x = 0; x < tile.width; ++x) {
-                const int verdict = int(row[4 * x]);
-                for (int k = 0; k < 5; ++k) verdicts[std::size_t(k)] += verdict == k;
-                evaluations += int(row[4 * x + 1]) + int(row[4 * x + 2]);
-            }
-            for (std::size_t k = 0; k < 5; ++k) tally.verdicts[k] += verdicts[k];
-            tally.evaluations += evaluations;
-        }
-        return tally;
-    }
-
     gpu::Context& context;
     scene::Scene scene;
     RenderOptions options;
@@ -543,6 +504,8 @@ struct Renderer::Parts {
         RayTargets rays;
     };
     std::optional<Passes> passes;
+    Record record; // of the tile drawn last
+    Planes planes;
     gpu::Target result;
     gpu::UniformBuffer frame, parameters, shading;
     std::vector<ArrayBuffer> arrays;
@@ -555,11 +518,12 @@ struct Renderer::Parts {
     };
     std::optional<Moved> moved; // of the channel velocity
     std::optional<BeamPass> beams;
+    bool keeps_beams = false;
+    std::optional<LightBeams> light_beams;
     std::optional<Proofs> proofs; // of scenes that ask for them
     gpu::Fullscreen triangle;
     gpu::SamplesQuery still_active;
-    image::Frame used;         // whose memory the next picture may have
-    std::vector<float> pixels; // of one attachment of a tile
+    image::Frame used; // whose memory the next picture may have
 };
 
 Renderer::Renderer(gpu::Context& context, const scene::Scene& scene, RenderOptions options)
@@ -587,6 +551,8 @@ void Renderer::resize(int width, int height) {
     }
     p.options.width = width;
     p.options.height = height;
+    p.planes = Planes(width, height);
+    if (p.light_beams) p.light_beams->resize(width, height);
 }
 
 void Renderer::adjust(const scene::Isolation& settings) {
@@ -600,6 +566,14 @@ void Renderer::adjust(const scene::Isolation& settings) {
 
 bool Renderer::needs_motion() const { return parts_->moved.has_value(); }
 
+void Renderer::keep_beams(bool keep) {
+    const Parts& p = *parts_;
+    if (p.plan.tile_width < p.options.width || p.plan.tile_height < p.options.height) {
+        throw std::logic_error("beams are kept of one tile, and the picture has several");
+    }
+    parts_->keeps_beams = keep;
+}
+
 Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion) {
     Parts& p = *parts_;
     const auto begin = std::chrono::steady_clock::now();
@@ -608,22 +582,28 @@ Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const M
     picture.frame = p.blank_frame(std::move(p.used));
     p.upload(now, aim);
     const auto channel = [&](std::size_t k) { return &picture.frame.channels[k]; };
-    std::vector<image::Channel*> record;
-    for (const auto kind : {synthesis::Channel::verdict, synthesis::Channel::evaluations}) {
-        record.push_back(targets_of(picture.frame, kind)[0]);
-    }
+    const auto asked = [&](synthesis::Channel kind) { return targets_of(picture.frame, kind)[0]; };
+    image::Channel* verdict = asked(synthesis::Channel::verdict);
+    image::Channel* evaluations = asked(synthesis::Channel::evaluations);
     for (int y = 0; y < p.options.height; y += p.plan.tile_height) {
         for (int x = 0; x < p.options.width; x += p.plan.tile_width) {
             if (p.options.stop && p.options.stop()) throw Stopped{};
             const gpu::Rectangle tile{x, y, std::min(p.plan.tile_width, p.options.width - x),
                                       std::min(p.plan.tile_height, p.options.height - y)};
             const gpu::Target* rays = p.draw_tile(tile, now, picture);
-            p.copy_pixels(tile, record);
+            const auto fill = [&](image::Channel& channel, const auto& number) {
+                p.planes.fill(tile, channel, [&](std::size_t k) { return float(number(k)); });
+            };
+            if (verdict) fill(*verdict, [&](std::size_t k) { return p.record.verdict(k); });
+            if (evaluations) {
+                fill(*evaluations, [&](std::size_t k) { return p.record.evaluations(k); });
+            }
             if (p.proofs) p.prove_tile(tile, *rays, picture);
             if (p.moved && motion) p.draw_velocity(tile, *rays, now, *motion, picture.frame);
-            p.read_tile(tile, 0, {channel(0), channel(1), channel(2), channel(3)});
+            p.planes.read(p.result, 0, tile, {channel(0), channel(1), channel(2), channel(3)});
             for (std::size_t a = 0; a < p.shaders.attachments.size(); ++a) {
-                p.read_tile(tile, 2 + int(a), targets_of(picture.frame, p.shaders.attachments[a]));
+                p.planes.read(p.result, 2 + int(a), tile,
+                              targets_of(picture.frame, p.shaders.attachments[a]));
             }
         }
     }

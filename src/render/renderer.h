@@ -16,6 +16,7 @@
 #include "render/stage.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
+#include "synthesis/assemble.h"
 #include "synthesis/channel.h"
 
 namespace isomotion::render {
@@ -42,6 +43,8 @@ struct RenderOptions {
     std::function<void(const std::string&)> warn = {};
     // What marches the rays; it changes hits by last bits at most.
     StageChoice stage = StageChoice::fragment;
+    // Pixels across the smallest beams: 8, or 1 to measure what closer starts would be worth.
+    int finest_beam = synthesis::usual_beam;
     // Asked before each tile; where it says true, draw() throws Stopped.
     std::function<bool()> stop = {};
 };
@@ -71,6 +74,10 @@ public:
     // another method, beams or proofs: those are other shaders.
     void adjust(const scene::Isolation& settings);
     bool needs_motion() const;
+    // From the next picture on rays begin where the beams of the one drawn last have them, until
+    // it is called off: right for that picture's moment and aim alone, to measure what starts cost.
+    // Throws std::logic_error if pictures take more than one tile.
+    void keep_beams(bool keep);
 
     // Everything that decides the pixels of a picture beside the driver: shader text, uniform
     // values, size and channels. Equal fingerprints, equal pictures.

@@ -32,6 +32,8 @@ public:
 
     // Each program that samples the field, for its uniforms and blocks.
     void for_each_program(const std::function<void(const gpu::Program&)>& visit) const;
+    // Marches the shadow rays, of scenes that have some.
+    const gpu::Program& shadows() const { return shadow_->march; }
     // Names its textures to a program that reads them: its own, and the shade pass.
     void connect(const gpu::Program& program) const;
 

@@ -117,7 +117,7 @@ void define_state(ShaderText& text, const Shaders& shaders) {
 void add_march(ShaderText& text, const scene::Scene& scene, const Shaders& shaders, Origin origin) {
     const bool beam = uses_beams(scene) && origin == Origin::eye;
     if (beam && has_lists(shaders)) text.define("LISTS", 1);
-    add_entrance(text, beam ? &shaders.beams.back() : nullptr);
+    add_entrance(text, shaders, beam);
     add_isolation(text, scene, shaders);
     text.file(shaders.march_takes_gradient ? "march/gradient_at_root.glsl"
                                            : "march/end_at_root.glsl");
@@ -146,6 +146,11 @@ std::string surface_text(const scene::Scene& scene, Shaders& shaders, Origin ori
     if (!shaders.march_takes_gradient) functions.push_back(FieldFunction::gradient);
     add_field(text, *scene.surface.field, shaders, functions);
     add_ray(text, scene, origin);
+    const bool by_lists = origin == Origin::eye && has_lists(shaders);
+    if (by_lists) {
+        text.define("LISTS", 1);
+        add_entrance(text, shaders, true);
+    }
     if (origin == Origin::eye) {
         text.file("effects/eye_begin.glsl");
         text.file("effects/surface_point.glsl");
@@ -157,8 +162,12 @@ std::string surface_text(const scene::Scene& scene, Shaders& shaders, Origin ori
     if (scene.ground) text.file("effects/ground.glsl");
     text.generated("generated: the first of what there is",
                    fmt::format("void main() {{\n    Ray ray = pixel_ray();\n"
-                               "    SurfacePoint p = end_of_ray(ray, load_state());\n{}"
+                               "    RayState s = load_state();\n{}"
+                               "    SurfacePoint p = end_of_ray(ray, s);\n{}"
                                "    store_surface(p);\n}}\n",
+                               by_lists ? "    Ray in_beam = ray;\n    enter_beam(in_beam);\n"
+                                          "    choose_list(s.low);\n"
+                                        : "",
                                scene.ground ? "    p = before_ground(ray, p);\n" : ""));
     return text.take();
 }
@@ -168,6 +177,10 @@ std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
     define_state(text, shaders);
     text.define("LIGHTS", int(scene.lights.size()));
     text.define("SHADOWS", shadow_mask(scene));
+    if (shaders.light_beams != 0) {
+        text.define("LIGHT_BEAMS", shaders.light_beams);
+        if (has_lists(shaders)) text.define("LISTS", 1);
+    }
     add_field(text, *scene.surface.field, shaders, shaders.samples);
     add_ray(text, scene);
     add_isolation(text, scene, shaders);
@@ -177,6 +190,7 @@ std::string shadow_text(const scene::Scene& scene, Shaders& shaders) {
     add_lights(text, scene);
     text.file("effects/surface_point.glsl");
     text.file("effects/load_surface.glsl");
+    if (shaders.light_beams != 0) add_light_beams(text, shaders);
     if (const auto method = scene.isolation.method;
         method == scene::Method::hermite || scene::bounds_pieces(method)) {
         text.file("march/end_at_root.glsl");
@@ -252,6 +266,7 @@ std::string whole_text(const scene::Scene& scene, const std::vector<Channel>& ch
     add_march(text, scene, shaders, Origin::eye);
     text.file(has_flat_shading(scene) ? "shade/shading_flat.glsl" : "shade/shading.glsl");
     text.file("shade/hit.glsl");
+    text.file("shade/record.glsl");
     text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
     text.file("shade/lambert.glsl");
     text.file(shaders.march_takes_gradient ? "shade/gradient_from_state.glsl"
@@ -285,6 +300,7 @@ std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& ch
     add_ray(text, scene);
     text.file(has_flat_shading(scene) ? "shade/shading_flat.glsl" : "shade/shading.glsl");
     text.file("shade/hit.glsl");
+    text.file("shade/record.glsl");
     if (paint) {
         add_paint(text, *paint);
     } else {
@@ -316,7 +332,7 @@ bool uses_beams(const scene::Scene& scene) {
 }
 
 Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels, Stage stage,
-                 bool writes_buffers) {
+                 bool writes_buffers, int finest_beam) {
     Shaders shaders;
     shaders.stage = stage;
     static_cast<FieldStorage&>(shaders) = storage_of(scene, writes_buffers);
@@ -331,13 +347,14 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
         shaders.degree = scene::solved_degree(*scene.surface.field);
     }
     shaders.state_textures = scene.isolation.method == scene::Method::hermite ? 3 : 2;
-    if (uses_beams(scene)) add_beams(scene, shaders);
+    if (uses_beams(scene)) add_beams(scene, shaders, finest_beam);
     shaders.march = march_text(scene, shaders, Origin::eye);
     ShaderText active(shaders.files);
     active.file("march/state.glsl");
     active.file("march/active.frag");
     shaders.active = active.take();
     if (keeps_surfaces(scene)) shaders.surface = surface_text(scene, shaders, Origin::eye);
+    if (uses_beams(scene)) shaders.light_beams = shadow_mask(scene) & far_lights(scene);
     if (shadow_mask(scene) != 0) shaders.shadow = shadow_text(scene, shaders);
     if (scene.material.reflection == scene::Material::Reflection::self) {
         shaders.mirror = march_text(scene, shaders, Origin::mirror);

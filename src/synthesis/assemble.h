@@ -39,6 +39,7 @@ struct Shaders : FieldStorage {
     // Of scenes that call for them (see effect_text.h), else empty.
     std::string surface;        // keeps where the rays ended
     std::string shadow;         // one pass of the shadow rays
+    int light_beams = 0;        // a bit for each light whose shadow rays go by beams of its own
     std::string mirror;         // one pass of the mirrored rays
     std::string mirror_surface; // keeps where those ended
     std::string motion;         // of the channel velocity: F at another time
@@ -57,7 +58,7 @@ struct Shaders : FieldStorage {
     // samples the gradient at the root, which else the shade pass does.
     std::vector<FieldFunction> samples;
     bool march_takes_gradient = false;
-    // Attachments of the shade pass: 0 colour, 1 verdict and evaluations, then these.
+    // Attachments of the shade pass: 0 colour, 1 what is counted (render/record.h), then these.
     std::vector<Channel> attachments;
     std::vector<std::string> files; // of shaders/, as used
 };
@@ -69,8 +70,13 @@ inline constexpr int beam_square = 64;
 // the field cost less than what they save.
 bool uses_beams(const scene::Scene& scene);
 
-// `writes_buffers`: shaders may (OpenGL 4.3), which the lists of beams need.
+// Pixels across the smallest beams.
+inline constexpr int usual_beam = 8;
+
+// `writes_buffers`: shaders may (OpenGL 4.3), which the lists of beams need. `finest_beam`: 8, or 1
+// for beams of single pixels, which cost more than they save.
 Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels = {},
-                 Stage stage = Stage::fragment, bool writes_buffers = true);
+                 Stage stage = Stage::fragment, bool writes_buffers = true,
+                 int finest_beam = usual_beam);
 
 } // namespace isomotion::synthesis

@@ -79,17 +79,27 @@ std::string beam_text(const scene::Scene& scene, const BeamShader& beam, const B
 
 } // namespace
 
-void add_entrance(ShaderText& text, const BeamShader* beam) {
-    if (beam) define_blocks(text, *beam);
-    text.file(beam ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
+void add_light_beams(ShaderText& text, const Shaders& shaders) {
+    define_blocks(text, shaders.beams.back());
+    if (has_lists(shaders)) text.file("march/choose_list.glsl");
+    text.file("effects/light_beam.glsl");
 }
 
-void add_beams(const scene::Scene& scene, Shaders& shaders) {
+void add_entrance(ShaderText& text, const Shaders& shaders, bool by_beams) {
+    if (by_beams) define_blocks(text, shaders.beams.back());
+    if (by_beams && has_lists(shaders)) text.file("march/choose_list.glsl");
+    text.file(by_beams ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
+}
+
+void add_beams(const scene::Scene& scene, Shaders& shaders, int finest) {
     using enum BeamLists;
-    // A picture of 512 pixels has 16 squares of the smaller blocks, 4 of the largest.
-    shaders.beams = has_lists(shaders)
-                        ? std::vector<BeamShader>{{64, whole, 2}, {16, whole, 3}, {8, front, 4}}
-                        : std::vector<BeamShader>{{8, none, 4}};
+    // A picture of 512 pixels has 16 squares of the smaller blocks, 4 of the largest. Squares of
+    // single pixels lie side by side.
+    const int bits = finest == 1 ? 6 : 4;
+    shaders.beams =
+        has_lists(shaders)
+            ? std::vector<BeamShader>{{64, whole, 2}, {16, whole, 3}, {finest, front, bits}}
+            : std::vector<BeamShader>{{finest, none, bits}};
     const BeamShader* parent = nullptr;
     for (BeamShader& beam : shaders.beams) {
         beam.text = beam_text(scene, beam, parent, shaders);

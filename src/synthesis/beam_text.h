@@ -7,11 +7,14 @@
 
 namespace isomotion::synthesis {
 
-// The scene's levels of beams. Adds to `shaders.files`.
-void add_beams(const scene::Scene& scene, Shaders& shaders);
+// The scene's levels of beams, the smallest of 8 pixels or of 1. Adds to `shaders.files`.
+void add_beams(const scene::Scene& scene, Shaders& shaders, int finest);
 
-// Where rays begin and end: as the last level of beams says, or at the bounds if it is null. After
-// the ray's own text.
-void add_entrance(ShaderText& text, const BeamShader* beam);
+// Where rays begin and end: as the last level of beams says, or at the bounds. After the ray's own
+// text.
+void add_entrance(ShaderText& text, const Shaders& shaders, bool by_beams);
+
+// Of shadow rays, by the last level of beams from the lights: shaders/effects/light_beam.glsl.
+void add_light_beams(ShaderText& text, const Shaders& shaders);
 
 } // namespace isomotion::synthesis

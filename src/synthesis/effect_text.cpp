@@ -82,9 +82,15 @@ int shadow_mask(const scene::Scene& scene) {
     return mask;
 }
 
+int far_lights(const scene::Scene& scene) {
+    int mask = 0;
+    for (std::size_t k = 0; k < scene.lights.size(); ++k)
+        mask |= int(!scene.lights[k].is_point) << k;
+    return mask;
+}
+
 void add_lights(ShaderText& text, const scene::Scene& scene) {
-    const bool near = std::any_of(scene.lights.begin(), scene.lights.end(),
-                                  [](const auto& light) { return light.is_point; });
+    const bool near = far_lights(scene) != (1 << scene.lights.size()) - 1;
     text.file("effects/light.glsl");
     text.file(near ? "effects/near_lights.glsl" : "effects/far_lights.glsl");
 }

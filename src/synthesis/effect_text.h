@@ -11,6 +11,7 @@ namespace isomotion::synthesis {
 bool keeps_surfaces(const scene::Scene& scene);
 // A bit for each light that casts shadows.
 int shadow_mask(const scene::Scene& scene);
+int far_lights(const scene::Scene& scene);
 
 // The parts of the shade pass after rays, shading.glsl and surface_color(): the generated shade().
 void add_shading(ShaderText& text, const scene::Scene& scene);

@@ -22,7 +22,7 @@ std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds 
     text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
     text.file("march/ray.glsl");
     text.file("march/state.glsl");
-    add_entrance(text, beam ? &shaders.beams.back() : nullptr);
+    add_entrance(text, shaders, beam);
     text.file("proof/outcome.glsl");
     text.file("proof/tube.glsl");
     text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");

@@ -113,7 +113,7 @@ void check_euler_number(Timeline& timeline) {
 // between the ends.
 Timeline seeded(const scene::Scene& scene, Side side, const Analysing& how, int first, int last,
                 const Asking& asking) {
-    constexpr int seeds = 1 << 17, grid = 128;
+    constexpr int seeds = 1 << 16, grid = 128;
     EventSearch searching = event_search(how, asking);
     searching.seeds = seeds;
     Timeline timeline = find_events(

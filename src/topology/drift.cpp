@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "topology/krawczyk.h"
-#include "topology/seeded.h"
+#include "topology/seeds.h"
 
 namespace isomotion::topology {
 namespace {
@@ -34,8 +34,9 @@ Drift drift_of(const MovingField& field) {
     for (std::size_t k = 0; k < d; ++k) size = std::max(size, domain[k].hi - domain[k].lo);
     if (!(range > 0) || !(size > 0)) return {};
 
+    const Seeds seeds(field);
     std::vector<Point> points;
-    for (int number = 0; number < samples; ++number) points.push_back(seed(field, number));
+    for (int number = 0; number < samples; ++number) points.push_back(seeds[number]);
     std::vector<Jet<double>> jets;
     Numbers(field).jets(points, jets);
     // Derivatives move along where dF_i/dt + sum of H_ij (by_j + growth x_j) is 0, for each i.

@@ -21,8 +21,8 @@ Ground ground_of(const Moment& moment, bool is_solid) {
             [&](const SpacePoint& p) { return moment.is_outside(point_box(p)); }};
 }
 
-// Looks for passes where a route is missing: saddles near the highest points of its gaps, and those
-// points themselves where they are low enough. False where there are no gaps.
+// Looks for passes where a route is missing: its gaps themselves where all of them seems to be low
+// enough, and saddles near their highest points. False where there are no gaps.
 bool bridge(PassGraph& graph, std::span<const Way> ends, PointField& field, const Ground& ground,
             const std::function<void(std::span<const SpacePoint>)>& add) {
     constexpr int samples = 16;
@@ -35,14 +35,19 @@ bool bridge(PassGraph& graph, std::span<const Way> ends, PointField& field, cons
     }
     std::vector<PointJet> jets;
     field.jets(points, jets);
-    std::vector<Start> low;
+    std::vector<Pass> straight;
     for (std::size_t g = 0; g < gaps.size(); ++g) {
         const auto first = jets.begin() + std::ptrdiff_t(g * (samples - 1));
         const auto top = std::ranges::max_element(first, first + samples - 1, {}, &PointJet::value);
         const SpacePoint at = points[std::size_t(top - jets.begin())];
         tops.push_back(at);
-        const SpacePoint across = difference(gaps[g].to, gaps[g].from);
-        if (top->value < 0) low.push_back({at, along({}, 1 / length(across), across)});
+        if (!(top->value < 0)) continue;
+        const auto end = [&](const SpacePoint& p) {
+            return ground.is_outside(p) ? Way::End::outside : Way::End::minimum;
+        };
+        straight.push_back(
+            {top->value,
+             {Way{{at, gaps[g].from}, end(gaps[g].from)}, Way{{at, gaps[g].to}, end(gaps[g].to)}}});
     }
     const double size = longest_side(ground.box);
     std::vector<SpacePoint> saddles;
@@ -50,7 +55,7 @@ bool bridge(PassGraph& graph, std::span<const Way> ends, PointField& field, cons
         if (saddle) saddles.push_back(*saddle);
     }
     add(saddles);
-    graph.add(passes(field, ground, low));
+    graph.add(std::move(straight));
     return !gaps.empty();
 }
 
@@ -87,7 +92,7 @@ const TimedFormula& EventPaths::piece_of(double time) const {
     return now == pieces_.end() ? pieces_.back() : *now;
 }
 
-void EventPaths::follow_saddles(int index) {
+void EventPaths::follow_saddles(int index, const std::function<bool()>& stopped) {
     Fields fields;
     const FieldAt field = [&](double time) -> PointField& {
         const TimedFormula& piece = piece_of(time);
@@ -96,7 +101,7 @@ void EventPaths::follow_saddles(int index) {
     SpaceBox box;
     const scene::BoundsAt bounds = pieces_.front().bounds(mid(pieces_.front().clock()));
     for (std::size_t i = 0; i < 3; ++i) box[i] = {bounds.min[int(i)], bounds.max[int(i)]};
-    saddles_[std::size_t(index - 1)] = saddles_at_events(field, events_, index, box);
+    saddles_[std::size_t(index - 1)] = saddles_at_events(field, events_, index, box, stopped);
 }
 
 std::vector<Sides> EventPaths::seek(std::span<const std::size_t> which, const SeekingPaths& how) {
@@ -112,7 +117,7 @@ std::vector<Sides> EventPaths::seek(std::span<const std::size_t> which, const Se
         return SharedLoop{count, how.threads, how.stopped, how.progress};
     };
     share(loop(to_follow.size()),
-          [&] { return [&](std::size_t k) { follow_saddles(to_follow[k]); }; });
+          [&] { return [&](std::size_t k) { follow_saddles(to_follow[k], how.stopped); }; });
     std::vector<Sides> found(which.size(), Sides::unknown);
     share(loop(which.size()), [&] {
         return [&, fields = Fields{}](std::size_t k) mutable {

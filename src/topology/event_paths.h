@@ -40,7 +40,7 @@ private:
     struct Fields;
 
     const TimedFormula& piece_of(double time) const;
-    void follow_saddles(int index);
+    void follow_saddles(int index, const std::function<bool()>& stopped);
     Sides sides(Fields& fields, std::size_t event, int effort) const;
 
     std::span<const TimedFormula> pieces_;

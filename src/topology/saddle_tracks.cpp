@@ -104,7 +104,8 @@ void add_points(std::vector<SpacePoint>& points, std::span<const SpacePoint> mor
 
 std::vector<std::vector<SpacePoint>> saddles_at_events(const FieldAt& field,
                                                        std::span<const Event> events, int index,
-                                                       const SpaceBox& box) {
+                                                       const SpaceBox& box,
+                                                       const std::function<bool()>& stopped) {
     const double size = longest_side(box);
     std::vector<std::vector<SpacePoint>> found(events.size());
     std::vector<std::size_t> which;
@@ -115,6 +116,7 @@ std::vector<std::vector<SpacePoint>> saddles_at_events(const FieldAt& field,
         std::vector<Saddle> saddles;
         double time = 0;
         for (const std::size_t k : which) {
+            if (stopped && stopped()) return found;
             const double now = mid(events[k].time);
             if (!saddles.empty() && now != time) saddles = moved(field, saddles, time, now, size);
             leave_one_of_each(saddles, same * size);

@@ -19,11 +19,12 @@ namespace isomotion::topology {
 // A field whose values are those of a time, -G for index 2: saddles of H are of index 1 for both.
 using FieldAt = std::function<PointField&(double time)>;
 
-// For each event of the index, in order, the saddles with H < 0 then; empty for other events.
-// Points nearer to each other than `same` are one.
+// For each event of the index, in order, the saddles with H < 0 then; empty for other events, and
+// for what is left once `stopped` is true.
 std::vector<std::vector<SpacePoint>> saddles_at_events(const FieldAt& field,
                                                        std::span<const Event> events, int index,
-                                                       const SpaceBox& box);
+                                                       const SpaceBox& box,
+                                                       const std::function<bool()>& stopped = {});
 
 // Those with H < 0 that Newton's method gets to from these points, over `most` at most; empty where
 // it doesn't.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "topology/critical_system.h"
+#include "topology/critical_tracks.h"
 #include "topology/workers.h"
 
 namespace isomotion::topology {
@@ -11,8 +12,7 @@ namespace {
 
 using formula::Interval;
 
-constexpr int seeds_together = 512;
-// From a good seed Newton's method is there sooner.
+// From close by Newton's method is there sooner.
 constexpr int most_steps = 25;
 // Parts of the domain: how far outside of it a way to a root may lead; what a step is at a limit;
 // what two limits of one root differ by at most; and half the side of the box of its proof.
@@ -59,11 +59,11 @@ bool is_inside(const MovingField& field, const Point& x) {
     return true;
 }
 
-// Limits in the domain from the seeds `first` to `last`.
-std::vector<Point> limits(const MovingField& field, Numbers& numbers, int first, int last,
+// Limits in the domain.
+std::vector<Point> limits(const MovingField& field, std::span<const Point> from,
                           std::int64_t& evaluations) {
-    std::vector<Point> on, found;
-    for (int number = first; number < last; ++number) on.push_back(seed(field, number));
+    Numbers numbers(field);
+    std::vector<Point> on(from.begin(), from.end()), found;
     std::vector<Jet<double>> jets;
     for (int k = 0; k < most_steps && !on.empty(); ++k) {
         numbers.jets(on, jets);
@@ -114,49 +114,21 @@ Box about(const MovingField& field, const Point& x) {
 
 } // namespace
 
-// Multiples of the powers of 1/g modulo 1, where g^(n+1) = g + 1: the golden ratio's sequence in n
-// dimensions.
-Point seed(const MovingField& field, int number) {
-    const auto n = std::size_t(field.variables());
-    double g = 1.5;
-    for (int k = 0; k < 60; ++k) g = std::pow(1 + g, 1.0 / (double(n) + 1));
-    Point p{};
-    double power = 1;
-    for (std::size_t k = 0; k < n; ++k) {
-        power /= g;
-        const double at = 0.5 + power * (number + 1);
-        p[k] = field.domain()[k].lo + (at - std::floor(at)) * side(field, k);
-    }
-    return p;
-}
-
 Found from_seeds(const MovingField& field, const Seeding& seeding) {
     Found found;
-    const auto loop = [&](std::size_t count, double from, double to) {
-        SharedLoop turns{count, seeding.threads, seeding.stopped, {}};
-        if (seeding.progress)
-            turns.progress = [&, from, to](double part) {
-                seeding.progress(from + (to - from) * part);
-            };
-        return turns;
-    };
-    const int seeds = seeds_of(field, seeding.seeds);
-    const auto batches = std::size_t((seeds + seeds_together - 1) / seeds_together);
-    std::vector<std::vector<Point>> parts(batches);
-    std::vector<std::int64_t> evaluations(batches, 0);
-    const auto seek = [&] {
-        return [&, numbers = Numbers(field)](std::size_t k) mutable {
-            const int first = int(k) * seeds_together;
-            parts[k] = limits(field, numbers, first, std::min(first + seeds_together, seeds),
-                              evaluations[k]);
-        };
-    };
-    share(loop(batches, 0, 0.7), seek);
-    std::vector<Point> all;
-    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-    for (const std::int64_t number : evaluations) found.work.boxes += number;
-
-    const std::vector<Point> once = distinct(field, std::move(all));
+    Tracking tracking{.seeds = seeds_of(field, seeding.seeds),
+                      .threads = seeding.threads,
+                      .stopped = seeding.stopped,
+                      .progress = {}};
+    SharedLoop proving{.threads = seeding.threads, .stopped = seeding.stopped, .progress = {}};
+    if (seeding.progress) {
+        constexpr double tracks = 0.8;
+        tracking.progress = [&](double part) { seeding.progress(tracks * part); };
+        proving.progress = [&](double part) { seeding.progress(tracks + (1 - tracks) * part); };
+    }
+    const std::vector<Point> near = near_crossings(field, tracking, found.work.boxes);
+    const std::vector<Point> once = distinct(field, limits(field, near, found.work.boxes));
+    proving.count = once.size();
     std::vector<std::optional<CriticalPoint>> points(once.size());
     const auto prove = [&] {
         return
@@ -164,7 +136,7 @@ Found from_seeds(const MovingField& field, const Seeding& seeding) {
                 points[k] = isolate(field, enclosures, numbers, about(field, once[k]));
             };
     };
-    share(loop(once.size(), 0.7, 1), prove);
+    share(proving, prove);
     for (std::size_t k = 0; k < once.size(); ++k) {
         if (points[k]) {
             found.points.push_back(*points[k]);

@@ -1,7 +1,5 @@
-// Critical points of a moving surface by Newton's method from seeds: most of them, soon.
-//
-// The seeds are the first of a low-discrepancy sequence in the domain (Roberts 2018), so always the
-// same. Each limit is then proved (isolate); that there are no others is not.
+// Critical points of a moving surface by Newton's method from near where tracks say that they are:
+// most of them, soon. Each limit is then proved (isolate); that there are no others is not.
 #pragma once
 
 #include <functional>
@@ -9,8 +7,6 @@
 #include "topology/search.h"
 
 namespace isomotion::topology {
-
-Point seed(const MovingField& field, int number);
 
 struct Seeding {
     int seeds = 1 << 16; // of a stratum with all coordinates free; fewer where there are fewer

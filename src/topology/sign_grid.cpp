@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <utility>
+
+#include "formula/clones.h"
 
 namespace isomotion::topology {
 namespace {
@@ -13,7 +16,7 @@ using Word = SignGrid::Word;
 // over a complex on the seven vertices v + {0, 1}^3: over a hexagon of six (the order of inclusion
 // of its coordinates), itself coned from v + (1, 1, 1). So v adds 1 - chi of what the solid has of
 // that: 0 where (1, 1, 1) is there, else 1 - vertices + edges of the hexagon.
-std::int64_t euler(const SignGrid& solid) {
+ISOMOTION_CLONES("popcnt") std::int64_t euler(const SignGrid& solid) {
     const int side = solid.side();
     const std::vector<Word> none(solid.row(0, 0).size());
     const auto row = [&](int y, int z) -> std::span<const Word> {
@@ -50,12 +53,15 @@ public:
         ++sets_;
         return parent_.back();
     }
-    void unite(int a, int b) {
+    // The set that both are then in.
+    int unite(int a, int b) {
         a = root(a);
         b = root(b);
-        if (a == b) return;
-        (a < b ? parent_[std::size_t(b)] : parent_[std::size_t(a)]) = a < b ? a : b;
+        if (a == b) return a;
+        if (b < a) std::swap(a, b);
+        parent_[std::size_t(b)] = a;
         --sets_;
+        return a;
     }
     int sets() const { return sets_; }
 
@@ -104,10 +110,12 @@ template<class Emit> void each_run(std::span<const Word> row, int side, Part par
 
 // Of two rows, the upper one before the lower in y, in z or in both: a vertex has two neighbours
 // there, at its own x and the one after.
-void unite_rows(std::span<const Run> lower, std::span<const Run> upper, DisjointSets& sets) {
+void unite_rows(std::span<const Run> lower, std::span<Run> upper, DisjointSets& sets) {
     for (std::size_t i = 0, j = 0; i < lower.size() && j < upper.size();) {
-        const Run &a = lower[i], &b = upper[j];
-        if (b.first <= a.last + 1 && b.last >= a.first) sets.unite(a.set, b.set);
+        const Run& a = lower[i];
+        Run& b = upper[j];
+        if (b.first <= a.last + 1 && b.last >= a.first && a.set != b.set)
+            b.set = sets.unite(a.set, b.set);
         a.last < b.last ? ++i : ++j;
     }
 }

@@ -1,19 +1,20 @@
 #!/usr/bin/env python3
 """Times isomotion's methods beside POV-Ray (isosurface) and jsurf-alggeo on the same pictures.
 
-    tests/bench/peers.py -o FOLDER [--size 512] [--repeat 5] [--methods a,b] [NAME...]
+    tests/bench/peers.py -o FOLDER [--size 512] [--repeat 5] [--methods a,b] [--pictures] [NAME...]
 
 The objects are examples of jsurf-alggeo, with its camera and its clipping ball, and the body of 75
-blobs (POV-Ray only). What is not installed is left out, and says so. Writes peers.csv and peers.md.
+blobs (POV-Ray only). What is not installed is left out, and says so. Writes peers.csv, peers.md
+and, where gnuplot is, peers.svg; with --pictures what each program drew.
 
 Whole processes are timed, all programs in turn, round by round; a frame is what a program reports
 of its drawing alone (isomotion: the median of `isomotion accuracy`, POV-Ray: its trace time).
 
-isomotion draws with each method at the largest of some steps at which truth finds the fewest wrong
-pixels. POV-Ray misses parts where max_gradient is too small and slows down where it is large: it is
+isomotion draws with each method; with those that take steps, at the largest of some at which truth
+finds the fewest wrong pixels. POV-Ray misses parts where max_gradient is too small and slows down where it is large: it is
 doubled from 1 until, at 128 x 128, no pixel off a silhouette differs from the rightest picture of
-isomotion; if that does not happen by 2^36 or before a picture takes 15 s, the value with the fewest such pixels is taken. The table tells how
-many differ at full size.
+isomotion; if that does not happen by 2^36 or before a picture takes 30 s of all processors, the
+value with the fewest such pixels is taken. The table tells how many differ at full size.
 """
 import argparse
 import csv
@@ -36,10 +37,13 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 NAMES = ["record_cayleycubic", "record_kummerquartic", "record_barthsextic", "record_labsseptic",
          "record_endrass", "record_chmutovoktic", "blobby75"]
 PEERS = {"povray": "povray", "jsurf-alggeo": "jsurf-alggeo default-jre-headless"}
-HALVINGS = 7            # of isomotion's step, at most
+STEPPING = ["marching", "amp-sign", "amp-taylor"]
+HALVINGS = 7            # of their step, at most
 DOUBLINGS = 36          # of POV-Ray's max_gradient, at most
 SEARCH_SIZE = 128
 PATIENCE = 600          # seconds that a picture may take
+SEARCH_PATIENCE = 30    # and, of all processors, one of the search
+WORKED = re.compile(r"with ([\d.]+) CPU-seconds total")
 
 
 @dataclasses.dataclass
@@ -134,7 +138,7 @@ class Entry:
 
 def ours(object, method, arguments, folder, scene):
     """The method at the largest step with the fewest wrong pixels, and its frame."""
-    steps = [object.step / 2**k for k in range(HALVINGS)]
+    steps = [object.step / 2**k for k in range(HALVINGS if method in STEPPING else 1)]
     report = folder / f"{object.name}-{method}"
     took, text = seconds([arguments.isomotion, "accuracy", scene, "--size",
                           f"{arguments.size}x{arguments.size}", "--methods", method, "--steps",
@@ -147,7 +151,8 @@ def ours(object, method, arguments, folder, scene):
     best = min(rows, key=lambda row: (float(row["wrong_ppm"]), -float(row["step"])))
     command = [arguments.isomotion, "render", scene, "--size", f"{arguments.size}x{arguments.size}",
                "--method", method, "--step", best["step"], "--quiet", "-o", picture]
-    return Entry("isomotion", f"{method}, step {float(best['step']):.3g}", command, picture,
+    step = f", step {float(best['step']):.3g}" if method in STEPPING else ""
+    return Entry("isomotion", method + step, command, picture,
                  float(best["ms"]), float(best["wrong_ppm"]))
 
 
@@ -171,7 +176,9 @@ def max_gradient(object, rightest, folder):
         differ, lonely = differences(right, hits(drawn))
         if best is None or (lonely, differ) < best[:2]:
             best = (lonely, differ, 2.0**doubling)
-        if lonely == 0 or took > PATIENCE / 40:
+        # Of the processor: what else the machine does must not end the search.
+        work = sum(map(float, WORKED.findall(text)))
+        if lonely == 0 or work > SEARCH_PATIENCE:
             break
     return best[2]
 
@@ -265,6 +272,42 @@ def markdown(rows, arguments, missing):
     return "\n".join(lines)
 
 
+# Told apart by shape too, and in every kind of colour blindness (Okabe & Ito).
+COLOURS = ["#0072b2", "#000000", "#56b4e9", "#d55e00", "#009e73", "#cc79a7", "#e69f00"]
+MARKS = [5, 7, 9, 11, 13, 15, 4]
+
+
+def plot(rows, file):
+    """Time of a whole process and, lighter, of its frame alone, object by object."""
+    names = list(dict.fromkeys(row["object"] for row in rows))
+    programs = list(dict.fromkeys(program_of(row) for row in rows))
+    blocks, curves = [], []
+    for k, program in enumerate(programs):
+        style = f"pt {MARKS[k % len(MARKS)]} lc rgb"
+        colour, title = COLOURS[k % len(COLOURS)], f"title '{program}'"
+        for column, scale, drawn in (("process_s", 1, f"ps 1 {style} '{colour}' {title}"),
+                                     ("frame_ms", 1e-3, f"ps 0.6 {style} '#90{colour[1:]}' notitle")):
+            points = [(names.index(row["object"]) + 0.12 * (k - len(programs) / 2),
+                       scale * float(row[column]))
+                      for row in rows if program_of(row) == program and row[column]]
+            if not points:
+                continue
+            block = f"$block{len(blocks)}"
+            blocks.append(f"{block} << E\n" + "".join(f"{x} {y}\n" for x, y in points) + "E\n")
+            curves.append(f"{block} with points {drawn}")
+    tics = ", ".join(f"'{name.removeprefix('record_')}' {k}" for k, name in enumerate(names))
+    script = (f"set terminal svg size 900,420 dynamic noenhanced background '#ffffff'\n"
+              f"set output '{file}'\nset grid y lc rgb '#dddddd'\nset key outside right\n"
+              f"set logscale y\nset format y '%g'\nset ylabel 'seconds: process, and (small) frame'\n"
+              f"set xrange [-0.7:{len(names) - 0.3}]\nset xtics ({tics}) rotate by -20\n"
+              + "".join(blocks) + "plot " + ", ".join(curves) + "\n")
+    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+
+
+def program_of(row):
+    return (row["setting"].split(",")[0] if row["program"] == "isomotion" else row["program"])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("names", nargs="*", default=NAMES)
@@ -272,6 +315,7 @@ def main():
     parser.add_argument("--size", type=int, default=512)
     parser.add_argument("--repeat", type=int, default=5)
     parser.add_argument("--methods", help="a,b (default: all)")
+    parser.add_argument("--pictures", action="store_true", help="keep what each program drew")
     parser.add_argument("--isomotion", default=str(ROOT / "build/release/isomotion"))
     arguments = parser.parse_args()
     listed = arguments.methods.split(",") if arguments.methods else methods_of(arguments.isomotion)
@@ -295,6 +339,14 @@ def main():
                 writer.writeheader()
                 writer.writerows(rows)
             (arguments.output / "peers.md").write_text(markdown(rows, arguments, missing))
+        if arguments.pictures:
+            for picture in pathlib.Path(folder).glob("*.png"):
+                shutil.copy(picture, arguments.output)
+    if shutil.which("gnuplot"):
+        plot(rows, arguments.output / "peers.svg")
+    else:
+        print("gnuplot is not installed, so nothing is plotted: apt-get install gnuplot-nox",
+              file=sys.stderr)
     print(arguments.output / "peers.md")
 
 

@@ -14,7 +14,9 @@ namespace {
 // What beams take away. They may add: cubics step over small blobs where they begin far off.
 struct Difference {
     int hits = 0, lost = 0;
-    double behind = 0; // the most, as a part of the bounds' radius
+    // The most, along the surface's normal, as a part of the bounds' radius: how far off a rounding
+    // of F is along a ray that grazes the surface is the ray's doing.
+    double behind = 0;
 };
 
 class Lists : public Drawing {
@@ -43,8 +45,14 @@ protected:
             result.lost += a[k] != b[k];
             if (a[k] != b[k]) continue;
             ++result.hits;
+            const glm::dvec3 place(channel(plain, "P.X")[k], channel(plain, "P.Y")[k],
+                                   channel(plain, "P.Z")[k]);
+            const glm::dvec3 normal(channel(plain, "N.X")[k], channel(plain, "N.Y")[k],
+                                    channel(plain, "N.Z")[k]);
+            const double cosine =
+                std::abs(glm::dot(normal, glm::normalize(place - now.camera.position)));
             const double behind = channel(beams, "Z")[k] - channel(plain, "Z")[k];
-            result.behind = std::max(result.behind, behind / radius);
+            result.behind = std::max(result.behind, cosine * behind / radius);
         }
         return result;
     }

@@ -2,9 +2,9 @@
 //
 //   methods -o FOLDER [--only SURFACE,...] [--methods a,b] [--size N] [--repeat N] [--frames R] ...
 //
-// writes methods.csv, growth.csv, methods.md and plots to FOLDER. --only '' leaves the surfaces
-// out,
-// --frames '' the animation, --sizes '' and --blobs '' the growth.
+// writes methods.csv, coherence.csv, growth.csv, methods.md and plots to FOLDER. --only '' leaves
+// the surfaces out, --frames '' the animation, --moving '' the coherence, --sizes '' and --blobs ''
+// the growth.
 
 #include <algorithm>
 #include <filesystem>
@@ -29,6 +29,8 @@ struct Arguments {
     std::string folder, backend = "auto", frames = "1-120x12", methods, only = "all";
     std::string sizes = "128,256,512,1024,2048", growing = "barth_sextic,blinn_blobby";
     std::string blobs = "75,150,300,1000,5000";
+    std::string moving = "blobby75,twisting_superquadric,barth_sextic,chmutov_14";
+    std::string moving_frames = "25-97x24";
     int size = 512, repeat = 5, blob_size = 128, most_halvings = 6;
 };
 
@@ -74,6 +76,7 @@ Progress certifying(const std::string& name) {
 
 void write(const Results& results, const std::filesystem::path& folder) {
     std::ofstream(folder / "methods.csv") << contests_csv(results);
+    std::ofstream(folder / "coherence.csv") << coherence_csv(results);
     std::ofstream(folder / "growth.csv") << growth_csv(results);
     std::ofstream(folder / "methods.md") << markdown(results);
 }
@@ -87,8 +90,15 @@ void run(const Arguments& arguments) {
     const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
     std::filesystem::create_directories(arguments.folder);
 
-    Results results{machine(context->info()), today(), 0,  arguments.repeat,
-                    arguments.most_halvings,  {},      {}, {}};
+    Results results{machine(context->info()),
+                    today(),
+                    0,
+                    arguments.repeat,
+                    arguments.most_halvings,
+                    {},
+                    {},
+                    {},
+                    {}};
     tell("peak");
     results.peak = peak_operations(*context);
     const auto held = [&](Subject subject) {
@@ -103,6 +113,13 @@ void run(const Arguments& arguments) {
     if (!arguments.frames.empty()) {
         results.animations.push_back(
             held(animation("blobby75", animation::parse_frame_range(arguments.frames))));
+        write(results, arguments.folder);
+    }
+    for (const std::string& name : listed(arguments.moving)) {
+        const auto frames = animation::parse_frame_range(arguments.moving_frames);
+        const Certified on =
+            certified(animation(name, frames), arguments.size, cache, certifying(name));
+        results.coherence.push_back(coherence(*context, on, arguments.repeat));
         write(results, arguments.folder);
     }
     results.growth =
@@ -134,6 +151,8 @@ int main(int argc, char** argv) {
     app.add_option("--frames", arguments.frames, "of blobby75 ('' for none)");
     app.add_option("--halvings", arguments.most_halvings, "of the sign test's step, at most")
         ->check(CLI::Range(0, 12));
+    app.add_option("--moving", arguments.moving, "animations of which the coherence is measured");
+    app.add_option("--moving-frames", arguments.moving_frames, "of these");
     app.add_option("--sizes", arguments.sizes, "of the growth with resolution ('' for none)");
     app.add_option("--growing", arguments.growing, "surfaces of which that is measured");
     app.add_option("--blobs", arguments.blobs, "numbers of blobs ('' for none)");

@@ -139,6 +139,27 @@ std::string growth_table(const std::vector<Growth>& growth, const std::string& k
     return text;
 }
 
+std::string coherence_table(const std::vector<Coherence>& all) {
+    if (all.empty()) return "";
+    std::string text = fmt::format(
+        "\n## Coherence from frame to frame, {0}x{0}\n\n"
+        "`hermite`, by what a frame is told of where its rays begin. Nothing is proved of what it "
+        "is\ntold: that would take time beside this, so gains are more than a sound scheme can "
+        "have.\n\n"
+        "| subject | frames | known | ms | +- | gain | evaluations a ray | wrong ppm |\n"
+        "|---|--:|---|--:|--:|--:|--:|--:|\n",
+        all.front().size);
+    for (const Coherence& subject : all) {
+        for (const Carried& row : subject.rows) {
+            text += fmt::format("| {} | {} | {} | {:.2f} | {:.0f}% | {:.2f} | {:.1f} | {:.1f} |\n",
+                                subject.subject, subject.frames, name(row.known), row.timing.ms,
+                                100 * row.timing.spread, row.gain, row.count.evaluations_a_ray(),
+                                row.count.errors.wrong_ppm());
+        }
+    }
+    return text;
+}
+
 } // namespace
 
 std::string contests_csv(const Results& results) {
@@ -189,6 +210,21 @@ std::string growth_csv(const Results& results) {
     return text;
 }
 
+std::string coherence_csv(const Results& results) {
+    std::string text = "subject,size,frames,known,ms,spread,gain,evaluations_per_ray,wrong_ppm,"
+                       "machine,date\n";
+    for (const Coherence& subject : results.coherence) {
+        for (const Carried& row : subject.rows) {
+            text += fmt::format(
+                "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.3f},{:.3f},{},{}\n", subject.subject,
+                subject.size, subject.frames, in_quotes(name(row.known)), row.timing.ms,
+                row.timing.spread, row.gain, row.count.evaluations_a_ray(),
+                row.count.errors.wrong_ppm(), in_quotes(results.machine), results.date);
+        }
+    }
+    return text;
+}
+
 std::string markdown(const Results& results) {
     std::string text = fmt::format(
         "# Methods against each other\n\n"
@@ -221,7 +257,7 @@ std::string markdown(const Results& results) {
         section(fmt::format("Animation, mean of {} frames", results.animations.front().frames),
                 results.animations, false);
     }
-    return text + growth_table(results.growth, "resolution") +
+    return text + coherence_table(results.coherence) + growth_table(results.growth, "resolution") +
            growth_table(results.growth, "blobs");
 }
 

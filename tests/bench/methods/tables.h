@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/coherence.h"
 #include "methods/contest.h"
 #include "methods/growth.h"
 
@@ -16,10 +17,12 @@ struct Results {
     int most_halvings = 0; // of the sign test's step
     std::vector<Contest> surfaces, animations;
     std::vector<Growth> growth;
+    std::vector<Coherence> coherence;
 };
 
 std::string contests_csv(const Results& results);
 std::string growth_csv(const Results& results);
+std::string coherence_csv(const Results& results);
 std::string markdown(const Results& results);
 
 } // namespace isomotion::bench

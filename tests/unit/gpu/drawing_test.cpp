@@ -42,6 +42,30 @@ TEST_P(DrawingTest, AttachmentsKeepFloatsExactly) {
     EXPECT_EQ(b[3], 0.1f);
 }
 
+// Beside each other in one target, as what is counted of a pixel is beside its colour.
+TEST_P(DrawingTest, AttachmentsOfSeveralFormats) {
+    const Program program = fullscreen_program(
+        "layout(location = 0) out vec4 a; layout(location = 1) out uvec2 b;"
+        "layout(location = 2) out uint c; layout(location = 3) out float d;",
+        "a = vec4(0.1); b = uvec2(4294967295u, gl_FragCoord.x); c = 16777217u; d = 0.3;");
+    const std::array formats{Format::rgba32f, Format::rg32ui, Format::r32ui, Format::r32f};
+    const Target target(3, 2, formats);
+    target.bind();
+    program.use();
+    Fullscreen().draw();
+    std::array<std::uint32_t, 2 * 2> b{};
+    target.read(1, 1, 1, 2, 1, b);
+    EXPECT_EQ(b, (std::array<std::uint32_t, 4>{4294967295u, 1, 4294967295u, 2}));
+    std::array<std::uint32_t, 6> c{};
+    target.read(2, 0, 0, 3, 2, c);
+    for (const std::uint32_t whole : c) EXPECT_EQ(whole, 16777217u); // no float
+    EXPECT_EQ(target.read(0, 2, 1, 1, 1), std::vector<float>(4, 0.1f));
+    EXPECT_EQ(target.read(3, 0, 0, 3, 2), std::vector<float>(6, 0.3f));
+    std::array<float, 6> floats{};
+    EXPECT_THROW(target.read(2, 0, 0, 3, 2, floats), std::invalid_argument);
+    EXPECT_THROW(target.read(3, 0, 0, 3, 2, c), std::invalid_argument);
+}
+
 TEST_P(DrawingTest, ReadsARectangleFromTheLowerLeft) {
     const Program program =
         fullscreen_program("out vec4 color;", "color = vec4(floor(gl_FragCoord.xy), 0.0, 1.0);");

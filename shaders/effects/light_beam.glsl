@@ -1,0 +1,45 @@
+// Shadow rays by beams of the light's own: each light far away that casts shadows has a picture of
+// the bounds, whose blocks tell where its rays may first meet the surface (march/beam.frag). A ray
+// comes from there, with the light, to the place that it may fall on: what is hidden is so by what
+// the ray meets first, and what is lit has little of it left.
+//
+// The pictures lie one above the other in the texture.
+uniform sampler2D light_beam_texture;
+#ifdef LISTS
+uniform sampler2D light_lists_texture;
+#endif
+// Of each light: across its picture and up, in pixels from the middle; w of the first, half of the
+// pixels. Depth tau; w, its unit. The place that has none of these; w, what rounding may add to a
+// depth.
+uniform vec4 light_views[4 * LIGHTS];
+
+// Turns the ray from `place` to light k round.
+void come_from_light(inout Ray ray, int k) {
+    vec4 right = light_views[4 * k], up = light_views[4 * k + 1];
+    vec4 depth = light_views[4 * k + 2], origin = light_views[4 * k + 3];
+    vec3 place = ray.anchor - origin.xyz;
+    vec2 at = vec2(dot(right.xyz, place), dot(up.xyz, place)) + right.w;
+    ivec2 pixel = clamp(ivec2(floor(at)), ivec2(0), ivec2(2.0 * right.w) - 1);
+    pixel.y += k * int(2.0 * right.w);
+    ivec2 texel = beam_texel(pixel / BLOCK, SQUARE_BITS);
+    vec4 part = texelFetch(light_beam_texture, texel, 0);
+    float here = dot(depth.xyz, place);
+    vec3 t = (part.xyz - here) * depth.w + vec3(-origin.w, origin.w, -origin.w);
+    ray = Ray(ray.anchor, -ray.direction, -ray.t_far, -ray.t_near, 0.0);
+    ray.t_near = max(ray.t_near, t.x);
+    ray.t_far = part.x < part.y ? min(ray.t_far, t.y) : ray.t_near - 1.0;
+#ifdef LISTS
+    beam_lists = texelFetch(light_lists_texture, texel, 0);
+    front_end = t.z;
+    enter_list(beam_lists.zw);
+#endif
+}
+
+// As it is, to another light: through all elements.
+void come_to_light() {
+#ifdef LISTS
+    float all = float(array_counts[0].x);
+    beam_lists = vec4(all, 0.0, all, 0.0);
+    enter_list(beam_lists.zw);
+#endif
+}
