@@ -5,6 +5,7 @@
 #include <list>
 #include <numeric>
 
+#include "gpu/error.h"
 #include "player/window.h"
 #include "render/exposure.h"
 #include "render/renderer.h"
@@ -37,10 +38,14 @@ public:
         : thread_(thread)
         , context_(context) {}
 
-    void forget() { renderers_.clear(); }
+    void forget_renderers() { renderers_.clear(); }
+    void forget_shaders() {
+        renderers_.clear();
+        broken_.reset();
+    }
 
-    void draw(const Request& request) {
-        const auto begin = Clock::now();
+    void draw(const Request& request, Clock::time_point begin) {
+        begin_ = begin;
         Shown shown = blank(request);
         render::Exposure exposure, other_exposure;
         for (std::size_t k = 0; k < request.samples.size(); ++k) {
@@ -68,6 +73,7 @@ private:
         scene::Isolation isolation;
         std::vector<synthesis::Channel> channels;
         std::unique_ptr<render::Renderer> renderer;
+        std::string error = {}; // instead of a renderer
 
         bool serves(const Request& request, const scene::Isolation& wanted,
                     const std::vector<synthesis::Channel>& layers) const {
@@ -93,9 +99,10 @@ private:
         render::Renderer& renderer = renderer_for(request, isolation, shown);
         renderer.adjust(isolation);
         renderer.resize(request.width, request.height);
-        dropped_ = [this, &request] { return thread_.superseded(request); };
+        dropped_ = [this, &request] { return thread_.superseded(request, begin_); };
         render::Picture drawn = renderer.draw(*sample.now, sample.aim);
         dropped_ = {};
+        if (drawn.compiled) shown.compiled = true;
         last_ = tally_of(drawn);
         return drawn;
     }
@@ -110,12 +117,25 @@ private:
             renderers_.splice(renderers_.begin(), renderers_, found);
             return *found->renderer;
         }
+        // It would fail again at every frame.
+        if (broken_ && broken_->serves(request, isolation, channels)) {
+            throw std::runtime_error(broken_->error);
+        }
         // Those of a scene that is no longer shown are of no use to it.
         renderers_.remove_if([&](const Kept& kept) { return kept.scene != request.scene; });
         while (renderers_.size() >= most_renderers) renderers_.pop_back();
         shown.compiled = true;
         thread_.say_compiling(true);
-        renderers_.push_front({request.scene, isolation, channels, compile(request, isolation)});
+        try {
+            renderers_.push_front(
+                {request.scene, isolation, channels, compile(request, isolation)});
+        } catch (const gpu::CompileError& error) {
+            broken_ = {request.scene, isolation, channels, nullptr, error.what()};
+            throw;
+        } catch (const std::length_error& error) {
+            broken_ = {request.scene, isolation, channels, nullptr, error.what()};
+            throw;
+        }
         // Drivers translate at the first draw.
         render::Renderer& renderer = *renderers_.front().renderer;
         renderer.resize(16, 16);
@@ -156,7 +176,9 @@ private:
 
     DrawThread& thread_;
     gpu::Context& context_;
-    std::list<Kept> renderers_; // the one used last first
+    std::list<Kept> renderers_;  // the one used last first
+    std::optional<Kept> broken_; // did not compile
+    Clock::time_point begin_;    // of the request
     std::function<bool()> dropped_;
     Tally last_;
 };
@@ -197,9 +219,9 @@ void DrawThread::forget_shaders() {
     forget_ = true;
 }
 
-bool DrawThread::busy() const {
+std::optional<GivenUp> DrawThread::take_given_up() {
     const std::lock_guard lock(mutex_);
-    return drawing_ || request_;
+    return std::exchange(given_up_, std::nullopt);
 }
 
 std::optional<Clock::time_point> DrawThread::compiling_since() const {
@@ -207,9 +229,20 @@ std::optional<Clock::time_point> DrawThread::compiling_since() const {
     return compiling_;
 }
 
-bool DrawThread::superseded(const Request& request) const {
+bool DrawThread::superseded(const Request& request, Time begin) const {
     const std::lock_guard lock(mutex_);
-    return ending_ || (request.may_be_dropped && request_);
+    if (ending_) return true;
+    return request_ && (request.may_be_dropped || Clock::now() - begin > patience_);
+}
+
+void DrawThread::give_up(const Request& request, Time begin) {
+    if (request.may_be_dropped) return;
+    {
+        const std::lock_guard lock(mutex_);
+        patience_ *= 2;
+        given_up_ = GivenUp{request.number, request.scale, Clock::now() - begin};
+    }
+    Window::wake();
 }
 
 void DrawThread::say_compiling(bool compiling) {
@@ -223,6 +256,7 @@ void DrawThread::say_compiling(bool compiling) {
 void DrawThread::give(Shown shown) {
     {
         const std::lock_guard lock(mutex_);
+        if (shown.samples == shown.asked) patience_ = least_patience;
         shown_ = std::move(shown);
         failure_.reset();
     }
@@ -249,21 +283,21 @@ void DrawThread::run() {
         Work work(*this, context_);
         for (;;) {
             std::unique_lock lock(mutex_);
-            drawing_ = false;
             wanted_.wait(lock, [&] { return ending_ || request_; });
             if (ending_) break;
             const Request request = *std::exchange(request_, std::nullopt);
-            drawing_ = true;
             const bool forget = std::exchange(forget_, false);
             lock.unlock();
+            const auto begin = Clock::now();
             try {
-                if (forget) work.forget();
-                work.draw(request);
+                if (forget) work.forget_shaders();
+                work.draw(request, begin);
             } catch (const render::Stopped&) {
+                give_up(request, begin);
             } catch (const std::bad_alloc&) {
                 fail(request, "out of memory: the picture is too large for this machine");
             } catch (const std::exception& error) {
-                work.forget();
+                work.forget_renderers();
                 fail(request, error.what());
             }
         }

@@ -43,7 +43,7 @@ struct Request {
     std::int64_t frame = 1;
     // At least one; means are shown after the first and then as their number doubles.
     std::vector<Sample> samples;
-    // Given up for a newer request; what moves is finished, or nothing would ever be seen.
+    // Given up for a newer request at once; what moves only when it takes too long.
     bool may_be_dropped = false;
 };
 
@@ -73,6 +73,13 @@ struct Shown {
     bool compiled = false; // for this picture: its time says nothing of the next one's
 };
 
+// A picture of what moves that was given up: it would have taken longer than this.
+struct GivenUp {
+    std::uint64_t number = 0;
+    double scale = 1;
+    std::chrono::duration<double> took{};
+};
+
 // Why there is no picture.
 struct Failure {
     std::uint64_t number = 0;
@@ -83,27 +90,29 @@ class DrawThread {
 public:
     // Draws in `context`, which is current nowhere and outlives the thread.
     explicit DrawThread(gpu::Context& context);
-    ~DrawThread(); // waits for the tile being drawn
+    ~DrawThread(); // waits for the pass being drawn
     DrawThread(const DrawThread&) = delete;
     DrawThread& operator=(const DrawThread&) = delete;
 
     void draw(Request request);
     std::optional<Shown> take_shown();
     std::optional<Failure> take_failure();
+    std::optional<GivenUp> take_given_up();
     // Shader files have changed: the next request compiles anew.
     void forget_shaders();
 
-    // Whether a request is unfinished, and since when a shader is compiled for it.
-    bool busy() const;
+    // Since when a shader is compiled.
     std::optional<std::chrono::steady_clock::time_point> compiling_since() const;
 
 private:
     class Work; // the thread's own: renderers
 
     void run();
-    // Asked between tiles.
-    bool superseded(const Request& request) const;
+    using Time = std::chrono::steady_clock::time_point;
+    // Asked between tiles and passes.
+    bool superseded(const Request& request, Time begin) const;
     void give(Shown shown);
+    void give_up(const Request& request, Time begin);
     void fail(const Request& request, const std::string& text);
     void say_compiling(bool compiling);
 
@@ -113,8 +122,13 @@ private:
     std::optional<Request> request_;
     std::optional<Shown> shown_;
     std::optional<Failure> failure_;
+    std::optional<GivenUp> given_up_;
     std::optional<std::chrono::steady_clock::time_point> compiling_;
-    bool drawing_ = false, ending_ = false, forget_ = false;
+    bool ending_ = false, forget_ = false;
+    // What moves may take so long while a newer request waits. It doubles with each picture given
+    // up in a row, so that one is finished in the end, however long each takes.
+    std::chrono::duration<double> patience_ = least_patience;
+    static constexpr std::chrono::duration<double> least_patience{0.5};
     std::thread thread_; // last: it uses all of the above
 };
 

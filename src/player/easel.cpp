@@ -23,9 +23,11 @@ glm::ivec2 fitted_size(glm::ivec2 area, double aspect) {
 void Easel::begin_scene() {
     pacing_ = {};
     subject_.reset();
+    begin_ = number_ + 1;
 }
 
 void Easel::post(const Session& session, double scale, int samples, bool may_be_dropped) {
+    came_ = false;
     Request request;
     request.number = ++number_;
     request.scene = session.shared_scene();
@@ -48,11 +50,11 @@ void Easel::post(const Session& session, double scale, int samples, bool may_be_
         request.samples.push_back({now, sample.aim});
     }
     thread_.draw(std::move(request));
-    came_ = false;
 }
 
 void Easel::ask(Session& session, std::int64_t frame, glm::ivec2 size, double now,
                 bool hand_rests) {
+    hand_rests_ = hand_rests;
     const Subject wanted{session.revision(), frame, size};
     if (subject_ != wanted) {
         session.set_size(size);
@@ -69,14 +71,20 @@ void Easel::ask(Session& session, std::int64_t frame, glm::ivec2 size, double no
 }
 
 void Easel::learn(const Shown& shown) {
+    if (shown.number < begin_) return; // another scene's
     if (!shown.compiled && shown.asked == 1) {
         pacing_ = paced(pacing_, {shown.scale, 1e3 * shown.took.count()}, rate);
     }
     if (shown.number == number_ && shown.samples == shown.asked) came_ = true;
 }
 
+void Easel::learn(const GivenUp& picture) {
+    if (picture.number < begin_) return;
+    pacing_ = paced(pacing_, {picture.scale, 1e3 * picture.took.count()}, rate);
+}
+
 std::optional<double> Easel::next_change() const {
-    if (!subject_ || whole_ || !came_) return std::nullopt;
+    if (!subject_ || whole_ || !came_ || !hand_rests_) return std::nullopt;
     return changed_ + rests_after;
 }
 

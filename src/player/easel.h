@@ -29,14 +29,16 @@ public:
     // moment, whole. `hand_rests`: no mouse button is held that changes it.
     // Throws scene::SceneError where a value leaves its range at this frame.
     void ask(Session& session, std::int64_t frame, glm::ivec2 size, double now, bool hand_rests);
-    // A picture came.
+    // A picture came, or was given up.
     void learn(const Shown& shown);
-    // When ask() is to be called again though nothing has happened; in seconds of `now`.
+    void learn(const GivenUp& picture);
+    // When ask() is to be called again though nothing has happened, in seconds of `now`: never
+    // where it would ask for nothing.
     std::optional<double> next_change() const;
 
     // Whether the last picture asked for is whole and has come.
     bool at_rest() const { return whole_ && came_; }
-    double scale() const { return pacing_.scale(); }
+    std::uint64_t number() const { return number_; } // of the last request, also one that failed
 
     static constexpr double rate = 30;
 
@@ -54,7 +56,8 @@ private:
     Pacing pacing_;
     std::optional<Subject> subject_;
     std::uint64_t number_ = 0; // of the last request
-    bool whole_ = false, came_ = false;
+    std::uint64_t begin_ = 1;  // of the first one of this scene
+    bool whole_ = false, came_ = false, hand_rests_ = true;
     double changed_ = 0;
 };
 

@@ -13,7 +13,11 @@
 namespace isomotion::player {
 
 std::string ExportSection::stem(const scene::Scene& scene) const {
-    return (folder_ / scene.file.stem()).string();
+    return (folder_ / stem_of_frames(scene.file.stem().string())).string();
+}
+
+ExportSection::~ExportSection() {
+    if (process_) process_->cancel(std::chrono::seconds(1));
 }
 
 void ExportSection::start(const LiveScene& live, int first, int last, glm::ivec2 size,
@@ -46,8 +50,8 @@ void ExportSection::save_picture(const LiveScene& scene, std::int64_t frame, glm
     start(scene, int(frame), int(frame), size, scene.session.samples());
 }
 
-void ExportSection::attend() {
-    if (!process_ || !process_->ended()) return;
+std::optional<std::string> ExportSection::attend() {
+    if (!process_ || !process_->ended()) return std::nullopt;
     const RenderOrder& order = process_->order();
     told_ = process_->error();
     failed_ = !told_.empty();
@@ -57,13 +61,15 @@ void ExportSection::attend() {
         if (!order.movie.empty()) told_ += "\n" + order.movie;
     }
     process_.reset();
+    return failed_ ? std::optional(told_) : std::nullopt;
 }
 
 void ExportSection::show(const LiveScene& live, std::int64_t frame, glm::ivec2 size) {
     if (!heading("Export")) return;
     const scene::Scene& scene = live.session.scene();
     const int last = scene.timeline.frames;
-    if (range_[0] < 1 || range_[1] > last) range_ = {1, last};
+    if (scene.file != range_of_ || range_[0] < 1 || range_[1] > last) range_ = {1, last};
+    range_of_ = scene.file;
     const scene::Output& output = scene.output;
     const std::string own = fmt::format("{} x {}", output.width, output.height);
     const std::string here = fmt::format("{} x {}, as shown", size.x, size.y);
@@ -92,7 +98,7 @@ void ExportSection::show(const LiveScene& live, std::int64_t frame, glm::ivec2 s
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
     if (ImGui::Button("save picture", {width, 0})) save_picture(live, frame, size);
     if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("frame %lld, as shown, to %s.####.png (F12)",
+        ImGui::SetTooltip("frame %lld, shaded, in the size shown, to %s.####.png (F12)",
                           static_cast<long long>(frame), stem(scene).c_str());
     }
     ImGui::SameLine(0, gap);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -10,6 +10,7 @@
 #include "image/decode.h"
 #include "image/file.h"
 #include "player/landmarks.h"
+#include "player/memory.h"
 #include "player/theme.h"
 #include "player/views.h"
 #include "player/watch.h"
@@ -23,20 +24,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int picture_side = 192;
-
-// $XDG_CACHE_HOME/isomotion/thumbnails; empty without a home.
-fs::path cache_folder() {
-    const auto absolute = [](const char* name) -> fs::path {
-        const char* value = std::getenv(name);
-        const fs::path path = value ? value : "";
-        return path.is_absolute() ? path : fs::path();
-    };
-    if (const fs::path cache = absolute("XDG_CACHE_HOME"); !cache.empty()) {
-        return cache / "isomotion" / "thumbnails";
-    }
-    const fs::path home = absolute("HOME");
-    return home.empty() ? fs::path() : home / ".cache" / "isomotion" / "thumbnails";
-}
 
 void add_file(scene::Fingerprint& print, const fs::path& file) {
     try {
@@ -74,7 +61,7 @@ void Gallery::add(const std::string& scene, const fs::path& file, const std::str
         scene::Fingerprint print;
         print.add(ground);
         add_file(print, file);
-        entry.picture = folder / (print.text() + ".png");
+        entry.picture = folder / "thumbnails" / (print.text() + ".png");
     }
     entries_.push_back(std::move(entry));
 }
@@ -137,7 +124,7 @@ bool Gallery::attend() {
         try {
             process_.emplace(std::move(order));
             rendered_ = k;
-        } catch (const std::system_error&) {
+        } catch (const std::exception&) {
             entry.failed = true;
         }
         return true;

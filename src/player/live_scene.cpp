@@ -2,22 +2,37 @@
 
 #include <exception>
 
+#include "player/memory.h"
+#include "scene/data_folder.h"
+#include "topology/subject.h"
+
 namespace isomotion::player {
 
+namespace fs = std::filesystem;
+
 LiveScene::LiveScene(const std::string& scene, std::vector<scene::Override> overrides)
-    : session(scene::load(scene, overrides))
+    : scene_files_(files_named(fs::exists(scene) ? fs::path(scene) : scene::animation_file(scene)))
+    , session(scene::load(scene, overrides))
     , overrides_(std::move(overrides))
     , shader_files_(shader_files())
-    , timeline_({timeline_path(session.scene())}) {
-    watch();
+    , timeline_({timeline_file()}) {
+    scene_files_.watch(files_of(session.scene()));
     read_marks();
 }
 
-void LiveScene::watch() { scene_files_.watch(files_of(session.scene())); }
+fs::path LiveScene::timeline_file() const {
+    const fs::path cache = cache_folder();
+    if (overrides_.empty() || cache.empty()) return timeline_path(session.scene());
+    return cache / "timelines" / (topology::fingerprint(session.scene()) + ".timeline.json");
+}
 
 void LiveScene::read_marks() {
     marks_ = session.key_marks();
-    TopologyMarks topology = read_topology_marks(session.scene());
+    // Settings may leave the topology as it is: then what lies beside the scene is right, too.
+    const fs::path own = timeline_file();
+    std::error_code ignored;
+    TopologyMarks topology = read_topology_marks(
+        session.scene(), fs::exists(own, ignored) ? own : timeline_path(session.scene()));
     marks_.insert(marks_.end(), topology.marks.begin(), topology.marks.end());
     refusal_ = std::move(topology.refusal);
 }
@@ -26,10 +41,13 @@ LiveScene::News LiveScene::look(double now) {
     News news;
     news.shaders = !shader_files_.changed().empty();
     if (!scene_files_.changed().empty()) {
+        // Also what the text names now: were it what makes the scene fail, it would mend it.
+        scene_files_.watch(files_of(session.scene()));
         try {
             session.reload(scene::load(file().string(), overrides_), now);
             news.scene = true;
-            watch();
+            scene_files_.watch(files_of(session.scene()));
+            timeline_.watch({timeline_file()});
         } catch (const std::exception& error) {
             news.error = error.what();
         }

@@ -13,6 +13,8 @@
 namespace isomotion::player {
 
 class LiveScene {
+    FileWatch scene_files_; // first: files are stamped before they are read
+
 public:
     // Throws as scene::load does.
     LiveScene(const std::string& scene, std::vector<scene::Override> overrides);
@@ -20,6 +22,9 @@ public:
     Session session;
 
     const std::filesystem::path& file() const { return session.scene().file; }
+    // Where what is known of the topology is kept: beside the scene; with settings of the command
+    // line, which make it another scene, in the user's cache.
+    std::filesystem::path timeline_file() const;
     // Keys, and what is known of the topology.
     const std::vector<Mark>& marks() const { return marks_; }
     // Why a timeline file beside the scene is of no use; else empty.
@@ -40,12 +45,11 @@ public:
 
 private:
     void read_marks();
-    void watch();
 
     std::vector<scene::Override> overrides_;
     std::vector<Mark> marks_;
     std::string refusal_;
-    FileWatch scene_files_, shader_files_, timeline_;
+    FileWatch shader_files_, timeline_;
 };
 
 } // namespace isomotion::player

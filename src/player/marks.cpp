@@ -93,8 +93,7 @@ TopologyMarks topology_marks(const scene::Scene& scene, const topology::Record& 
     return found;
 }
 
-TopologyMarks read_topology_marks(const scene::Scene& scene) {
-    const fs::path file = timeline_path(scene);
+TopologyMarks read_topology_marks(const scene::Scene& scene, const fs::path& file) {
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return {};
     try {

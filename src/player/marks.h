@@ -32,8 +32,9 @@ struct TopologyMarks {
 // are they not when a parameter is released.
 TopologyMarks topology_marks(const scene::Scene& scene, const topology::Record& record,
                              const std::string& file);
-// From NAME.timeline.json beside NAME.toml; without such a file, nothing.
-TopologyMarks read_topology_marks(const scene::Scene& scene);
+// Without such a file, nothing.
+TopologyMarks read_topology_marks(const scene::Scene& scene, const std::filesystem::path& file);
+// NAME.timeline.json beside NAME.toml.
 std::filesystem::path timeline_path(const scene::Scene& scene);
 
 } // namespace isomotion::player

@@ -144,7 +144,36 @@ void write_json(const fs::path& file, const Warn& warn, json document) {
     }
 }
 
+// The program's folder in the one that the variable names, or else in this one of HOME. The
+// specification has relative paths ignored.
+fs::path own_folder(const char* variable, const fs::path& usual) {
+    const auto absolute = [](const char* name) -> fs::path {
+        const char* value = std::getenv(name);
+        return value && fs::path(value).is_absolute() ? fs::path(value) : fs::path();
+    };
+    if (const fs::path named = absolute(variable); !named.empty()) return named / "isomotion";
+    const fs::path home = absolute("HOME");
+    return home.empty() ? fs::path() : home / usual / "isomotion";
+}
+
 } // namespace
+
+WindowPlace within(WindowPlace place, const std::vector<WorkArea>& areas) {
+    if (areas.empty()) return place;
+    const auto shared = [&](const WorkArea& area) {
+        const auto along = [](std::int64_t a, int length, std::int64_t b, int other) {
+            return std::max<std::int64_t>(0, std::min(a + length, b + other) - std::max(a, b));
+        };
+        return along(place.x, place.width, area.x, area.width) *
+               along(place.y, place.height, area.y, area.height);
+    };
+    const WorkArea& area = *std::ranges::max_element(areas, {}, shared);
+    place.width = std::min(place.width, area.width);
+    place.height = std::min(place.height, area.height);
+    place.x = std::clamp(place.x, area.x, area.x + area.width - place.width);
+    place.y = std::clamp(place.y, area.y, area.y + area.height - place.height);
+    return place;
+}
 
 Memory::Memory(fs::path folder, Warn warn)
     : folder_(std::move(folder))
@@ -203,17 +232,8 @@ void Memory::add_opened(const fs::path& scene) const {
     write_json(folder_ / "history.json", warn_, {{"opened", std::move(list)}});
 }
 
-fs::path state_folder() {
-    // The specification has relative paths ignored.
-    const auto absolute = [](const char* variable) -> fs::path {
-        const char* value = std::getenv(variable);
-        return value && fs::path(value).is_absolute() ? fs::path(value) : fs::path();
-    };
-    if (const fs::path state = absolute("XDG_STATE_HOME"); !state.empty()) {
-        return state / "isomotion";
-    }
-    const fs::path home = absolute("HOME");
-    return home.empty() ? fs::path() : home / ".local" / "state" / "isomotion";
-}
+fs::path state_folder() { return own_folder("XDG_STATE_HOME", ".local/state"); }
+
+fs::path cache_folder() { return own_folder("XDG_CACHE_HOME", ".cache"); }
 
 } // namespace isomotion::player

@@ -28,6 +28,13 @@ struct WindowPlace {
     bool operator==(const WindowPlace&) const = default;
 };
 
+// A rectangle of the desktop that windows may take.
+struct WorkArea {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+// The place within the area that it shares most with, or else the first: smaller if it must be.
+WindowPlace within(WindowPlace place, const std::vector<WorkArea>& areas);
+
 struct SceneMemory {
     std::optional<WindowPlace> window;
     std::optional<scene::CameraAt> camera; // moved by hand; none: the scene's own
@@ -58,5 +65,7 @@ private:
 
 // By the environment; empty where neither XDG_STATE_HOME nor HOME is an absolute path.
 std::filesystem::path state_folder();
+// Of what can be made anew: by XDG_CACHE_HOME, else ~/.cache.
+std::filesystem::path cache_folder();
 
 } // namespace isomotion::player

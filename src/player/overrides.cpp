@@ -26,6 +26,7 @@ std::string inline_table(const std::string& section) {
 // A field of all elements, multiplied as controls.h does; none if there is no such field.
 std::optional<scene::Override> multiplied(const animation::Animation& animation,
                                           const std::string& name, double factor) {
+    if (animation.find(name)) return std::nullopt; // one value for all elements: no factor
     for (const animation::Array& array : animation.arrays()) {
         for (const animation::ArrayField& field : array.fields) {
             if (array.name + "." + field.name != name) continue;
@@ -55,13 +56,16 @@ std::optional<scene::Override> multiplied(const animation::Animation& animation,
 std::vector<scene::Override> overrides_of(const Session& session) {
     const Look& look = session.look();
     const scene::Scene& scene = session.scene();
+    const animation::Animation& animation = scene.timeline.animation;
     std::vector<scene::Override> all;
     for (const auto& [name, value] : look.released.values) {
+        // A scene that was read again may have it no more: then it holds nothing.
+        if (!animation.find(name)) continue;
         const bool of_array = name.find('.') != name.npos;
         all.push_back(fmt::format("{}{}={}", of_array ? "arrays." : "", name, value));
     }
     for (const auto& [name, factor] : look.released.factors) {
-        if (auto setting = multiplied(scene.timeline.animation, name, factor)) {
+        if (auto setting = multiplied(animation, name, factor)) {
             all.push_back(*std::move(setting));
         }
     }

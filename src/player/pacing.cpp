@@ -129,10 +129,4 @@ Pacing paced(Pacing p, const MeasuredDraw& draw, double fps) {
     return p;
 }
 
-std::optional<Quality> refined(const Quality& shown, int most) {
-    if (shown.scale < 1) return Quality{1, 1};
-    if (shown.samples >= most) return std::nullopt;
-    return Quality{1, std::min(4 * shown.samples, most)};
-}
-
 } // namespace isomotion::player

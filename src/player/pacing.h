@@ -1,5 +1,4 @@
-// How large a picture may be while something moves, so that pictures keep coming at a wanted rate;
-// and how it is refined when all is at rest.
+// How large a picture may be while something moves, so that pictures keep coming at a wanted rate.
 //
 // A draw at scale s of the window's width and height is taken to cost a + b s^2 milliseconds. Both
 // are fitted to the draws since the cost last changed, by least squares of relative errors. From
@@ -55,16 +54,5 @@ struct Pacing {
 // After a draw, of whatever scale, that took so long; the wanted rate in pictures a second. What is
 // no positive time or scale is left out of account.
 Pacing paced(Pacing pacing, const MeasuredDraw& draw, double fps);
-
-// What a picture is drawn with.
-struct Quality {
-    double scale = 1;
-    int samples = 1; // pictures whose mean it is
-    bool operator==(const Quality&) const = default;
-};
-
-// The next picture at rest, after one of this quality: full size, then four times as many samples
-// again and again, up to `most`; none when that is done.
-std::optional<Quality> refined(const Quality& shown, int most = 16);
 
 } // namespace isomotion::player

@@ -117,16 +117,6 @@ Playback with_loop(const Playback& p, bool loop, double now) {
     return other;
 }
 
-Playback with_range(const Playback& p, std::int64_t first, std::int64_t last, double now) {
-    Playback other = anchored(p, now);
-    first = std::max<std::int64_t>(first, 1);
-    last = std::max<std::int64_t>(last, 1);
-    other.first = std::min(first, last);
-    other.last = std::max(first, last);
-    if (other.anchor >= double(other.last + 1)) other.anchor = double(other.last);
-    return anchored(other, other.anchor, now);
-}
-
 Playback stepped(const Playback& p, std::int64_t frames, double now) {
     const std::int64_t frame = frame_at(p, now).frame;
     Playback still = p;

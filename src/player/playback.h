@@ -58,8 +58,6 @@ Playback played(const Playback& playback, double now);  // from the first frame,
 Playback toggled(const Playback& playback, double now); // paused or played
 Playback with_speed(const Playback& playback, int doublings, double now); // clamped
 Playback with_loop(const Playback& playback, bool loop, double now);
-// Frames below 1 or in descending order are put right; a position outside goes to the nearer end.
-Playback with_range(const Playback& playback, std::int64_t first, std::int64_t last, double now);
 
 // Pauses `frames` frames further on (back, if negative), at a frame's beginning: past an end it
 // goes round where it loops, else it stops there.

@@ -140,6 +140,9 @@ private:
         memory_.remember(scene_->file(), {window_.place(), scene_->session.look().camera});
     }
 
+    // Whether the scene's picture is to be seen: else none is asked for.
+    bool is_seen() const { return scene_ && !gallery_.is_open() && !window_.hidden(); }
+
     // ----- what happens between frames
 
     // Seconds that nothing has to be done for; below 0: until an event comes.
@@ -153,6 +156,7 @@ private:
         if (processes_run()) sooner(processes_every);
         if (!scene_) return least;
         sooner(next_look_ - now());
+        if (!is_seen()) return least;
         if (const auto at = next_change(scene_->session.playback, now())) sooner(*at - now());
         if (const auto at = easel_.next_change()) sooner(*at - now());
         return least;
@@ -162,7 +166,7 @@ private:
         take_pictures();
         for (const auto& file : window_.take_dropped()) open(file.string());
         if (processes_run()) {
-            export_.attend();
+            if (const auto failure = export_.attend()) log_.add_failure("export: " + *failure);
             topology_.attend();
             if (!gallery_.is_open()) window_.refresh();
         }
@@ -176,19 +180,21 @@ private:
     void take_pictures() {
         if (auto shown = thread_.take_shown()) {
             easel_.learn(*shown);
+            const std::uint64_t number = shown->number;
             window_.make_current();
             area_.take(std::move(*shown));
-            notices_.draw_error.clear();
+            // One that was asked for before says nothing of what failed.
+            if (number > failed_number_) notices_.draw_error.clear();
             new_picture_ = true;
         }
-        if (auto failure = thread_.take_failure()) fail_to_draw(failure->text);
+        if (const auto given_up = thread_.take_given_up()) easel_.learn(*given_up);
+        if (auto failure = thread_.take_failure()) fail_to_draw(failure->text, failure->number);
     }
 
-    void fail_to_draw(const std::string& text) {
-        if (notices_.draw_error == text) return;
-        notices_.draw_error = text;
-        log_.add_failure(text);
+    void fail_to_draw(const std::string& text, std::uint64_t number) {
+        failed_number_ = number;
         window_.refresh();
+        if (std::exchange(notices_.draw_error, text) != text) log_.add_failure(text);
     }
 
     void look_at_files() {
@@ -206,14 +212,14 @@ private:
     }
 
     void ask() {
-        if (!scene_ || size_.x < 1) return;
+        if (!is_seen() || size_.x < 1) return;
         Session& session = scene_->session;
         session.playback = settled(session.playback, now());
         const bool rests = !area_.held() && !touched_;
         try {
             easel_.ask(session, frame(), size_, now(), rests);
         } catch (const scene::SceneError& error) {
-            fail_to_draw(error.what());
+            fail_to_draw(error.what(), easel_.number());
         }
     }
 
@@ -420,7 +426,8 @@ private:
     ExportSection export_;
     Gallery gallery_;
     Notices notices_;
-    glm::ivec2 size_{0}; // of the picture, in the window
+    glm::ivec2 size_{0};              // of the picture, in the window
+    std::uint64_t failed_number_ = 0; // of the request that draw_error is of
     double next_look_ = files_every;
     bool panel_ = true;
     bool touched_ = false; // a widget is held: what it changes has not come to rest

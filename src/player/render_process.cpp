@@ -1,13 +1,18 @@
 #include "player/render_process.h"
 
 #include <algorithm>
+#include <thread>
 
 #include <fmt/format.h>
 
-#include "image/sequence.h"
-
 namespace isomotion::player {
 namespace fs = std::filesystem;
+
+std::string stem_of_frames(std::string name) {
+    std::ranges::replace(name, '#', '_');
+    std::ranges::replace(name, '%', '_');
+    return name;
+}
 
 std::vector<std::string> render_words(const RenderOrder& order) {
     std::vector<std::string> words{"render", order.scene.string(), "--quiet", "-o", order.output};
@@ -24,24 +29,31 @@ std::vector<std::string> render_words(const RenderOrder& order) {
 
 RenderProcess::RenderProcess(RenderOrder order)
     : order_(std::move(order))
+    , name_(image::SequenceName::parse(order_.output))
     // File systems keep times more coarsely than clocks do.
     , begin_(fs::file_time_type::clock::now() - std::chrono::seconds(1))
     , process_("/proc/self/exe", render_words(order_)) {}
 
-int RenderProcess::done() const {
-    const auto name = image::SequenceName::parse(order_.output);
-    int count = 0;
-    for (int frame = order_.first; frame <= order_.last; ++frame) {
+int RenderProcess::done() {
+    for (; written_ < frames(); ++written_) {
         std::error_code error;
-        const auto written = fs::last_write_time(name.path(frame), error);
-        if (!error && written >= begin_) ++count;
+        const auto time = fs::last_write_time(name_.path(order_.first + written_), error);
+        if (error || time < begin_) break;
     }
-    return count;
+    return written_;
 }
 
 void RenderProcess::cancel() {
     cancelled_ = true;
     process_.interrupt();
+}
+
+void RenderProcess::cancel(std::chrono::milliseconds patience) {
+    constexpr std::chrono::milliseconds glance{10};
+    cancel();
+    for (; patience.count() > 0 && !ended(); patience -= glance) {
+        std::this_thread::sleep_for(glance);
+    }
 }
 
 std::string RenderProcess::error() const {

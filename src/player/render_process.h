@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "image/child_process.h"
+#include "image/sequence.h"
 #include "scene/load.h"
 
 namespace isomotion::player {
@@ -25,15 +26,18 @@ struct RenderOrder {
 
 class RenderProcess {
 public:
-    // Throws std::system_error if no process can be started.
+    // Throws std::system_error if no process can be started, image::ImageError for an output that
+    // names no files.
     explicit RenderProcess(RenderOrder order);
 
     bool ended() { return process_.ended(); }
-    // Of the frames; those that are written count, by their files.
-    int done() const;
+    // Of the frames, how many are written: from the first on, by their files.
+    int done();
     int frames() const { return order_.last - order_.first + 1; }
     // Whole frames stay.
     void cancel();
+    // Cancels it and waits for its end so long, for one that has files to put in order.
+    void cancel(std::chrono::milliseconds patience);
 
     // Once it has ended: empty where all was written, else why not.
     std::string error() const;
@@ -41,10 +45,16 @@ public:
 
 private:
     RenderOrder order_;
+    image::SequenceName name_;
+    int written_ = 0;
     std::filesystem::file_time_type begin_;
     bool cancelled_ = false;
     image::ChildProcess process_;
 };
+
+// A scene's name as the beginning of a frame's: what would be a place for the frame's number is
+// not.
+std::string stem_of_frames(std::string name);
 
 // The words after `isomotion`.
 std::vector<std::string> render_words(const RenderOrder& order);

@@ -102,8 +102,13 @@ bool magnitude(const char* name, double& value, double own) {
     row(name);
     const double middle = own > 0 ? own : 1e-2;
     const double least = middle * 1e-3, most = middle * 1e3;
-    return ImGui::SliderScalar(fmt::format("##{}", name).c_str(), ImGuiDataType_Double, &value,
-                               &least, &most, "%.3g", ImGuiSliderFlags_Logarithmic);
+    double wanted = value;
+    const bool touched = ImGui::SliderScalar(
+        fmt::format("##{}", name).c_str(), ImGuiDataType_Double, &wanted, &least, &most, "%.3g",
+        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    if (!touched || !(wanted > 0)) return false; // a NaN can be typed
+    value = wanted;
+    return true;
 }
 
 bool integer(const char* name, int& value, int least, int most, bool logarithmic = false) {
@@ -126,7 +131,7 @@ void settings(scene::Isolation& isolation, const scene::Isolation& own) {
         row("safety");
         constexpr double least = 1, most = 1024;
         ImGui::SliderScalar("##safety", ImGuiDataType_Double, &isolation.safety, &least, &most,
-                            "%.3g", ImGuiSliderFlags_Logarithmic);
+                            "%.3g", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
         isolation.safety = std::max(1.0, isolation.safety);
     }
     integer("limit", isolation.limit, 1, 100'000, true);

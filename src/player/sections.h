@@ -34,14 +34,19 @@ void reading_line(const std::optional<Shown>& shown);
 // Frames into files.
 class ExportSection {
 public:
+    ExportSection() = default;
+    ~ExportSection(); // ends what runs, in good order if that takes no longer than a second
+    ExportSection(const ExportSection&) = delete;
+    ExportSection& operator=(const ExportSection&) = delete;
+
     // `frame` is the one shown, in a picture of `size`.
     void show(const LiveScene& scene, std::int64_t frame, glm::ivec2 size);
-    // As it is shown at rest.
+    // As it is shown at rest; of every view the shaded picture.
     void save_picture(const LiveScene& scene, std::int64_t frame, glm::ivec2 size);
     // Whether files are being written: a frame now and then shows how far.
     bool running() const { return process_.has_value(); }
-    // Looks after the process.
-    void attend();
+    // Looks after the process; why nothing, or not all, was written, once that is known.
+    std::optional<std::string> attend();
 
 private:
     void start(const LiveScene& live, int first, int last, glm::ivec2 size, int samples);
@@ -50,6 +55,7 @@ private:
     std::optional<RenderProcess> process_;
     std::filesystem::path folder_ = "out";
     std::array<int, 2> range_{0, 0};                         // 0: not chosen yet
+    std::filesystem::path range_of_;                         // scene
     bool as_shown_ = false, smooth_ = false, movie_ = false; // of many frames
     std::string told_;
     bool failed_ = false;

@@ -53,7 +53,7 @@ constexpr Shortcut all_shortcuts[] = {
     {"6", "two methods, side by side"},
     {"", ""},
     {"O", "open: the gallery (or drop a file here)"},
-    {"F12", "save the picture"},
+    {"F12", "save the picture, shaded"},
     {"Tab", "hide and show the panel"},
     {"F11", "full screen"},
     {"Q", "quit"},

@@ -92,6 +92,5 @@ unsigned accent_color() { return ImGui::GetColorU32(accent); }
 unsigned text_color() { return ImGui::GetColorU32(grey(0.9f)); }
 unsigned faint_color() { return ImGui::GetColorU32(grey(0.42f)); }
 unsigned error_color() { return ImGui::GetColorU32({0.95f, 0.45f, 0.38f, 1}); }
-unsigned panel_color(float opacity) { return ImGui::GetColorU32(grey(0.125f, opacity)); }
 
 } // namespace isomotion::player

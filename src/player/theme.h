@@ -15,6 +15,5 @@ unsigned accent_color();
 unsigned text_color();
 unsigned faint_color(); // of lines and of text that is not read first
 unsigned error_color();
-unsigned panel_color(float opacity = 1);
 
 } // namespace isomotion::player

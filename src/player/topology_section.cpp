@@ -10,14 +10,20 @@
 
 namespace isomotion::player {
 
-void TopologySection::start(const std::filesystem::path& scene,
-                            const std::filesystem::path& timeline) {
+void TopologySection::start(const LiveScene& scene) {
     failure_.clear();
     cancelled_ = false;
+    const std::filesystem::path timeline = scene.timeline_file();
+    std::vector<std::string> words{"topology", scene.file().string(), "--quiet", "-o",
+                                   timeline.string()};
+    for (const scene::Override& setting : scene.overrides()) {
+        words.insert(words.end(), {"--set", setting});
+    }
     try {
-        process_.emplace("/proc/self/exe",
-                         std::vector<std::string>{"topology", scene.string(), "--quiet", "-o",
-                                                  timeline.string()});
+        if (timeline.has_parent_path()) {
+            std::filesystem::create_directories(timeline.parent_path());
+        }
+        process_.emplace("/proc/self/exe", words);
     } catch (const std::exception& error) {
         failure_ = error.what();
     }
@@ -63,11 +69,11 @@ void TopologySection::show(const LiveScene& scene) {
         return;
     }
     if (ImGui::Button("find events", {-1, 0})) {
-        start(scene.file(), timeline_path(scene.session.scene()));
+        start(scene);
     }
     if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip("isomotion topology, which may take minutes; writes\n%s",
-                          timeline_path(scene.session.scene()).c_str());
+                          scene.timeline_file().c_str());
     }
 }
 

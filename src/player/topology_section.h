@@ -18,7 +18,7 @@ public:
     void attend();
 
 private:
-    void start(const std::filesystem::path& scene, const std::filesystem::path& timeline);
+    void start(const LiveScene& scene);
 
     std::optional<image::ChildProcess> process_;
     bool cancelled_ = false;

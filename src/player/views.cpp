@@ -273,23 +273,6 @@ Difference difference(const Frame& first, const Frame& second) {
     return d;
 }
 
-Raster split(const Raster& left, const Raster& right, double at) {
-    if (left.width != right.width || left.height != right.height) {
-        throw image::ImageError(fmt::format("pictures of {}x{} and {}x{} pixels cannot be split",
-                                            left.width, left.height, right.width, right.height));
-    }
-    const auto width = std::size_t(left.width);
-    const auto kept = std::size_t(
-        std::lround((at > 0 ? std::min(at, 1.0) : 0.0) * double(width))); // columns of the left
-    Raster both = right;
-    for (std::size_t row = 0; row < std::size_t(left.height); ++row) {
-        const auto begin = left.rgba.begin() + std::ptrdiff_t(4 * width * row);
-        std::copy(begin, begin + std::ptrdiff_t(4 * kept),
-                  both.rgba.begin() + std::ptrdiff_t(4 * width * row));
-    }
-    return both;
-}
-
 Raster shown(View view, const Frame& frame) {
     switch (view) {
     case View::shaded:

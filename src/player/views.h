@@ -100,10 +100,6 @@ inline constexpr Rgb agree_hit{112, 112, 112}, agree_miss{40, 40, 40}, first_alo
 // A zero gradient is a hit. Throws ImageError if the sizes differ.
 Difference difference(const image::Frame& first, const image::Frame& second);
 
-// The left of one raster and the right of the other, parted at this part of the width, 0 to 1.
-// Throws ImageError if the sizes differ.
-Raster split(const Raster& left, const Raster& right, double at);
-
 // The view of one frame with all its defaults; of View::difference there is none (ImageError).
 Raster shown(View view, const image::Frame& frame);
 

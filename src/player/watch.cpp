@@ -11,22 +11,20 @@ namespace isomotion::player {
 namespace fs = std::filesystem;
 namespace {
 
-// Tables that arrays take their elements from; a scene keeps the elements only.
-std::vector<fs::path> tables_of(const fs::path& scene) {
-    std::vector<fs::path> tables;
-    try {
-        const toml::table document = scene::read_document(scene);
-        const toml::table* arrays = document["arrays"].as_table();
-        if (!arrays) return {};
-        for (const auto& [name, node] : *arrays) {
-            const toml::node* file = node.is_table() ? node.as_table()->get("file") : nullptr;
-            const auto text = file ? file->value_exact<std::string>() : std::nullopt;
-            if (text) tables.push_back(scene::beside(*file, *text));
-        }
-    } catch (const scene::SceneError&) {
-        // Changed since it was loaded: the next reading finds what it names then.
+std::optional<std::string> text_in(const toml::table& document, const char* section,
+                                   const char* key) {
+    return document[section][key].value_exact<std::string>();
+}
+
+// Of arrays; a scene keeps the elements only.
+void add_tables(const toml::table& document, std::vector<fs::path>& files) {
+    const toml::table* arrays = document["arrays"].as_table();
+    if (!arrays) return;
+    for (const auto& [name, node] : *arrays) {
+        const toml::node* file = node.is_table() ? node.as_table()->get("file") : nullptr;
+        const auto text = file ? file->value_exact<std::string>() : std::nullopt;
+        if (text) files.push_back(scene::beside(*file, *text));
     }
-    return tables;
 }
 
 } // namespace
@@ -72,7 +70,29 @@ std::vector<fs::path> files_of(const scene::Scene& scene) {
     std::vector<fs::path> files{scene.file};
     if (!scene.surface.name.empty()) files.push_back(scene::surface_file(scene.surface.name));
     if (scene.environment) files.push_back(scene.environment->map);
-    for (fs::path& table : tables_of(scene.file)) files.push_back(std::move(table));
+    for (fs::path& file : files_named(scene.file)) {
+        if (std::ranges::find(files, file) == files.end()) files.push_back(std::move(file));
+    }
+    return files;
+}
+
+std::vector<fs::path> files_named(const fs::path& scene) {
+    std::vector<fs::path> files{scene};
+    try {
+        const toml::table document = scene::read_document(scene);
+        if (const auto name = text_in(document, "surface", "use")) {
+            files.push_back(scene::surface_file(*name));
+        }
+        if (const auto map = text_in(document, "environment", "map")) {
+            const fs::path own = scene::beside(*document["environment"]["map"].node(), *map);
+            std::error_code ignored;
+            files.push_back(own);
+            if (!fs::is_regular_file(own, ignored)) files.push_back(scene::media_file(*map));
+        }
+        add_tables(document, files);
+    } catch (const scene::SceneError&) {
+        // No TOML yet: the next reading finds what it names then.
+    }
     return files;
 }
 

@@ -45,6 +45,8 @@ private:
 
 // What a scene was made of: its file, the catalogue's, tables of elements and the environment map.
 std::vector<std::filesystem::path> files_of(const scene::Scene& scene);
+// What a scene file names, as far as it can be read: the file itself at least. They need not exist.
+std::vector<std::filesystem::path> files_named(const std::filesystem::path& scene);
 // The program's shaders.
 std::vector<std::filesystem::path> shader_files();
 

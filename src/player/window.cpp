@@ -20,6 +20,24 @@ constexpr int frames_to_settle = 3;
 constexpr int smallest_width = 480, smallest_height = 320;
 constexpr int usual_width = 1280, usual_height = 800;
 
+std::vector<WorkArea> work_areas() {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    std::vector<WorkArea> areas;
+    for (int k = 0; k < count; ++k) {
+        WorkArea area;
+        glfwGetMonitorWorkarea(monitors[k], &area.x, &area.y, &area.width, &area.height);
+        if (area.width > 0 && area.height > 0) areas.push_back(area);
+    }
+    return areas;
+}
+
+// Screens come and go; a place that was remembered may be on none.
+std::optional<WindowPlace> on_screen(const std::optional<WindowPlace>& place) {
+    if (!place) return std::nullopt;
+    return within(*place, work_areas());
+}
+
 // A size that was remembered is already the screen's; the usual one is not.
 GLFWwindow* open_window(const gpu::Glfw& glfw, const std::string& title,
                         const std::optional<WindowPlace>& place) {
@@ -105,9 +123,11 @@ struct Window::Events {
     }
 };
 
-Window::Window(const std::string& title, const std::optional<WindowPlace>& place)
+Window::Window(const std::string& title, const std::optional<WindowPlace>& remembered)
     : glfw_(open_display())
-    , windowed_(place.value_or(WindowPlace{0, 0, usual_width, usual_height})) {
+    , windowed_(remembered.value_or(WindowPlace{0, 0, usual_width, usual_height})) {
+    const std::optional<WindowPlace> place = on_screen(remembered);
+    if (place) windowed_ = *place;
     window_ = open_window(*glfw_, title, place);
     if (place && !place->maximised) glfwSetWindowPos(window_, place->x, place->y);
     glfwSetWindowSizeLimits(window_, smallest_width, smallest_height, GLFW_DONT_CARE,
@@ -141,8 +161,7 @@ Window::~Window() {
 void Window::rescale() {
     float x = 1, y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
-    scale_ = std::clamp(std::max(x, y), 0.5f, 4.0f);
-    apply_theme(scale_);
+    apply_theme(std::clamp(std::max(x, y), 0.5f, 4.0f)); // 1 on an ordinary screen
     ImGui_ImplOpenGL3_DestroyDeviceObjects(); // the next frame makes them anew, with the new font
 }
 
@@ -164,8 +183,7 @@ void Window::make_current() { context_->make_current(); }
 
 bool Window::begin_frame() {
     stale_frames_ = std::max(0, stale_frames_ - 1);
-    const glm::ivec2 size = pixels();
-    if (size.x < 1 || size.y < 1 || glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) {
+    if (hidden()) {
         stale_frames_ = 0;
         return false;
     }
@@ -227,6 +245,11 @@ glm::ivec2 Window::pixels() const {
     glm::ivec2 size{0};
     glfwGetFramebufferSize(window_, &size.x, &size.y);
     return size;
+}
+
+bool Window::hidden() const {
+    const glm::ivec2 size = pixels();
+    return size.x < 1 || size.y < 1 || glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
 }
 
 std::vector<KeyPress> Window::take_keys() { return std::exchange(keys_, {}); }

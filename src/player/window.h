@@ -35,8 +35,9 @@ public:
 // One at a time, of the main thread. Its context is current there as long as it lives.
 class Window {
 public:
-    // Where the desktop puts it, without a place. Throws NoWindow.
-    Window(const std::string& title, const std::optional<WindowPlace>& place);
+    // At the place that is remembered, as far as a screen has it; else where the desktop puts it.
+    // Throws NoWindow.
+    Window(const std::string& title, const std::optional<WindowPlace>& remembered);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -61,12 +62,11 @@ public:
     void close();
     void set_title(const std::string& title);
     void toggle_full_screen();
-    bool full_screen() const { return full_screen_; }
     WindowPlace place() const;
     void copy(const std::string& text); // to the clipboard
 
-    glm::ivec2 pixels() const;             // of the framebuffer
-    float scale() const { return scale_; } // of text and widgets: 1 on an ordinary screen
+    glm::ivec2 pixels() const; // of the framebuffer
+    bool hidden() const;       // there is nothing to draw into: minimised, or of no size
 
     // What came since the last call.
     std::vector<KeyPress> take_keys();
@@ -80,7 +80,6 @@ private:
     GLFWwindow* window_ = nullptr;
     std::unique_ptr<gpu::Context> context_;
     ImGuiContext* widgets_ = nullptr;
-    float scale_ = 1;
     int stale_frames_ = 0;
     bool full_screen_ = false;
     WindowPlace windowed_; // the place that full screen goes back to

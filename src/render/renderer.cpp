@@ -292,8 +292,13 @@ struct Renderer::Parts {
             triangle.draw();
             still_active.end();
             if (!still_active.any_passed()) return *to;
+            stop_if_asked();
             std::swap(from, to);
         }
+    }
+
+    void stop_if_asked() const {
+        if (options.stop && options.stop()) throw Stopped{};
     }
 
     // Mirrored rays go by no lists.
@@ -355,6 +360,7 @@ struct Renderer::Parts {
             // Some ray takes longer than a draw may; others of this scene will too.
             one_draw = false;
             make_passes();
+            picture.compiled = true;
             for (const gpu::Program* program : {&passes->march, &passes->active, &passes->shade}) {
                 connect(*program);
                 set_effects(*program, now);
@@ -593,7 +599,7 @@ Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const M
     image::Channel* evaluations = asked(synthesis::Channel::evaluations);
     for (int y = 0; y < p.options.height; y += p.plan.tile_height) {
         for (int x = 0; x < p.options.width; x += p.plan.tile_width) {
-            if (p.options.stop && p.options.stop()) throw Stopped{};
+            p.stop_if_asked();
             const gpu::Rectangle tile{x, y, std::min(p.plan.tile_width, p.options.width - x),
                                       std::min(p.plan.tile_height, p.options.height - y)};
             const gpu::Target* rays = p.draw_tile(tile, now, picture);

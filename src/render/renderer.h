@@ -31,6 +31,7 @@ struct Picture {
     std::int64_t evaluations = 0;            // of the field, all rays together
     ProofCounts proofs{};                    // pixels by Proof; none unless certified
     int passes = 0;                          // march draws, all tiles together
+    bool compiled = false;                   // a shader, the first time that one draw is too few
     std::chrono::duration<double> drawing{}; // upload to read-back
 };
 
@@ -45,7 +46,7 @@ struct RenderOptions {
     StageChoice stage = StageChoice::fragment;
     // Pixels across the smallest beams: 8, or 1 to measure what closer starts would be worth.
     int finest_beam = synthesis::usual_beam;
-    // Asked before each tile; where it says true, draw() throws Stopped.
+    // Asked before each tile and between its passes; where it says true, draw() throws Stopped.
     std::function<bool()> stop = {};
 };
 

@@ -108,25 +108,27 @@ TEST_F(Marks, ATimelineOfAnotherSceneIsRefused) {
 TEST_F(Marks, AreReadFromTheFileBesideTheScene) {
     const scene::Scene scene = loaded(ball + "[parameters]\nradius = 1\n");
     EXPECT_EQ(timeline_path(scene), folder() / "scene.timeline.json");
-    EXPECT_TRUE(read_topology_marks(scene).marks.empty());
-    EXPECT_EQ(read_topology_marks(scene).refusal, "") << "there is none, and that is all right";
+    EXPECT_TRUE(read_topology_marks(scene, timeline_path(scene)).marks.empty());
+    EXPECT_EQ(read_topology_marks(scene, timeline_path(scene)).refusal, "")
+        << "there is none, and that is all right";
 
     write("scene.timeline.json", topology::to_json(of(scene, topology::story())));
-    EXPECT_EQ(read_topology_marks(scene).marks.size(), 4u);
-    EXPECT_EQ(read_topology_marks(scene).refusal, "");
+    EXPECT_EQ(read_topology_marks(scene, timeline_path(scene)).marks.size(), 4u);
+    EXPECT_EQ(read_topology_marks(scene, timeline_path(scene)).refusal, "");
 
     write("scene.timeline.json", topology::to_json(topology::story()));
-    EXPECT_THAT(read_topology_marks(scene).refusal, HasSubstr("another scene"));
+    EXPECT_THAT(read_topology_marks(scene, timeline_path(scene)).refusal,
+                HasSubstr("another scene"));
 
     for (const std::string broken : {"", "{", "[1, 2]", "{\"format\": \"something else\"}"}) {
         write("scene.timeline.json", broken);
-        const TopologyMarks found = read_topology_marks(scene);
+        const TopologyMarks found = read_topology_marks(scene, timeline_path(scene));
         EXPECT_THAT(found.refusal, HasSubstr("scene.timeline.json")) << broken;
         EXPECT_TRUE(found.marks.empty());
     }
     std::filesystem::remove(folder() / "scene.timeline.json");
     std::filesystem::create_directory(folder() / "scene.timeline.json");
-    EXPECT_NE(read_topology_marks(scene).refusal, "");
+    EXPECT_NE(read_topology_marks(scene, timeline_path(scene)).refusal, "");
 }
 
 // A timeline that the program itself made of a scene of the gallery.

@@ -252,5 +252,17 @@ TEST(StateFolder, FollowsTheSpecification) {
     }
 }
 
+TEST(WindowPlaces, AreWithinAScreen) {
+    const std::vector<WorkArea> areas{{0, 20, 1920, 1060}, {1920, 0, 1280, 1024}};
+    const WindowPlace fits{100, 50, 800, 600};
+    EXPECT_EQ(within(fits, areas), fits);
+    EXPECT_EQ(within({1900, 50, 800, 600}, areas), (WindowPlace{1920, 50, 800, 600}));
+    EXPECT_EQ(within({5000, -9000, 800, 600}, areas), (WindowPlace{1120, 20, 800, 600}));
+    EXPECT_EQ(within({2000, 100, 65536, 65536}, areas).height, 1024);
+    EXPECT_EQ(within({-65536, 0, 65536, 65536, true}, areas),
+              (WindowPlace{0, 20, 1920, 1060, true}));
+    EXPECT_EQ(within(fits, {}), fits) << "nothing is known of screens";
+}
+
 } // namespace
 } // namespace isomotion::player

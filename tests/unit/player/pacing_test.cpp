@@ -233,17 +233,5 @@ TEST(CostOfDraws, IsNeverNegative) {
     }
 }
 
-TEST(Refining, GoesToFullSizeAndThenToSmoothEdges) {
-    EXPECT_EQ(refined({0.25, 1}), (Quality{1, 1}));
-    EXPECT_EQ(refined({1, 1}), (Quality{1, 4}));
-    EXPECT_EQ(refined({1, 4}), (Quality{1, 16}));
-    EXPECT_EQ(refined({1, 16}), std::nullopt);
-    // No more than is asked for, and exactly that in the end.
-    EXPECT_EQ(refined({0.5, 1}, 1), (Quality{1, 1}));
-    EXPECT_EQ(refined({1, 1}, 1), std::nullopt);
-    EXPECT_EQ(refined({1, 4}, 6), (Quality{1, 6}));
-    EXPECT_EQ(refined({1, 16}, 64), (Quality{1, 64}));
-}
-
 } // namespace
 } // namespace isomotion::player

@@ -153,16 +153,6 @@ TEST(Playback, OneFrameIsAlwaysShown) {
     }
 }
 
-TEST(Playback, RangesAreKeptTo) {
-    const Playback p = paused(scrubbed(playing(1, 100), 50, after(0)), after(0.5));
-    EXPECT_EQ(with_range(p, 20, 60, after(1)).anchor, 50.5);
-    EXPECT_EQ(with_range(p, 60, 80, after(1)).anchor, 60);
-    EXPECT_EQ(with_range(p, 10, 20, after(1)).anchor, 20);
-    const Playback other = with_range(p, 9, -4, after(1));
-    EXPECT_EQ(other.first, 1);
-    EXPECT_EQ(other.last, 9);
-}
-
 // The earliest moment, to the last bit: before it there is nothing to draw, at it there is.
 TEST(Playback, KnowsWhenTheNextFrameIsDue) {
     for (std::uint64_t seed = 1; seed <= 3000; ++seed) {

@@ -70,6 +70,20 @@ TEST(Session, ElementsAreMultipliedInRenderToo) {
     expect_same(held, as_rendered(session, 9, size));
 }
 
+TEST(Session, WhatAReloadedSceneHasNoMoreIsNotSaid) {
+    Session session(scene::load("blobby75"));
+    const glm::ivec2 size(300, 200);
+    session.set_size(size);
+    Look look = session.look();
+    look.released.values = {{"gone", 2}, {"blobs.gone", 3}, {"blobs.cx", 0.5}};
+    look.released.factors = {{"blobs.gone", 2}, {"none.cx", 2}, {"s", 2}};
+    session.set(look);
+    for (const scene::Override& setting : overrides_of(session)) {
+        EXPECT_TRUE(setting.starts_with("isolation.")) << setting;
+    }
+    expect_same(session.at(3), as_rendered(session, 3, size));
+}
+
 TEST(Session, AReloadKeepsWhatIsHeld) {
     Session session(scene::load("blobby75"));
     Look look = session.look();

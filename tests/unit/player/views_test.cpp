@@ -304,20 +304,6 @@ TEST(DifferenceView, OfPicturesWithoutAHitIsQuiet) {
     EXPECT_EQ(colours(difference(none, none).raster), (std::vector<Rgb>{agree_miss, agree_miss}));
 }
 
-TEST(Split, TakesTheLeftFromOneAndTheRightFromTheOther) {
-    const Raster left = depth(Frame{4, 2, {{"Z", std::vector<float>(8, 1)}}, {}});
-    const Raster right = depth(Frame{4, 2, {{"Z", std::vector<float>(8, infinity)}}, {}});
-    EXPECT_EQ(split(left, right, 0), right);
-    EXPECT_EQ(split(left, right, -3), right);
-    EXPECT_EQ(split(left, right, NAN), right);
-    EXPECT_EQ(split(left, right, 1), left);
-    EXPECT_EQ(split(left, right, 7), left);
-    const Rgb w = grey(255);
-    EXPECT_EQ(colours(split(left, right, 0.25)),
-              (std::vector<Rgb>{w, nothing, nothing, nothing, w, nothing, nothing, nothing}));
-    EXPECT_EQ(split(left, right, 0.62), split(left, right, 0.5));
-}
-
 TEST(Views, SayWhatTheyNeed) {
     const Frame colour = image::plain(2, 2, 0.5f, 0.5f, 0.5f);
     const auto& known = synthesis::channel_names();
@@ -349,8 +335,6 @@ TEST(Views, SayWhatTheyNeed) {
               "this view needs the channel Z; the picture was drawn without it");
     EXPECT_EQ(complaint([&] { shown(View::difference, colour); }),
               "a difference is of two pictures");
-    EXPECT_EQ(complaint([&] { split(shaded(colour), shaded(image::plain(1, 2, 0, 0, 0)), 0.5); }),
-              "pictures of 2x2 and 1x2 pixels cannot be split");
     EXPECT_EQ(complaint([&] { difference(colour, image::plain(1, 2, 0, 0, 0)); }),
               "pictures of 2x2 and 1x2 pixels cannot be compared");
 }

@@ -140,6 +140,17 @@ TEST_F(SceneFiles, AreAllThatASceneWasMadeOf) {
     EXPECT_THAT(files_of(loaded(scene::ball())), ElementsAre(folder() / "scene.toml"));
 }
 
+TEST_F(SceneFiles, AreThoseThatABrokenOneNamesToo) {
+    const scene::Scene scene = loaded(scene::ball());
+    // No such surface, array or picture; the sum is of what is not there.
+    write("scene.toml", "[surface]\nuse = \"none\"\nformula = 3\n[arrays.a]\nfile = \"a.csv\"\n"
+                        "[arrays.b]\nfile = 4\n[environment]\nmap = \"sky.exr\"\n");
+    const auto files = files_of(scene);
+    for (const char* name : {"scene.toml", "animations/surfaces/none.toml", "a.csv", "sky.exr"}) {
+        EXPECT_THAT(files, testing::Contains(folder() / name));
+    }
+}
+
 TEST_F(SceneFiles, ShadersAreFoundInEveryFolder) {
     ::setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, 1);
     const auto files = shader_files();
