@@ -16,6 +16,10 @@ GLenum image_format(Format format) {
         return GL_R32F;
     case Format::rg32f:
         return GL_RG32F;
+    case Format::r32ui:
+        return GL_R32UI;
+    case Format::rg32ui:
+        return GL_RG32UI;
     case Format::rgba32f:
         break;
     }

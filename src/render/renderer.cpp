@@ -20,6 +20,7 @@
 #include "render/record.h"
 #include "render/secondary_rays.h"
 #include "scene/fingerprint.h"
+#include "synthesis/effect_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -603,8 +604,8 @@ Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const M
             const gpu::Rectangle tile{x, y, std::min(p.plan.tile_width, p.options.width - x),
                                       std::min(p.plan.tile_height, p.options.height - y)};
             const gpu::Target* rays = p.draw_tile(tile, now, picture);
-            const auto fill = [&](image::Channel& channel, const auto& number) {
-                p.planes.fill(tile, channel, [&](std::size_t k) { return float(number(k)); });
+            const auto fill = [&](image::Channel& to, const auto& number) {
+                p.planes.fill(tile, to, [&](std::size_t k) { return float(number(k)); });
             };
             if (verdict) fill(*verdict, [&](std::size_t k) { return p.record.verdict(k); });
             if (evaluations) {
