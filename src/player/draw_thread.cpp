@@ -126,22 +126,25 @@ private:
         while (renderers_.size() >= most_renderers) renderers_.pop_back();
         shown.compiled = true;
         thread_.say_compiling(true);
+        const auto breaks = [&](const std::exception& error) {
+            broken_ = {request.scene, isolation, channels, nullptr, error.what()};
+        };
         try {
             renderers_.push_front(
                 {request.scene, isolation, channels, compile(request, isolation)});
+            // Drivers translate at the first draw.
+            render::Renderer& renderer = *renderers_.front().renderer;
+            renderer.resize(16, 16);
+            renderer.draw(*request.samples.front().now);
         } catch (const gpu::CompileError& error) {
-            broken_ = {request.scene, isolation, channels, nullptr, error.what()};
+            breaks(error);
             throw;
         } catch (const std::length_error& error) {
-            broken_ = {request.scene, isolation, channels, nullptr, error.what()};
+            breaks(error);
             throw;
         }
-        // Drivers translate at the first draw.
-        render::Renderer& renderer = *renderers_.front().renderer;
-        renderer.resize(16, 16);
-        renderer.draw(*request.samples.front().now);
         thread_.say_compiling(false);
-        return renderer;
+        return *renderers_.front().renderer;
     }
 
     std::unique_ptr<render::Renderer> compile(const Request& request,

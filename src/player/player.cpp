@@ -192,6 +192,7 @@ private:
     }
 
     void fail_to_draw(const std::string& text, std::uint64_t number) {
+        if (number < failed_number_) return; // of what is asked for no more
         failed_number_ = number;
         window_.refresh();
         if (std::exchange(notices_.draw_error, text) != text) log_.add_failure(text);

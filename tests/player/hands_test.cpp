@@ -1,7 +1,9 @@
 // What a person does with mouse and keys: views, cameras, parameters, files.
 #include "playing.h"
 
+#include <chrono>
 #include <set>
+#include <thread>
 
 #include "image/decode.h"
 #include "player/views.h"
@@ -128,6 +130,32 @@ TEST_F(Hands, SavesThePictureAsItIsShown) {
     quit();
 }
 
+TEST_F(Hands, SavesAPictureWhateverTheSceneIsCalled) {
+    write("a#1 %d.toml", growing_sphere());
+    play({"--paused", "a#1 %d.toml"});
+    await_rest("the first frame");
+    key("F12");
+    EXPECT_TRUE(
+        screen_comes_to([&] { return std::filesystem::exists(*this / "out/a_1 _d.0001.png"); }));
+    quit();
+}
+
+TEST_F(Hands, AHeldButtonCostsNothing) {
+    begin();
+    mark();
+    EXPECT_TRUE(display().drive({"mousemove", "300", "300", "sleep", "0.1", "mousedown", "1",
+                                 "sleep", "0.1", "mousemove", "300", "360"}));
+    await("a turned picture", [](const Json& l) { return l.contains("verdicts"); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    const double before = cpu_seconds();
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    EXPECT_LE(cpu_seconds() - before, 0.2) << "in 2 s";
+    mark();
+    EXPECT_TRUE(display().drive({"mouseup", "1"}));
+    await_rest("the whole picture");
+    quit();
+}
+
 TEST_F(Hands, SavesTheRangeWhileTheWindowGoesOn) {
     begin();
     EXPECT_TRUE(display().drive({"mousemove", "850", "400", "click", "--repeat", "30", "5"}));
@@ -146,6 +174,7 @@ TEST_F(Hands, TheGalleryOpensAScene) {
     click(place_of("scene barth_decic"));
     await("its picture",
           [](const Json& l) { return l.contains("verdicts") && l["verdicts"][1] > 0; });
+    EXPECT_TRUE(display().drive({"search", "--name", "345 nodes - isomotion"}));
     quit();
 }
 

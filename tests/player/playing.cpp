@@ -163,12 +163,16 @@ Json Playing::await_rest(const std::string& what, const std::function<bool(const
 void Playing::key(const std::string& name) const { EXPECT_TRUE(display_->drive({"key", name})); }
 
 std::array<int, 2> Playing::place_of(const std::string& widget, double across) {
-    Json box;
+    Json box, before;
     const bool known = wait_for([&] {
         for (const Json& line : log()) {
             if (line.contains("widgets")) box = line["widgets"].value(widget, Json());
         }
-        return !box.is_null();
+        // A layout that stays: a window that is being resized makes several.
+        const bool stays = !box.is_null() && box == before;
+        before = box;
+        if (!stays) std::this_thread::sleep_for(300ms);
+        return stays;
     });
     if (!known) throw std::runtime_error("there is no widget " + widget);
     return {int(box[0].get<int>() + across * box[2].get<int>()),
