@@ -286,7 +286,7 @@ TEST_P(CatalogueShadow, IsWhatTruthSays) {
 // add nothing, but the last takes back what the first added.
 TEST(Shadow, OfSeveralLightsThroughLongSums) {
     const auto picture = [](int elements) {
-        std::string text = fmt::format(R"(
+        std::string text = fmt::format(R"toml(
 [surface]
 formula = "0.6 - sum(blobs, w*exp(-12*((x-c)^2 + y^2 + (z-0.5*c)^2)) + b)"
 bounds = {{ sphere = 1.6 }}
@@ -305,7 +305,7 @@ step = 0.02
 position = [1, -3, 2]
 [output]
 size = [48, 48]
-)",
+)toml",
                                        elements);
         for (const char* from : {"[1, 0.2, 1]", "[-1, 0.5, 0.8]", "[0.1, -1, 0.9]"})
             text += fmt::format("[[lights]]\ndirection = {}\nshadow = true\n", from);

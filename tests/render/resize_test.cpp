@@ -8,7 +8,7 @@ class Resize : public Drawing {};
 ISOMOTION_ON_EVERY_BACKEND(Resize);
 
 Picture drawn_small_tiled(gpu::Context& context, const scene::Scene& scene, int frame) {
-    Renderer renderer(context, scene, {128, 128, every_channel});
+    Renderer renderer(context, scene, {128, 128, every_channel, {}});
     const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
     renderer.resize(40, 30);
     renderer.draw(now);
@@ -31,7 +31,7 @@ TEST_P(Resize, DrawsWhatARendererOfThatSizeDraws) {
 
 TEST_P(Resize, RefusesTilesThatWouldCutOtherBlocks) {
     const scene::Scene scene = scene_of(sphere_scene);
-    Renderer renderer(*context, scene, {100, 100, {}});
+    Renderer renderer(*context, scene, {100, 100, {}, {}});
     EXPECT_NO_THROW(renderer.resize(64, 100));
     EXPECT_THROW(renderer.resize(101, 100), std::invalid_argument);
     EXPECT_THROW(renderer.resize(0, 100), std::invalid_argument);
@@ -42,7 +42,7 @@ TEST_P(Resize, AdjustedSettingsAreTheScenesOwn) {
     const scene::Scene coarse = scene_of(sphere_scene, {method, "isolation.step=0.5"});
     const scene::Scene fine = scene_of(sphere_scene, {method, "isolation.step=0.01"});
     const scene::SceneAt now = scene::at(coarse, coarse.timeline.values(1));
-    Renderer renderer(*context, coarse, {160, 120, every_channel});
+    Renderer renderer(*context, coarse, {160, 120, every_channel, {}});
     const Picture before = renderer.draw(now);
     renderer.adjust(fine.isolation);
     const Picture after = renderer.draw(now);
@@ -57,7 +57,7 @@ TEST_P(Resize, APictureThatIsGivenUpLeavesTheRendererWhole) {
     const scene::Scene scene = scene_of(sphere_scene);
     int tiles = 0;
     bool stops = true;
-    RenderOptions options{64, 64, every_channel};
+    RenderOptions options{64, 64, every_channel, {}};
     options.stop = [&] { return ++tiles > 2 && stops; };
     Renderer renderer(*context, scene, options);
     renderer.resize(scene.output.width, scene.output.height);
