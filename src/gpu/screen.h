@@ -12,8 +12,7 @@ namespace isomotion::gpu {
 /// Draws go to the current context's window, over all of its pixels, which get this colour.
 void begin_screen(int width, int height, glm::vec3 color);
 
-/// A picture to show in a window: four sRGB codes a pixel, the top row first, as player/views.h
-/// makes them. They are shown as they are.
+/// A picture to show in a window: four sRGB codes a pixel, the top row first, shown as they are.
 class ScreenTexture {
 public:
     /// How it looks where it is shown larger than it is.

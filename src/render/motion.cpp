@@ -48,6 +48,14 @@ std::array<glm::vec4, 3> change_of_place(const scene::PlacementAt& from,
     return rows;
 }
 
+glm::dvec3 place_on_ray(const scene::Rays& rays, const glm::ivec2& pixel, int width, int height,
+                        double t) {
+    const double u = 2 * (pixel.x + 0.5) / width - 1, v = 2 * (pixel.y + 0.5) / height - 1;
+    const glm::dvec3 across = u * rays.right + v * rays.up;
+    return rays.origin + across +
+           t * glm::normalize(rays.parallel ? rays.axis : rays.axis + across);
+}
+
 glm::dvec3 velocity(const Motion& motion, const scene::SceneAt& now, int width, int height,
                     const glm::dvec3& position, const glm::dvec4& before, const glm::dvec4& after) {
     const glm::dvec3 gradient = 0.5 * (glm::dvec3(before) + glm::dvec3(after));

@@ -28,6 +28,10 @@ Motion motion_about(const scene::Scene& scene, int frame);
 std::array<glm::vec4, 3> change_of_place(const scene::PlacementAt& from,
                                          const scene::PlacementAt& to);
 
+// Formula coordinates of a place on a pixel's ray, columns and rows from the lower left.
+glm::dvec3 place_on_ray(const scene::Rays& rays, const glm::ivec2& pixel, int width, int height,
+                        double t);
+
 // Of one hit: along the normal in world units a second, towards where F > 0; and of the place on
 // the surface in the picture, in pixels a second to the right and down, the camera's own motion
 // included. `position` is of the hit, formula coordinates; `before` and `after` hold the gradient

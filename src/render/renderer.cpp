@@ -4,6 +4,7 @@
 #include <bit>
 
 #include <fmt/format.h>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "gpu/draw.h"
 #include "gpu/program.h"
@@ -433,32 +434,20 @@ struct Renderer::Parts {
         upload_field(now);
         const std::vector<float> ends = rays.read(0, 0, 0, tile.width, tile.height);
         const scene::Rays from = scene::rays(now, options.width, options.height);
-        const auto channels = targets_of(drawn, synthesis::Channel::velocity);
-        for (int y = 0; y < tile.height; ++y) {
-            for (int x = 0; x < tile.width; ++x) {
-                const auto at = std::size_t(y * tile.width + x);
-                const bool hit = Verdict(record.verdict(at)) == Verdict::hit;
-                const double u = 2 * (tile.x + x + 0.5) / options.width - 1;
-                const double v = 2 * (tile.y + y + 0.5) / options.height - 1;
-                const glm::dvec3 across = u * from.right + v * from.up;
-                const glm::dvec3 way =
-                    glm::normalize(from.parallel ? from.axis : from.axis + across);
-                const auto texel = [&](const std::vector<float>& texels) {
-                    const float* t = texels.data() + 4 * at;
-                    return glm::dvec4(t[0], t[1], t[2], t[3]);
-                };
-                const glm::dvec3 found =
-                    hit ? velocity(motion, now, options.width, options.height,
-                                   from.origin + across + double(ends[4 * at]) * way, texel(before),
-                                   texel(after))
-                        : glm::dvec3(0);
-                const auto pixel =
-                    std::size_t(options.height - 1 - (tile.y + y)) * std::size_t(options.width) +
-                    std::size_t(tile.x + x);
-                for (int k = 0; k < 3; ++k) {
-                    channels[std::size_t(k)]->samples[pixel] = float(found[k]);
-                }
-            }
+        std::vector<glm::dvec3> found(before.size() / 4, glm::dvec3(0));
+        for (std::size_t at = 0; at < found.size(); ++at) {
+            if (Verdict(record.verdict(at)) != Verdict::hit) continue;
+            const glm::ivec2 pixel(tile.x + int(at) % tile.width, tile.y + int(at) / tile.width);
+            found[at] = velocity(
+                motion, now, options.width, options.height,
+                place_on_ray(from, pixel, options.width, options.height, double(ends[4 * at])),
+                glm::dvec4(glm::make_vec4(&before[4 * at])),
+                glm::dvec4(glm::make_vec4(&after[4 * at])));
+        }
+        int k = 0;
+        for (image::Channel* channel : targets_of(drawn, synthesis::Channel::velocity)) {
+            planes.fill(tile, *channel, [&](std::size_t at) { return float(found[at][k]); });
+            ++k;
         }
     }
 

@@ -41,22 +41,46 @@ bool is_found(const Picture& picture, std::size_t pixel) {
     return verdict == Verdict::hit || verdict == Verdict::zero_gradient;
 }
 
+std::string eye(double half, const glm::dvec3& way) {
+    return fmt::format("[{}, {}, {}]", half * way.x, half * way.y, half * way.z);
+}
+
 // A plane that is a face of a box, and one that is not quite: it lies a little inside, so that its
 // rays tell what the first must find. The last two faces are no floats.
 TEST_P(Faces, OfABoxAreHitLikePlanesJustInside) {
     for (const double half : {1.0, 0.3, 1234.1}) {
-        const std::string bounds =
-            fmt::format("{{ box = [[-{0}, -{0}, -{0}], [{0}, {0}, {0}]] }}", half);
-        // Where rays enter, where they leave, and slantwise.
-        for (const glm::dvec3 way :
-             {glm::dvec3(5, 0.3, 0.2), glm::dvec3(-5, 0.3, 0.2), glm::dvec3(2.4, 4.1, 1.9)}) {
-            const glm::dvec3 eye = half * way;
-            const std::string from = fmt::format("[{}, {}, {}]", eye.x, eye.y, eye.z);
-            SCOPED_TRACE(fmt::format("box of {} from {}", half, from));
-            by_every_method([&](scene::Method method, bool beam) {
-                const Picture inside =
-                    look(fmt::format("{} - x", half * 0.999), bounds, from, method, beam);
-                const Picture face = look(fmt::format("{} - x", half), bounds, from, method, beam);
+        // A frame each: the plane inside and on the face, from where rays enter, where they leave,
+        // and slantwise.
+        const std::string scene =
+            fmt::format(R"toml(
+[time]
+fps = 1
+frames = 6
+[surface]
+formula = "h - x"
+bounds = {{ box = [[-{0}, -{0}, -{0}], [{0}, {0}, {0}]] }}
+[parameters]
+h = {{ ease = "hold", keys = [[0, {1}], [1, {0}], [2, {1}], [3, {0}], [4, {1}], [5, {0}]] }}
+[camera]
+position = {{ ease = "hold", keys = [[0, {2}], [2, {3}], [4, {4}]] }}
+fov = 36
+[output]
+size = [61, 47]
+)toml",
+                        half, 0.999 * half, eye(half, {5, 0.3, 0.2}), eye(half, {-5, 0.3, 0.2}),
+                        eye(half, {2.4, 4.1, 1.9}));
+        by_every_method([&](scene::Method method, bool beam) {
+            const scene::Scene drawn =
+                scene_of(scene, {fmt::format("isolation.method=\"{}\"", scene::name(method)),
+                                 fmt::format("isolation.beam={}", beam)});
+            Renderer renderer(*context, drawn,
+                              {drawn.output.width, drawn.output.height, every_channel, {}});
+            const auto picture = [&](int frame) {
+                return renderer.draw(scene::at(drawn, drawn.timeline.values(frame)));
+            };
+            for (int frame = 1; frame < drawn.timeline.frames; frame += 2) {
+                SCOPED_TRACE(fmt::format("box of {}, frame {}", half, frame));
+                const Picture inside = picture(frame), face = picture(frame + 1);
                 EXPECT_GT(found(inside), 150);
                 int differ = 0, far = 0;
                 for (std::size_t k = 0; k < face.frame.find("verdict")->samples.size(); ++k) {
@@ -69,8 +93,8 @@ TEST_P(Faces, OfABoxAreHitLikePlanesJustInside) {
                 EXPECT_LE(differ, 6);
                 EXPECT_EQ(far, 0);
                 EXPECT_EQ(count(face, Verdict::step_limit) + count(face, Verdict::nan), 0);
-            });
-        }
+            }
+        });
     }
 }
 
