@@ -3,7 +3,10 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <stdexcept>
 #include <tuple>
+
+#include <fmt/format.h>
 
 #include "formula/operations.h"
 
@@ -111,7 +114,13 @@ NodeId Graph::intern(Node node) {
     if (node.op == Op::sum) node.arrays &= ~(1u << node.index);
     if (node.op == Op::element) node.arrays = 1u << node.index;
     const auto [it, inserted] = ids_.try_emplace(node, NodeId(nodes_.size()));
-    if (inserted) nodes_.push_back(node);
+    if (!inserted) return it->second;
+    if (nodes_.size() >= limits::graph_nodes) {
+        throw std::length_error(fmt::format(
+            "the formula is too large: with its derivatives it takes more than {} operations",
+            limits::graph_nodes));
+    }
+    nodes_.push_back(node);
     return it->second;
 }
 

@@ -3,7 +3,8 @@
 // Nodes are hash-consed: equal expressions are one node, so common subexpressions cost one
 // evaluation in GLSL and on the CPU alike. Constants are folded and trivial algebra (x*1, x+0, 0*x)
 // is simplified as nodes are made; factors that are the same for all elements of a sum leave it. A
-// graph only grows; node ids are topologically ordered (children before parents).
+// graph only grows, up to limits::graph_nodes, beyond which what makes nodes throws
+// std::length_error; node ids are topologically ordered (children before parents).
 #pragma once
 
 #include <array>
@@ -12,6 +13,8 @@
 #include <string_view>
 #include <unordered_map>
 #include <vector>
+
+#include "formula/limits.h"
 
 namespace isomotion::formula {
 
@@ -118,8 +121,7 @@ private:
     std::unordered_map<Node, NodeId, Hash> ids_;
 };
 
-// The most arrays a formula can sum over: one bit each in Node::arrays.
-inline constexpr int max_arrays = 32;
+inline constexpr int max_arrays = limits::arrays;
 
 std::string_view name(Op op);
 

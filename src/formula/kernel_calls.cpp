@@ -74,27 +74,43 @@ private:
             const auto cosine = cosines.find(a);
             if (cosine != cosines.end()) add_call({"sin_cos", {a}, 2}, {sine, cosine->second});
         }
-        for (const auto& [a, of_base] : powers) {
-            for (const auto& [b, upper] : of_base) {
-                for (const auto& [c, lower] : of_base) {
-                    if (!is_one_less(c, b)) continue;
-                    if (plan_.results.count(upper) > 0 || plan_.results.count(lower) > 0) continue;
-                    add_call({"pow_and_lower", {a, b}, 2}, {upper, lower});
-                }
+        for (const auto& [a, of_base] : powers) add_power_pairs(a, of_base);
+    }
+
+    // `of_base`: results by exponent.
+    void add_power_pairs(Register a, const std::map<Register, Register>& of_base) {
+        std::map<double, Register> constants; // exponents by value
+        std::map<Register, Register> below;   // exponents that are another minus 1, by that other
+        for (const auto& [exponent, result] : of_base) {
+            const Instruction* of = definition(exponent);
+            if (!of) continue;
+            if (of->op == Op::constant) constants[of->value] = exponent;
+            if (of->op == Op::subtract && is_one(of->operands[1])) {
+                below[of->operands[0]] = exponent;
             }
+        }
+        for (const auto& [exponent, upper] : of_base) {
+            const Instruction* of = definition(exponent);
+            const bool is_constant = of && of->op == Op::constant;
+            const auto constant = is_constant ? constants.find(of->value - 1) : constants.end();
+            const auto moving = below.find(exponent);
+            if (constant == constants.end() && moving == below.end()) continue;
+            const Register lower =
+                of_base.at(constant != constants.end() ? constant->second : moving->second);
+            if (lower == upper) continue; // 1e300 - 1 is 1e300
+            if (plan_.results.count(upper) > 0 || plan_.results.count(lower) > 0) continue;
+            add_call({"pow_and_lower", {a, exponent}, 2}, {upper, lower});
         }
     }
 
-    // Whether register `lower` is register `upper` minus 1.
-    bool is_one_less(Register lower, Register upper) const {
-        const Instruction& of_lower = *definitions_.at(lower);
-        const Instruction& of_upper = *definitions_.at(upper);
-        if (of_lower.op == Op::constant && of_upper.op == Op::constant) {
-            return of_lower.value == of_upper.value - 1;
-        }
-        if (of_lower.op != Op::subtract || of_lower.operands[0] != upper) return false;
-        const Instruction& subtrahend = *definitions_.at(of_lower.operands[1]);
-        return subtrahend.op == Op::constant && subtrahend.value == 1;
+    // Null for sums, which loops add up.
+    const Instruction* definition(Register r) const {
+        const auto it = definitions_.find(r);
+        return it == definitions_.end() ? nullptr : it->second;
+    }
+    bool is_one(Register r) const {
+        const Instruction* of = definition(r);
+        return of && of->op == Op::constant && of->value == 1;
     }
 
     const Program& program_;

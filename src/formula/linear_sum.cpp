@@ -5,68 +5,83 @@
 #include <fmt/format.h>
 
 #include "formula/glsl_interval.h"
+#include "formula/substitute.h"
 
 namespace isomotion::formula {
 namespace {
 
-// Takes an expression apart into factor * sum + rest.
+// Takes an expression apart into factor * sum + rest, node by node from the leaves on: chains of a
+// formula are longer than a stack, and what many nodes share is taken apart once.
 class Splitter {
 public:
-    Splitter(Graph& graph, NodeId sum)
-        : graph_(graph)
-        , sum_(sum)
-        , zero_(graph.constant(0)) {}
-
     struct Parts {
         NodeId rest, factor;
     };
 
-    std::optional<Parts> split(NodeId id) {
-        if (id == sum_) return Parts{zero_, graph_.constant(1)};
-        if (!holds_sum(id)) return Parts{id, zero_};
-        const Node node = graph_[id]; // a copy: the graph grows
-        const auto a = split(node.children[0]);
-        if (!a) return std::nullopt;
-        if (node.op == Op::negate) {
-            return Parts{graph_.unary(Op::negate, a->rest), graph_.unary(Op::negate, a->factor)};
+    Splitter(Graph& graph, NodeId sum)
+        : graph_(graph)
+        , sum_(sum) {}
+
+    std::optional<Parts> split(NodeId root) {
+        const std::vector<NodeId> below = nodes_below(graph_, std::array{root});
+        for (const NodeId id : below) {
+            const Node node = graph_[id]; // a copy: the graph grows
+            if (id == sum_) {
+                parts_[id] = Parts{graph_.constant(0), graph_.constant(1)};
+            } else if (holds_sum(node)) {
+                parts_[id] = parts_of(node);
+                if (!parts_[id]) return std::nullopt;
+            }
         }
-        if (node.arity != 2) return std::nullopt;
-        const auto b = split(node.children[1]);
-        if (!b) return std::nullopt;
+        return parts_.at(root);
+    }
+
+private:
+    bool holds_sum(NodeId id) const { return parts_.count(id) > 0; }
+    bool holds_sum(const Node& node) const {
+        for (std::size_t k = 0; k < node.arity; ++k) {
+            if (holds_sum(node.children[k])) return true;
+        }
+        return false;
+    }
+
+    // Of a child: without the sum below it, all is rest.
+    Parts parts_of(NodeId child) {
+        return holds_sum(child) ? *parts_.at(child) : Parts{child, graph_.constant(0)};
+    }
+
+    std::optional<Parts> parts_of(const Node& node) {
+        const NodeId left = node.children[0], right = node.children[1];
         switch (node.op) {
+        case Op::negate: {
+            const Parts a = parts_of(left);
+            return Parts{graph_.unary(Op::negate, a.rest), graph_.unary(Op::negate, a.factor)};
+        }
         case Op::add:
-        case Op::subtract:
-            return Parts{graph_.binary(node.op, a->rest, b->rest),
-                         graph_.binary(node.op, a->factor, b->factor)};
+        case Op::subtract: {
+            const Parts a = parts_of(left), b = parts_of(right);
+            return Parts{graph_.binary(node.op, a.rest, b.rest),
+                         graph_.binary(node.op, a.factor, b.factor)};
+        }
         case Op::multiply:
-            if (!holds_sum(node.children[1])) return scaled(Op::multiply, *a, b->rest);
-            if (!holds_sum(node.children[0])) return scaled(Op::multiply, *b, a->rest);
+            if (!holds_sum(right)) return scaled(Op::multiply, parts_of(left), right);
+            if (!holds_sum(left)) return scaled(Op::multiply, parts_of(right), left);
             return std::nullopt;
         case Op::divide:
-            if (!holds_sum(node.children[1])) return scaled(Op::divide, *a, b->rest);
+            if (!holds_sum(right)) return scaled(Op::divide, parts_of(left), right);
             return std::nullopt;
         default:
             return std::nullopt;
         }
     }
 
-private:
     Parts scaled(Op op, const Parts& parts, NodeId by) {
         return {graph_.binary(op, parts.rest, by), graph_.binary(op, parts.factor, by)};
     }
 
-    bool holds_sum(NodeId id) {
-        if (id == sum_) return true;
-        if (const auto it = holds_.find(id); it != holds_.end()) return it->second;
-        const Node node = graph_[id];
-        bool holds = false;
-        for (int k = 0; k < node.arity; ++k) holds |= holds_sum(node.children[std::size_t(k)]);
-        return holds_[id] = holds;
-    }
-
     Graph& graph_;
-    NodeId sum_, zero_;
-    std::map<NodeId, bool> holds_;
+    NodeId sum_;
+    std::map<NodeId, std::optional<Parts>> parts_; // of the nodes that hold the sum
 };
 
 std::set<NodeId> sums_below(const Graph& graph, NodeId root) {

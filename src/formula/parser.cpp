@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "formula/limits.h"
+
 namespace isomotion::formula {
 namespace {
 
@@ -114,6 +116,10 @@ public:
         , graph_(graph) {}
 
     NodeId formula() {
+        if (text_.size() > limits::formula_bytes) {
+            fail(limits::formula_bytes, fmt::format("the formula has {} bytes; at most {} are read",
+                                                    text_.size(), limits::formula_bytes));
+        }
         while (parse_definition()) {
         }
         const NodeId root = expression();
@@ -139,6 +145,10 @@ private:
             fail(begin, fmt::format("'{}' already has a meaning (a formula is the left side of "
                                     "F = 0, written without '= 0')",
                                     word));
+        }
+        if (word.size() > limits::name_bytes) {
+            fail(begin, fmt::format("a name of {} characters; at most {} are read", word.size(),
+                                    limits::name_bytes));
         }
         ++at_;
         const NodeId value = expression();
@@ -189,6 +199,11 @@ private:
 
     NodeId factor() {
         const Depth depth(*this);
+        if (graph_.size() > limits::formula_nodes) {
+            fail(at_, fmt::format("the formula is too large: it has more than {} operations, names "
+                                  "and numbers",
+                                  limits::formula_nodes));
+        }
         skip_space();
         if (accept('-')) return graph_.unary(Op::negate, factor());
         if (accept('+')) return factor();
@@ -330,8 +345,10 @@ private:
         const std::size_t place = at_;
         const NodeId degree = expression();
         const double n = graph_.is_constant(degree) ? graph_[degree].value : -1;
-        if (n < 0 || n != std::floor(n) || n > 1000) {
-            fail(place, "the degree of chebyshev(n, x) must be a constant integer from 0 to 1000");
+        if (n < 0 || n != std::floor(n) || n > limits::chebyshev_degree) {
+            fail(place, fmt::format("the degree of chebyshev(n, x) must be a constant integer from "
+                                    "0 to {}",
+                                    limits::chebyshev_degree));
         }
         expect(',', "between the degree and the argument of chebyshev");
         const NodeId argument = expression();
@@ -432,7 +449,9 @@ private:
     struct Depth {
         explicit Depth(Parser& parser)
             : owner(parser) {
-            if (++owner.depth_ > 400) owner.fail(owner.at_, "the formula is nested too deeply");
+            if (++owner.depth_ > limits::nesting) {
+                owner.fail(owner.at_, "the formula is nested too deeply");
+            }
         }
         ~Depth() { --owner.depth_; }
         Depth(const Depth&) = delete;
@@ -448,7 +467,7 @@ private:
         return text_.substr(at_, end - at_);
     }
     void skip_space() {
-        while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
+        at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size());
     }
     bool accept(char c) {
         if (peek() != c) return false;

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "formula/limits.h"
+
 namespace isomotion::formula {
 namespace {
 
@@ -38,10 +40,12 @@ bool is_identifier(std::string_view name) {
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates) {
     std::string best;
+    if (word.size() > limits::name_bytes) return best; // no slip of the finger
     int best_distance = std::max(1, int(word.size()) / 3) + 1;
     for (const std::string& candidate : candidates) {
         // For one-letter names every other letter is one edit away: no suggestion is better.
         if (word.size() == 1 && candidate.size() == 1) continue;
+        if (candidate.size() > 2 * limits::name_bytes) continue;
         const int distance = edit_distance(word, candidate);
         if (distance < best_distance) {
             best_distance = distance;

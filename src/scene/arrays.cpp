@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include "scene/element_table.h"
+#include "scene/limits.h"
+#include "scene/named_file.h"
 #include "scene/names.h"
 
 namespace isomotion::scene {
 namespace {
-
-constexpr int most_elements = 1'000'000;
 
 animation::FieldSource read_field(const toml::node& node, const std::string& key) {
     if (node.is_number()) return read_finite(node, key);
@@ -62,20 +62,18 @@ void gather(const toml::table& table, const std::string& key, ArrayNodes& nodes)
 
 int read_count(const toml::node& node, const std::string& key) {
     const auto count = node.value_exact<std::int64_t>();
-    if (!count || *count < 0 || *count > most_elements) {
-        fail(node, key, fmt::format("must be an integer from 0 to {}", most_elements));
+    if (!count || *count < 0 || *count > limits::elements) {
+        fail(node, key, fmt::format("must be an integer from 0 to {}", limits::elements));
     }
     return int(*count);
 }
 
-TableReading read_data(const toml::table& table, const std::string& key) {
+TableReading read_data(const toml::table& table, const std::string& key, Reach reach) {
     Section section(table, key);
     TableReading reading;
     const toml::node& file = *section.find("file");
-    reading.file = beside(file, *section.text("file"));
-    if (!std::filesystem::is_regular_file(reading.file)) {
-        fail(file, key + ".file", fmt::format("there is no file {}", reading.file.string()));
-    }
+    reading.file =
+        named_file(file, key + ".file", std::array{beside(file, *section.text("file"))}, reach);
     if (auto columns = section.section("columns")) {
         for (const auto& [name, node] : columns->table()) {
             const std::string field(name.str());
@@ -122,9 +120,9 @@ void check_times(const toml::table& table, const std::string& key, const TableRe
 
 // The columns of a file become fields; a field that the scene writes itself goes before.
 void add_data(const ArrayNodes& nodes, const std::string& key, const animation::Timeline& timeline,
-              TrackTable& tracks, animation::Array& array) {
-    TableReading reading = read_data(*nodes.data, key);
-    reading.most = nodes.count ? read_count(*nodes.count, key + ".count") : most_elements;
+              TrackTable& tracks, Reach reach, animation::Array& array) {
+    TableReading reading = read_data(*nodes.data, key, reach);
+    reading.most = nodes.count ? read_count(*nodes.count, key + ".count") : limits::elements;
     const ElementTable table = read_element_table(reading, timeline);
     check_times(*nodes.data, key, reading, table, timeline);
     array.samples = table.samples;
@@ -138,12 +136,12 @@ void add_data(const ArrayNodes& nodes, const std::string& key, const animation::
 }
 
 animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
-                            const animation::Timeline& timeline, TrackTable& tracks) {
+                            const animation::Timeline& timeline, TrackTable& tracks, Reach reach) {
     animation::Array array;
     array.name = name;
     const std::string key = "arrays." + name;
     if (nodes.data) {
-        add_data(nodes, key, timeline, tracks, array);
+        add_data(nodes, key, timeline, tracks, reach, array);
     } else {
         if (!nodes.count) {
             fail(*nodes.place, key,
@@ -167,13 +165,19 @@ animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
                              array.count));
         }
     }
+    if (array.fields.size() > std::size_t(limits::fields)) {
+        fail(*nodes.place, key,
+             fmt::format("has {} fields; at most {} are possible", array.fields.size(),
+                         limits::fields));
+    }
     return array;
 }
 
 } // namespace
 
 std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
-                                          const animation::Timeline& timeline, TrackTable& tracks) {
+                                          const animation::Timeline& timeline, TrackTable& tracks,
+                                          Reach reach) {
     std::vector<std::string> names;
     std::map<std::string, ArrayNodes> nodes;
     for (Section* from : {catalogue, &document}) {
@@ -193,7 +197,7 @@ std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
     }
     std::vector<animation::Array> arrays;
     for (const std::string& name : names) {
-        arrays.push_back(make_array(name, nodes[name], timeline, tracks));
+        arrays.push_back(make_array(name, nodes[name], timeline, tracks, reach));
     }
     return arrays;
 }

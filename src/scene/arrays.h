@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scene/document.h"
+#include "scene/reach.h"
 #include "scene/track_table.h"
 
 namespace isomotion::scene {
@@ -11,6 +12,7 @@ namespace isomotion::scene {
 // The catalogue's arrays, where there is one, with the scene's over them field by field. A file of
 // the scene's takes the place of the catalogue's lists. Remembers the place of every field.
 std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
-                                          const animation::Timeline& timeline, TrackTable& tracks);
+                                          const animation::Timeline& timeline, TrackTable& tracks,
+                                          Reach reach);
 
 } // namespace isomotion::scene

@@ -43,6 +43,7 @@ fs::path data_folder() {
         if (holds_data(up / "share" / "isomotion")) return up / "share" / "isomotion";
         if (holds_data(up)) return up;
     }
+    if (holds_data(ISOMOTION_INSTALLED_DATA)) return ISOMOTION_INSTALLED_DATA;
     throw SceneError(fmt::format("the program's shaders/ and animations/ are not to be found above "
                                  "{}; set ISOMOTION_DATA to the folder that holds them",
                                  program.string()));

@@ -10,7 +10,8 @@ namespace isomotion::scene {
 
 // The folder that holds shaders/ and animations/: $ISOMOTION_DATA, or <prefix>/share/isomotion
 // beside the program, or the nearest folder above the program that has both (a source tree with
-// its build inside). Throws SceneError naming where it looked.
+// its build inside); else, for programs of others that link this library, where the build was to be
+// installed. Throws SceneError naming where it looked.
 std::filesystem::path data_folder();
 
 // Names (without .toml) of the gallery's animations and of the catalogue's surfaces, sorted.

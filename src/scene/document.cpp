@@ -1,10 +1,14 @@
 #include "scene/document.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "formula/vocabulary.h"
+#include "scene/file_text.h"
+#include "scene/limits.h"
+#include "scene/toml_depth.h"
 
 namespace isomotion::scene {
 namespace {
@@ -40,6 +44,10 @@ animation::Ease read_keys(const toml::table& table, const std::string& key, Add&
     if (!list || list->empty()) {
         fail(table, key, "needs keys = [[t, value], ...], at least one");
     }
+    if (list->size() > std::size_t(limits::keys)) {
+        fail(*list, key,
+             fmt::format("has {} keys; at most {} are possible", list->size(), limits::keys));
+    }
     double before = 0;
     for (std::size_t k = 0; k < list->size(); ++k) {
         const toml::array* pair = list->get(k)->as_array();
@@ -58,18 +66,20 @@ animation::Ease read_keys(const toml::table& table, const std::string& key, Add&
 } // namespace
 
 toml::table read_document(const std::filesystem::path& file) {
-    try {
-        return toml::parse_file(file.string());
-    } catch (const toml::parse_error& error) {
-        if (!std::filesystem::exists(file)) {
-            throw SceneError(fmt::format("{}: no such file", file.string()));
-        }
-        const auto& region = error.source();
+    return parse_document(file_text(file, limits::scene_bytes), file);
+}
+
+toml::table parse_document(std::string_view text, const std::filesystem::path& file) {
+    if (const int line = first_line_nested_beyond(text, limits::nesting)) {
         throw SceneError(
-            region.begin.line == 0
-                ? fmt::format("{}: cannot be read: {}", file.string(), error.description())
-                : fmt::format("{}:{}: not valid TOML: {}", file.string(), region.begin.line,
-                              error.description()));
+            fmt::format("{}:{}: tables and lists are nested too deeply; {} deep are read",
+                        file.string(), line, limits::nesting));
+    }
+    try {
+        return toml::parse(text, file.string());
+    } catch (const toml::parse_error& error) {
+        throw SceneError(fmt::format("{}:{}: not valid TOML: {}", file.string(),
+                                     error.source().begin.line, error.description()));
     }
 }
 
@@ -82,12 +92,6 @@ double read_finite(const toml::node& node, const std::string& key) {
     if (!value) fail(node, key, "must be a number");
     if (!std::isfinite(*value)) fail(node, key, "must be finite");
     return *value;
-}
-
-std::filesystem::path beside(const toml::node& node, const std::string& name) {
-    const auto& document = node.source().path;
-    if (!document) return name;
-    return std::filesystem::path(*document).parent_path() / name;
 }
 
 animation::TrackSource read_track(const toml::node& node, const std::string& key) {
@@ -128,6 +132,16 @@ std::array<animation::TrackSource, 3> read_vector(const toml::node& node, const 
         return std::array<animation::TrackSource, 3>{keys[0], keys[1], keys[2]};
     }
     fail(node, key, "must be [x, y, z] or { keys = [[t, [x, y, z]], ...] }");
+}
+
+std::string Section::dotted(const std::string& name) const {
+    const bool bare = std::ranges::all_of(name, [](unsigned char c) {
+        return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
+               c == '_' || c == '-' || c >= 0x80;
+    });
+    // As TOML writes it: a line end in a key is no line end of the message.
+    const std::string key = bare ? name : fmt::format("{:?}", name);
+    return key_.empty() ? key : key_ + "." + key;
 }
 
 const toml::node* Section::find(const std::string& name) {

@@ -18,6 +18,8 @@ namespace isomotion::scene {
 
 // Reads and parses a file; SceneError for a missing or malformed one.
 toml::table read_document(const std::filesystem::path& file);
+// `file` is what messages call it and where files that it names are looked for.
+toml::table parse_document(std::string_view text, const std::filesystem::path& file);
 
 [[noreturn]] void fail(const toml::node& at, const std::string& key, const std::string& message);
 
@@ -32,9 +34,7 @@ public:
     const toml::node* find(const std::string& name);
     bool has(const std::string& name) const { return table_->contains(name); }
     const toml::table& table() const { return *table_; }
-    std::string dotted(const std::string& name) const {
-        return key_.empty() ? name : key_ + "." + name;
-    }
+    std::string dotted(const std::string& name) const;
     std::optional<Section> section(const std::string& name);
 
     std::optional<std::string> text(const std::string& name);
@@ -57,7 +57,5 @@ animation::TrackSource read_track(const toml::node& node, const std::string& key
 // [x, y, z] of such, or { keys = [[t, [x, y, z]], ...], ease = "linear" }.
 std::array<animation::TrackSource, 3> read_vector(const toml::node& node, const std::string& key);
 double read_finite(const toml::node& node, const std::string& key);
-// A file that a value names: from where the scene is, on the command line from the current folder.
-std::filesystem::path beside(const toml::node& node, const std::string& name);
 
 } // namespace isomotion::scene

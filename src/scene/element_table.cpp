@@ -1,11 +1,8 @@
 #include "scene/element_table.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <optional>
 #include <unordered_map>
 
@@ -13,6 +10,8 @@
 
 #include "formula/vocabulary.h"
 #include "scene/error.h"
+#include "scene/file_text.h"
+#include "scene/limits.h"
 
 namespace isomotion::scene {
 namespace {
@@ -43,23 +42,12 @@ std::vector<std::string> quoted_cells(std::string_view line) {
     return cells;
 }
 
-std::string contents(const std::filesystem::path& file) {
-    errno = 0;
-    std::ifstream stream(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream && !stream.eof()) {
-        throw SceneError(fmt::format("{}: cannot be read: {}", file.string(),
-                                     std::strerror(errno ? errno : EIO)));
-    }
-    return text;
-}
-
 class Reader {
 public:
     Reader(const TableReading& reading, const animation::Timeline& timeline)
         : reading_(reading)
         , timeline_(timeline)
-        , text_(contents(reading.file)) {}
+        , text_(file_text(reading.file, limits::table_bytes)) {}
 
     ElementTable read() {
         read_header();
@@ -105,6 +93,10 @@ private:
             fail("", "is empty; it needs a line of column names, then one element a line");
         }
         names_ = quoted_cells(*line);
+        if (names_.size() > std::size_t(limits::fields)) {
+            fail("", fmt::format("names {} columns; at most {} are read", names_.size(),
+                                 limits::fields));
+        }
         for (std::size_t k = 0; k < names_.size(); ++k) {
             if (std::find(names_.begin(), names_.begin() + std::ptrdiff_t(k), names_[k]) !=
                 names_.begin() + std::ptrdiff_t(k)) {
@@ -185,14 +177,15 @@ private:
 
     void split(std::string_view line) {
         cells_.clear();
+        const auto cells = std::size_t(std::ranges::count(line, ',')) + 1;
+        if (cells != names_.size()) {
+            fail("",
+                 fmt::format("has {} cells; the header names {} columns", cells, names_.size()));
+        }
         for (std::size_t begin = 0; begin <= line.size();) {
             const std::size_t end = std::min(line.find(',', begin), line.size());
             cells_.push_back(trimmed(line.substr(begin, end - begin)));
             begin = end + 1;
-        }
-        if (cells_.size() != names_.size()) {
-            fail("", fmt::format("has {} cells; the header names {} columns", cells_.size(),
-                                 names_.size()));
         }
     }
 
@@ -255,6 +248,9 @@ private:
             return;
         }
         const std::int64_t now = whole_number(*time_column_);
+        if (std::abs(now) > limits::frames) {
+            fail(name, fmt::format("frames are numbered up to {}, not {}", limits::frames, now));
+        }
         if (last_frame_ && now == *last_frame_) return;
         if (last_frame_) {
             const std::int64_t step = now - *last_frame_;

@@ -1,22 +1,10 @@
 #include "scene/environment.h"
 
-#include <fmt/format.h>
-
 #include "scene/data_folder.h"
+#include "scene/named_file.h"
 
 namespace isomotion::scene {
-namespace fs = std::filesystem;
 namespace {
-
-fs::path find_map(const toml::node& node, const std::string& name) {
-    std::error_code ignored;
-    const fs::path own = beside(node, name), media = media_file(name);
-    for (const fs::path& file : {own, media}) {
-        if (fs::is_regular_file(file, ignored)) return file;
-    }
-    fail(node, "environment.map",
-         fmt::format("there is no file {}, nor {}", own.string(), media.string()));
-}
 
 // One of [output] and [environment] is behind the surface, not both.
 bool read_background(Section& section, Section& document) {
@@ -32,7 +20,7 @@ bool read_background(Section& section, Section& document) {
 
 } // namespace
 
-std::optional<Environment> read_environment(Section& document, TrackTable& tracks) {
+std::optional<Environment> read_environment(Section& document, TrackTable& tracks, Reach reach) {
     auto section = document.section("environment");
     if (!section) return std::nullopt;
     Environment environment;
@@ -41,7 +29,9 @@ std::optional<Environment> read_environment(Section& document, TrackTable& track
         fail(section->table(), "environment",
              "needs map = \"FILE\", a latitude-longitude map such as \"studio.exr\"");
     }
-    environment.map = find_map(*section->find("map"), *name);
+    const toml::node& map = *section->find("map");
+    environment.map = named_file(map, "environment.map",
+                                 std::array{beside(map, *name), media_file(*name)}, reach);
     const auto number = [&](const std::string& key, double value) {
         const auto source = section->track(key);
         return tracks.add("environment." + key, source ? *source : animation::TrackSource(value),

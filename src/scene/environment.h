@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/document.h"
+#include "scene/reach.h"
 #include "scene/scene.h"
 #include "scene/track_table.h"
 
@@ -10,6 +11,6 @@ namespace isomotion::scene {
 // Reads the section, if there is one, and adds its tracks; comes after read_output. The map is
 // looked for beside the scene, then in the program's media/. That it is there is all that is
 // checked: a scene loads without reading pictures.
-std::optional<Environment> read_environment(Section& document, TrackTable& tracks);
+std::optional<Environment> read_environment(Section& document, TrackTable& tracks, Reach reach);
 
 } // namespace isomotion::scene

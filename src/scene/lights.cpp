@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/limits.h"
+
 namespace isomotion::scene {
 namespace {
 
@@ -35,7 +37,7 @@ Light read_light(const toml::node& at, const std::string& key, TrackTable& track
 } // namespace
 
 void read_lights(Section& document, Scene& scene, TrackTable& tracks) {
-    constexpr std::size_t most = 8;
+    constexpr std::size_t most = limits::lights;
     const toml::node* node = document.find("lights");
     const toml::array* list = node ? node->as_array() : nullptr;
     if (node && (!list || list->empty() || !list->is_array_of_tables())) {

@@ -5,9 +5,12 @@
 #include "scene/camera.h"
 #include "scene/data_folder.h"
 #include "scene/environment.h"
+#include "scene/file_text.h"
 #include "scene/lights.h"
+#include "scene/limits.h"
 #include "scene/material.h"
 #include "scene/method_domain.h"
+#include "scene/printable.h"
 #include "scene/space.h"
 #include "scene/surface.h"
 #include "scene/thresholds.h"
@@ -17,8 +20,9 @@ namespace fs = std::filesystem;
 namespace {
 
 fs::path locate(const std::string& scene) {
-    if (fs::exists(scene)) {
-        if (fs::is_directory(scene)) {
+    std::error_code ignored;
+    if (fs::exists(scene, ignored)) {
+        if (fs::is_directory(scene, ignored)) {
             throw SceneError(scene + ": is a folder; name a scene file (.toml)");
         }
         return scene;
@@ -75,6 +79,18 @@ void override_key(toml::table& document, const Override& setting) {
     table->insert_or_assign(path.substr(begin), *parsed.get("value"));
 }
 
+// It goes to terminals, windows and into pictures.
+std::string read_title(Section& document, const fs::path& file) {
+    const auto title = document.text("title");
+    if (!title) return printable(file.stem().string());
+    if (title->size() > limits::title_bytes || !is_one_printable_line(*title)) {
+        fail(*document.find("title"), "title",
+             fmt::format("must be one line of at most {} bytes, without control characters",
+                         limits::title_bytes));
+    }
+    return *title;
+}
+
 void read_time(Section& document, Scene& scene, std::uint64_t& seed) {
     auto section = document.section("time");
     if (!section) return;
@@ -90,7 +106,7 @@ void read_time(Section& document, Scene& scene, std::uint64_t& seed) {
                  "must be above 0: 30, 23.976 (up to nine decimals) or \"30000/1001\"");
         scene.timeline.fps = *rate;
     }
-    scene.timeline.frames = section->integer("frames", 1, 10'000'000).value_or(1);
+    scene.timeline.frames = section->integer("frames", 1, limits::frames).value_or(1);
     scene.timeline.loops = section->boolean("loop").value_or(false);
     seed = std::uint64_t(section->integer("seed", 0, 2'147'483'647).value_or(0));
     section->refuse_rest();
@@ -117,7 +133,7 @@ SkyGradient read_gradient(Section section) {
 }
 
 void read_output(Section& document, Scene& scene) {
-    constexpr int most = 16384;
+    constexpr int most = limits::picture_side;
     Output& output = scene.output;
     output.background = {0.86, 0.86, 0.9};
     // One picture shows no blur.
@@ -149,7 +165,7 @@ void read_output(Section& document, Scene& scene) {
                                  "[r, g, b] } or \"transparent\"");
         }
     }
-    output.samples = section->integer("samples", 1, 1024).value_or(output.samples);
+    output.samples = section->integer("samples", 1, limits::samples).value_or(output.samples);
     output.poster = section->integer("poster", 1, scene.timeline.frames).value_or(1);
     section->refuse_rest();
 }
@@ -184,33 +200,66 @@ void read_isolation(Section& document, Isolation& isolation, GivenThresholds& gi
     set("near", 0, isolation.near, given.near);
     set("far", 0, isolation.far, given.far);
     set("horizon", 0, isolation.horizon, given.horizon);
-    isolation.bisections = section->integer("bisections", 0, 64).value_or(isolation.bisections);
+    isolation.bisections =
+        section->integer("bisections", 0, limits::bisections).value_or(isolation.bisections);
     if (const auto beam = section->boolean("beam")) isolation.beam = *beam;
     isolation.certify = section->boolean("certify").value_or(isolation.certify);
     isolation.safety = section->number("safety", 1, 1e6).value_or(isolation.safety);
-    isolation.limit = section->integer("limit", 1, 10'000'000).value_or(isolation.limit);
+    isolation.limit = section->integer("limit", 1, limits::evaluations).value_or(isolation.limit);
     section->refuse_rest();
+}
+
+// What would take minutes to read, or to be at one frame, is no scene but a slip of the pen.
+void check_work(const Scene& scene, const SurfaceParts& parts, const TrackTable& tracks) {
+    const animation::Animation& animation = scene.timeline.animation;
+    std::vector<int> counts;
+    for (const animation::Array& array : animation.arrays()) counts.push_back(array.count);
+    const formula::Cost point = formula::cost(parts.surface.field->gradient, counts);
+    if (point.operations > limits::operations_at_a_point) {
+        fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula",
+             fmt::format(
+                 "takes {:.3g} operations at one point, all elements of its sums counted; at "
+                 "most {:.3g} are possible: give its arrays fewer elements",
+                 point.operations, limits::operations_at_a_point));
+    }
+    for (std::size_t a = 0; a < animation.arrays().size(); ++a) {
+        const double operations = animation.operations(a);
+        if (operations <= limits::operations_of_a_frame) continue;
+        const animation::Array& array = animation.arrays()[a];
+        tracks.fail_at(array.name + "." + array.fields.front().name,
+                       fmt::format("the fields of '{}' take {:.3g} operations at each frame, all "
+                                   "elements counted; at most {:.3g} are possible: give it fewer "
+                                   "elements",
+                                   array.name, operations, limits::operations_of_a_frame));
+    }
 }
 
 } // namespace
 
 std::string title(const fs::path& file) {
     const toml::table root = read_document(file);
-    return Section(root, "").text("title").value_or(file.stem().string());
+    Section document(root, "");
+    return read_title(document, file);
 }
 
-Scene load(const std::string& name, const std::vector<Override>& overrides) {
+Scene load(const std::string& name, const std::vector<Override>& overrides, Reach reach) {
+    const fs::path file = locate(name);
+    return load_text(file_text(file, limits::scene_bytes), file, overrides, reach);
+}
+
+Scene load_text(std::string_view text, const fs::path& file, const std::vector<Override>& overrides,
+                Reach reach) {
     Scene scene;
-    scene.file = locate(name);
-    toml::table root = read_document(scene.file);
+    scene.file = file;
+    toml::table root = parse_document(text, file);
     for (const Override& setting : overrides) override_key(root, setting);
 
     Section document(root, "");
-    scene.title = document.text("title").value_or(scene.file.stem().string());
+    scene.title = read_title(document, scene.file);
     TrackTable tracks;
     std::uint64_t seed = 0;
     read_time(document, scene, seed);
-    const auto parts = read_surface(document, scene.timeline, tracks);
+    const auto parts = read_surface(document, scene.timeline, tracks, reach);
     read_space(document, *parts, tracks);
     scene.camera = read_camera(document, tracks);
     read_lights(document, scene, tracks);
@@ -218,7 +267,7 @@ Scene load(const std::string& name, const std::vector<Override>& overrides) {
     scene.material = read_material(document, *parts, tracks, painted);
     read_output(document, scene);
     read_surroundings(document, scene, tracks);
-    scene.environment = read_environment(document, tracks);
+    scene.environment = read_environment(document, tracks, reach);
     GivenThresholds given;
     if (parts->catalogue) {
         Section catalogue(*parts->catalogue, "");
@@ -238,6 +287,7 @@ Scene load(const std::string& name, const std::vector<Override>& overrides) {
     scene.surface = parts->surface;
 
     // Settings are chosen once, at the first frame: every frame is marched alike.
+    check_work(scene, *parts, tracks);
     const SceneAt first = at(scene, scene.timeline.values(1));
     Isolation& isolation = scene.isolation;
     if (!given.step) isolation.step = first.bounds.radius / 100;

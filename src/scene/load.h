@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/error.h"
+#include "scene/reach.h"
 #include "scene/scene.h"
 
 namespace isomotion::scene {
@@ -16,7 +18,12 @@ namespace isomotion::scene {
 using Override = std::string;
 
 // `scene` is a path to a .toml file or the name of an animation of the gallery. Throws SceneError.
-Scene load(const std::string& scene, const std::vector<Override>& overrides = {});
+Scene load(const std::string& scene, const std::vector<Override>& overrides = {},
+           Reach reach = Reach::own_folder);
+
+// The same of a scene's text, as if it were in `file`.
+Scene load_text(std::string_view text, const std::filesystem::path& file,
+                const std::vector<Override>& overrides = {}, Reach reach = Reach::own_folder);
 
 // What a scene or a surface of the catalogue calls itself.
 std::string title(const std::filesystem::path& file);

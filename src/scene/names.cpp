@@ -3,12 +3,18 @@
 #include <fmt/format.h>
 
 #include "formula/vocabulary.h"
+#include "scene/limits.h"
 
 namespace isomotion::scene {
 
 void check_name(const std::string& name, const toml::node& at, const std::string& key) {
     if (!formula::is_identifier(name)) {
         fail(at, key, "a name is letters, digits and _, and starts with a letter");
+    }
+    if (name.size() > limits::name_bytes) {
+        fail(at, key,
+             fmt::format("a name of {} characters; at most {} are read", name.size(),
+                         limits::name_bytes));
     }
     if (formula::is_reserved(name)) {
         fail(at, key,

@@ -7,6 +7,7 @@
 #include "formula/parser.h"
 #include "scene/arrays.h"
 #include "scene/data_folder.h"
+#include "scene/limits.h"
 #include "scene/names.h"
 
 namespace isomotion::scene {
@@ -52,6 +53,11 @@ void read_parameters(Section& document, SurfaceParts& parts, TrackTable& tracks)
             check_name(name, node, section->dotted(name));
             if (!found.count(name)) parts.parameters.push_back(name);
             found[name] = read_parameter(node, section->dotted(name), found[name].range);
+            if (parts.parameters.size() > std::size_t(limits::parameters)) {
+                fail(node, section->dotted(name),
+                     fmt::format("is one too many: a scene has at most {} parameters",
+                                 limits::parameters));
+            }
         }
     };
     if (parts.catalogue) {
@@ -90,11 +96,20 @@ void make_vocabulary(SurfaceParts& parts, TrackTable& tracks) {
         parts.vocabulary.arrays.push_back(names);
     }
     parts.surface.parameters = tracks.size();
+    if (tracks.size() > limits::parameters) {
+        tracks.fail_at(parts.vocabulary.parameters.back(),
+                       fmt::format("is one too many: parameters, and fields with one value for all "
+                                   "elements, are at most {} together",
+                                   limits::parameters));
+    }
 }
 
 toml::table read_catalogue(const toml::node& use, const std::string& name) {
     const auto file = surface_file(name);
-    if (!std::filesystem::exists(file)) {
+    // A name, and no way to somewhere else.
+    std::error_code ignored;
+    if (name.find_first_of(std::string_view("/\0", 2)) != name.npos ||
+        !std::filesystem::exists(file, ignored)) {
         const auto known = surface_names();
         const std::string near = formula::nearest_name(name, known);
         fail(use, "surface.use",
@@ -145,7 +160,7 @@ void refuse_unused_fields(const SurfaceParts& parts, const std::vector<bool>& us
 } // namespace
 
 std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
-                                           TrackTable& tracks) {
+                                           TrackTable& tracks, Reach reach) {
     auto parts = std::make_unique<SurfaceParts>();
     auto section = document.section("surface");
     if (!section) {
@@ -180,9 +195,9 @@ std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::T
     read_parameters(document, *parts, tracks);
     if (parts->catalogue) {
         Section catalogue(*parts->catalogue, "");
-        parts->arrays = read_arrays(&catalogue, document, timeline, tracks);
+        parts->arrays = read_arrays(&catalogue, document, timeline, tracks, reach);
     } else {
-        parts->arrays = read_arrays(nullptr, document, timeline, tracks);
+        parts->arrays = read_arrays(nullptr, document, timeline, tracks, reach);
     }
     make_vocabulary(*parts, tracks);
     return parts;
@@ -193,6 +208,8 @@ void make_field(SurfaceParts& parts) {
         parts.surface.field =
             std::make_shared<formula::Field>(formula::make_field(parts.formula, parts.vocabulary));
     } catch (const formula::ParseError& error) {
+        fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula", error.what());
+    } catch (const std::length_error& error) {
         fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula", error.what());
     }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/document.h"
+#include "scene/reach.h"
 #include "scene/scene.h"
 #include "scene/track_table.h"
 
@@ -20,7 +21,7 @@ struct SurfaceParts {
 // Reads the three sections and adds their tracks: parameters first, then fields that have one value
 // for all elements.
 std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
-                                           TrackTable& tracks);
+                                           TrackTable& tracks, Reach reach);
 
 // Parses the formula.
 void make_field(SurfaceParts& parts);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "formula/linear_sum.h"
+#include "scene/fingerprint.h"
 #include "scene/method_domain.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/bernstein_text.h"
@@ -374,6 +375,18 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     shaders.shade = shade_text(scene, channels, shaders);
     shaders.whole = whole_text(scene, channels, shaders);
     return shaders;
+}
+
+std::string fingerprint(const Shaders& shaders) {
+    scene::Fingerprint print;
+    for (const auto& level : shaders.beams) print.add(level.text);
+    for (const std::string* text :
+         {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.mirror,
+          &shaders.mirror_surface, &shaders.motion, &shaders.shade_vertex, &shaders.shade,
+          &shaders.whole, &shaders.proof, &shaders.sharp_proof}) {
+        print.add(*text);
+    }
+    return print.text();
 }
 
 } // namespace isomotion::synthesis

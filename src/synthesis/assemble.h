@@ -79,4 +79,7 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
                  Stage stage = Stage::fragment, bool writes_buffers = true,
                  int finest_beam = usual_beam);
 
+// Changes with the text of any shader.
+std::string fingerprint(const Shaders& shaders);
+
 } // namespace isomotion::synthesis

@@ -5,16 +5,13 @@
 
 #include "scene/fingerprint.h"
 #include "scene/scene_at.h"
+#include "scene/source_print.h"
 
 namespace isomotion::topology {
 namespace {
 
 using animation::Animation;
 using scene::Fingerprint;
-
-void add_number(Fingerprint& print, double value) {
-    print.add_values(std::span<const double>(&value, 1));
-}
 
 // Tracks that something in the formula's surface moves by, what their expressions name included.
 class Needed {
@@ -50,46 +47,6 @@ private:
     const Animation& animation_;
     std::set<int> tracks_;
 };
-
-void add(Fingerprint& print, const animation::TrackSource& source) {
-    print.add(std::to_string(source.index()));
-    if (const auto* number = std::get_if<double>(&source)) add_number(print, *number);
-    if (const auto* expression = std::get_if<animation::Expression>(&source)) {
-        print.add(expression->text);
-    }
-    if (const auto* keys = std::get_if<animation::Keys>(&source)) {
-        add_number(print, double(keys->ease));
-        for (const auto& key : keys->keys) {
-            add_number(print, key.time);
-            add_number(print, key.value);
-        }
-    }
-}
-
-void add(Fingerprint& print, const animation::Array& array) {
-    print.add(array.name);
-    add_number(print, double(array.count));
-    for (const animation::ArrayField& field : array.fields) {
-        print.add(field.name).add(std::to_string(field.source.index()));
-        if (const auto* number = std::get_if<double>(&field.source)) add_number(print, *number);
-        if (const auto* expression = std::get_if<animation::Expression>(&field.source)) {
-            print.add(expression->text);
-        }
-        if (const auto* list = std::get_if<std::vector<double>>(&field.source)) {
-            print.add_values(std::span(*list));
-        }
-        if (const auto* column = std::get_if<animation::Column>(&field.source)) {
-            const auto& rows = array.samples->rows();
-            print.add_values(std::span(rows.values[column->index]));
-        }
-    }
-    if (array.samples) {
-        const auto& rows = array.samples->rows();
-        add_number(print, double(array.samples->interpolation()));
-        print.add_values(std::span(rows.times)).add_values(std::span(rows.begin));
-        print.add_values(std::span(rows.ids));
-    }
-}
 
 Subject::Box box_of(const scene::BoundsAt& bounds) {
     Subject::Box box;
@@ -128,9 +85,9 @@ std::string fingerprint(const scene::Scene& scene) {
     for (const int id : needed.tracks()) {
         const animation::Track& track = animation.tracks()[std::size_t(id)];
         print.add(track.name);
-        add(print, track.source);
+        scene::add(print, track.source);
     }
-    for (const animation::Array& array : animation.arrays()) add(print, array);
+    for (const animation::Array& array : animation.arrays()) scene::add(print, array);
     return print.text();
 }
 

@@ -3,10 +3,18 @@
 
 #include <cmath>
 
+#include <pthread.h>
+
 #include <fmt/format.h>
 
+#include "formula/degree.h"
 #include "formula/derivative.h"
 #include "formula/field.h"
+#include "formula/glsl_interval.h"
+#include "formula/hessian.h"
+#include "formula/limits.h"
+#include "formula/linear_sum.h"
+#include "formula/substitute.h"
 
 namespace isomotion::formula {
 namespace {
@@ -22,7 +30,7 @@ class Nesting : public testing::TestWithParam<std::string> {};
 TEST_P(Nesting, EndsInAnErrorAndNotInTheStack) {
     Graph graph;
     try {
-        parse(graph, repeat(GetParam(), 100'000) + "x");
+        parse(graph, repeat(GetParam(), 20'000) + "x");
         FAIL() << "parsed";
     } catch (const ParseError& error) {
         EXPECT_EQ(error.message(), "the formula is nested too deeply");
@@ -74,6 +82,144 @@ TEST_P(Large, FieldsAreMadeAndRight) {
     EXPECT_NEAR(evaluator.gradient(bindings, p)[0], slope, 1e-9 * terms);
     EXPECT_NEAR(evaluator.gradient(bindings, p)[1], value / p[1], 1e-9 * terms);
     EXPECT_EQ(evaluator.gradient(bindings, p)[2], 0);
+}
+
+// ----- limits
+
+std::string refused(std::string_view text) {
+    Graph graph;
+    try {
+        parse(graph, text);
+        return "parsed";
+    } catch (const ParseError& error) {
+        return error.message();
+    }
+}
+
+TEST(Limits, Nesting) {
+    const auto in_parentheses = [](int depth) {
+        return repeat("(", depth) + "x" + repeat(")", depth);
+    };
+    EXPECT_EQ(refused(in_parentheses(limits::nesting / 2 - 1)), "parsed");
+    EXPECT_EQ(refused(in_parentheses(limits::nesting / 2)), "the formula is nested too deeply");
+    EXPECT_EQ(refused(repeat("-", limits::nesting - 2) + "x"), "parsed");
+    EXPECT_EQ(refused(repeat("-", limits::nesting - 1) + "x"), "the formula is nested too deeply");
+}
+
+TEST(Limits, Bytes) {
+    const std::string longest = "x" + std::string(limits::formula_bytes - 1, ' ');
+    EXPECT_EQ(refused(longest), "parsed");
+    EXPECT_EQ(refused(longest + " "), "the formula has 500001 bytes; at most 500000 are read");
+}
+
+TEST(Limits, Names) {
+    const std::string longest(limits::name_bytes, 'q');
+    EXPECT_EQ(refused(longest + " = x; " + longest), "parsed");
+    EXPECT_EQ(refused(longest + "q = x; x"), "a name of 65 characters; at most 64 are read");
+}
+
+TEST(Limits, Nodes) {
+    const std::string most = "x" + repeat("/y", int(limits::formula_nodes) - 1);
+    EXPECT_EQ(refused(most), "parsed");
+    EXPECT_EQ(refused(most + "/y"), "the formula is too large: it has more than 100000 operations, "
+                                    "names and numbers");
+}
+
+TEST(Limits, NodesOfAGraph) {
+    Graph graph;
+    NodeId node = graph.input(0);
+    const NodeId y = graph.input(1);
+    while (graph.size() < limits::graph_nodes) node = graph.binary(Op::divide, node, y);
+    EXPECT_THROW(graph.binary(Op::divide, node, y), std::length_error);
+    EXPECT_EQ(graph.input(1), y); // what there is stays
+    EXPECT_EQ(graph.size(), limits::graph_nodes);
+}
+
+TEST(Limits, ChebyshevDegrees) {
+    EXPECT_EQ(refused("chebyshev(1000, x)"), "parsed");
+    EXPECT_THAT(refused("chebyshev(1001, x)"), testing::HasSubstr("integer from 0 to 1000"));
+}
+
+// Shared parts must not be taken apart once for each way that leads to them: 2^200 here.
+TEST(LargeFormula, SharedPartsAreWalkedOnce) {
+    std::string text = "q = sum(links, (x-px)^2);";
+    for (int k = 0; k < 200; ++k) text += "q = q*a + q*b;";
+    Vocabulary one_array = test_vocabulary();
+    one_array.arrays = {{"links", {{"px", {}}}}};
+    const Field field = make_field(text + "q - 1", one_array);
+    EXPECT_TRUE(linear_sum(field));
+    EXPECT_EQ(degree(field.graph, field.root), 2);
+    EXPECT_GT(glsl_gradient(field).size(), 0u);
+}
+
+// Whatever walks a graph needs little of a stack, and the parser what its depth takes.
+struct Work {
+    void (*run)();
+    std::string failure;
+};
+
+void* on_thread(void* argument) {
+    Work& work = *static_cast<Work*>(argument);
+    try {
+        work.run();
+    } catch (const std::exception& error) {
+        work.failure = error.what();
+    }
+    return nullptr;
+}
+
+std::string on_small_stack(void (*run)()) {
+#if defined(__SANITIZE_ADDRESS__)
+    constexpr std::size_t bytes = 4 << 20; // frames are many times as large
+#else
+    constexpr std::size_t bytes = 512 << 10;
+#endif
+    Work work{run, {}};
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, bytes);
+    pthread_t thread{};
+    if (pthread_create(&thread, &attributes, on_thread, &work) != 0) return "no thread";
+    pthread_join(thread, nullptr);
+    pthread_attr_destroy(&attributes);
+    return work.failure;
+}
+
+TEST(SmallStack, HoldsTheDeepestParse) {
+    EXPECT_EQ(on_small_stack([] {
+                  const int depth = limits::nesting / 2 - 1;
+                  Graph graph;
+                  parse(graph, repeat("min(x,", depth) + "x" + repeat(")", depth));
+                  parse(graph, repeat("sin(", depth) + "x" + repeat(")", depth));
+                  parse(graph, repeat("(", depth) + "x" + repeat(")", depth));
+                  parse(graph, repeat("2^", limits::nesting - 3) + "x");
+              }),
+              "");
+    EXPECT_THAT(on_small_stack([] {
+                    Graph graph;
+                    parse(graph, repeat("pow(2,", 20'000));
+                }),
+                testing::HasSubstr("nested too deeply"));
+}
+
+TEST(SmallStack, HoldsEveryWalkOfADeepGraph) {
+    EXPECT_EQ(on_small_stack([] {
+                  std::string text = "sum(links, (x-px)^2)";
+                  for (int k = 0; k < 10'000; ++k) text += fmt::format("*a/{}.5+sin(x)", k + 1);
+                  Vocabulary one_array = test_vocabulary();
+                  one_array.arrays = {{"links", {{"px", {}}}}};
+                  const Field field = make_field(text, one_array);
+                  linear_sum(field);
+                  degree(field.graph, field.root);
+                  hessian(field);
+                  const EnclosurePrograms programs = enclosure_programs(field);
+                  glsl_gradient(field);
+                  glsl_gradient_interval(programs, field.packing);
+                  Graph copy;
+                  substitute(copy, field.graph, std::array{field.root},
+                             [](Graph&, const Node&, NodeId rebuilt) { return rebuilt; });
+              }),
+              "");
 }
 
 // A term is a product, a sine, a product and a sum.

@@ -1,0 +1,12 @@
+// Fingerprints of how things move: of what a scene file says, not of the values it gives.
+#pragma once
+
+#include "animation/animation.h"
+#include "scene/fingerprint.h"
+
+namespace isomotion::scene {
+
+void add(Fingerprint& print, const animation::TrackSource& source);
+void add(Fingerprint& print, const animation::Array& array);
+
+} // namespace isomotion::scene

@@ -1,0 +1,26 @@
+#include <exception>
+
+#include "fuzz/targets.h"
+#include "scene/load.h"
+#include "scene/scene_at.h"
+#include "synthesis/assemble.h"
+
+namespace isomotion::fuzz {
+
+void scene(std::string_view text) {
+    try {
+        const scene::Scene scene = scene::load_text(text, ISOMOTION_FUZZ_FOLDER "/scene.toml");
+        for (const int frame : {1, 2, scene.timeline.frames}) {
+            scene::at(scene, scene.timeline.values(frame));
+        }
+        synthesis::assemble(scene, {synthesis::Channel::normal, synthesis::Channel::velocity});
+        synthesis::assemble(scene, {}, synthesis::Stage::compute);
+    } catch (const scene::SceneError& error) {
+        if (scene::printable(error.what()) != error.what()) {
+            throw Violation("a message that commands a terminal");
+        }
+    } catch (const std::length_error&) {
+    }
+}
+
+} // namespace isomotion::fuzz

@@ -1,0 +1,22 @@
+// What the fuzzers run, as functions that an ordinary test can call too: hostile bytes go in, and
+// either a mistake is reported as one or all that follows from them holds.
+#pragma once
+
+#include <stdexcept>
+#include <string_view>
+
+namespace isomotion::fuzz {
+
+// A property that doesn't hold.
+struct Violation : std::logic_error {
+    using std::logic_error::logic_error;
+};
+
+// A formula: text -> graph -> derivatives -> programs -> GLSL, and values in float, double and
+// intervals, which must hold those in double.
+void formula(std::string_view text);
+
+// A scene file: TOML -> Scene -> values at some frames -> all shaders of it.
+void scene(std::string_view text);
+
+} // namespace isomotion::fuzz

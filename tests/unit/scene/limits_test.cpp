@@ -1,0 +1,195 @@
+// What a scene may hold at most: that much is read, one more is a mistake that is told.
+#include "scene/limits.h"
+
+#include "testing.h"
+
+#include <fmt/format.h>
+
+#include "scene/toml_depth.h"
+
+namespace isomotion::scene {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string repeat(std::string_view part, std::size_t times) {
+    std::string text;
+    for (std::size_t k = 0; k < times; ++k) text += part;
+    return text;
+}
+
+class Limits : public Scenes {
+protected:
+    void expect_fine(const std::string& text) { EXPECT_EQ(mistake(text), "nothing is wrong"); }
+};
+
+TEST_F(Limits, Titles) {
+    const std::string longest(limits::title_bytes, 'a');
+    expect_fine(ball_with(1, "title = \"" + longest + "\""));
+    EXPECT_EQ(mistake(ball_with(1, "title = \"" + longest + "a\"")),
+              "scene.toml:1: title: must be one line of at most 1000 bytes, without control "
+              "characters");
+}
+
+TEST_F(Limits, Names) {
+    const std::string longest(limits::name_bytes, 'a');
+    const auto with_name = [](const std::string& name) {
+        return ball_with(6, "formula = \"x^2 + y^2 + z^2 - radius - " + name + "\"") + "";
+    };
+    expect_fine(with_name(longest) + "[parameters." + longest + "]\ndefault = 1\n");
+    EXPECT_THAT(mistake(with_name("radius") + "[parameters." + longest + "a]\ndefault = 1\n"),
+                HasSubstr(": a name of 65 characters; at most 64 are read"));
+    EXPECT_THAT(mistake(ball_with(6, "formula = \"" + longest + "a = x; x\"")),
+                HasSubstr("a name of 65 characters; at most 64 are read"));
+}
+
+TEST_F(Limits, Parameters) {
+    const auto with = [](int count) {
+        std::string formula = "x", parameters;
+        for (int k = 1; k < count; ++k) {
+            formula += fmt::format(" + p{}", k);
+            parameters += fmt::format("p{} = {}\n", k, k);
+        }
+        return "[surface]\nformula = \"" + formula +
+               " + r\"\nbounds = { sphere = 1 }\n[parameters]\n" + parameters + "r = 1\n";
+    };
+    expect_fine(with(limits::parameters));
+    EXPECT_THAT(mistake(with(limits::parameters + 1)),
+                HasSubstr("is one too many: a scene has at most 1000 parameters"));
+    // A field that is the same for all elements is one, too.
+    EXPECT_THAT(mistake(with(limits::parameters) + "[arrays.a]\ncount = 2\nw = 3\n"),
+                HasSubstr("arrays.a.w: is one too many: parameters, and fields with one value for "
+                          "all elements, are at most 1000 together"));
+}
+
+TEST_F(Limits, Keys) {
+    const auto with = [](int count) {
+        std::string keys;
+        for (int k = 0; k < count; ++k) keys += fmt::format("[{},1],", k);
+        return ball_with(9, "radius = { keys = [" + keys + "] }");
+    };
+    expect_fine(with(limits::keys));
+    EXPECT_EQ(mistake(with(limits::keys + 1)),
+              "scene.toml:9: parameters.radius: has 100001 keys; at most 100000 are possible");
+}
+
+TEST_F(Limits, FieldsAndColumns) {
+    const auto with = [](int count) {
+        std::string fields, formula;
+        for (int k = 0; k < count; ++k) {
+            fields += fmt::format("f{} = \"i\"\n", k);
+            formula += fmt::format("+f{}", k);
+        }
+        return "[surface]\nformula = \"x - sum(blobs, 0" + formula +
+               ")\"\nbounds = { sphere = 3 }\n[arrays.blobs]\ncount = 2\n" + fields;
+    };
+    expect_fine(with(limits::fields));
+    EXPECT_THAT(mistake(with(limits::fields + 1)),
+                HasSubstr("arrays.blobs: has 1001 fields; at most 1000 are possible"));
+
+    const auto table = [&](int columns) {
+        std::string names = "cx", values = "0";
+        for (int k = 1; k < columns; ++k) {
+            names += fmt::format(",c{}", k);
+            values += ",1";
+        }
+        write("drops.csv", names + "\n" + values + "\n");
+        return mistake("[surface]\nformula = \"sum(drops, x-cx)\"\nbounds = { sphere = 3 }\n"
+                       "[arrays.drops]\nfile = \"drops.csv\"\n");
+    };
+    EXPECT_EQ(table(limits::fields), "nothing is wrong");
+    EXPECT_EQ(table(limits::fields + 1), "drops.csv:1: names 1001 columns; at most 1000 are read");
+    write("drops.csv", "cx,cy\n" + std::string(50'000'000, ',') + "\n");
+    EXPECT_EQ(mistake("[surface]\nformula = \"sum(drops, x-cx)\"\nbounds = { sphere = 3 }\n"
+                      "[arrays.drops]\nfile = \"drops.csv\"\n"),
+              "drops.csv:2: has 50000001 cells; the header names 2 columns");
+}
+
+TEST_F(Limits, WorkAtAPoint) {
+    const auto with = [](int a, int b) {
+        return fmt::format("[surface]\nformula = \"sum(a, sum(b, abs(x-p*q)))\"\n"
+                           "bounds = {{ sphere = 1 }}\n[arrays.a]\ncount = {}\np = \"i\"\n"
+                           "[arrays.b]\ncount = {}\nq = \"i\"\n",
+                           a, b);
+    };
+    expect_fine(with(20, 20));
+    EXPECT_THAT(mistake(with(limits::elements, limits::elements)),
+                HasSubstr("operations at one point, all elements of its sums counted; at most "
+                          "1e+08 are possible: give its arrays fewer elements"));
+}
+
+TEST_F(Limits, WorkOfAFrame) {
+    const auto with = [](int terms) {
+        std::string sum = "i";
+        for (int k = 1; k <= terms; ++k) sum += fmt::format("+sin({}*i)", k);
+        return blobs("count = 1000000\nw = 1\ncx = \"" + sum + "\"");
+    };
+    EXPECT_THAT(mistake(with(400)), HasSubstr("arrays.blobs.cx: the fields of 'blobs' take"));
+}
+
+TEST_F(Limits, FilesOfScenes) {
+    const std::string scene = ball();
+    std::string padded = scene + "#" + std::string(limits::scene_bytes - scene.size() - 1, ' ');
+    expect_fine(padded);
+    EXPECT_EQ(mistake(padded + " "),
+              "scene.toml: is larger than 16777216 bytes, the most that is read");
+}
+
+TEST_F(Limits, ChainsOfNames) {
+    const auto with = [](std::size_t length, bool forwards) {
+        std::string text;
+        for (std::size_t k = 2; k < length; ++k) {
+            const std::size_t next = forwards ? k + 1 : k - 1;
+            const bool last = forwards ? k + 1 == length : k == 2;
+            text += last ? fmt::format("p{:04} = \"t\"\n", k)
+                         : fmt::format("p{:04} = \"p{:04}\"\n", k, next);
+        }
+        return ball_with(9, "radius = \"1 + " + fmt::format("p{:04}", forwards ? 2 : length - 1) +
+                                "\"\n" + text);
+    };
+    for (const bool forwards : {true, false}) {
+        expect_fine(with(formula::limits::chain + 1, forwards));
+        EXPECT_THAT(mistake(with(formula::limits::chain + 2, forwards)),
+                    HasSubstr("depends on others through a chain of more than 200; let it name "
+                              "directly what it needs"));
+    }
+}
+
+// Depth that ends in a stack, by every way that TOML has to make it.
+TEST_F(Limits, NestingOfTables) {
+    for (const std::size_t depth : {std::size_t(limits::nesting) + 1, std::size_t(200'000)}) {
+        for (const std::string& text :
+             {"a = " + repeat("[", depth), "a = " + repeat("[", depth) + repeat("]", depth),
+              "a = " + repeat("{ a = ", depth), "a" + repeat(".a", depth) + " = 1",
+              "[a" + repeat(".a", depth) + "]", "[[a" + repeat(".a", depth) + "]]",
+              "a" + repeat(" . 'a.b'", depth) + " = 1",
+              "a" + repeat(".\"\\\"\"", depth) + " = 1"}) {
+            EXPECT_EQ(mistake(ball_and(text)),
+                      "scene.toml:15: tables and lists are nested too deeply; 32 deep are read")
+                << text.substr(0, 40);
+        }
+    }
+    EXPECT_THAT(
+        mistake(ball_and("a = " + repeat("[", limits::nesting) + repeat("]", limits::nesting))),
+        HasSubstr("unknown key"));
+}
+
+// Brackets and dots of texts and comments are none.
+TEST(TomlDepth, IsThatOfTheTree) {
+    for (const char* flat :
+         {"a = '[[[['", "a = \"[[[\\\"[[[\"", "# [[[[", "a = \"\"\"\n[[[[\"\" [[[[\"\"\"\nb = 1",
+          "a = '''\n[[[['' [[['''''\nb = 1",
+          "a = \"\"\nb = \"\\\\\"\nc = [1.5, 2.5, 3.5, 4.5, 5.5]",
+          "a = 1.5\nb = 1.5\nc = 1.5\nd = 1.5\n", "a = [1]\nb = [2]\n[c]\n[d]\n[[e]]\n[[e]]"}) {
+        EXPECT_EQ(first_line_nested_beyond(flat, 3), 0) << flat;
+    }
+    for (const char* deep :
+         {"\n\na = [[[[1]]]]", "\n''\na.b.c.d.e = 1", "\n\n[[a.b.c]]",
+          "\n\"\"\"\"\"\"\"\"\n{a = [{b = [", "\n# '\n[[[[", "\n\"\\\"\"\n[[[["}) {
+        EXPECT_EQ(first_line_nested_beyond(deep, 3), 3) << deep;
+    }
+}
+
+} // namespace
+} // namespace isomotion::scene
