@@ -13,23 +13,57 @@ namespace {
 
 enum Input { input_time, input_index, input_count };
 
-// An order in which every item comes after what it refers to, or the name of one that refers to
-// itself in the end.
+// An order in which every item comes after what it refers to. Refuses items that refer to
+// themselves in the end, and chains that go on for too long; follows them without recursion.
 std::vector<int> dependency_order(std::size_t count,
                                   const std::function<std::vector<int>(int)>& references,
-                                  const std::function<void(int)>& on_cycle) {
+                                  const std::function<std::string(int)>& name) {
     enum class State : char { untouched, open, done };
-    std::vector<State> state(count, State::untouched);
-    std::vector<int> order;
-    const std::function<void(int)> visit = [&](int item) {
-        if (state[std::size_t(item)] == State::done) return;
-        if (state[std::size_t(item)] == State::open) return on_cycle(item);
-        state[std::size_t(item)] = State::open;
-        for (const int other : references(item)) visit(other);
-        state[std::size_t(item)] = State::done;
-        order.push_back(item);
+    struct Open {
+        int item;
+        std::vector<int> rest; // references not yet followed, the next one last
     };
-    for (std::size_t k = 0; k < count; ++k) visit(int(k));
+    std::vector<State> state(count, State::untouched);
+    std::vector<std::size_t> length(count, 1); // of the longest chain that begins with the item
+    std::vector<int> order;
+    std::vector<Open> path;
+    const auto begin = [&](int item) {
+        std::vector<int> rest = references(item);
+        std::ranges::reverse(rest);
+        state[std::size_t(item)] = State::open;
+        path.push_back({item, std::move(rest)});
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+        if (state[k] == State::untouched) begin(int(k));
+        while (!path.empty()) {
+            const int item = path.back().item;
+            if (path.back().rest.empty()) {
+                state[std::size_t(item)] = State::done;
+                order.push_back(item);
+                path.pop_back();
+                continue;
+            }
+            const int next = path.back().rest.back();
+            if (state[std::size_t(next)] == State::untouched) {
+                begin(next); // and then looks at it again
+                continue;
+            }
+            if (state[std::size_t(next)] == State::open) {
+                throw ExpressionError(
+                    name(next), fmt::format("the value of '{}' depends on itself", name(next)));
+            }
+            path.back().rest.pop_back();
+            std::size_t& longest = length[std::size_t(item)];
+            longest = std::max(longest, length[std::size_t(next)] + 1);
+            if (longest > formula::limits::chain) {
+                throw ExpressionError(
+                    name(item),
+                    fmt::format("the value of '{}' depends on others through a chain of "
+                                "more than {}; let it name directly what it needs",
+                                name(item), formula::limits::chain));
+            }
+        }
+    }
     return order;
 }
 
@@ -114,10 +148,7 @@ void Animation::compile_tracks() {
             const auto& compiled = compiled_[std::size_t(k)];
             return compiled ? compiled->references : std::vector<int>{};
         },
-        [this](int k) {
-            const std::string& name = tracks_[std::size_t(k)].name;
-            throw ExpressionError(name, fmt::format("the value of '{}' depends on itself", name));
-        });
+        [this](int k) { return tracks_[std::size_t(k)].name; });
 }
 
 void Animation::compile_array(const Array& array) {
@@ -155,10 +186,7 @@ void Animation::compile_array(const Array& array) {
             }
             return siblings;
         },
-        [&](int f) {
-            const std::string name = array.name + "." + array.fields[std::size_t(f)].name;
-            throw ExpressionError(name, fmt::format("the value of '{}' depends on itself", name));
-        });
+        [&](int f) { return array.name + "." + array.fields[std::size_t(f)].name; });
     compiled_arrays_.push_back(std::move(compiled));
 }
 
@@ -232,6 +260,14 @@ formula::ArrayColumns<double> Animation::columns(std::size_t a, const Values& va
         }
     }
     return columns;
+}
+
+double Animation::operations(std::size_t array) const {
+    double total = double(arrays_[array].fields.size());
+    for (const auto& field : compiled_arrays_[array].fields) {
+        if (field) total += formula::cost(field->program, {}).operations;
+    }
+    return total * arrays_[array].count;
 }
 
 std::optional<int> Animation::find(std::string_view track) const {

@@ -91,6 +91,9 @@ public:
         return compiled_arrays_[array].referenced[field];
     }
 
+    // What the values of an array take at one time, all elements counted.
+    double operations(std::size_t array) const;
+
 private:
     struct Compiled {
         formula::Program program;

@@ -1,5 +1,6 @@
 #include "animation/frame_range.h"
 
+#include <algorithm>
 #include <charconv>
 #include <unordered_set>
 
@@ -48,6 +49,24 @@ std::vector<int> parse_frame_range(std::string_view text) {
         if (comma == text.npos) return frames;
         text.remove_prefix(comma + 1);
     }
+}
+
+std::string frame_range(std::vector<int> frames) {
+    std::ranges::sort(frames);
+    frames.erase(std::ranges::unique(frames).begin(), frames.end());
+    std::string text;
+    for (std::size_t k = 0; k < frames.size();) {
+        const int step = k + 1 < frames.size() ? frames[k + 1] - frames[k] : 1;
+        std::size_t end = k + 1; // of the frames that follow at this step
+        while (end < frames.size() && frames[end] - frames[end - 1] == step) ++end;
+        if (step > 1 && end - k < 3) end = k + 1; // "5,9" rather than "5-9x4"
+        if (!text.empty()) text += ',';
+        text += std::to_string(frames[k]);
+        if (end - k > 1) text += fmt::format("-{}", frames[end - 1]);
+        if (end - k > 1 && step > 1) text += fmt::format("x{}", step);
+        k = end;
+    }
+    return text;
 }
 
 } // namespace isomotion::animation

@@ -40,6 +40,7 @@ std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula:
         for (std::size_t k = 0; k < times.size(); ++k) add(times[k], samples->jumps(k));
     }
     std::vector<Knot> knots;
+    knots.reserve(all.size());
     for (const auto& [time, jumps] : all) knots.push_back({time, jumps});
     return knots;
 }

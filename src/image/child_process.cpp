@@ -7,6 +7,7 @@
 #include <memory>
 #include <string_view>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -43,6 +44,23 @@ private:
     throw std::system_error(code, std::generic_category(), attempt);
 }
 
+FileDescriptor memory_file() {
+    FileDescriptor file(::memfd_create("messages", MFD_CLOEXEC));
+    if (!file) fail("memfd_create", errno);
+    return file;
+}
+
+// The last bytes of a file, at most so many.
+std::string end_of(const FileDescriptor& file, off_t most) {
+    struct stat found = {};
+    if (!file || ::fstat(file.number(), &found) != 0) return {};
+    std::string text(std::size_t(std::min(found.st_size, most)), '\0');
+    const ssize_t count =
+        ::pread(file.number(), text.data(), text.size(), std::max<off_t>(found.st_size - most, 0));
+    text.resize(std::size_t(std::max<ssize_t>(count, 0)));
+    return text;
+}
+
 bool is_executable(const std::filesystem::path& file) {
     struct stat found = {};
     return ::stat(file.c_str(), &found) == 0 && S_ISREG(found.st_mode) &&
@@ -66,19 +84,23 @@ std::optional<std::filesystem::path> find_program(const std::string& name) {
 }
 
 ChildProcess::ChildProcess(const std::filesystem::path& program,
-                           const std::vector<std::string>& arguments) {
+                           const std::vector<std::string>& arguments, Output output) {
     // A socket instead of a pipe: only send() can be told not to raise SIGPIPE.
     int ends[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail("socketpair", errno);
     input_ = FileDescriptor(ends[0]);
     const FileDescriptor child_end(ends[1]);
     // Its messages go to memory, which cannot fill up and block it as a pipe nobody reads would.
-    errors_ = FileDescriptor(::memfd_create("messages", MFD_CLOEXEC));
-    if (!errors_) fail("memfd_create", errno);
+    errors_ = memory_file();
+    if (output == Output::keep) output_ = memory_file();
 
     SpawnActions actions;
     actions.duplicate(child_end, STDIN_FILENO);
-    actions.discard(STDOUT_FILENO);
+    if (output == Output::keep) {
+        actions.duplicate(output_, STDOUT_FILENO);
+    } else {
+        actions.discard(STDOUT_FILENO);
+    }
     actions.duplicate(errors_, STDERR_FILENO);
 
     std::vector<std::string> words{program.string()};
@@ -119,6 +141,20 @@ bool ChildProcess::finish() {
     return succeeded();
 }
 
+bool ChildProcess::finish_by(std::chrono::steady_clock::time_point deadline) {
+    using namespace std::chrono_literals;
+    input_.close();
+    while (!ended()) {
+        if (std::chrono::steady_clock::now() > deadline) {
+            ::kill(id_, SIGKILL);
+            finish();
+            return false;
+        }
+        std::this_thread::sleep_for(2ms);
+    }
+    return true;
+}
+
 bool ChildProcess::ended() {
     if (id_ < 0) return true;
     if (::waitpid(id_, &status_, WNOHANG) != id_) return false;
@@ -131,21 +167,26 @@ void ChildProcess::interrupt() {
     if (id_ >= 0) ::kill(id_, SIGINT);
 }
 
+void ChildProcess::terminate() {
+    if (id_ >= 0) ::kill(id_, SIGTERM);
+}
+
 bool ChildProcess::succeeded() const { return WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
+
+std::optional<int> ChildProcess::exit_status() const {
+    if (!WIFEXITED(status_)) return std::nullopt;
+    return WEXITSTATUS(status_);
+}
 
 std::string ChildProcess::ending() const {
     return WIFSIGNALED(status_) ? fmt::format("signal {}", WTERMSIG(status_))
                                 : fmt::format("exit status {}", WEXITSTATUS(status_));
 }
 
+std::string ChildProcess::output() const { return end_of(output_, 1 << 24); }
+
 std::string ChildProcess::last_words(std::size_t lines) const {
-    constexpr off_t most = 8192;
-    struct stat found = {};
-    if (::fstat(errors_.number(), &found) != 0) return {};
-    std::string text(std::size_t(std::min(found.st_size, most)), '\0');
-    const ssize_t count = ::pread(errors_.number(), text.data(), text.size(),
-                                  std::max<off_t>(found.st_size - most, 0));
-    text.resize(std::size_t(std::max<ssize_t>(count, 0)));
+    std::string text = end_of(errors_, 8192);
     while (text.ends_with('\n')) text.pop_back();
 
     std::size_t begin = text.size();

@@ -14,6 +14,7 @@
 
 #include "image/file.h"
 #include "image/image_attributes.h"
+#include "image/pixel_hash.h"
 #include "image/srgb.h"
 
 namespace isomotion::image {
@@ -44,29 +45,50 @@ bool is_png(std::span<const std::byte> bytes) {
     return bytes.size() >= start.size() && std::ranges::equal(bytes.first(start.size()), start);
 }
 
-/// Reads bands of rows of a file, interleaved and as float.
-class Rows {
+/// A file's first picture, opened; its rows are read in bands, interleaved.
+class Picture {
 public:
-    explicit Rows(OIIO::ImageInput& input)
-        : input_(input)
-        , spec_(input.spec())
-        , at_once_(spec_.tile_width ? spec_.tile_height : 128) {}
+    explicit Picture(const std::filesystem::path& file)
+        : file_(file)
+        , bytes_(read_whole(file))
+        , memory_(bytes_.data(), bytes_.size()) {
+        if (is_png(bytes_) && !has_end_chunk(bytes_)) fail(file, "its end is missing");
+        OIIO::ImageSpec wish;
+        wish.attribute("oiio:UnassociatedAlpha", 1); // colour as it is kept, not multiplied yet
+        input_ = OIIO::ImageInput::open(file.string(), &wish, &memory_);
+        if (!input_) fail(file, OIIO::geterror());
+    }
 
-    int at_once() const { return at_once_; }
+    const OIIO::ImageSpec& spec() const { return input_->spec(); }
 
-    bool read(int begin, int end, float* samples) {
-        const int top = spec_.y + begin, bottom = spec_.y + end;
-        if (spec_.tile_width == 0)
-            return input_.read_scanlines(0, 0, top, bottom, 0, 0, spec_.nchannels, OIIO::TypeFloat,
-                                         samples);
-        return input_.read_tiles(0, 0, spec_.x, spec_.x + spec_.width, top, bottom, spec_.z,
-                                 spec_.z + 1, 0, spec_.nchannels, OIIO::TypeFloat, samples);
+    /// Calls take(begin, end, samples) for all rows from the top.
+    template<class Sample, class Take> void for_each_band(Take&& take) {
+        const OIIO::ImageSpec& spec = input_->spec();
+        const int at_once = spec.tile_width ? spec.tile_height : 128;
+        const std::size_t row = std::size_t(spec.width) * std::size_t(spec.nchannels);
+        std::vector<Sample> band(row * std::size_t(at_once));
+        for (int begin = 0; begin < spec.height; begin += at_once) {
+            const int end = std::min(begin + at_once, spec.height);
+            if (!read(begin, end, OIIO::BaseTypeFromC<Sample>::value, band.data()))
+                fail(file_, input_->geterror());
+            take(begin, end, std::span<const Sample>(band).first(row * std::size_t(end - begin)));
+        }
     }
 
 private:
-    OIIO::ImageInput& input_;
-    const OIIO::ImageSpec& spec_;
-    int at_once_;
+    bool read(int begin, int end, OIIO::TypeDesc type, void* samples) {
+        const OIIO::ImageSpec& spec = input_->spec();
+        const int top = spec.y + begin, bottom = spec.y + end;
+        if (spec.tile_width == 0)
+            return input_->read_scanlines(0, 0, top, bottom, 0, 0, spec.nchannels, type, samples);
+        return input_->read_tiles(0, 0, spec.x, spec.x + spec.width, top, bottom, spec.z,
+                                  spec.z + 1, 0, spec.nchannels, type, samples);
+    }
+
+    const std::filesystem::path& file_;
+    std::vector<std::byte> bytes_;
+    OIIO::Filesystem::IOMemReader memory_;
+    std::unique_ptr<OIIO::ImageInput> input_; // after what it reads from
 };
 
 void make_linear(Frame& frame, const OIIO::ImageSpec& spec) {
@@ -93,37 +115,44 @@ void multiply_by_coverage(Frame& frame, const OIIO::ImageSpec& spec) {
 } // namespace
 
 Frame decode(const std::filesystem::path& file) {
-    const std::vector<std::byte> bytes = read_whole(file);
-    if (is_png(bytes) && !has_end_chunk(bytes)) fail(file, "its end is missing");
-
-    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-    OIIO::ImageSpec wish;
-    wish.attribute("oiio:UnassociatedAlpha", 1); // multiplied below, after the light is linear
-    const auto input = OIIO::ImageInput::open(file.string(), &wish, &memory);
-    if (!input) fail(file, OIIO::geterror());
-
-    const OIIO::ImageSpec spec = input->spec();
+    Picture picture(file);
+    const OIIO::ImageSpec spec = picture.spec();
     Frame frame{spec.width, spec.height, {}, entries_of(spec)};
     const auto width = std::size_t(spec.width), channels = std::size_t(spec.nchannels);
     for (const std::string& name : spec.channelnames)
         frame.channels.push_back({name, std::vector<float>(width * std::size_t(spec.height))});
 
-    Rows rows(*input);
-    std::vector<float> band(width * channels * std::size_t(rows.at_once()));
-    for (int begin = 0; begin < spec.height; begin += rows.at_once()) {
-        const int end = std::min(begin + rows.at_once(), spec.height);
-        if (!rows.read(begin, end, band.data())) fail(file, input->geterror());
+    picture.for_each_band<float>([&](int begin, int end, std::span<const float> band) {
         const std::size_t first = width * std::size_t(begin);
         const std::size_t count = width * std::size_t(end - begin);
         for (std::size_t c = 0; c < channels; ++c)
             for (std::size_t i = 0; i < count; ++i)
                 frame.channels[c].samples[first + i] = band[i * channels + c];
-    }
+    });
     make_linear(frame, spec);
     multiply_by_coverage(frame, spec);
     return frame;
 }
 
 Metadata read_metadata(const std::filesystem::path& file) { return decode(file).metadata; }
+
+std::string pixel_hash(const std::filesystem::path& file) {
+    Picture picture(file);
+    const OIIO::ImageSpec spec = picture.spec();
+    PixelHash hash(spec.width, spec.height);
+    const auto add_codes = [&](int, int, auto band) { hash.add_codes(band); };
+    if (spec.format == OIIO::TypeDesc::UINT8) {
+        picture.for_each_band<std::uint8_t>(add_codes);
+    } else if (spec.format == OIIO::TypeDesc::UINT16) {
+        picture.for_each_band<std::uint16_t>(add_codes);
+    } else {
+        const auto channels = std::size_t(spec.nchannels);
+        picture.for_each_band<float>([&](int, int, std::span<const float> band) {
+            for (std::size_t c = 0; c < channels; ++c)
+                hash.add_channel(spec.channelnames[c], band, c, channels);
+        });
+    }
+    return hash.text();
+}
 
 } // namespace isomotion::image

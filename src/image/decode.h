@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "image/frame.h"
 
@@ -15,5 +16,8 @@ Frame decode(const std::filesystem::path& file);
 /// What decode() finds beside the pixels. The pixels are decoded all the same: a file whose header
 /// is good and whose end is missing does not pass.
 Metadata read_metadata(const std::filesystem::path& file);
+
+/// The PixelHash of a PNG or EXR. Throws what decode() does.
+std::string pixel_hash(const std::filesystem::path& file);
 
 } // namespace isomotion::image

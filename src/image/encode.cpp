@@ -5,15 +5,18 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
+#include <half.h>
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include "image/extension.h"
 #include "image/image_attributes.h"
+#include "image/pixel_hash.h"
 #include "image/srgb.h"
 
 namespace isomotion::image {
@@ -102,7 +105,7 @@ void pack_pixel(const ColourPlanes& planes, std::size_t pixel, std::vector<Code>
     if (planes.coverage) out.push_back(quantised<Code>(planes.coverage[pixel]));
 }
 
-template<class Code> std::vector<std::byte> encode_png(const Frame& frame) {
+template<class Code> std::vector<std::byte> encode_png(const Frame& frame, PixelHash* hash) {
     const ColourPlanes planes = colour_planes(frame);
     const int channels = planes.coverage ? 4 : 3;
     const OIIO::TypeDesc type = OIIO::BaseTypeFromC<Code>::value;
@@ -119,6 +122,7 @@ template<class Code> std::vector<std::byte> encode_png(const Frame& frame) {
         rows.clear();
         for (std::size_t i = width * std::size_t(begin); i < width * std::size_t(end); ++i)
             pack_pixel(planes, i, rows);
+        if (hash) hash->add_codes(std::span<const Code>(rows));
         encoder.write_rows(begin, end, type, rows.data());
     });
     return std::move(encoder).finish();
@@ -128,12 +132,14 @@ bool is_colour(const std::string& name) {
     return name == "R" || name == "G" || name == "B" || name == "A";
 }
 
-float within_half(float value) {
+/// The half that a file keeps for the value.
+float to_half(float value) {
     constexpr float largest_half = 65504.0f;
-    return std::isfinite(value) ? std::clamp(value, -largest_half, largest_half) : value;
+    if (!std::isfinite(value)) return value;
+    return Imath::half(std::clamp(value, -largest_half, largest_half));
 }
 
-std::vector<std::byte> encode_exr(const Frame& frame) {
+std::vector<std::byte> encode_exr(const Frame& frame, PixelHash* hash) {
     const std::size_t channels = frame.channels.size();
     OIIO::ImageSpec spec(frame.width, frame.height, int(channels), OIIO::TypeFloat);
     spec.channelnames.clear();
@@ -159,11 +165,25 @@ std::vector<std::byte> encode_exr(const Frame& frame) {
             const bool half = is_colour(frame.channels[c].name);
             const float* samples = frame.channels[c].samples.data() + first;
             for (std::size_t i = 0; i < count; ++i)
-                rows[i * channels + c] = half ? within_half(samples[i]) : samples[i];
+                rows[i * channels + c] = half ? to_half(samples[i]) : samples[i];
+            if (hash) hash->add_channel(frame.channels[c].name, rows, c, channels);
         }
         encoder.write_rows(begin, end, OIIO::TypeFloat, rows.data());
     });
     return std::move(encoder).finish();
+}
+
+std::vector<std::byte> encode(const Frame& frame, Format format, PixelHash* hash) {
+    check(frame);
+    switch (format) {
+    case Format::png8:
+        return encode_png<std::uint8_t>(frame, hash);
+    case Format::png16:
+        return encode_png<std::uint16_t>(frame, hash);
+    case Format::exr:
+        return encode_exr(frame, hash);
+    }
+    throw ImageError("encode: no such format");
 }
 
 } // namespace
@@ -178,16 +198,13 @@ Format format_of(const std::filesystem::path& file, PngDepth depth) {
 }
 
 std::vector<std::byte> encode(const Frame& frame, Format format) {
-    check(frame);
-    switch (format) {
-    case Format::png8:
-        return encode_png<std::uint8_t>(frame);
-    case Format::png16:
-        return encode_png<std::uint16_t>(frame);
-    case Format::exr:
-        return encode_exr(frame);
-    }
-    throw ImageError("encode: no such format");
+    return encode(frame, format, nullptr);
+}
+
+Encoded encode_with_hash(const Frame& frame, Format format) {
+    PixelHash hash(frame.width, frame.height);
+    std::vector<std::byte> bytes = encode(frame, format, &hash);
+    return {std::move(bytes), hash.text()};
 }
 
 } // namespace isomotion::image

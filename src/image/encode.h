@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "image/frame.h"
@@ -13,6 +15,18 @@ enum class Format {
     png16, ///< the same in 16 bits
     exr,   ///< every channel: R, G, B, A as linear half, the others as 32-bit float
 };
+
+constexpr std::string_view name(Format format) {
+    switch (format) {
+    case Format::png8:
+        return "png 8";
+    case Format::png16:
+        return "png 16";
+    case Format::exr:
+        return "exr";
+    }
+    return "?";
+}
 
 enum class PngDepth { bits8, bits16 };
 
@@ -28,5 +42,12 @@ Format format_of(const std::filesystem::path& file, PngDepth depth = PngDepth::b
 /// PNG stores colour divided by coverage, so light where the coverage is 0 has no place in it; NaN
 /// becomes 0 and infinity the largest value. Metadata becomes text (see to_text()).
 std::vector<std::byte> encode(const Frame& frame, Format format);
+
+struct Encoded {
+    std::vector<std::byte> bytes;
+    std::string pixels; ///< what pixel_hash() would find in a file of them
+};
+/// The same, and a hash of its pixels, which costs little as they pass by.
+Encoded encode_with_hash(const Frame& frame, Format format);
 
 } // namespace isomotion::image

@@ -86,8 +86,9 @@ void PartialFile::write(std::span<const std::byte> bytes) {
     write_all(file_.number(), bytes, destination_);
 }
 
-void PartialFile::publish() {
-    if (::fsync(file_.number()) != 0)
+void PartialFile::publish(Durability durability) {
+    const bool synced = durability == Durability::synced;
+    if (synced && ::fsync(file_.number()) != 0)
         throw FileError(destination_, "cannot be brought to the disk", errno);
     // The file stays open, and so locked, until it has its name; after fsync, closing it has no
     // error left to report.
@@ -95,7 +96,7 @@ void PartialFile::publish() {
         throw FileError(destination_, "cannot be given its name", errno);
     published_ = true;
     file_.close();
-    sync_folder(destination_);
+    if (synced) sync_folder(destination_);
 }
 
 void write_all(int descriptor, std::span<const std::byte> bytes,

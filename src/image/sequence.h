@@ -2,11 +2,13 @@
 
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <exception>
 #include <filesystem>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -27,6 +29,16 @@ public:
     /// The file of a frame: the number padded with zeros, with more digits where it needs them.
     std::filesystem::path path(int frame) const;
 
+    /// The frame whose path() has that last part, or none.
+    std::optional<int> frame_of(const std::string& file) const;
+
+    const std::filesystem::path& folder() const { return folder_; }
+    /// The last part as `name.####.exr`, however the place was written.
+    std::string pattern() const;
+    /// The last part without the place and the extension, and the point before either: `name`;
+    /// empty if nothing is left.
+    std::string stem() const;
+
     bool holds_many() const { return has_place_; }
 
     /// Throws an ImageError if the name has no place for the numbers of that many frames.
@@ -38,6 +50,14 @@ private:
     std::string after_;
     int digits_ = 0;
     bool has_place_ = false;
+};
+
+/// A frame's file, when it is there.
+struct Written {
+    std::filesystem::path file;
+    std::uintmax_t bytes = 0;
+    std::string hash;   ///< content_hash() of the bytes
+    std::string pixels; ///< pixel_hash() of the file
 };
 
 struct SequenceOptions {
@@ -57,8 +77,9 @@ public:
     SequenceWriter(const SequenceWriter&) = delete;
     SequenceWriter& operator=(const SequenceWriter&) = delete;
 
-    /// Takes a frame to be written; false if the writer was cancelled and the frame dropped.
-    bool submit(int frame, Frame image);
+    /// Takes a frame to be written; false if the writer was cancelled and the frame dropped. `then`
+    /// is called from a writing thread once the file has its name; what it throws stops the writer.
+    bool submit(int frame, Frame image, std::function<void(const Written&)> then = {});
 
     /// Waits until everything submitted is on the disk. Nothing may be submitted after.
     void finish();
@@ -75,6 +96,7 @@ private:
     struct Job {
         int frame;
         Frame image;
+        std::function<void(const Written&)> then;
     };
     enum class State { open, finishing, stopped };
 

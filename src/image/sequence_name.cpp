@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <charconv>
 #include <regex>
 
 #include <fmt/format.h>
@@ -38,6 +40,31 @@ SequenceName SequenceName::parse(std::string_view text) {
 std::filesystem::path SequenceName::path(int frame) const {
     if (!has_place_) return folder_ / before_;
     return folder_ / fmt::format("{}{:0{}}{}", before_, frame, digits_, after_);
+}
+
+std::optional<int> SequenceName::frame_of(const std::string& file) const {
+    if (!has_place_ || file.size() <= before_.size() + after_.size()) return {};
+    if (!file.starts_with(before_) || !file.ends_with(after_)) return {};
+    const char* const end = file.data() + file.size() - after_.size();
+    int frame = 0;
+    const auto [parsed, error] = std::from_chars(file.data() + before_.size(), end, frame);
+    if (error != std::errc{} || parsed != end) return {};
+    // Among the spellings of a number only one is a frame's.
+    if (path(frame).filename().string() != file) return {};
+    return frame;
+}
+
+std::string SequenceName::pattern() const {
+    return before_ + std::string(std::size_t(digits_), '#') + after_;
+}
+
+std::string SequenceName::stem() const {
+    std::string stem = before_;
+    if (has_place_ && stem.ends_with('.')) stem.pop_back();
+    stem += after_;
+    const std::string extension = std::filesystem::path("." + before_ + after_).extension();
+    stem.resize(stem.size() - std::min(stem.size(), extension.size()));
+    return stem;
 }
 
 void SequenceName::check_holds(std::size_t frames) const {

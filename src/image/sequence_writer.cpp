@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "image/content_hash.h"
 #include "image/file.h"
 #include "image/sequence.h"
 
@@ -20,7 +21,7 @@ SequenceWriter::~SequenceWriter() {
     join();
 }
 
-bool SequenceWriter::submit(int frame, Frame image) {
+bool SequenceWriter::submit(int frame, Frame image, std::function<void(const Written&)> then) {
     std::unique_lock lock(mutex_);
     name_.check_holds(submitted_ + 1);
     changed_.wait(lock, [this] {
@@ -31,7 +32,7 @@ bool SequenceWriter::submit(int frame, Frame image) {
     if (state_ == State::finishing)
         throw std::logic_error("a frame was submitted to a sequence that is finished");
     if (state_ == State::stopped) return false;
-    waiting_.push_back({frame, std::move(image)});
+    waiting_.push_back({frame, std::move(image), std::move(then)});
     ++submitted_;
     changed_.notify_all();
     return true;
@@ -73,9 +74,12 @@ void SequenceWriter::work() {
 
 void SequenceWriter::write(Job job) {
     const std::filesystem::path file = name_.path(job.frame);
-    const std::vector<std::byte> bytes = encode(job.image, format_);
+    const Encoded encoded = encode_with_hash(job.image, format_);
     job.image = {}; // its memory is free for the next frame while this one goes to the disk
-    write_whole(file, bytes);
+    write_whole(file, encoded.bytes);
+    if (job.then) {
+        job.then({file, encoded.bytes.size(), content_hash(encoded.bytes), encoded.pixels});
+    }
     {
         const std::lock_guard lock(mutex_);
         ++written_;

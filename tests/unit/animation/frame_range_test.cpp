@@ -1,5 +1,7 @@
 #include "animation/frame_range.h"
 
+#include <algorithm>
+#include <random>
 #include <set>
 
 #include "testing.h"
@@ -86,6 +88,36 @@ TEST(FrameRange, SaysWhichNumbersFramesHave) {
         EXPECT_THAT(complaint, HasSubstr("frames and steps count from 1 to 10000000"));
     }
     EXPECT_THAT(complaint_about("1-5,0,7"), HasSubstr("'0'"));
+}
+
+TEST(FrameRange, IsWrittenShortly) {
+    const std::pair<Frames, const char*> cases[] = {
+        {{}, ""},
+        {{5}, "5"},
+        {{4, 5}, "4-5"},
+        {{3, 2, 1, 2}, "1-3"},
+        {{1, 3}, "1,3"},
+        {{1, 3, 5}, "1-5x2"},
+        {{1, 2, 3, 7, 10, 13, 16, 18}, "1-3,7-16x3,18"},
+        {{130, 1, 2, 3}, "1-3,130"},
+    };
+    for (const auto& [frames, text] : cases) EXPECT_EQ(frame_range(frames), text);
+}
+
+TEST(FrameRange, WhatIsWrittenIsReadAgain) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    for (int round = 0; round < 300; ++round) {
+        std::set<int> frames;
+        const int most = 1 + int(random() % 60);
+        while (frames.size() < std::size_t(1 + round % 30))
+            frames.insert(1 + int(random() % 2000) % (most + 30));
+        const Frames wanted(frames.begin(), frames.end());
+        Frames read = parse_frame_range(frame_range(wanted));
+        std::ranges::sort(read);
+        EXPECT_EQ(read, wanted) << frame_range(wanted);
+    }
 }
 
 } // namespace

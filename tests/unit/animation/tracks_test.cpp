@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "animation/animation.h"
+#include "formula/limits.h"
 #include "testing.h"
 
 namespace isomotion::animation {
@@ -52,7 +53,7 @@ TEST(Tracks, NameOthersInAnyOrder) {
 }
 
 TEST(Tracks, AChainOfReferencesMayBeLong) {
-    constexpr int length = 1000;
+    constexpr int length = int(formula::limits::chain) - 1; // and the one they come to
     std::vector<Track> tracks;
     for (int k = 0; k < length; ++k) {
         tracks.push_back(track("a" + std::to_string(k), "a" + std::to_string(k + 1) + " + 1"));

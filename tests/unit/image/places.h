@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -74,15 +75,21 @@ public:
         if (const char* before = std::getenv(name)) before_ = before;
         ::setenv(name, value.c_str(), 1);
     }
-    ~Environment() { ::setenv(name_, before_.c_str(), 1); }
+    ~Environment() {
+        if (before_) {
+            ::setenv(name_, before_->c_str(), 1);
+        } else {
+            ::unsetenv(name_);
+        }
+    }
     Environment(const Environment&) = delete;
     Environment& operator=(const Environment&) = delete;
 
-    const std::string& before() const { return before_; }
+    std::string before() const { return before_.value_or(""); }
 
 private:
     const char* name_;
-    std::string before_;
+    std::optional<std::string> before_;
 };
 
 /// An opaque picture of one colour.

@@ -4,7 +4,9 @@
 #include <cerrno>
 #include <future>
 #include <latch>
+#include <random>
 
+#include "image/content_hash.h"
 #include "image/decode.h"
 #include "image/file.h"
 #include "places.h"
@@ -48,6 +50,39 @@ TEST(SequenceName, RefusesTwoPlacesAndFolders) {
         EXPECT_THROW(SequenceName::parse(text), ImageError) << text;
 }
 
+TEST(SequenceName, KnowsItsOwnFiles) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    for (const char* text : {"out/name.####.exr", "#.png", "a_%04d.png", "7####7.png", "a%d.png"}) {
+        const SequenceName name = SequenceName::parse(text);
+        for (int round = 0; round < 200; ++round) {
+            const int frame = int(random() >> (random() % 31 + 1));
+            EXPECT_EQ(name.frame_of(name.path(frame).filename().string()), frame) << text;
+        }
+    }
+    const SequenceName name = SequenceName::parse("out/a.####.png");
+    for (const char* file :
+         {"", "a.png", "a..png", "a.1.png", "a.00001.png", "a.001x.png", "a.0001.exr", "b.0001.png",
+          ".a.0001.part.png", "a.+001.png", "a. 001.png", "a.99999999999.png", "a.0001.png "}) {
+        EXPECT_FALSE(name.frame_of(file)) << file;
+    }
+    EXPECT_FALSE(SequenceName::parse("a.png").frame_of("a.png"));
+}
+
+TEST(SequenceName, HasOnePatternAndAStem) {
+    const auto expect = [](const char* text, const char* pattern, const char* stem) {
+        EXPECT_EQ(SequenceName::parse(text).pattern(), pattern) << text;
+        EXPECT_EQ(SequenceName::parse(text).stem(), stem) << text;
+    };
+    expect("out/name.####.exr", "name.####.exr", "name");
+    expect("out/name.%04d.exr", "name.####.exr", "name");
+    expect("%d.png", "#.png", "");
+    expect("####", "####", "");
+    expect("a.b.##.c.png", "a.b.##.c.png", "a.b.c");
+    expect("a.png", "a.png", "a");
+}
+
 class Sequence : public testing::Test {
 protected:
     SequenceName name() const { return SequenceName::parse((folder_ / "a.####.exr").string()); }
@@ -70,6 +105,32 @@ TEST_F(Sequence, WritesEveryFrameInOrder) {
     for (int frame = 1; frame <= 20; ++frame)
         EXPECT_EQ(decode(name().path(frame)).find("Z")->samples[0], float(frame));
     EXPECT_THROW(writer.submit(21, numbered(21)), std::logic_error);
+}
+
+TEST_F(Sequence, TellsWhatWasWritten) {
+    std::vector<Written> all;
+    SequenceWriter writer(name(), Format::exr);
+    for (int frame = 1; frame <= 3; ++frame)
+        writer.submit(frame, numbered(frame), [&](const Written& file) {
+            EXPECT_TRUE(std::filesystem::exists(file.file)); // it has its name already
+            all.push_back(file);
+        });
+    writer.finish();
+    ASSERT_EQ(all.size(), 3u);
+    for (int frame = 1; frame <= 3; ++frame) {
+        const Written& file = all[std::size_t(frame - 1)];
+        EXPECT_EQ(file.file, name().path(frame));
+        EXPECT_EQ(file.bytes, std::filesystem::file_size(file.file));
+        EXPECT_EQ(file.hash, content_hash(read_whole(file.file)));
+        EXPECT_EQ(file.pixels, pixel_hash(file.file));
+    }
+    EXPECT_NE(all[0].pixels, all[1].pixels);
+}
+
+TEST_F(Sequence, WhatIsThrownAfterAFrameStopsTheWriter) {
+    SequenceWriter writer(name(), Format::exr);
+    writer.submit(1, numbered(1), [](const Written&) { throw std::runtime_error("no"); });
+    EXPECT_THROW(writer.finish(), std::runtime_error);
 }
 
 TEST_F(Sequence, WritesWithSeveralThreads) {

@@ -1,0 +1,55 @@
+#include "sequence/manifest.h"
+
+#include <span>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "image/extension.h"
+#include "image/file.h"
+#include "sequence/record_json.h"
+
+namespace isomotion::sequence {
+namespace fs = std::filesystem;
+namespace {
+
+std::string read_text(const fs::path& file) {
+    const std::vector<std::byte> bytes = image::read_whole(file);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+} // namespace
+
+fs::path manifest_folder(const image::SequenceName& name) {
+    const std::string stem = name.stem();
+    const std::string extension = image::lower_extension(name.path(1));
+    return name.folder() / fmt::format("{}{}.manifest", stem.empty() ? "frames" : stem,
+                                       extension == ".png" ? "" : extension);
+}
+
+fs::path sequence_file(const fs::path& manifest) { return manifest / "sequence.json"; }
+
+fs::path frame_file(const fs::path& manifest, int frame) {
+    return manifest / fmt::format("{:04}.json", frame);
+}
+
+Sequence read_sequence(const fs::path& manifest) {
+    const fs::path file = sequence_file(manifest);
+    try {
+        return parse_sequence(read_text(file));
+    } catch (const RecordError& error) {
+        throw RecordError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
+std::optional<FrameRecord> find_record(const fs::path& manifest, int frame) {
+    try {
+        FrameRecord record = parse_frame_record(read_text(frame_file(manifest, frame)));
+        if (record.frame == frame) return record;
+    } catch (const image::FileError&) { // there is none
+    } catch (const RecordError&) {      // or nothing that could be trusted
+    }
+    return {};
+}
+
+} // namespace isomotion::sequence

@@ -1,0 +1,43 @@
+#include "sequence/record.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace isomotion::sequence {
+
+std::string difference(const Sequence& first, const Sequence& second) {
+    const Shape &a = first.shape, &b = second.shape;
+    const Making &by = first.making, &not_by = second.making;
+    const auto told = [](const char* what, const std::string& one, const std::string& other) {
+        return fmt::format("{} {}, not {}", what, one, other);
+    };
+    if (a.pattern != b.pattern) return told("files", a.pattern, b.pattern);
+    if (a.width != b.width || a.height != b.height) {
+        return told("size", fmt::format("{}x{}", a.width, a.height),
+                    fmt::format("{}x{}", b.width, b.height));
+    }
+    if (a.format != b.format) return told("format", a.format, b.format);
+    if (a.channels != b.channels) {
+        return told("channels", fmt::format("{}", fmt::join(a.channels, " ")),
+                    fmt::format("{}", fmt::join(b.channels, " ")));
+    }
+    if (a.fps != b.fps) return told("frames a second", a.fps, b.fps);
+    if (first.title != second.title) {
+        return fmt::format("scene \"{}\", not \"{}\"", first.title, second.title);
+    }
+    if (by.scene != not_by.scene) return "the same scene with other settings";
+    if (by.version != not_by.version) return told("isomotion", by.version, not_by.version);
+    if (by.renderer != not_by.renderer) return told("renderer", by.renderer, not_by.renderer);
+    if (by.stage != not_by.stage) return told("stage", by.stage, not_by.stage);
+    if (by.shaders != not_by.shaders) return "other shaders";
+    return {};
+}
+
+void add(const image::Written& file, FrameRecord& record) {
+    record.file = file.file.filename().string();
+    record.bytes = file.bytes;
+    record.hash = file.hash;
+    record.pixels = file.pixels;
+}
+
+} // namespace isomotion::sequence

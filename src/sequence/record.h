@@ -1,0 +1,71 @@
+// What a manifest says: of a whole sequence, and of each of its frames.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "image/sequence.h"
+#include "render/proofs.h"
+#include "render/renderer.h"
+
+namespace isomotion::sequence {
+
+// By what frames were made. Frames of different makings don't belong into one sequence, even where
+// their pictures happen to be equal.
+struct Making {
+    std::string scene;    // scene_fingerprint()
+    std::string shaders;  // fingerprint of their text
+    std::string version;  // of isomotion
+    std::string renderer; // as the driver calls itself, with its version
+    std::string stage;
+
+    bool operator==(const Making&) const = default;
+};
+
+// Of all files of a sequence.
+struct Shape {
+    std::string pattern; // name.####.png
+    int width = 0, height = 0;
+    std::string format; // "png 8", "png 16", "exr"
+    std::vector<std::string> channels;
+    std::string fps; // "30", "30000/1001"
+
+    bool operator==(const Shape&) const = default;
+};
+
+struct Sequence {
+    std::string title, scene_file;
+    std::string backend; // that of the first who rendered; all give the same pictures
+    Making making;
+    Shape shape;
+    std::vector<int> asked; // frames, ascending: of all runs so far
+};
+
+// In what the two differ, for a message: "size 64x64, not 48x48", the first's and not the second's.
+// Empty if frames of both may stand side by side.
+std::string difference(const Sequence& first, const Sequence& second);
+
+struct FrameRecord {
+    int frame = 0;
+    std::string file; // its last part
+    std::uintmax_t bytes = 0;
+    std::string hash;        // image::content_hash() of the file
+    std::string pixels;      // image::pixel_hash() of it
+    std::string fingerprint; // of all that decides the file
+    Making making;
+    double time = 0; // of the scene, seconds
+    std::vector<std::pair<std::string, double>> parameters;
+    std::array<std::int64_t, render::verdict_names.size()> verdicts{}; // rays
+    std::optional<render::ProofCounts> proofs;                         // pixels, if certified
+    std::int64_t evaluations = 0;
+    double drawing = 0; // seconds; 0 for the picture of the frame before, used once more
+};
+
+// What is known of its file once it is there.
+void add(const image::Written& file, FrameRecord& record);
+
+} // namespace isomotion::sequence

@@ -1,0 +1,129 @@
+#include "sequence/recording.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <optional>
+#include <string_view>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include <fmt/format.h>
+
+#include "image/file.h"
+#include "image/partial_file.h"
+#include "sequence/manifest.h"
+#include "sequence/record_json.h"
+
+namespace isomotion::sequence {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view about_writers =
+    "Locked by every process that renders frames of this sequence.\n";
+
+fs::path writers_file(const fs::path& manifest) { return manifest / "writers"; }
+
+std::span<const std::byte> bytes_of(std::string_view text) {
+    return std::as_bytes(std::span(text));
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directory(folder, error);
+    if (error || !fs::is_directory(folder)) {
+        throw image::FileError(folder, "the folder cannot be created",
+                               error ? error.value() : ENOTDIR);
+    }
+}
+
+image::FileDescriptor open_writers(const fs::path& manifest) {
+    const fs::path file = writers_file(manifest);
+    image::FileDescriptor writers(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    if (!writers) throw image::FileError(file, "cannot be created", errno);
+    struct stat found = {};
+    if (::fstat(writers.number(), &found) == 0 && found.st_size == 0) {
+        image::write_all(writers.number(), bytes_of(about_writers), file);
+    }
+    return writers;
+}
+
+// False if others hold a lock that stands against it.
+bool lock(const image::FileDescriptor& writers, int how) {
+    while (::flock(writers.number(), how | LOCK_NB) != 0) {
+        if (errno == EINTR) continue;
+        return errno != EWOULDBLOCK;
+    }
+    return true;
+}
+
+std::optional<Sequence> sequence_there(const fs::path& manifest) {
+    try {
+        return read_sequence(manifest);
+    } catch (const image::FileError&) {
+    } catch (const RecordError&) {
+    }
+    return {};
+}
+
+std::vector<int> united(std::vector<int> frames, const std::vector<int>& more) {
+    frames.insert(frames.end(), more.begin(), more.end());
+    std::ranges::sort(frames);
+    frames.erase(std::ranges::unique(frames).begin(), frames.end());
+    return frames;
+}
+
+} // namespace
+
+Recording::Recording(const image::SequenceName& name, const Sequence& sequence)
+    : manifest_(manifest_folder(name))
+    , making_(sequence.making) {
+    make_folder(manifest_);
+    writers_ = open_writers(manifest_);
+    join(parse_sequence(to_json(sequence))); // names as a file gives them back
+}
+
+void Recording::join(const Sequence& wanted) {
+    // Of those who join at the same time, one after the other has this file.
+    image::PartialFile file(sequence_file(manifest_));
+    const std::optional<Sequence> there = sequence_there(manifest_);
+    Sequence joined = there.value_or(wanted);
+    const std::string other = difference(joined, wanted);
+    if (!other.empty()) {
+        if (!lock(writers_, LOCK_EX)) {
+            throw Clash(
+                fmt::format("{}: somebody is rendering these frames from {}; wait for them, "
+                            "or give these frames another name with -o",
+                            manifest_.string(), other));
+        }
+        joined = wanted;
+    }
+    lock(writers_, LOCK_SH); // before the next one may join
+    const std::vector<int> asked = united(joined.asked, wanted.asked);
+    if (there && other.empty() && asked == there->asked) return;
+    joined.asked = asked;
+    file.write(bytes_of(to_json(joined)));
+    file.publish();
+}
+
+void Recording::expect_manifest() const {
+    struct stat joined = {}, named = {};
+    const bool same = ::fstat(writers_.number(), &joined) == 0 &&
+                      ::stat(writers_file(manifest_).c_str(), &named) == 0 &&
+                      joined.st_dev == named.st_dev && joined.st_ino == named.st_ino;
+    if (!same) {
+        throw image::FileError(manifest_, "was removed or replaced while its frames were rendered",
+                               ENOENT);
+    }
+}
+
+void Recording::record(const FrameRecord& frame) const {
+    expect_manifest();
+    image::PartialFile file(frame_file(manifest_, frame.frame));
+    file.write(bytes_of(to_json(frame)));
+    // A record that a power cut loses costs a frame to be rendered again, no more.
+    file.publish(image::Durability::at_ease);
+}
+
+} // namespace isomotion::sequence

@@ -1,0 +1,66 @@
+#include "sequence/scene_fingerprint.h"
+
+#include "scene/effect.h"
+#include "scene/fingerprint.h"
+#include "scene/source_print.h"
+
+namespace isomotion::sequence {
+namespace {
+
+using scene::Fingerprint;
+
+void add_numbers(Fingerprint& print, std::initializer_list<double> numbers) {
+    print.add_values(std::span(numbers.begin(), numbers.size()));
+}
+
+void add(Fingerprint& print, const scene::Isolation& settings) {
+    print.add(scene::name(settings.method));
+    add_numbers(print, {settings.step, settings.near, settings.far, settings.horizon,
+                        double(settings.bisections), double(settings.beam.value_or(false)),
+                        double(settings.beam.has_value()), double(settings.certify),
+                        settings.safety, double(settings.limit)});
+}
+
+void add(Fingerprint& print, const scene::Output& output) {
+    add_numbers(print, {double(output.width), double(output.height), output.background[0],
+                        output.background[1], output.background[2], double(output.transparent),
+                        double(output.samples)});
+    if (const auto& sky = output.gradient) {
+        print.add_values(std::span<const double>(sky->top));
+        print.add_values(std::span<const double>(sky->bottom));
+    }
+}
+
+} // namespace
+
+std::string scene_fingerprint(const scene::Scene& scene) {
+    const animation::Animation& animation = scene.timeline.animation;
+    Fingerprint print;
+    print.add("isomotion scene 1").add(scene.title).add(scene.surface.field->text);
+    print.add(animation::to_string(scene.timeline.fps)).add(std::to_string(animation.seed()));
+    // The names of tracks say what moves by them: "camera.position.x", "lights[1].falloff".
+    for (const animation::Track& track : animation.tracks()) {
+        print.add(track.name);
+        scene::add(print, track.source);
+    }
+    for (const animation::Array& array : animation.arrays()) scene::add(print, array);
+    for (const scene::Effect effect : scene::effects(scene)) print.add(scene::name(effect));
+    print.add(std::to_string(int(scene.surface.bounds.shape)));
+    add(print, scene.isolation);
+    add_numbers(print, {double(scene.camera.projection), scene.camera.shutter});
+    for (const scene::Light& light : scene.lights) {
+        add_numbers(print, {double(light.is_point), double(light.shadow), double(light.headlight)});
+    }
+    if (const auto& paint = scene.material.paint) {
+        print.add(paint->value->text);
+        add_numbers(print, {double(paint->map)});
+    }
+    if (scene.environment) {
+        print.add(scene.environment->map.filename().string());
+        add_numbers(print, {double(scene.environment->background)});
+    }
+    add(print, scene.output);
+    return print.text();
+}
+
+} // namespace isomotion::sequence

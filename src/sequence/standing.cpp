@@ -1,0 +1,31 @@
+#include "sequence/standing.h"
+
+#include "image/content_hash.h"
+#include "image/file.h"
+
+namespace isomotion::sequence {
+namespace fs = std::filesystem;
+namespace {
+
+bool has_the_bytes(const fs::path& file, const FrameRecord& record) {
+    std::error_code error;
+    if (fs::file_size(file, error) != record.bytes || error) return false;
+    try {
+        return image::content_hash(image::read_whole(file)) == record.hash;
+    } catch (const image::FileError&) {
+        return false;
+    }
+}
+
+} // namespace
+
+Standing standing(const fs::path& file, const std::optional<FrameRecord>& record,
+                  std::string_view fingerprint) {
+    std::error_code error;
+    if (!fs::exists(file, error)) return Standing::missing;
+    if (!record) return Standing::foreign;
+    if (record->fingerprint != fingerprint) return Standing::stale;
+    return has_the_bytes(file, *record) ? Standing::whole : Standing::changed;
+}
+
+} // namespace isomotion::sequence

@@ -1,0 +1,144 @@
+#include "sequence/verification.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "animation/frame_range.h"
+#include "image/decode.h"
+#include "image/sequence.h"
+#include "sequence/manifest.h"
+#include "sequence/standing.h"
+
+namespace isomotion::sequence {
+namespace fs = std::filesystem;
+namespace {
+
+void note_differences(Verification& found, const FrameRecord& record) {
+    const Making &wanted = found.sequence.making, &made = record.making;
+    const auto note = [&](const char* what, const std::string& one, const std::string& other) {
+        if (one != other) found.differing[what].push_back(record.frame);
+    };
+    note("scene", made.scene, wanted.scene);
+    note("shaders", made.shaders, wanted.shaders);
+    note("version", made.version, wanted.version);
+    note("renderer", made.renderer, wanted.renderer);
+    note("stage", made.stage, wanted.stage);
+}
+
+void sum_up(Verification& found, const FrameRecord& record) {
+    for (std::size_t v = 0; v < found.verdicts.size(); ++v) {
+        found.verdicts[v] += record.verdicts[v];
+    }
+    if (record.proofs) {
+        for (std::size_t p = 0; p < found.proofs.size(); ++p)
+            found.proofs[p] += (*record.proofs)[p];
+    }
+    found.evaluations += record.evaluations;
+    found.drawing += record.drawing;
+}
+
+bool has_the_pixels(const fs::path& file, const FrameRecord& record) {
+    try {
+        return image::pixel_hash(file) == record.pixels;
+    } catch (const std::runtime_error&) { // it cannot be decoded at all
+        return false;
+    }
+}
+
+void look_at(int frame, const fs::path& file, bool pixels, Verification& found) {
+    const auto record = find_record(found.manifest, frame);
+    switch (standing(file, record, record ? record->fingerprint : "")) {
+    case Standing::missing:
+        found.missing.push_back(frame);
+        return;
+    case Standing::foreign:
+        found.unrecorded.push_back(frame);
+        return;
+    case Standing::changed:
+    case Standing::stale:
+        found.changed.push_back(frame);
+        return;
+    case Standing::whole:
+        break;
+    }
+    found.whole.push_back(frame);
+    if (pixels && !has_the_pixels(file, *record)) found.repainted.push_back(frame);
+    note_differences(found, *record);
+    sum_up(found, *record);
+}
+
+std::vector<int> files_never_asked_for(const image::SequenceName& name,
+                                       const std::vector<int>& asked) {
+    std::vector<int> frames;
+    const fs::path folder = name.folder().empty() ? "." : name.folder();
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const auto frame = name.frame_of(entry.path().filename().string());
+        if (frame && !std::ranges::binary_search(asked, *frame)) frames.push_back(*frame);
+    }
+    std::ranges::sort(frames);
+    return frames;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json json(const Verification& found) {
+    const Sequence& sequence = found.sequence;
+    const auto range = [](const std::vector<int>& frames) {
+        return animation::frame_range(frames);
+    };
+    Json differing = Json::object(), rays = Json::object();
+    for (const auto& [what, frames] : found.differing) differing[what] = range(frames);
+    for (std::size_t v = 0; v < found.verdicts.size(); ++v) {
+        rays[render::verdict_names[v]] = found.verdicts[v];
+    }
+    return {{"manifest", found.manifest.string()},
+            {"title", sequence.title},
+            {"files", sequence.shape.pattern},
+            {"frames", range(sequence.asked)},
+            {"is whole", found.is_whole()},
+            {"whole", range(found.whole)},
+            {"missing", range(found.missing)},
+            {"changed", range(found.changed)},
+            {"unrecorded", range(found.unrecorded)},
+            {"other pixels", range(found.repainted)},
+            {"differing", differing},
+            {"foreign", range(found.foreign)},
+            {"rays", rays},
+            {"evaluations", found.evaluations},
+            {"drawing seconds", found.drawing}};
+}
+
+} // namespace
+
+bool Verification::is_whole() const {
+    return whole.size() == sequence.asked.size() && repainted.empty() && differing.empty() &&
+           foreign.empty();
+}
+
+Verification verify(const fs::path& manifest, const Verifying& how) {
+    Verification found;
+    found.manifest = manifest;
+    found.sequence = read_sequence(manifest);
+    std::vector<int>& asked = found.sequence.asked;
+    std::ranges::sort(asked);
+    const auto name = image::SequenceName::parse(
+        (manifest.parent_path() / found.sequence.shape.pattern).string());
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+        if (how.progress) how.progress(int(k), int(asked.size()));
+        look_at(asked[k], name.path(asked[k]), how.pixels, found);
+    }
+    found.foreign = files_never_asked_for(name, asked);
+    return found;
+}
+
+std::string to_json(const std::vector<Verification>& all) {
+    Json list = Json::array();
+    for (const Verification& found : all) list.push_back(json(found));
+    return Json{{"format", "isomotion verification 1"}, {"sequences", list}}.dump(
+               2, ' ', false, Json::error_handler_t::replace) +
+           "\n";
+}
+
+} // namespace isomotion::sequence
