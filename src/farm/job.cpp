@@ -1,0 +1,51 @@
+#include "farm/job.h"
+
+#include <regex>
+
+#include "farm/shell.h"
+
+namespace isomotion::farm {
+namespace {
+
+using Words = std::vector<std::string>;
+
+} // namespace
+
+Words chunk_words(const Job& job, const std::string& frames) {
+    Words words;
+    if (!job.environment.empty()) {
+        words.push_back("/usr/bin/env");
+        words.insert(words.end(), job.environment.begin(), job.environment.end());
+    }
+    words.insert(words.end(), {job.program.string(), "render", job.scene.string(), "--frames",
+                               frames, "--resume", "-o", job.output.string()});
+    words.insert(words.end(), job.options.begin(), job.options.end());
+    return words;
+}
+
+Words joining_words(const Job& job, const std::string& frames) {
+    Words words = chunk_words(job, frames);
+    if (!job.movie.empty()) words.insert(words.end(), {"--movie", job.movie.string()});
+    return words;
+}
+
+std::string shell_line(const Job& job, const Words& words) {
+    Words all{"cd", job.folder.string()};
+    const std::size_t here = all.size();
+    all.insert(all.end(), words.begin(), words.end());
+    std::string line = newline_definition(all);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (k == here) line += "&& ";
+        line += shell_word(all[k]) + (k + 1 < all.size() ? " " : "");
+    }
+    return line;
+}
+
+std::string stem(const std::filesystem::path& output) {
+    static const std::regex place("#+|%(0[0-9]{1,2})?d"); // as image::SequenceName has it
+    std::string name = std::regex_replace(output.stem().string(), place, "");
+    name.resize(name.find_last_not_of("._- ") + 1);
+    return name.empty() ? "frames" : name;
+}
+
+} // namespace isomotion::farm
