@@ -17,4 +17,8 @@ std::unique_ptr<Context> open_egl(std::vector<Attempt>& failed);
 std::unique_ptr<Context> open_osmesa(std::vector<Attempt>& failed);
 std::unique_ptr<Context> open_glfw(std::vector<Attempt>& failed);
 
+/// The library that OpenGL's functions were loaded from may be gone: the next context that is made
+/// current loads them again.
+void forget_functions() noexcept;
+
 } // namespace isomotion::gpu

@@ -1,6 +1,7 @@
 #include "gpu/context.h"
 
 #include "gpu/backends.h"
+#include "gpu/error.h"
 #include "gpu/name.h"
 
 #include <fmt/format.h>
@@ -44,6 +45,9 @@ std::string message(const std::vector<Attempt>& attempts) {
     return text + "\ninstall an OpenGL driver; on Debian: libegl1 libegl-mesa0 libgl1-mesa-dri, "
                   "or libosmesa6";
 }
+
+/// What found the functions that calls go to; all back ends' go to the same names.
+GLADloadfunc loaded = nullptr;
 
 std::string text_of(GLenum what) {
     const auto* text = reinterpret_cast<const char*>(glGetString(what));
@@ -126,8 +130,15 @@ void Context::release() noexcept {
     current_ = nullptr;
 }
 
+void Context::expect_alive() const {
+    // Of OpenGL 4.5; other contexts are not told.
+    if (!info_.has(4, 5) || !glGetGraphicsResetStatus) return;
+    if (glGetGraphicsResetStatus() != GL_NO_ERROR) throw ContextLost();
+}
+
+void forget_functions() noexcept { loaded = nullptr; }
+
 void Context::load_functions() {
-    static Loader loaded = nullptr;
     if (loaded == loader_) return;
     loaded = gladLoadGL(loader_) ? loader_ : nullptr;
     if (loaded) return;

@@ -71,6 +71,9 @@ public:
     void make_current();
     void release() noexcept;
 
+    /// Throws ContextLost if the driver was reset since the context was made. It has to be current.
+    void expect_alive() const;
+
     const ContextInfo& info() const noexcept { return info_; }
 
 protected:

@@ -12,6 +12,14 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// The driver has reset the graphics card: the context and all that was made in it are of no more
+/// use. Only contexts of windows learn of it (KHR_robustness).
+class ContextLost : public std::runtime_error {
+public:
+    ContextLost()
+        : std::runtime_error("the graphics driver was reset") {}
+};
+
 /// A shader that does not compile or link. The message holds the driver's log and the source lines
 /// around each error.
 class CompileError : public std::runtime_error {

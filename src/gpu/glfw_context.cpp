@@ -49,12 +49,15 @@ std::shared_ptr<Glfw> Glfw::open() {
     static std::weak_ptr<Glfw> opened;
     if (auto held = opened.lock()) return held;
     if (!glfwInit()) throw std::runtime_error(reason());
-    const std::shared_ptr<Glfw> glfw(new Glfw);
+    std::shared_ptr<Glfw> glfw(new Glfw);
     opened = glfw;
     return glfw;
 }
 
-Glfw::~Glfw() { glfwTerminate(); }
+Glfw::~Glfw() {
+    glfwTerminate(); // and with it the driver goes
+    forget_functions();
+}
 
 void Glfw::hint(std::pair<int, int> version, bool visible) const {
     glfwDefaultWindowHints();
@@ -62,6 +65,8 @@ void Glfw::hint(std::pair<int, int> version, bool visible) const {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version.second);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    // Where the driver can, it tells of a reset instead of ending the process.
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
 }
 

@@ -25,9 +25,9 @@ public:
         GLint done = GL_FALSE;
         glGetShaderiv(number_, GL_COMPILE_STATUS, &done);
         if (done) return;
-        const CompileError error(label, stage_name(stage), log(), source);
+        const std::string told = log();
         glDeleteShader(number_);
-        throw error;
+        throw CompileError(label, stage_name(stage), told, source);
     }
     ~Shader() { glDeleteShader(number_); }
     Shader(const Shader&) = delete;

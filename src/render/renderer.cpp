@@ -514,6 +514,7 @@ struct Renderer::Parts {
     std::optional<SecondaryRays> secondary;
     std::optional<gpu::Texture> environment;
     std::string environment_print; // of its texels
+    std::string shaders_print = synthesis::fingerprint(shaders);
     struct Moved {
         gpu::Program program;
         gpu::Target field;
@@ -618,13 +619,7 @@ std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& a
     const Parts& p = *parts_;
     scene::Fingerprint print;
     const synthesis::Shaders& shaders = p.shaders;
-    for (const auto& level : shaders.beams) print.add(level.text);
-    for (const std::string* text :
-         {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.mirror,
-          &shaders.mirror_surface, &shaders.motion, &shaders.shade_vertex, &shaders.shade,
-          &shaders.whole, &shaders.proof, &shaders.sharp_proof}) {
-        print.add(*text);
-    }
+    print.add(p.shaders_print);
     const auto add_field = [&](const scene::SceneAt& at) {
         const FrameBlock block = frame_block(p.scene, at, p.options.width, p.options.height, aim);
         print.add_values(std::span<const FrameBlock>(&block, 1));
@@ -651,5 +646,7 @@ std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& a
     for (const auto wanted : p.options.channels) print.add(std::to_string(int(wanted)));
     return print.text();
 }
+
+const std::string& Renderer::shaders_fingerprint() const { return parts_->shaders_print; }
 
 } // namespace isomotion::render

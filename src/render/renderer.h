@@ -84,6 +84,8 @@ public:
     // values, size and channels. Equal fingerprints, equal pictures.
     std::string fingerprint(const scene::SceneAt& now, const scene::Aim& aim = {},
                             const Motion* motion = nullptr) const;
+    // Of all shaders' text.
+    const std::string& shaders_fingerprint() const;
 
     const MarchPlan& plan() const;
 

@@ -21,7 +21,7 @@ inline scene::Scene scene_of(const std::string& text,
     const auto file = std::filesystem::temp_directory_path() /
                       ("isomotion-scene-" + std::to_string(getpid()) + ".toml");
     std::ofstream(file) << text;
-    scene::Scene scene = scene::load(file.string(), overrides);
+    scene::Scene scene = scene::load(file.string(), overrides, scene::Reach::anywhere);
     std::filesystem::remove(file);
     return scene;
 }

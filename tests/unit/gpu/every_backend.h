@@ -8,7 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <optional>
 #include <string>
+
+#include "on_display.h"
 
 namespace isomotion::gpu {
 
@@ -25,10 +28,15 @@ inline std::unique_ptr<Context> open_if_available(Backend backend) {
 class EveryBackend : public testing::TestWithParam<Backend> {
 protected:
     void SetUp() override {
+        if (GetParam() == Backend::glfw) display_.emplace();
         context = open_if_available(GetParam());
         if (!context) GTEST_SKIP() << name(GetParam()) << " is not available here";
     }
 
+private:
+    std::optional<display::OnDisplay> display_; // for longer than the context
+
+protected:
     std::unique_ptr<Context> context;
 };
 
@@ -37,11 +45,11 @@ inline std::string backend_name(const testing::TestParamInfo<Backend>& info) {
 }
 
 #define ISOMOTION_ON_EVERY_BACKEND(suite)                                                          \
-    INSTANTIATE_TEST_SUITE_P(                                                                      \
-        Backends, suite,                                                                           \
-        testing::Values(isomotion::gpu::Backend::egl, isomotion::gpu::Backend::osmesa,             \
-                        isomotion::gpu::Backend::glfw),                                            \
-        isomotion::gpu::backend_name)
+    INSTANTIATE_TEST_SUITE_P(Backends, suite,                                                      \
+                             testing::Values(isomotion::gpu::Backend::egl,                         \
+                                             isomotion::gpu::Backend::osmesa,                      \
+                                             isomotion::gpu::Backend::glfw),                       \
+                             isomotion::gpu::backend_name)
 
 inline constexpr const char* fullscreen_vertex = R"(#version 330 core
 void main() {
