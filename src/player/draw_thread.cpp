@@ -26,6 +26,15 @@ Tally tally_of(const render::Picture& picture) {
 // window can draw, and a draw be given up. A multiple of the beams' squares.
 constexpr int tile_side = 256;
 
+bool is_lost(const gpu::Context& context) {
+    try {
+        context.expect_alive();
+        return false;
+    } catch (const gpu::ContextLost&) {
+        return true;
+    }
+}
+
 } // namespace
 
 std::int64_t Tally::rays() const {
@@ -86,6 +95,7 @@ private:
     static Shown blank(const Request& request) {
         Shown shown;
         shown.number = request.number;
+        shown.asked_at = request.asked_at;
         shown.frame = request.frame;
         shown.scale = request.scale;
         shown.view = request.view;
@@ -102,6 +112,7 @@ private:
         dropped_ = [this, &request] { return thread_.superseded(request, begin_); };
         render::Picture drawn = renderer.draw(*sample.now, sample.aim);
         dropped_ = {};
+        context_.expect_alive();
         if (drawn.compiled) shown.compiled = true;
         last_ = tally_of(drawn);
         return drawn;
@@ -200,6 +211,7 @@ DrawThread::~DrawThread() {
 }
 
 void DrawThread::draw(Request request) {
+    request.asked_at = Clock::now();
     {
         const std::lock_guard lock(mutex_);
         request_ = std::move(request);
@@ -230,6 +242,19 @@ std::optional<GivenUp> DrawThread::take_given_up() {
 std::optional<Clock::time_point> DrawThread::compiling_since() const {
     const std::lock_guard lock(mutex_);
     return compiling_;
+}
+
+bool DrawThread::lost() const {
+    const std::lock_guard lock(mutex_);
+    return lost_;
+}
+
+void DrawThread::say_lost() {
+    {
+        const std::lock_guard lock(mutex_);
+        lost_ = true;
+    }
+    Window::wake();
 }
 
 bool DrawThread::superseded(const Request& request, Time begin) const {
@@ -297,9 +322,17 @@ void DrawThread::run() {
                 work.draw(request, begin);
             } catch (const render::Stopped&) {
                 give_up(request, begin);
+            } catch (const gpu::ContextLost&) {
+                say_lost();
+                break;
             } catch (const std::bad_alloc&) {
                 fail(request, "out of memory: the picture is too large for this machine");
             } catch (const std::exception& error) {
+                // A reset shows as the failure of other calls, too.
+                if (is_lost(context_)) {
+                    say_lost();
+                    break;
+                }
                 work.forget_renderers();
                 fail(request, error.what());
             }

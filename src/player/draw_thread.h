@@ -45,6 +45,7 @@ struct Request {
     std::vector<Sample> samples;
     // Given up for a newer request at once; what moves only when it takes too long.
     bool may_be_dropped = false;
+    std::chrono::steady_clock::time_point asked_at{}; // by draw()
 };
 
 // What a method's rays went through, for reading out.
@@ -69,7 +70,8 @@ struct Shown {
     Tally other;                          // of the other method
     std::optional<Difference> difference; // its raster is empty
     double heat_end = 0;                  // of the evaluations' colours
-    std::chrono::duration<double> took{}; // all of it, from the request on
+    std::chrono::steady_clock::time_point asked_at{};
+    std::chrono::duration<double> took{}; // all of it, once the picture before was done
     bool compiled = false; // for this picture: its time says nothing of the next one's
 };
 
@@ -98,6 +100,8 @@ public:
     std::optional<Shown> take_shown();
     std::optional<Failure> take_failure();
     std::optional<GivenUp> take_given_up();
+    // The driver was reset: no more pictures come.
+    bool lost() const;
     // Shader files have changed: the next request compiles anew.
     void forget_shaders();
 
@@ -115,6 +119,7 @@ private:
     void give_up(const Request& request, Time begin);
     void fail(const Request& request, const std::string& text);
     void say_compiling(bool compiling);
+    void say_lost();
 
     gpu::Context& context_;
     mutable std::mutex mutex_;
@@ -124,7 +129,7 @@ private:
     std::optional<Failure> failure_;
     std::optional<GivenUp> given_up_;
     std::optional<std::chrono::steady_clock::time_point> compiling_;
-    bool ending_ = false, forget_ = false;
+    bool ending_ = false, forget_ = false, lost_ = false;
     // What moves may take so long while a newer request waits. It doubles with each picture given
     // up in a row, so that one is finished in the end, however long each takes.
     std::chrono::duration<double> patience_ = least_patience;

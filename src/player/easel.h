@@ -38,6 +38,8 @@ public:
 
     // Whether the last picture asked for is whole and has come.
     bool at_rest() const { return whole_ && came_; }
+    // Whether a picture was asked for that has not come.
+    bool awaits() const { return subject_ && !came_; }
     std::uint64_t number() const { return number_; } // of the last request, also one that failed
 
     static constexpr double rate = 30;

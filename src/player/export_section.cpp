@@ -30,6 +30,7 @@ void ExportSection::start(const LiveScene& live, int first, int last, glm::ivec2
     order.last = last;
     order.width = size.x;
     order.height = size.y;
+    order.reach = live.reach();
     if (movie_ && last > first) order.movie = stem(scene) + ".mp4";
     told_.clear();
     failed_ = false;

@@ -10,10 +10,12 @@ namespace isomotion::player {
 
 namespace fs = std::filesystem;
 
-LiveScene::LiveScene(const std::string& scene, std::vector<scene::Override> overrides)
+LiveScene::LiveScene(const std::string& scene, std::vector<scene::Override> overrides,
+                     scene::Reach reach)
     : scene_files_(files_named(fs::exists(scene) ? fs::path(scene) : scene::animation_file(scene)))
-    , session(scene::load(scene, overrides))
+    , session(scene::load(scene, overrides, reach))
     , overrides_(std::move(overrides))
+    , reach_(reach)
     , shader_files_(shader_files())
     , timeline_({timeline_file()}) {
     scene_files_.watch(files_of(session.scene()));
@@ -44,7 +46,7 @@ LiveScene::News LiveScene::look(double now) {
         // Also what the text names now: were it what makes the scene fail, it would mend it.
         scene_files_.watch(files_of(session.scene()));
         try {
-            session.reload(scene::load(file().string(), overrides_), now);
+            session.reload(scene::load(file().string(), overrides_, reach_), now);
             news.scene = true;
             scene_files_.watch(files_of(session.scene()));
             timeline_.watch({timeline_file()});

@@ -17,7 +17,8 @@ class LiveScene {
 
 public:
     // Throws as scene::load does.
-    LiveScene(const std::string& scene, std::vector<scene::Override> overrides);
+    LiveScene(const std::string& scene, std::vector<scene::Override> overrides,
+              scene::Reach reach = scene::Reach::own_folder);
 
     Session session;
 
@@ -30,6 +31,7 @@ public:
     // Why a timeline file beside the scene is of no use; else empty.
     const std::string& refusal() const { return refusal_; }
     const std::vector<scene::Override>& overrides() const { return overrides_; }
+    scene::Reach reach() const { return reach_; }
 
     // What look() found, asked now and then.
     struct News {
@@ -47,6 +49,7 @@ private:
     void read_marks();
 
     std::vector<scene::Override> overrides_;
+    scene::Reach reach_;
     std::vector<Mark> marks_;
     std::string refusal_;
     FileWatch shader_files_, timeline_;

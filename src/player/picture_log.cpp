@@ -22,17 +22,19 @@ void PictureLog::write(const std::string& line) {
 void PictureLog::add(const Landmarks& landmarks) {
     if (!file_ || landmarks == last_) return;
     last_ = landmarks;
-    write(nlohmann::ordered_json{{"seconds", seconds()}, {"widgets", landmarks}}.dump());
+    write(
+        nlohmann::ordered_json{{"seconds", seconds(Clock::now())}, {"widgets", landmarks}}.dump());
 }
 
-double PictureLog::seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+double PictureLog::seconds(Clock::time_point at) const {
+    return std::chrono::duration<double>(at - begin_).count();
 }
 
 void PictureLog::add(const Shown& shown, glm::ivec2 corner, glm::ivec2 size, bool at_rest) {
     if (!file_) return;
     const nlohmann::ordered_json line{
-        {"seconds", seconds()},
+        {"seconds", seconds(Clock::now())},
+        {"asked", seconds(shown.asked_at)},
         {"frame", shown.frame},
         {"view", name(shown.view)},
         {"scale", shown.scale},
@@ -51,7 +53,7 @@ void PictureLog::add(const Shown& shown, glm::ivec2 corner, glm::ivec2 size, boo
 
 void PictureLog::add_failure(const std::string& text) {
     if (!file_) return;
-    const nlohmann::ordered_json line{{"seconds", seconds()}, {"error", text}};
+    const nlohmann::ordered_json line{{"seconds", seconds(Clock::now())}, {"error", text}};
     write(line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 

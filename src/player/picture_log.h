@@ -26,12 +26,14 @@ public:
     void add(const Landmarks& landmarks);
 
 private:
-    double seconds() const; // since the program began, about
+    using Clock = std::chrono::steady_clock;
+
+    double seconds(Clock::time_point at) const; // since the program began, about
     void write(const std::string& line);
 
     Landmarks last_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    const Clock::time_point begin_ = Clock::now();
 };
 
 } // namespace isomotion::player

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "gpu/error.h"
 #include "player/camera_text.h"
 #include "player/draw_thread.h"
 #include "player/easel.h"
@@ -38,6 +39,9 @@ constexpr ImGuiWindowFlags still_pane =
 constexpr double files_every = 0.5;     // seconds between looks at files
 constexpr double processes_every = 0.2; // and at processes that run
 constexpr double progress_every = 0.1;
+// A scene that has the driver reset as soon as it is drawn is not drawn once more.
+constexpr auto lives_at_least = std::chrono::seconds(2);
+constexpr double widgets_every = 0.1; // while something is dragged and its picture is drawn
 
 void begin_pane(const char* name, ImVec2 corner, ImVec2 size, ImGuiWindowFlags flags) {
     ImGui::SetNextWindowPos(corner);
@@ -47,41 +51,47 @@ void begin_pane(const char* name, ImVec2 corner, ImVec2 size, ImGuiWindowFlags f
 
 class Player {
 public:
-    explicit Player(const PlayOptions& options)
-        : first_scene_(load(options))
+    // With a scene, or the gallery. A scene that was played before goes on where it was.
+    Player(std::unique_ptr<LiveScene> scene, const PlayOptions& options, PictureLog& log)
+        : reach_(options.reach)
         , memory_(options.remembers ? state_folder() : std::filesystem::path())
-        , log_(options.log)
-        , window_("isomotion", place())
+        , log_(log)
+        , window_("isomotion", place(scene.get()))
         , drawing_(open_drawing())
         , thread_(*drawing_)
         , easel_(thread_) {
-        if (first_scene_) {
-            take(std::move(first_scene_), options.playing);
+        if (scene) {
+            take(std::move(scene));
         } else {
             gallery_.open(memory_.opened());
         }
     }
     ~Player() { remember(); }
 
+    // Until the window is closed. Throws gpu::ContextLost.
     void run() {
         while (!window_.closing()) {
             window_.wait(sleep());
             attend();
             obey_keys();
-            if (window_.stale() || new_picture_ || compiling()) show();
+            if (window_.stale() || new_picture_ || compiling() || overdue()) show();
             ask();
         }
     }
 
-private:
-    // Before the window opens, so that a mistake in the scene is told where it was called from.
-    static std::unique_ptr<LiveScene> load(const PlayOptions& options) {
-        if (options.scene.empty()) return nullptr;
-        return std::make_unique<LiveScene>(options.scene, options.overrides);
+    static void play(LiveScene& scene) {
+        scene.session.playback = played(scene.session.playback, now());
     }
 
-    std::optional<WindowPlace> place() const {
-        if (first_scene_) return memory_.recall(first_scene_->file()).window;
+    // What was played, for another player.
+    std::unique_ptr<LiveScene> take_scene() {
+        remember();
+        return std::move(scene_);
+    }
+
+private:
+    std::optional<WindowPlace> place(const LiveScene* scene) const {
+        if (scene) return memory_.recall(scene->file()).window;
         return std::nullopt;
     }
 
@@ -96,7 +106,10 @@ private:
         }
     }
 
-    double now() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+    // The same for every player: a scene may go from one to the next.
+    static double now() {
+        return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+    }
     bool compiling() const { return thread_.compiling_since().has_value(); }
     bool processes_run() const {
         return export_.running() || topology_.running() || gallery_.rendering();
@@ -104,14 +117,15 @@ private:
 
     // ----- scenes
 
-    void take(std::unique_ptr<LiveScene> scene, bool playing) {
+    void take(std::unique_ptr<LiveScene> scene) {
         remember();
         scene_ = std::move(scene);
         Session& session = scene_->session;
-        Look look = session.look();
-        look.camera = memory_.recall(scene_->file()).camera;
-        session.set(look);
-        if (playing) session.playback = played(session.playback, now());
+        if (!session.look().camera) {
+            Look look = session.look();
+            look.camera = memory_.recall(scene_->file()).camera;
+            session.set(look);
+        }
         memory_.add_opened(std::filesystem::absolute(scene_->file()));
         easel_.begin_scene();
         gallery_.close();
@@ -123,7 +137,10 @@ private:
 
     void open(const std::string& scene) {
         try {
-            take(std::make_unique<LiveScene>(scene, std::vector<scene::Override>{}), true);
+            auto opened =
+                std::make_unique<LiveScene>(scene, std::vector<scene::Override>{}, reach_);
+            play(*opened);
+            take(std::move(opened));
         } catch (const std::exception& error) {
             fail_to_load(error.what());
         }
@@ -154,6 +171,7 @@ private:
         };
         if (compiling()) sooner(progress_every);
         if (processes_run()) sooner(processes_every);
+        if (skipped_) sooner(last_frame_ + widgets_every - now());
         if (!scene_) return least;
         sooner(next_look_ - now());
         if (!is_seen()) return least;
@@ -163,6 +181,7 @@ private:
     }
 
     void attend() {
+        if (thread_.lost()) throw gpu::ContextLost();
         take_pictures();
         for (const auto& file : window_.take_dropped()) open(file.string());
         if (processes_run()) {
@@ -306,6 +325,14 @@ private:
         }
     }
 
+    // What is dragged is answered by the next picture: until it comes, drawing the widgets alone
+    // would take its time from it.
+    bool picture_will_do() const {
+        return (area_.held() || touched_) && !new_picture_ && easel_.awaits() && !compiling() &&
+               now() - last_frame_ < widgets_every;
+    }
+    bool overdue() const { return skipped_ && now() - last_frame_ >= widgets_every; }
+
     // The scene as it is shown; none where a value leaves its range, which ask() tells.
     std::optional<scene::SceneAt> scene_now() const {
         try {
@@ -337,7 +364,10 @@ private:
     // ----- frames
 
     void show() {
-        if (!window_.begin_frame()) return;
+        if (!window_.begin_frame()) {
+            skipped_ = false; // nobody sees what is due
+            return;
+        }
         const ImVec2 area = ImGui::GetIO().DisplaySize;
         if (gallery_.is_open()) {
             show_gallery(area);
@@ -352,7 +382,10 @@ private:
         notices_.show(thread_.compiling_since());
         log_.add(take_landmarks());
         touched_ = ImGui::IsAnyItemActive() && !area_.held();
+        skipped_ = picture_will_do();
+        if (skipped_) return window_.skip_frame();
         window_.end_frame();
+        last_frame_ = now();
         if (std::exchange(new_picture_, false) && area_.shown()) {
             log_.add(*area_.shown(), area_.corner(), area_.size(), easel_.at_rest());
         }
@@ -413,10 +446,10 @@ private:
         ImGui::End();
     }
 
-    const Clock::time_point begin_ = Clock::now();
-    std::unique_ptr<LiveScene> first_scene_, scene_;
+    scene::Reach reach_;
+    std::unique_ptr<LiveScene> scene_;
     Memory memory_;
-    PictureLog log_;
+    PictureLog& log_;
     Window window_;
     std::unique_ptr<gpu::Context> drawing_;
     DrawThread thread_;
@@ -429,14 +462,35 @@ private:
     Notices notices_;
     glm::ivec2 size_{0};              // of the picture, in the window
     std::uint64_t failed_number_ = 0; // of the request that draw_error is of
-    double next_look_ = files_every;
+    double next_look_ = now() + files_every;
     bool panel_ = true;
     bool touched_ = false; // a widget is held: what it changes has not come to rest
     bool new_picture_ = false;
+    double last_frame_ = 0; // when the window was drawn last
+    bool skipped_ = false;  // what came since has not been drawn
 };
 
 } // namespace
 
-void play(const PlayOptions& options) { Player(options).run(); }
+void play(const PlayOptions& options) {
+    // Before the window opens, so that a mistake in the scene is told where it was called from.
+    std::unique_ptr<LiveScene> scene;
+    if (!options.scene.empty()) {
+        scene = std::make_unique<LiveScene>(options.scene, options.overrides, options.reach);
+        if (options.playing) Player::play(*scene);
+    }
+    PictureLog log(options.log);
+    for (;;) {
+        const auto begin = Clock::now();
+        Player player(std::move(scene), options, log);
+        try {
+            return player.run();
+        } catch (const gpu::ContextLost& lost) {
+            log.add_failure(lost.what());
+            if (Clock::now() - begin < lives_at_least) throw NoWindow(lost.what());
+            scene = player.take_scene();
+        }
+    }
+}
 
 } // namespace isomotion::player

@@ -23,6 +23,7 @@ std::vector<std::string> render_words(const RenderOrder& order) {
     for (const scene::Override& setting : order.overrides) {
         words.insert(words.end(), {"--set", setting});
     }
+    if (order.reach == scene::Reach::anywhere) words.emplace_back("--allow-outside");
     if (!order.movie.empty()) words.insert(words.end(), {"--movie", order.movie});
     return words;
 }

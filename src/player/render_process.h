@@ -22,6 +22,7 @@ struct RenderOrder {
     bool poster = false; // the one frame that stands for the scene, instead
     int width = 0, height = 0;
     std::string movie; // empty: none
+    scene::Reach reach = scene::Reach::own_folder;
 };
 
 class RenderProcess {

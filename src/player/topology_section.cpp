@@ -19,6 +19,7 @@ void TopologySection::start(const LiveScene& scene) {
     for (const scene::Override& setting : scene.overrides()) {
         words.insert(words.end(), {"--set", setting});
     }
+    if (scene.reach() == scene::Reach::anywhere) words.emplace_back("--allow-outside");
     try {
         if (timeline.has_parent_path()) {
             std::filesystem::create_directories(timeline.parent_path());

@@ -195,12 +195,18 @@ bool Window::begin_frame() {
     return true;
 }
 
+void Window::skip_frame() {
+    ImGui::EndFrame();
+    stale_frames_ = 0;
+}
+
 void Window::end_frame() {
     ImGui::Render();
     const glm::ivec2 size = pixels();
     gpu::begin_screen(size.x, size.y, background_color());
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
+    context_->expect_alive();
     for (const int key : std::exchange(released_, {})) {
         ImGui_ImplGlfw_KeyCallback(window_, key, 0, GLFW_RELEASE, 0);
         refresh();

@@ -52,7 +52,10 @@ public:
     // Between the two, Dear ImGui's widgets are made. False if there is nothing to draw into
     // (minimised, or of no size); end_frame() must not be called then.
     bool begin_frame();
-    void end_frame();
+    void end_frame(); // throws gpu::ContextLost
+    // In place of end_frame(): the widgets have taken what came, and nothing is drawn, which takes
+    // a software renderer as long as a small picture. Another frame has to follow.
+    void skip_frame();
 
     // Whether events came that frames have yet to show. Dear ImGui takes some frames to settle.
     bool stale() const { return stale_frames_ > 0; }

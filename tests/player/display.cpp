@@ -1,12 +1,8 @@
 #include "display.h"
 
-#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "cli/program.h"
 #include "image/child_process.h"
@@ -19,39 +15,6 @@ std::optional<std::string> Display::missing() {
     }
     return std::nullopt;
 }
-
-Display::Display() {
-    int told[2];
-    if (::pipe(told) != 0) throw std::runtime_error("pipe");
-    const std::string program = image::find_program("Xvfb").value().string();
-    const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
-    const std::string descriptor = std::to_string(told[1]), folder = folder_.path().string();
-    server_ = ::fork();
-    if (server_ == 0) {
-        ::close(told[0]);
-        ::freopen("/dev/null", "w", stderr);
-        ::execl(program.c_str(), "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0",
-                screen.c_str(), "-fbdir", folder.c_str(), "-nolisten", "tcp", nullptr);
-        ::_exit(127);
-    }
-    ::close(told[1]);
-    std::string text;
-    for (char c; ::read(told[0], &c, 1) == 1 && c != '\n';) text.push_back(c);
-    ::close(told[0]);
-    if (text.empty()) throw std::runtime_error("Xvfb does not start");
-    number_ = std::stoi(text);
-}
-
-Display::~Display() { end(); }
-
-void Display::end() {
-    if (server_ <= 0) return;
-    ::kill(server_, SIGTERM);
-    ::waitpid(server_, nullptr, 0);
-    server_ = -1;
-}
-
-std::string Display::name() const { return ":" + std::to_string(number_); }
 
 bool Display::drive(std::vector<std::string> words) const {
     words.insert(words.begin(), image::find_program("xdotool").value().string());

@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <sys/types.h>
-
 #include "unit/image/places.h"
+#include "x_server.h"
 
 namespace isomotion::player {
 
@@ -28,21 +27,16 @@ public:
 
     // None where Xvfb or xdotool is not installed.
     static std::optional<std::string> missing();
-    Display();
-    ~Display();
-    Display(const Display&) = delete;
-    Display& operator=(const Display&) = delete;
 
-    std::string name() const; // ":7"
+    const std::string& name() const { return server_.name(); } // ":7"
     Pixels screenshot() const;
     // xdotool with these words; false if it fails.
     bool drive(std::vector<std::string> words) const;
-    void end(); // as when the machine is shut down
+    void end() { server_.end(); } // as when the machine is shut down
 
 private:
-    image::TemporaryFolder folder_; // Xvfb keeps its screen in a file there
-    pid_t server_ = -1;
-    int number_ = -1;
+    image::TemporaryFolder folder_; // of the file that the server keeps its screen in
+    display::XServer server_{width, height, folder_.path()};
 };
 
 } // namespace isomotion::player

@@ -76,7 +76,8 @@ void Playing::write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
 }
 
-void Playing::play(std::vector<std::string> words) {
+void Playing::play(std::vector<std::string> words,
+                   const std::vector<std::pair<std::string, std::string>>& environment) {
     words.insert(words.begin(), {ISOMOTION_PROGRAM, "play", "--log", "log"});
     std::filesystem::remove(*this / "log");
     mark_ = 0;
@@ -87,6 +88,7 @@ void Playing::play(std::vector<std::string> words) {
         ::setenv("XDG_STATE_HOME", (home + "/state").c_str(), 1);
         ::setenv("XDG_CACHE_HOME", (home + "/cache").c_str(), 1);
         ::setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, 1);
+        for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
         const int err = ::open((home + "/stderr").c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
         ::dup2(err, STDERR_FILENO);
         std::vector<char*> argv;

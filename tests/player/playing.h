@@ -26,7 +26,8 @@ protected:
     void write(const std::string& name, const std::string& text) const;
 
     // Starts the player; it keeps its state in the test's folder.
-    void play(std::vector<std::string> words);
+    void play(std::vector<std::string> words,
+              const std::vector<std::pair<std::string, std::string>>& environment = {});
     // Ends it by its key, and expects that it ends well.
     void quit();
     // Waits for its end.

@@ -1,7 +1,9 @@
 // A window that shrinks, vanishes or loses its display ends nothing that it should not.
 #include "playing.h"
 
+#include <chrono>
 #include <csignal>
+#include <thread>
 
 namespace isomotion::player {
 namespace {
@@ -39,6 +41,42 @@ TEST_F(WindowTest, OutlivesBeingHidden) {
     mark();
     await("a picture", [](const Json& l) { return l.contains("frame"); });
     quit();
+}
+
+// The window is another one then; scene, frame and what is held are as they were.
+TEST_F(WindowTest, GoesOnAfterTheDriverIsReset) {
+    const std::string when = (*this / "reset").string();
+    play({"--paused", "sphere.toml"}, {{"LD_PRELOAD", RESETTING_DRIVER}, {"RESET_WHEN", when}});
+    await_rest("a picture");
+    key("End");
+    const Json before =
+        await_rest("the last frame", [](const Json& l) { return l["frame"] == 64; });
+    // Resets at once are not survived: a driver that does nothing else would never be left alone.
+    std::this_thread::sleep_for(std::chrono::milliseconds(2100));
+    mark();
+    write("reset", "");
+    key("Left");
+    await("the reset", [](const Json& l) {
+        return l.contains("error") && l["error"] == "the graphics driver was reset";
+    });
+    EXPECT_FALSE(std::filesystem::exists(when));
+    const Json after = await_rest("a picture", [](const Json& l) { return l["frame"] == 63; });
+    EXPECT_EQ(after["verdicts"].size(), before["verdicts"].size());
+    EXPECT_TRUE(window({"windowfocus", "--sync"}));
+    quit();
+}
+
+TEST_F(WindowTest, EndsWhenTheDriverIsResetAtOnce) {
+    const std::string when = (*this / "reset").string();
+    write("reset", "");
+    const cli::Ending end = cli::run({ISOMOTION_PROGRAM, "play", "--forget", "sphere.toml"},
+                                     {.folder = *this / "",
+                                      .environment = {{"DISPLAY", display().name()},
+                                                      {"ISOMOTION_DATA", ISOMOTION_SOURCE_DIR},
+                                                      {"LD_PRELOAD", RESETTING_DRIVER},
+                                                      {"RESET_WHEN", when}}});
+    EXPECT_EQ(end.code, 3);
+    EXPECT_THAT(end.err, testing::HasSubstr("the graphics driver was reset"));
 }
 
 TEST_F(WindowTest, GoesToFullScreenAndBack) {
