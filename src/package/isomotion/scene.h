@@ -1,0 +1,7 @@
+// Scene files, and a scene at one time.
+#pragma once
+
+#include "scene/data_folder.h"
+#include "scene/load.h"
+#include "scene/rays.h"
+#include "scene/scene_at.h"

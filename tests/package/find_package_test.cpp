@@ -1,0 +1,64 @@
+// find_package(isomotion): a program of somebody else finds, links and runs what is installed.
+#include "installation.h"
+
+#include <fstream>
+
+namespace isomotion::package {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+class FindPackage : public Installation {
+protected:
+    cli::Ending configure(const fs::path& source, const fs::path& build) const {
+        return cli::run(
+            {CMAKE_PROGRAM, "-S", source, "-B", build, "-DCMAKE_PREFIX_PATH=" + prefix().string()},
+            {});
+    }
+    // A project that asks for the package so.
+    cli::Ending asked(const std::string& request) const {
+        const image::TemporaryFolder project;
+        std::ofstream(project / "CMakeLists.txt")
+            << "cmake_minimum_required(VERSION 3.25)\nproject(asking LANGUAGES CXX)\n"
+            << "find_package(isomotion " << request << ")\n"
+            << "message(STATUS \"render: ${OpenImageIO_FOUND}, topology: ${Arb_FOUND}\")\n";
+        return configure(project.path(), project / "build");
+    }
+};
+
+TEST_F(FindPackage, AProgramDrawsProvesAndTells) {
+    const fs::path example = fs::path(ISOMOTION_SOURCE_DIR) / "tests/package/example";
+    const image::TemporaryFolder build;
+    const cli::Ending configured = configure(example, build.path());
+    ASSERT_EQ(configured.code, 0) << configured;
+    done({CMAKE_PROGRAM, "--build", build.path()});
+
+    const fs::path scene = example / "meeting.toml";
+    const cli::Ending ending =
+        done({build / "meeting", scene},
+             {.folder = build.path(),
+              .environment = {{"ISOMOTION_DATA", (share() / "isomotion").string()}}});
+    EXPECT_THAT(ending.out, ContainsRegex("meeting.png: [1-9][0-9]+ of 9216 rays hit"));
+    EXPECT_TRUE(fs::exists(build / "meeting.png"));
+    EXPECT_THAT(ending.out, HasSubstr("the middle ray's first root is in [-0.43"));
+    // Where 2 exp(-4 d^2) = 0.5: d = sqrt(ln 4)/2 = 0.58870501, t = (1 - d)/0.3 = 1.37098...
+    EXPECT_THAT(ending.out, HasSubstr("merge at t in [1.3709832"));
+    EXPECT_THAT(ending.out, HasSubstr("], proved\nnothing else happens\n"));
+}
+
+TEST_F(FindPackage, OnlyWhatAComponentNeedsIsLookedFor) {
+    const cli::Ending ending = asked("REQUIRED COMPONENTS formula truth");
+    EXPECT_EQ(ending.code, 0) << ending;
+    EXPECT_THAT(ending.out, HasSubstr("render: , topology: \n"));
+    EXPECT_THAT(asked("REQUIRED").out, HasSubstr("render: 1, topology: TRUE\n"));
+}
+
+TEST_F(FindPackage, MistakesAreTold) {
+    EXPECT_THAT(asked("REQUIRED COMPONENTS mesh").err, HasSubstr("no component mesh"));
+    EXPECT_THAT(asked("99 REQUIRED").err, HasSubstr("\"99\""));
+}
+
+} // namespace
+} // namespace isomotion::package
