@@ -22,6 +22,7 @@ struct AccuracyArguments {
     std::optional<double> max_wrong, budget_ms;
     int repeat = 3;
     bool quiet = false, effects = false, certify = false;
+    scene::Reach reach = scene::Reach::own_folder;
 };
 
 std::vector<std::string> listed(const std::string& text) {
@@ -69,7 +70,7 @@ scene::Scene load(const AccuracyArguments& arguments) {
     as_render.size = arguments.size;
     as_render.settings = arguments.settings;
     as_render.certify = arguments.certify;
-    return scene::load(arguments.scene, overrides(as_render));
+    return scene::load(arguments.scene, overrides(as_render), arguments.reach);
 }
 
 // --effects: what each effect of the scene costs.
@@ -199,6 +200,7 @@ void add_accuracy(CLI::App& app, Action& chosen) {
         "--certify", a.certify,
         "prove pixels as render does; tells how many, and which proofs truth refutes");
     command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
+    add_allow_outside(*command, a.reach);
     command->add_option("--backend", a.backend, "auto, egl, osmesa or glfw");
     command->add_option("--stage", a.stage, "fragment, compute or auto, as for render");
     command->add_flag("--quiet", a.quiet, "no table, no progress");

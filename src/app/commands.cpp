@@ -1,5 +1,6 @@
 #include "app/commands.h"
 
+#include <csignal>
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
@@ -11,18 +12,27 @@
 #include "image/frame.h"
 #include "image/movie.h"
 #include "scene/error.h"
+#include "scene/printable.h"
 
 namespace isomotion::app {
 namespace {
 
 int report(int code, const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    fmt::print(stderr, "{}\n", scene::printable(error.what()));
     return code;
 }
 
 } // namespace
 
+CLI::Option* add_allow_outside(CLI::App& command, scene::Reach& reach) {
+    return command.add_flag_callback(
+        "--allow-outside", [&reach] { reach = scene::Reach::anywhere; },
+        "let the scene name files outside its own folder and the program's");
+}
+
 int run(int argc, char** argv) {
+    // A file beyond a limit is what a write fails with, not the end of the program.
+    std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app(
         "Renders implicit surfaces that move: a formula F(x, y, z; parameters) = 0 and how "
         "its parameters change, drawn frame by frame on the GPU.",
@@ -31,12 +41,15 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     Action chosen;
     add_render(app, chosen);
+    add_submit(app, chosen);
     add_play(app, chosen);
     add_show(app, chosen);
     add_list(app, chosen);
     add_accuracy(app, chosen);
     add_topology(app, chosen);
+    add_verify(app, chosen);
     add_doctor(app, chosen);
+    add_describe(app, chosen);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -6,9 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "scene/reach.h"
+
 namespace CLI {
 class App;
-}
+class Option;
+} // namespace CLI
 
 namespace isomotion::app {
 
@@ -24,12 +27,18 @@ enum ExitCode {
 // Each sets `chosen` to what is to be done when its command is the one given.
 using Action = std::function<int()>;
 void add_render(CLI::App& app, Action& chosen);
+void add_submit(CLI::App& app, Action& chosen);
 void add_list(CLI::App& app, Action& chosen);
 void add_show(CLI::App& app, Action& chosen);
 void add_accuracy(CLI::App& app, Action& chosen);
 void add_topology(CLI::App& app, Action& chosen);
 void add_play(CLI::App& app, Action& chosen);
+void add_verify(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
+void add_describe(CLI::App& app, Action& chosen);
+
+// --allow-outside: the scene may name files beyond its own folder.
+CLI::Option* add_allow_outside(CLI::App& command, scene::Reach& reach);
 
 int run(int argc, char** argv);
 

@@ -32,6 +32,7 @@ void add_play(CLI::App& app, Action& chosen) {
         ->add_option("--set", o.overrides,
                      "name=value: a parameter, or a key of the scene file (camera.fov=30)")
         ->allow_extra_args(false);
+    add_allow_outside(*command, o.reach);
     command->add_flag("!--paused", o.playing, "do not play at once");
     command->add_flag("!--forget", o.remembers,
                       "neither use nor keep what is remembered: the window's place, cameras");

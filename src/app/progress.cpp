@@ -32,4 +32,10 @@ void Progress::show(int done, const std::string& note) {
     drawn_ = true;
 }
 
+void Progress::tell(const std::string& text) {
+    if (drawn_) fmt::print(stderr, "\r\033[K");
+    drawn_ = false;
+    fmt::print(stderr, "{}\n", text);
+}
+
 } // namespace isomotion::app

@@ -15,6 +15,9 @@ public:
 
     void show(int done, const std::string& note = {});
 
+    // A message of its own on stderr, above the line.
+    void tell(const std::string& text);
+
 private:
     std::string what_;
     int total_;

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "animation/frame_range.h"
+#include "app/commands.h"
 #include "scene/method.h"
 
 namespace isomotion::app {
@@ -47,9 +50,60 @@ std::string method_key(const std::string& text) {
 
 } // namespace
 
+void add_sequence_options(CLI::App& command, RenderArguments& a) {
+    command.add_option("scene", a.scene, "a scene file (.toml) or the name of a gallery animation")
+        ->required();
+    command.add_option("-o,--output", a.output,
+                       "files to write: out/name.####.png or .exr (#### is the frame's number)");
+    command.add_option("--frames", a.frames,
+                       "1-10, 1-10x2, 1,3,5-9, poster (default: all of the scene)");
+    command.add_option("--movie", a.movie, "also join the frames: .mp4, .webm or .gif");
+    command.add_flag("--resume", a.resume, "keep files that these settings would render again");
+    command.add_flag("--quiet", a.quiet, "errors and warnings only");
+}
+
+std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments& a) {
+    return {
+        command.add_option("--size", a.size, "WIDTHxHEIGHT"),
+        command
+            .add_option("--set", a.settings,
+                        "name=value: a parameter, or a key of the scene file (camera.fov=30)")
+            ->allow_extra_args(false),
+        add_allow_outside(command, a.reach),
+        command.add_option("--method", a.method, "marching, amp-sign or amp-taylor"),
+        command.add_option("--step", a.step, "base step of the method, in formula coordinates"),
+        command
+            .add_option("--max-wrong", a.max_wrong,
+                        "choose the cheapest method and step with at most so many wrong pixels in "
+                        "a million, against certified truth; exit code 1 if there is none")
+            ->check(CLI::NonNegativeNumber),
+        command.add_option("--backend", a.backend, "auto, egl, osmesa or glfw"),
+        command.add_option(
+            "--stage", a.stage,
+            "shaders that march the rays: fragment, compute, or auto, the faster here"),
+        command.add_option("--channels", a.channels,
+                           "EXR only: z,n,p,verdict,evaluations,velocity,proof"),
+        command.add_flag("--certify", a.certify,
+                         "prove by interval arithmetic, pixel by pixel, that hits are first roots "
+                         "and misses are none; tells how many are proved"),
+        command.add_option("--bits", a.bits, "of a PNG: 8 or 16")->check(CLI::IsMember({8, 16})),
+    };
+}
+
+std::vector<int> frames_of(const RenderArguments& arguments, const scene::Scene& scene) {
+    if (arguments.frames == "poster") return {scene.output.poster};
+    if (!arguments.frames.empty()) return animation::parse_frame_range(arguments.frames);
+    return animation::parse_frame_range(fmt::format("1-{}", scene.timeline.frames));
+}
+
+std::string output_of(const RenderArguments& arguments, const scene::Scene& scene) {
+    if (!arguments.output.empty()) return arguments.output;
+    return fmt::format("out/{}.####.png", scene.file.stem().string());
+}
+
 std::vector<scene::Override> overrides(const RenderArguments& arguments) {
     std::vector<scene::Override> all = arguments.settings;
-    if (arguments.certify) all.push_back("isolation.certify=true");
+    if (arguments.certify) all.emplace_back("isolation.certify=true");
     if (!arguments.method.empty()) all.push_back(method_key(arguments.method));
     if (!arguments.step.empty()) all.push_back(step_key(arguments.step));
     if (!arguments.size.empty()) all.push_back(size_key(arguments.size));

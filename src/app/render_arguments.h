@@ -6,7 +6,13 @@
 #include <vector>
 
 #include "scene/load.h"
+#include "scene/scene.h"
 #include "synthesis/channel.h"
+
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
 
 namespace isomotion::app {
 
@@ -18,13 +24,28 @@ struct RenderArguments {
     std::optional<double> max_wrong; // ppm
     int bits = 8;
     bool resume = false, quiet = false, certify = false;
+    scene::Reach reach = scene::Reach::own_folder;
 };
+
+// The options by which `render` and `submit` are asked for a sequence: which frames of what go
+// where (add_sequence_options), and all that decides their pixels (add_picture_options, which
+// returns them).
+void add_sequence_options(CLI::App& command, RenderArguments& arguments);
+std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments& arguments);
 
 // Each of these throws std::invalid_argument with a message that names the option as it was
 // written, not the key of the scene file that it stands for.
 
 // The scene's keys that the options set, --set first.
 std::vector<scene::Override> overrides(const RenderArguments& arguments);
+
+// The frames asked for, by default all of the scene.
+std::vector<int> frames_of(const RenderArguments& arguments, const scene::Scene& scene);
+// Where they go, by default out/SCENE.####.png.
+std::string output_of(const RenderArguments& arguments, const scene::Scene& scene);
+
+// Throws for everything that `render` would refuse before it draws (render_command.cpp).
+void check_render(const RenderArguments& arguments);
 
 // In one order, whatever the user's: it decides shader text and fingerprint.
 std::vector<synthesis::Channel> parse_channels(const std::string& text);

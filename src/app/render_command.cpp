@@ -6,13 +6,13 @@
 
 #include "accuracy/measure.h"
 #include "accuracy/truth_cache.h"
-#include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/frame_metadata.h"
+#include "app/frame_record.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
+#include "app/render_totals.h"
 #include "app/stop_on_signal.h"
-#include "image/decode.h"
 #include "image/file.h"
 #include "image/movie.h"
 #include "image/sequence.h"
@@ -20,6 +20,9 @@
 #include "render/renderer.h"
 #include "scene/fingerprint.h"
 #include "scene/load.h"
+#include "sequence/manifest.h"
+#include "sequence/recording.h"
+#include "sequence/standing.h"
 
 namespace isomotion::app {
 namespace fs = std::filesystem;
@@ -35,33 +38,16 @@ void make_folder(const fs::path& file) {
     }
 }
 
-// What a sequence's rays went through, over all frames.
-struct Totals {
-    std::array<std::int64_t, 5> verdicts{};
-    render::ProofCounts proofs{};
-    std::int64_t evaluations = 0;
-    std::chrono::duration<double> drawing{};
-    int drawn = 0, reused = 0, kept = 0;
-
-    void add(const render::Picture& picture) {
-        for (std::size_t v = 0; v < verdicts.size(); ++v) verdicts[v] += picture.verdicts[v];
-        for (std::size_t k = 0; k < proofs.size(); ++k) proofs[k] += picture.proofs[k];
-        evaluations += picture.evaluations;
-        drawing += picture.drawing;
-        ++drawn;
-    }
-};
-
 class RenderJob {
 public:
     explicit RenderJob(const RenderArguments& arguments)
         : arguments_(arguments)
-        , scene_(scene::load(arguments.scene, overrides(arguments)))
+        , scene_(scene::load(arguments.scene, overrides(arguments), arguments.reach))
         , backend_(gpu::parse_backend(arguments.backend))
         , stage_(render::parse_stage(arguments.stage))
         , channels_(parse_channels(arguments.channels))
-        , frames_(parse_frames())
-        , output_(output_name())
+        , frames_(frames_of(arguments, scene_))
+        , output_(output_of(arguments, scene_))
         , name_(image::SequenceName::parse(output_))
         , format_(image::format_of(output_, arguments.bits == 16 ? image::PngDepth::bits16
                                                                  : image::PngDepth::bits8)) {
@@ -97,7 +83,8 @@ public:
         render_frames(*context, stop);
         if (stop.asked()) return stopped();
         const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-        summarise(wall.count());
+        say("{}", totals_.summary(wall));
+        say("frames: {}\n", output_);
         try {
             if (!arguments_.movie.empty()) make_movie();
         } catch (const image::MovieError&) {
@@ -110,17 +97,6 @@ public:
 private:
     template<class... Args> void say(fmt::format_string<Args...> format, Args&&... args) const {
         if (!arguments_.quiet) fmt::print(format, std::forward<Args>(args)...);
-    }
-
-    std::vector<int> parse_frames() const {
-        if (arguments_.frames == "poster") return {scene_.output.poster};
-        if (!arguments_.frames.empty()) return animation::parse_frame_range(arguments_.frames);
-        return animation::parse_frame_range(fmt::format("1-{}", scene_.timeline.frames));
-    }
-
-    std::string output_name() const {
-        if (!arguments_.output.empty()) return arguments_.output;
-        return fmt::format("out/{}.####.png", scene_.file.stem().string());
     }
 
     static int stopped() {
@@ -190,7 +166,10 @@ private:
         render::Renderer renderer(
             context, scene_,
             {scene_.output.width, scene_.output.height, channels_, {}, warn_of_file, stage_});
-        const std::string machine = context.info().renderer + context.info().version;
+        const sequence::Sequence sequence = sequence_of(
+            scene_, name_, format_, channels_, frames_, context.info(),
+            render::choose_stage(stage_, context.info()), renderer.shaders_fingerprint());
+        if (name_.holds_many()) recording_.emplace(name_, sequence);
         image::SequenceWriter writer(name_, format_);
         Progress progress("rendering", int(frames_.size()), arguments_.quiet);
         std::optional<render::Picture> last;
@@ -201,14 +180,13 @@ private:
             const scene::SceneAt now = scene::at(scene_, values);
             const std::string pixels = render::fingerprint(renderer, scene_, frame);
             image::Metadata metadata = frame_metadata(scene_, now, values, frame, "");
-            metadata.back().value = file_fingerprint(pixels, machine, metadata);
+            const std::string print = file_fingerprint(pixels, sequence.making.renderer, metadata);
+            metadata.back().value = print;
             progress.show(int(k), fs::path(name_.path(frame)).filename().string());
-            if (arguments_.resume && is_finished(frame, metadata)) {
-                ++totals_.kept;
-                continue;
-            }
+            if (arguments_.resume && is_finished(frame, print)) continue;
             // A scene that stands still is drawn once.
-            if (!last || pixels != last_pixels) {
+            const bool draws = !last || pixels != last_pixels;
+            if (draws) {
                 last = render::expose(renderer, scene_, frame);
                 last_pixels = pixels;
                 totals_.add(*last);
@@ -218,7 +196,18 @@ private:
             }
             image::Frame image = last->frame;
             image.metadata = std::move(metadata);
-            writer.submit(frame, std::move(image));
+            std::function<void(const image::Written&)> then;
+            if (recording_) {
+                sequence::FrameRecord record = record_of(scene_, frame, values, *last);
+                if (!draws) record.drawing = 0;
+                record.fingerprint = print;
+                record.making = sequence.making;
+                then = [this, record](const image::Written& file) mutable {
+                    sequence::add(file, record);
+                    recording_->record(record);
+                };
+            }
+            writer.submit(frame, std::move(image), std::move(then));
         }
         writer.finish();
     }
@@ -232,17 +221,19 @@ private:
         return print.text();
     }
 
-    bool is_finished(int frame, const image::Metadata& wanted) const {
-        const fs::path file = name_.path(frame);
-        std::error_code ignored;
-        if (!fs::exists(file, ignored)) return false;
-        try {
-            const auto found = image::read_metadata(file);
-            const auto* print = image::find_as<std::string>(found, fingerprint_key);
-            return print && *print == std::get<std::string>(wanted.back().value);
-        } catch (const std::exception&) {
-            return false; // broken or foreign: rendered again
+    // Whether the file is what these settings would write, by the records of earlier runs.
+    bool is_finished(int frame, const std::string& print) {
+        const auto record =
+            recording_ ? sequence::find_record(recording_->manifest(), frame) : std::nullopt;
+        const auto found = sequence::standing(name_.path(frame), record, print);
+        totals_.note(frame, found);
+        if (found != sequence::Standing::whole) return false;
+        if (record->making != recording_->making()) { // the same picture of a changed scene
+            sequence::FrameRecord again = *record;
+            again.making = recording_->making();
+            recording_->record(again);
         }
+        return true;
     }
 
     void warn(int frame, const render::Picture& picture) const {
@@ -253,31 +244,6 @@ private:
                        count, scene_.output.samples == 1 ? "pixel" : "ray", count == 1 ? "" : "s",
                        render::verdict_names[std::size_t(verdict)]);
         }
-    }
-
-    void summarise(double wall) const {
-        if (totals_.drawn > 0) {
-            std::int64_t rays = 0;
-            for (const auto count : totals_.verdicts) rays += count;
-            const double drawing = totals_.drawing.count();
-            say("drawn {} in {:.2f} s ({:.1f} ms each, {:.1f} evaluations a ray); all of it took "
-                "{:.2f} s, {:.2f} times the drawing\n",
-                totals_.drawn, drawing, 1e3 * drawing / totals_.drawn,
-                double(totals_.evaluations) / double(rays), wall, wall / drawing);
-            say("rays:");
-            for (std::size_t v = 0; v < totals_.verdicts.size(); ++v) {
-                say("{} {} {}", v == 0 ? "" : ",", totals_.verdicts[v], render::verdict_names[v]);
-            }
-            say("\n");
-            if (scene_.isolation.certify) say("{}\n", render::summary(totals_.proofs));
-        }
-        if (const int n = totals_.reused; n > 0) {
-            say("{} frame{} equal to the one before\n", n, n == 1 ? "" : "s");
-        }
-        if (const int n = totals_.kept; n > 0) {
-            say("{} frame{} kept from an earlier run\n", n, n == 1 ? "" : "s");
-        }
-        say("frames: {}\n", output_);
     }
 
     void make_movie() const {
@@ -296,45 +262,21 @@ private:
     std::string output_;
     image::SequenceName name_;
     image::Format format_;
-    Totals totals_;
+    // Of a sequence; held until its movie is made, too, so that nobody replaces its frames.
+    std::optional<sequence::Recording> recording_;
+    RenderTotals totals_;
 };
 
 } // namespace
+
+void check_render(const RenderArguments& arguments) { RenderJob{arguments}; }
 
 void add_render(CLI::App& app, Action& chosen) {
     const auto arguments = std::make_shared<RenderArguments>();
     RenderArguments& a = *arguments;
     CLI::App* command = app.add_subcommand("render", "render frames of a scene into image files");
-    command->add_option("scene", a.scene, "a scene file (.toml) or the name of a gallery animation")
-        ->required();
-    command->add_option("-o,--output", a.output,
-                        "files to write: out/name.####.png or .exr (#### is the frame's number)");
-    command->add_option("--frames", a.frames,
-                        "1-10, 1-10x2, 1,3,5-9, poster (default: all of the scene)");
-    command->add_option("--size", a.size, "WIDTHxHEIGHT");
-    command
-        ->add_option("--set", a.settings,
-                     "name=value: a parameter, or a key of the scene file (camera.fov=30)")
-        ->allow_extra_args(false);
-    command->add_option("--method", a.method, "marching, amp-sign or amp-taylor");
-    command->add_option("--step", a.step, "base step of the method, in formula coordinates");
-    command
-        ->add_option("--max-wrong", a.max_wrong,
-                     "choose the cheapest method and step with at most so many wrong pixels in a "
-                     "million, against certified truth; exit code 1 if there is none")
-        ->check(CLI::NonNegativeNumber);
-    command->add_option("--backend", a.backend, "auto, egl, osmesa or glfw");
-    command->add_option("--stage", a.stage,
-                        "shaders that march the rays: fragment, compute, or auto, the faster here");
-    command->add_option("--channels", a.channels,
-                        "EXR only: z,n,p,verdict,evaluations,velocity,proof");
-    command->add_flag("--certify", a.certify,
-                      "prove by interval arithmetic, pixel by pixel, that hits are first roots and "
-                      "misses are none; tells how many are proved");
-    command->add_option("--bits", a.bits, "of a PNG: 8 or 16")->check(CLI::IsMember({8, 16}));
-    command->add_option("--movie", a.movie, "also join the frames: .mp4, .webm or .gif");
-    command->add_flag("--resume", a.resume, "keep files that these settings would render again");
-    command->add_flag("--quiet", a.quiet, "errors and warnings only");
+    add_sequence_options(*command, a);
+    add_picture_options(*command, a);
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return RenderJob(*arguments).run(); }; });
 }

@@ -7,6 +7,7 @@
 #include "render/stage.h"
 #include "scene/effect.h"
 #include "scene/load.h"
+#include "scene/printable.h"
 #include "scene/scene_at.h"
 #include "synthesis/assemble.h"
 
@@ -19,6 +20,7 @@ struct ShowArguments {
     bool shader = false;
     std::string stage = "fragment";
     std::vector<std::string> settings;
+    scene::Reach reach = scene::Reach::own_folder;
 };
 
 // What the surface says of a parameter's values.
@@ -45,7 +47,7 @@ synthesis::Stage stage_of(const ShowArguments& arguments) {
 }
 
 int show(const ShowArguments& arguments) {
-    const scene::Scene scene = scene::load(arguments.scene, arguments.settings);
+    const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
     const synthesis::Shaders shaders = synthesis::assemble(scene, {}, stage_of(arguments));
     if (arguments.shader) {
         for (const std::string* text : {&shaders.march, &shaders.surface, &shaders.mirror,
@@ -58,7 +60,7 @@ int show(const ShowArguments& arguments) {
     scene::at(scene, values); // values that have left their range are an error here too
     const scene::Isolation& isolation = scene.isolation;
     fmt::print("{}\n", scene.title);
-    fmt::print("formula   {}\n", scene.surface.field->text);
+    fmt::print("formula   {}\n", scene::printable(scene.surface.field->text));
     fmt::print("timeline  {} frames at {} a second{}\n", scene.timeline.frames,
                animation::to_string(scene.timeline.fps), scene.timeline.loops ? ", a loop" : "");
     if (isolation.method == scene::Method::hermite) {
@@ -100,6 +102,7 @@ void add_show(CLI::App& app, Action& chosen) {
         ->check(CLI::Range(1, 10'000'000));
     command->add_option("--set", arguments->settings, "name=value, as for render")
         ->allow_extra_args(false);
+    add_allow_outside(*command, arguments->reach);
     command->add_option("--stage", arguments->stage,
                         "shaders that march the rays: fragment or compute");
     command->add_flag("--shader", arguments->shader, "print the assembled GLSL");

@@ -36,6 +36,7 @@ struct TopologyArguments {
     std::vector<std::string> settings;
     double dt = 1e-9;
     bool quiet = false;
+    scene::Reach reach = scene::Reach::own_folder;
 };
 
 void check_extension(const char* option, const std::string& file, const char* extension) {
@@ -89,7 +90,7 @@ std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& argument
     settings.push_back(fmt::format("output.size=[{0},{0}]", thumbnail_size));
     std::vector<topology::Thumbnail> thumbnails;
     try {
-        const scene::Scene scene = scene::load(arguments.scene, settings);
+        const scene::Scene scene = scene::load(arguments.scene, settings, arguments.reach);
         const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
         render::Renderer renderer(*context, scene, {thumbnail_size, thumbnail_size, {}, {}, {}});
         const auto frames = topology::telling_frames(record, most_thumbnails);
@@ -173,7 +174,7 @@ int topology_of(const TopologyArguments& arguments) {
     check_extension("--plot", arguments.plot, ".svg");
     parse_certify(arguments.certify);
     gpu::parse_backend(arguments.backend);
-    const scene::Scene scene = scene::load(arguments.scene, arguments.settings);
+    const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
     const auto frames = span_of(arguments.frames, scene);
     std::optional<topology::Expectation> expectation;
     if (!arguments.check.empty()) {
@@ -217,7 +218,9 @@ void add_topology(CLI::App& app, Action& chosen) {
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
-    command->add_option("--backend", a.backend, "auto, egl, osmesa or glfw; for the pictures of --plot");
+    add_allow_outside(*command, a.reach);
+    command->add_option("--backend", a.backend,
+                        "auto, egl, osmesa or glfw; for the pictures of --plot");
     command->add_flag("--quiet", a.quiet, "no summary, no progress");
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return topology_of(*arguments); }; });

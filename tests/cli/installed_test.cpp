@@ -35,6 +35,9 @@ TEST_F(Installed, ALinkLeadsToItsFiles) {
 }
 
 TEST_F(Installed, MissingFilesAreNamed) {
+    if (std::filesystem::exists(ISOMOTION_INSTALLED_DATA)) {
+        GTEST_SKIP() << "isomotion is installed here, and its files take the place of missing ones";
+    }
     std::filesystem::remove_all(*this / "prefix/share/isomotion/shaders");
     const Ending ending = run_there(*this / "prefix/bin/isomotion", {"list"});
     EXPECT_EQ(ending.code, 2) << ending;

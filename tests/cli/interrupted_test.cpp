@@ -10,8 +10,10 @@ namespace isomotion::cli {
 namespace {
 
 using std::chrono::milliseconds;
+using testing::AnyOf;
 
 constexpr int frames = 30;
+constexpr const char* manifest = "a.exr.manifest";
 
 class Interrupted : public Cli {
 protected:
@@ -31,7 +33,10 @@ protected:
     // Finished frames, or the hidden files of those being written.
     std::size_t count(const std::string& output, bool hidden) const {
         std::size_t number = 0;
-        for (const std::string& name : present(output)) number += (name[0] == '.') == hidden;
+        for (const std::string& name : present(output)) {
+            if (name == manifest) continue;
+            number += (name[0] == '.') == hidden;
+        }
         return number;
     }
     Ending run_until(const std::string& output, int signal,
@@ -44,6 +49,7 @@ protected:
     void expect_same_files(const std::string& first, const std::string& second) const {
         EXPECT_EQ(names(first), names(second));
         for (const std::string& name : names(first)) {
+            if (name == manifest) continue; // has the times that drawing took
             EXPECT_EQ(bytes(first + "/" + name), bytes(second + "/" + name)) << name;
         }
     }
@@ -51,7 +57,7 @@ protected:
 
 TEST_F(Interrupted, KilledAtAnyMomentAndResumed) {
     ASSERT_EQ(run(command("whole")).code, 0);
-    ASSERT_EQ(names("whole").size(), std::size_t(frames));
+    ASSERT_EQ(names("whole").size(), std::size_t(frames + 1));
 
     const auto after = [](milliseconds time) {
         return [time](milliseconds running) { return running >= time; };
@@ -73,15 +79,18 @@ TEST_F(Interrupted, KilledAtAnyMomentAndResumed) {
         kills += run_until("cut", SIGKILL, moment).signal == SIGKILL;
         std::size_t whole = 0;
         for (const std::string& file : present("cut")) {
-            if (file[0] == '.') continue; // the one that was being written
+            if (file[0] == '.' || file == manifest) continue; // the first was being written
             EXPECT_EQ(bytes("cut/" + file), bytes("whole/" + file)) << file;
             ++whole;
         }
         EXPECT_LE(count("cut", true), 1u);
         const Ending rest = run(resumed("cut"));
         EXPECT_EQ(rest.code, 0) << rest;
-        if (whole > 1) {
-            EXPECT_THAT(rest.out, HasSubstr(fmt::format("\n{} frames kept from", whole)));
+        // The last of them may have lost its record.
+        if (whole > 2) {
+            EXPECT_THAT(rest.out,
+                        AnyOf(HasSubstr(fmt::format("\n{} frames kept from", whole)),
+                              HasSubstr(fmt::format("\n{} frames kept from", whole - 1))));
         }
         expect_same_files("cut", "whole"); // hidden files among them
     }

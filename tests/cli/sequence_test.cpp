@@ -44,7 +44,8 @@ TEST_F(Sequence, PosterIsTheFrameThatTheSceneNames) {
     render({"sphere.toml", "--set", "output.poster=7", "--frames", "poster", "-o", "a.##.png"});
     render({"sphere.toml", "--set", "output.poster=3", "--frames", "7", "-o", "b.##.png"});
     EXPECT_EQ(bytes("a.07.png"), bytes("b.07.png"));
-    EXPECT_EQ(names(), (std::set<std::string>{"sphere.toml", "a.07.png", "b.07.png"}));
+    EXPECT_EQ(names(), (std::set<std::string>{"sphere.toml", "a.07.png", "a.manifest", "b.07.png",
+                                              "b.manifest"}));
     const Ending beyond =
         run({"render", "sphere.toml", "--set", "output.poster=61", "--frames", "poster"});
     EXPECT_EQ(beyond.code, 2) << beyond;
@@ -59,8 +60,8 @@ TEST_F(Sequence, WithoutFfmpegTheFramesAreThere) {
             circumstances);
     EXPECT_EQ(ending.code, 3) << ending;
     EXPECT_THAT(ending.err, HasSubstr("ffmpeg is not on PATH: install it"));
-    EXPECT_EQ(names(),
-              (std::set<std::string>{"sphere.toml", "a.0001.png", "a.0002.png", "a.0003.png"}));
+    EXPECT_EQ(names(), (std::set<std::string>{"sphere.toml", "a.0001.png", "a.0002.png",
+                                              "a.0003.png", "a.manifest"}));
     expect_only_whole_files();
 }
 
@@ -90,12 +91,12 @@ TEST_F(Sequence, ASummaryCountsEveryRay) {
 TEST_F(Sequence, QuietSaysNothing) {
     const Ending ending = render({"sphere.toml", "--frames", "1-2", "-o", "a.#.png", "--quiet"});
     EXPECT_THAT(ending.out, IsEmpty());
-    EXPECT_EQ(names().size(), 3u);
+    EXPECT_EQ(names(), (std::set<std::string>{"sphere.toml", "a.1.png", "a.2.png", "a.manifest"}));
 }
 
 TEST_F(Sequence, FramesHaveAPlaceOfTheirOwnByDefault) {
     render({"sphere.toml", "--frames", "3"});
-    EXPECT_EQ(names("out"), std::set<std::string>{"sphere.0003.png"});
+    EXPECT_EQ(names("out"), (std::set<std::string>{"sphere.0003.png", "sphere.manifest"}));
 }
 
 } // namespace

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "animation/frame_range.h"
+#include "app/commands.h"
+#include "app/progress.h"
+#include "image/file.h"
+#include "image/sequence.h"
+#include "sequence/manifest.h"
+#include "sequence/verification.h"
+
+namespace isomotion::app {
+namespace fs = std::filesystem;
+namespace {
+
+struct VerifyArguments {
+    std::string what;
+    bool pixels = false, json = false, quiet = false;
+};
+
+bool is_manifest(const fs::path& folder) {
+    return fs::is_directory(folder) && fs::exists(sequence::sequence_file(folder));
+}
+
+std::vector<fs::path> manifests_in(const fs::path& folder) {
+    std::vector<fs::path> found;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        if (entry.path().extension() == ".manifest" && is_manifest(entry.path())) {
+            found.push_back(entry.path());
+        }
+    }
+    if (error) throw image::FileError(folder, "cannot be read", error.value());
+    std::ranges::sort(found);
+    return found;
+}
+
+// `what` is a sequence's name as `render -o` takes it, a manifest, or a folder with sequences.
+std::vector<fs::path> manifests_of(const std::string& what) {
+    fs::path path(what);
+    if (!path.has_filename()) path = path.parent_path(); // "out/"
+    if (is_manifest(path)) return {path};
+    if (fs::is_directory(path)) {
+        const auto found = manifests_in(path);
+        if (!found.empty()) return found;
+        throw image::FileError(path, "has no sequence with a manifest, as render writes them",
+                               ENOENT);
+    }
+    const auto name = image::SequenceName::parse(what);
+    if (name.holds_many()) return {sequence::manifest_folder(name)};
+    if (fs::path stem = path; is_manifest(stem += ".manifest")) return {stem};
+    throw image::FileError(path, "is neither a folder nor a sequence's name, as out/name.####.png",
+                           ENOENT);
+}
+
+void tell(const sequence::Verification& found) {
+    const sequence::Sequence& sequence = found.sequence;
+    const std::size_t asked = sequence.asked.size();
+    fmt::print("{}: {}, {} frame{}, {}x{}, {}\n",
+               (found.manifest.parent_path() / sequence.shape.pattern).string(), sequence.title,
+               asked, asked == 1 ? "" : "s", sequence.shape.width, sequence.shape.height,
+               sequence.making.renderer);
+    const auto list = [](const std::string& what, const std::vector<int>& frames) {
+        if (frames.empty()) return;
+        fmt::print("  {}: {} ({})\n", what, frames.size(), animation::frame_range(frames));
+    };
+    list("missing", found.missing);
+    list("truncated or changed", found.changed);
+    list("foreign, without a record", found.unrecorded);
+    list("other pixels than recorded", found.repainted);
+    for (const auto& [what, frames] : found.differing) {
+        list(what == "scene" ? "of another scene, or with other settings"
+                             : "made by another " + what,
+             frames);
+    }
+    list("foreign, never asked for", found.foreign);
+    if (!found.whole.empty()) {
+        fmt::print("  rays:");
+        for (std::size_t v = 0; v < found.verdicts.size(); ++v) {
+            fmt::print("{} {} {}", v == 0 ? "" : ",", found.verdicts[v], render::verdict_names[v]);
+        }
+        fmt::print("; {} evaluations; {:.2f} s of drawing\n", found.evaluations, found.drawing);
+    }
+    if (std::accumulate(found.proofs.begin(), found.proofs.end(), std::int64_t(0)) > 0) {
+        fmt::print("  {}\n", render::summary(found.proofs));
+    }
+    fmt::print("  {}\n", found.is_whole() ? "whole" : "not whole");
+}
+
+int verify(const VerifyArguments& arguments) {
+    std::vector<sequence::Verification> all;
+    for (const fs::path& manifest : manifests_of(arguments.what)) {
+        std::optional<Progress> progress;
+        const auto show = [&](int done, int of) {
+            if (!progress) progress.emplace("verifying", of, arguments.quiet || arguments.json);
+            progress->show(done);
+        };
+        all.push_back(sequence::verify(manifest, {.pixels = arguments.pixels, .progress = show}));
+    }
+    if (arguments.json) {
+        fmt::print("{}", sequence::to_json(all));
+    } else if (!arguments.quiet) {
+        for (const auto& found : all) tell(found);
+    }
+    const bool whole = std::ranges::all_of(all, &sequence::Verification::is_whole);
+    return whole ? exit_done : exit_check_failed;
+}
+
+} // namespace
+
+void add_verify(CLI::App& app, Action& chosen) {
+    const auto arguments = std::make_shared<VerifyArguments>();
+    VerifyArguments& a = *arguments;
+    CLI::App* command =
+        app.add_subcommand("verify", "whether rendered frames are all there, as they were written");
+    command
+        ->add_option("sequence", a.what,
+                     "a sequence's name (out/name.####.png), or a folder with sequences")
+        ->required();
+    command->add_flag("--pixels", a.pixels, "decode the pictures and check their pixels, too");
+    command->add_flag("--json", a.json, "what was found, for programs");
+    command->add_flag("--quiet", a.quiet, "the exit code alone");
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return verify(*arguments); }; });
+}
+
+} // namespace isomotion::app

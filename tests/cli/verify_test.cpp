@@ -1,0 +1,98 @@
+// `verify` tells whether rendered frames are all there, as they were written.
+#include "cli.h"
+
+namespace isomotion::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Verify : public Cli {
+protected:
+    Verify() {
+        render({"sphere.toml", "--frames", "1-4", "--size", "10x10", "-o", "out/a.####.png"});
+    }
+
+    Ending verify(const std::string& what, Words more = {}) const {
+        more.insert(more.begin(), {"verify", what});
+        return run(more);
+    }
+};
+
+TEST_F(Verify, AWholeSequenceByAnyOfItsNames) {
+    for (const std::string name :
+         {"out", "out/", "out/a.####.png", "out/a.%04d.png", "out/a.manifest", "out/a"}) {
+        const Ending ending = verify(name);
+        EXPECT_EQ(ending.code, 0) << name << ending;
+        EXPECT_THAT(ending.out, StartsWith("out/a.####.png: Sphere, 4 frames, 10x10, "));
+        EXPECT_THAT(ending.out, HasSubstr("\n  whole\n"));
+        EXPECT_THAT(ending.err, IsEmpty());
+    }
+    int miss = 0, hit = 0;
+    const std::string out = verify("out").out;
+    const std::size_t rays = out.find("  rays: ");
+    ASSERT_NE(rays, std::string::npos);
+    ASSERT_EQ(std::sscanf(out.c_str() + rays, "  rays: %d miss, %d hit", &miss, &hit), 2);
+    EXPECT_EQ(miss + hit, 4 * 10 * 10);
+    EXPECT_THAT(verify("out", {"--quiet"}).out, IsEmpty());
+}
+
+TEST_F(Verify, EveryKindOfDamage) {
+    fs::remove(*this / "out/a.0001.png");
+    fs::resize_file(*this / "out/a.0002.png", 100);
+    fs::remove(*this / "out/a.manifest/0003.json");
+    write("out/a.0007.png", "x");
+    const Ending ending = verify("out");
+    EXPECT_EQ(ending.code, 1) << ending;
+    for (const char* line : {"\n  missing: 1 (1)\n", "\n  truncated or changed: 1 (2)\n",
+                             "\n  foreign, without a record: 1 (3)\n",
+                             "\n  foreign, never asked for: 1 (7)\n", "\n  not whole\n"}) {
+        EXPECT_THAT(ending.out, HasSubstr(line));
+    }
+    EXPECT_EQ(verify("out", {"--quiet"}).code, 1);
+    const Ending json = verify("out", {"--json"});
+    EXPECT_EQ(json.code, 1);
+    EXPECT_THAT(json.out, HasSubstr("\"is whole\": false"));
+    EXPECT_THAT(json.out, HasSubstr("\"changed\": \"2\""));
+}
+
+TEST_F(Verify, FramesOfTwoScenes) {
+    render({"sphere.toml", "--frames", "3-4", "--size", "10x10", "--set", "r=0.8", "-o",
+            "out/a.####.png"});
+    const Ending mixed = verify("out");
+    EXPECT_EQ(mixed.code, 1) << mixed;
+    EXPECT_THAT(mixed.out, HasSubstr("\n  foreign, never asked for: 2 (1-2)\n"));
+    // The other frames are asked for too, and rendered where they are not the scene's.
+    const Words all{"sphere.toml", "--frames", "1-4", "--size",         "10x10",
+                    "--set",       "r=0.8",    "-o",  "out/a.####.png", "--resume"};
+    EXPECT_THAT(render(all).out, HasSubstr("\nnot kept: 2 of other settings (1-2)\n"));
+    EXPECT_EQ(verify("out", {"--pixels"}).code, 0);
+}
+
+TEST_F(Verify, AllSequencesOfAFolder) {
+    render({"sphere.toml", "--frames", "1-2", "--size", "10x10", "-o", "out/b.##.exr", "--channels",
+            "z,n"});
+    const Ending both = verify("out", {"--pixels"});
+    EXPECT_EQ(both.code, 0) << both;
+    EXPECT_THAT(both.out, HasSubstr("out/b.##.exr: Sphere, 2 frames"));
+    fs::remove(*this / "out/b.01.exr");
+    EXPECT_EQ(verify("out").code, 1);
+    EXPECT_EQ(verify("out/a.####.png").code, 0);
+}
+
+TEST_F(Verify, WhatCannotBeRead) {
+    for (const std::string name : {"nowhere", "nowhere/a.####.png", "sphere.toml", "."}) {
+        const Ending ending = verify(name);
+        EXPECT_EQ(ending.code, 3) << name << ending;
+        EXPECT_THAT(ending.err, Not(IsEmpty()));
+        EXPECT_THAT(ending.out, IsEmpty());
+    }
+    write("out/a.manifest/sequence.json", "{");
+    const Ending ending = verify("out");
+    EXPECT_EQ(ending.code, 3) << ending;
+    EXPECT_THAT(ending.err, StartsWith("out/a.manifest/sequence.json: is no manifest"));
+    EXPECT_EQ(run({"verify"}).code, 2);
+    EXPECT_EQ(run({"verify", "a##.##.png"}).code, 2);
+}
+
+} // namespace
+} // namespace isomotion::cli
