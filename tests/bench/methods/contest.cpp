@@ -138,18 +138,18 @@ double ratio(const Timing& slow, const Timing& fast) {
     return ratios[ratios.size() / 2];
 }
 
-std::vector<Timing> race(gpu::Context& context, const Certified& on,
-                         std::span<const Setting> settings, int repeat) {
-    std::vector<Timing> timings(settings.size());
-    std::vector<std::unique_ptr<render::Renderer>> renderers(settings.size());
+std::vector<Timing> race(gpu::Context& context, std::span<const Entrant> entrants, int repeat) {
+    std::vector<Timing> timings(entrants.size());
+    std::vector<std::unique_ptr<render::Renderer>> renderers(entrants.size());
     double round = 0;
-    for (std::size_t k = 0; k < settings.size(); ++k) {
+    for (std::size_t k = 0; k < entrants.size(); ++k) {
+        const auto& [on, setting] = entrants[k];
         try {
             renderers[k] = std::make_unique<render::Renderer>(
-                context, accuracy::apply(settings[k], on.subject.scene),
-                render::RenderOptions{on.width(), on.height(), {}, {}});
+                context, accuracy::apply(setting, on->subject.scene),
+                render::RenderOptions{on->width(), on->height(), {}, {}});
             // Drivers make their code at the first draw, of which no time is kept.
-            for (const scene::SceneAt& now : on.frames) {
+            for (const scene::SceneAt& now : on->frames) {
                 render::Picture picture = renderers[k]->draw(now);
                 timings[k].evaluations += double(picture.evaluations);
                 round += ms(picture);
@@ -161,24 +161,25 @@ std::vector<Timing> race(gpu::Context& context, const Certified& on,
         }
     }
     const int rounds = std::clamp(int(minute / std::max(round, 1.0)), 1, repeat);
+    const std::size_t frames = entrants.front().on->frames.size();
     for (Timing& timing : timings) timing.rounds.assign(std::size_t(rounds), 0);
-    for (const scene::SceneAt& now : on.frames) {
-        std::vector<std::vector<double>> times(settings.size());
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        std::vector<std::vector<double>> times(entrants.size());
         for (int again = 0; again < rounds; ++again) {
-            for (std::size_t turn = 0; turn < settings.size(); ++turn) {
-                const std::size_t k = (turn + std::size_t(again)) % settings.size();
+            for (std::size_t turn = 0; turn < entrants.size(); ++turn) {
+                const std::size_t k = (turn + std::size_t(again)) % entrants.size();
                 if (!renderers[k]) continue;
-                render::Picture picture = renderers[k]->draw(now);
+                render::Picture picture = renderers[k]->draw(entrants[k].on->frames[frame]);
                 times[k].push_back(ms(picture));
                 timings[k].rounds[std::size_t(again)] += times[k].back();
                 renderers[k]->reuse(std::move(picture));
             }
         }
-        for (std::size_t k = 0; k < settings.size(); ++k) {
+        for (std::size_t k = 0; k < entrants.size(); ++k) {
             if (!renderers[k]) continue;
             std::sort(times[k].begin(), times[k].end());
             const double median = times[k][times[k].size() / 2];
-            timings[k].ms += median / double(on.frames.size());
+            timings[k].ms += median / double(frames);
             timings[k].spread =
                 std::max(timings[k].spread, (times[k].back() - times[k].front()) / median);
         }
@@ -186,16 +187,30 @@ std::vector<Timing> race(gpu::Context& context, const Certified& on,
     return timings;
 }
 
+Certified without_bounds(const Certified& on) {
+    Certified empty{on.subject, on.frames, {}};
+    empty.subject.scene.isolation.beam = false;
+    for (scene::SceneAt& now : empty.frames) {
+        const glm::dvec3 away = 1e3 * now.bounds.radius * now.camera.up;
+        now.bounds.min += away;
+        now.bounds.max += away;
+        now.bounds.centre += away;
+    }
+    return empty;
+}
+
 Contest hold(gpu::Context& context, const Certified& on, std::span<const scene::Method> methods,
              int most_halvings, int repeat) {
     const scene::Scene& scene = on.subject.scene;
-    Contest contest{on.subject.name, on.width(), int(on.frames.size()), scene.isolation.step, {}};
+    Contest contest{on.subject.name,      on.width(), int(on.frames.size()),
+                    scene.isolation.step, {},         {}};
     Ladder ladder(context, on, most_halvings);
-    std::map<int, std::size_t> racing; // halvings of the sign test -> place in `settings`
-    std::vector<Setting> settings;
+    const Certified empty = without_bounds(on);
+    std::vector<Entrant> entrants{{&empty, setting(scene, scene::Method::amp_sign)}};
+    std::map<int, std::size_t> racing; // halvings of the sign test -> place among the entrants
     const auto enter_sign_test = [&](int halvings) {
-        if (racing.try_emplace(halvings, settings.size()).second) {
-            settings.push_back(setting(scene, scene::Method::amp_sign, halvings));
+        if (racing.try_emplace(halvings, entrants.size()).second) {
+            entrants.push_back({&on, setting(scene, scene::Method::amp_sign, halvings)});
         }
     };
     enter_sign_test(0);
@@ -210,16 +225,18 @@ Contest hold(gpu::Context& context, const Certified& on, std::span<const scene::
             standing.halvings = rung.halvings;
             standing.reached = rung.reached;
             enter_sign_test(rung.halvings);
+            place[k] = racing.at(0);
             if (!is_sign_test) {
-                place[k] = settings.size();
-                settings.push_back(setting(scene, methods[k]));
+                place[k] = entrants.size();
+                entrants.push_back({&on, setting(scene, methods[k])});
             }
         } catch (const std::exception& error) {
             standing.refused = error.what();
         }
         contest.standings.push_back(std::move(standing));
     }
-    const std::vector<Timing> timings = race(context, on, settings, repeat);
+    const std::vector<Timing> timings = race(context, entrants, repeat);
+    contest.empty = timings.front();
     for (std::size_t k = 0; k < methods.size(); ++k) {
         Standing& standing = contest.standings[k];
         if (!standing.refused.empty()) continue;
@@ -230,7 +247,9 @@ Contest hold(gpu::Context& context, const Certified& on, std::span<const scene::
         standing.operations = operations(scene, methods[k]) * standing.count.evaluations / frames /
                               (1e-3 * standing.timing.ms);
         standing.against_own = ratio(timings[racing.at(0)], standing.timing);
-        standing.against_equal = ratio(timings[racing.at(standing.halvings)], standing.timing);
+        const Timing& equal = timings[racing.at(standing.halvings)];
+        standing.against_equal = ratio(equal, standing.timing);
+        standing.at_most = ratio(equal, contest.empty);
     }
     return contest;
 }

@@ -64,10 +64,19 @@ struct Timing {
 // each of which both met the same load of the machine.
 double ratio(const Timing& slow, const Timing& fast);
 
-// All settings in turn, round by round, each round begun by another: what else the machine does
+// Who draws in a race, with as many frames as all others.
+struct Entrant {
+    const Certified* on;
+    accuracy::Setting setting;
+};
+
+// All entrants in turn, round by round, each round begun by another: what else the machine does
 // then weighs on all alike. Rounds are fewer where `repeat` of them would take more than a minute.
-std::vector<Timing> race(gpu::Context& context, const Certified& on,
-                         std::span<const accuracy::Setting> settings, int repeat);
+std::vector<Timing> race(gpu::Context& context, std::span<const Entrant> entrants, int repeat);
+
+// The same picture with its bounds out of sight: the time of its frame is what remains to a method
+// that finds roots for nothing.
+Certified without_bounds(const Certified& on);
 
 struct Standing {
     scene::Method method;
@@ -79,12 +88,14 @@ struct Standing {
     int halvings = 0;         // of the sign test's step, for equal accuracy
     bool reached = false;     // else the sign test gets more pixels wrong even then
     double against_equal = 0; // time of the sign test at that step over this method's
+    double at_most = 0;       // and over that of the empty frame
 };
 
 struct Contest {
     std::string subject;
     int size = 0, frames = 0;
     double step = 0;
+    Timing empty;                    // of the picture without a ray to march
     std::vector<Standing> standings; // in the order of the methods asked for
 };
 

@@ -9,11 +9,11 @@ void add(std::vector<Growth>& grown, gpu::Context& context, const Growth& what, 
          std::span<const scene::Method> methods, int repeat) {
     const Certified on = uncertified(std::move(subject), what.size);
     const scene::Isolation& own = on.subject.scene.isolation;
-    std::vector<accuracy::Setting> settings;
+    std::vector<Entrant> entrants;
     for (const scene::Method method : methods) {
-        settings.push_back({method, own.step, 1, own.bisections});
+        entrants.push_back({&on, {method, own.step, 1, own.bisections}});
     }
-    const std::vector<Timing> timings = race(context, on, settings, repeat);
+    const std::vector<Timing> timings = race(context, entrants, repeat);
     const auto meeting = double(rays(on));
     for (std::size_t k = 0; k < methods.size(); ++k) {
         grown.push_back(what);
