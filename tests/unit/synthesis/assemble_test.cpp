@@ -280,7 +280,10 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     }
     const Shaders by_compute = assemble(scene_of(surface_text("x")), {}, Stage::compute);
     used.insert(by_compute.files.begin(), by_compute.files.end());
-    EXPECT_EQ(used, shader_files());
+    // probe/ asks about a driver, whatever the scene: render::arithmetic.
+    std::set<std::string> of_scenes = shader_files();
+    std::erase_if(of_scenes, [](const std::string& name) { return name.starts_with("probe/"); });
+    EXPECT_EQ(used, of_scenes);
 }
 
 TEST_F(Assemble, ShaderFilesAreSmall) {
