@@ -60,6 +60,12 @@ void Target::clear(int attachment, glm::vec4 value) const {
     glClearBufferfv(GL_COLOR, attachment, &value.x);
 }
 
+void Target::clear(int attachment, std::uint32_t value) const {
+    const GLuint values[4] = {value, value, value, value};
+    glBindFramebuffer(GL_FRAMEBUFFER, name_.get());
+    glClearBufferuiv(GL_COLOR, attachment, values);
+}
+
 std::vector<float> Target::read(int attachment, int x, int y, int width, int height) const {
     std::vector<float> pixels(numbers_in(attachment, {x, y, width, height}));
     read(attachment, x, y, width, height, pixels);

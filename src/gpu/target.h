@@ -24,6 +24,8 @@ public:
 
     /// Fills one attachment of floats, inside the current scissor only.
     void clear(int attachment, glm::vec4 value = {}) const;
+    /// And one of whole numbers.
+    void clear(int attachment, std::uint32_t value) const;
 
     /// Rows from the bottom, as many numbers a pixel as the attachment has: the format it is stored
     /// in, as a conversion in the driver costs more than the copy. Waits for the draws before it.

@@ -20,6 +20,7 @@
 #include "render/ray_pass.h"
 #include "render/record.h"
 #include "render/secondary_rays.h"
+#include "render/whole_draw.h"
 #include "scene/fingerprint.h"
 #include "synthesis/effect_text.h"
 
@@ -81,7 +82,7 @@ struct Renderer::Parts {
             arrays.emplace_back(storage, storage.has_lists ? listed : 0);
         }
         if (one_draw) {
-            whole.emplace(shaders.shade_vertex, shaders.whole, "whole");
+            whole.emplace(shaders, result);
         } else {
             make_passes();
         }
@@ -185,7 +186,7 @@ struct Renderer::Parts {
     }
 
     void for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
-        if (whole) visit(*whole);
+        if (whole) whole->for_each_program(visit);
         if (passes) {
             for (const gpu::Program* program : {&passes->march, &passes->active, &passes->shade}) {
                 visit(*program);
@@ -236,6 +237,7 @@ struct Renderer::Parts {
         upload_field(now);
         const auto shades = shading_block(scene, now, options.width, options.height);
         shading.update(std::as_bytes(std::span(shades)));
+        background = shades[1];
         for_each_program([&](const gpu::Program& program) { set_effects(program, now); });
         if (environment) {
             environment->bind(unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units);
@@ -351,7 +353,7 @@ struct Renderer::Parts {
                         synthesis::has_lists(shaders) ? &arrays[0] : nullptr);
         }
         if (one_draw) {
-            draw_whole(tile);
+            whole->draw(tile, plan.evaluations_per_pass, element_budget, background);
             ++picture.passes;
             record.read(result, 1, tile.width, tile.height);
             const Tally tally = record.tally();
@@ -372,16 +374,6 @@ struct Renderer::Parts {
         record.read(result, 1, tile.width, tile.height);
         add(record.tally(), picture);
         return &rays;
-    }
-
-    void draw_whole(const gpu::Rectangle& tile) {
-        result.bind();
-        gpu::set_viewport({0, 0, tile.width, tile.height});
-        whole->set("tile_origin", glm::ivec2(tile.x, tile.y));
-        whole->set("evaluations_per_pass", plan.evaluations_per_pass);
-        whole->set("element_budget", element_budget);
-        whole->use();
-        triangle.draw();
     }
 
     // The rays of a tile, which it returns, and what starts where they end.
@@ -497,10 +489,10 @@ struct Renderer::Parts {
     RenderOptions options;
     synthesis::Shaders shaders;
     MarchPlan plan;
-    int evaluations_without_lists; // of one draw, for rays that go by all elements
-    float element_budget;          // that the evaluations of one draw may go through, all together
-    bool one_draw;                 // as long as every tile's rays ended in one
-    std::optional<gpu::Program> whole;
+    int evaluations_without_lists;  // of one draw, for rays that go by all elements
+    float element_budget;           // that the evaluations of one draw may go through, all together
+    bool one_draw;                  // as long as every tile's rays ended in one
+    std::optional<WholeDraw> whole; // into `result`
     struct Passes {
         gpu::Program march, active, shade;
         RayTargets rays;
@@ -514,6 +506,7 @@ struct Renderer::Parts {
     std::optional<SecondaryRays> secondary;
     std::optional<gpu::Texture> environment;
     std::string environment_print; // of its texels
+    glm::vec4 background{0};       // of the picture being drawn
     std::string shaders_print = synthesis::fingerprint(shaders);
     struct Moved {
         gpu::Program program;

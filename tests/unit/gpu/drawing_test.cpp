@@ -1,6 +1,7 @@
 #include "every_backend.h"
 
 #include "gpu/buffer.h"
+#include "gpu/gate.h"
 #include "gpu/query.h"
 
 #include <array>
@@ -40,6 +41,55 @@ TEST_P(DrawingTest, AttachmentsKeepFloatsExactly) {
     EXPECT_EQ(b[1], -std::numeric_limits<float>::infinity());
     EXPECT_EQ(b[2], 0.0f);
     EXPECT_EQ(b[3], 0.1f);
+}
+
+TEST_P(DrawingTest, AGateLetsDrawsThroughWhereItIsOpenUntilItIsSetAnew) {
+    const Target target(37, 5, 1);
+    const Gate gate(target);
+    const Program left = fullscreen_program(
+        "out vec4 never;", "never = vec4(9.0); gl_FragDepth = gl_FragCoord.x < 18.0 ? 1.0 : 0.0;");
+    const Program none = fullscreen_program("", "gl_FragDepth = 0.0;");
+    const Program seven = fullscreen_program("out vec4 a;", "a = vec4(7.0);");
+    const Fullscreen triangle;
+    const auto draw = [&](const Program& program) {
+        return [&] {
+            program.use();
+            triangle.draw();
+        };
+    };
+    const auto sevens = [&] {
+        int count = 0;
+        const auto pixels = target.read(0, 0, 0, 37, 5);
+        for (std::size_t k = 0; k < pixels.size(); k += 4) {
+            const bool is_left = (k / 4) % 37 < 18;
+            EXPECT_TRUE(pixels[k] == 1 || (pixels[k] == 7 && is_left))
+                << k / 4 << ": " << pixels[k];
+            count += pixels[k] == 7;
+        }
+        return count;
+    };
+
+    gate.set(draw(left));
+    target.clear(0, glm::vec4(1));
+    gate.through(draw(seven));
+    EXPECT_EQ(sevens(), 18 * 5);
+    gate.set(draw(none));
+    target.clear(0, glm::vec4(1));
+    gate.through(draw(seven));
+    EXPECT_EQ(sevens(), 0);
+    target.bind();
+    draw(seven)();
+    EXPECT_EQ(target.read(0, 36, 4, 1, 1)[0], 7) << "other draws know no gate";
+}
+
+TEST_P(DrawingTest, WholeNumbersAreClearedToo) {
+    const std::array formats{Format::r32f, Format::r32ui};
+    const Target target(2, 2, formats);
+    target.clear(1, 4294967294u);
+    std::array<std::uint32_t, 4> numbers{};
+    target.read(1, 0, 0, 2, 2, numbers);
+    EXPECT_EQ(numbers,
+              (std::array<std::uint32_t, 4>{4294967294u, 4294967294u, 4294967294u, 4294967294u}));
 }
 
 // Beside each other in one target, as what is counted of a pixel is beside its colour.
