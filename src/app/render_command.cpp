@@ -8,6 +8,7 @@
 #include "accuracy/truth_cache.h"
 #include "app/commands.h"
 #include "app/frame_metadata.h"
+#include "app/frame_progress.h"
 #include "app/frame_record.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
@@ -163,15 +164,22 @@ private:
         const auto warn_of_file = [](const std::string& text) {
             fmt::print(stderr, "warning: {}\n", text);
         };
-        render::Renderer renderer(
-            context, scene_,
-            {scene_.output.width, scene_.output.height, channels_, {}, warn_of_file, stage_});
+        Progress progress("rendering", int(frames_.size()), arguments_.quiet);
+        FrameProgress of_frame(progress, scene_.output.samples);
+        render::RenderOptions options;
+        options.width = scene_.output.width;
+        options.height = scene_.output.height;
+        options.channels = channels_;
+        options.warn = warn_of_file;
+        options.stage = stage_;
+        options.stop = [&stop] { return stop.asked(); };
+        options.progress = [&of_frame](double part) { of_frame.at(part); };
+        render::Renderer renderer(context, scene_, std::move(options));
         const sequence::Sequence sequence = sequence_of(
             scene_, name_, format_, channels_, frames_, context.info(),
             render::choose_stage(stage_, context.info()), renderer.shaders_fingerprint());
         if (name_.holds_many()) recording_.emplace(name_, sequence);
         image::SequenceWriter writer(name_, format_);
-        Progress progress("rendering", int(frames_.size()), arguments_.quiet);
         std::optional<render::Picture> last;
         std::string last_pixels; // the fingerprint of what `last` shows
         for (std::size_t k = 0; k < frames_.size() && !stop.asked(); ++k) {
@@ -182,12 +190,13 @@ private:
             image::Metadata metadata = frame_metadata(scene_, now, values, frame, "");
             const std::string print = file_fingerprint(pixels, sequence.making.renderer, metadata);
             metadata.back().value = print;
-            progress.show(int(k), fs::path(name_.path(frame)).filename().string());
+            of_frame.begin(int(k), frame, fs::path(name_.path(frame)).filename().string());
             if (arguments_.resume && is_finished(frame, print)) continue;
             // A scene that stands still is drawn once.
             const bool draws = !last || pixels != last_pixels;
             if (draws) {
-                last = render::expose(renderer, scene_, frame);
+                last = drawn(renderer, frame);
+                if (!last) break;
                 last_pixels = pixels;
                 totals_.add(*last);
                 warn(frame, *last);
@@ -210,6 +219,15 @@ private:
             writer.submit(frame, std::move(image), std::move(then));
         }
         writer.finish();
+    }
+
+    // None where it was told to stop meanwhile.
+    std::optional<render::Picture> drawn(render::Renderer& renderer, int frame) const {
+        try {
+            return render::expose(renderer, scene_, frame);
+        } catch (const render::Stopped&) {
+            return std::nullopt;
+        }
     }
 
     // Pixels, file format and everything else that the file records.

@@ -167,6 +167,7 @@ struct Renderer::Parts {
                             sums, loop_iterations_per_pass));
         }
         cost.iterations = std::max(cost.iterations, shade_iterations(usual));
+        expect_drawable(formula::cost(field.gradient, counts).operations);
         constexpr int largest_tile = 2048;
         const MarchPlan fitting =
             plan_march(cost, options.width, options.height,
@@ -302,6 +303,7 @@ struct Renderer::Parts {
     }
 
     void stop_if_asked() const {
+        if (options.progress) options.progress(done);
         if (options.stop && options.stop()) throw Stopped{};
     }
 
@@ -507,6 +509,7 @@ struct Renderer::Parts {
     std::optional<gpu::Texture> environment;
     std::string environment_print; // of its texels
     glm::vec4 background{0};       // of the picture being drawn
+    double done = 0;               // the part of it that is drawn
     std::string shaders_print = synthesis::fingerprint(shaders);
     struct Moved {
         gpu::Program program;
@@ -581,6 +584,8 @@ Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const M
     const auto asked = [&](synthesis::Channel kind) { return targets_of(picture.frame, kind)[0]; };
     image::Channel* verdict = asked(synthesis::Channel::verdict);
     image::Channel* evaluations = asked(synthesis::Channel::evaluations);
+    p.done = 0;
+    const double pixels = double(p.options.width) * p.options.height;
     for (int y = 0; y < p.options.height; y += p.plan.tile_height) {
         for (int x = 0; x < p.options.width; x += p.plan.tile_width) {
             p.stop_if_asked();
@@ -601,6 +606,7 @@ Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const M
                 p.planes.read(p.result, 2 + int(a), tile,
                               targets_of(picture.frame, p.shaders.attachments[a]));
             }
+            p.done += double(tile.width) * tile.height / pixels;
         }
     }
     picture.drawing = std::chrono::steady_clock::now() - begin;

@@ -48,6 +48,8 @@ struct RenderOptions {
     int finest_beam = synthesis::usual_beam;
     // Asked before each tile and between its passes; where it says true, draw() throws Stopped.
     std::function<bool()> stop = {};
+    // Told then: the part of the picture that is drawn, in whole tiles.
+    std::function<void(double part)> progress = {};
 };
 
 // A picture that was given up.
