@@ -3,10 +3,12 @@
 #include "gpu/buffer.h"
 #include "gpu/gate.h"
 #include "gpu/query.h"
+#include "gpu/transfer.h"
 
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace isomotion::gpu {
@@ -80,6 +82,41 @@ TEST_P(DrawingTest, AGateLetsDrawsThroughWhereItIsOpenUntilItIsSetAnew) {
     target.bind();
     draw(seven)();
     EXPECT_EQ(target.read(0, 36, 4, 1, 1)[0], 7) << "other draws know no gate";
+}
+
+// Later draws into the same target change nothing of what was asked for.
+TEST_P(DrawingTest, ATransferBringsWhatWasThereWhenItWasAskedFor) {
+    const std::array formats{Format::rgba32f, Format::r32ui};
+    const Target target(5, 3, formats);
+    target.clear(0, glm::vec4(0.1f, -2, 1e30f, 4));
+    target.clear(1, 4000000000u);
+    Transfer transfer(5 * 3 * 16 + 2 * 4);
+    const std::size_t colors = transfer.ask(target, 0, {0, 0, 5, 3}, 0);
+    EXPECT_EQ(colors, 5u * 3 * 16);
+    EXPECT_EQ(transfer.ask(target, 1, {1, 1, 2, 1}, colors), colors + 8);
+    EXPECT_THROW(transfer.ask(target, 1, {0, 0, 5, 3}, colors), std::length_error);
+    EXPECT_THROW(transfer.read([](auto) {}), std::logic_error) << "nothing was sent";
+    transfer.send();
+    target.clear(0, glm::vec4(9));
+    target.clear(1, 9u);
+    bool shown = false;
+    transfer.read([&](std::span<const std::byte> bytes) {
+        shown = true;
+        ASSERT_EQ(bytes.size(), 5u * 3 * 16 + 8);
+        std::array<float, 5 * 3 * 4> floats{};
+        std::array<std::uint32_t, 2> words{};
+        std::memcpy(floats.data(), bytes.data(), sizeof floats);
+        std::memcpy(words.data(), bytes.data() + colors, sizeof words);
+        for (std::size_t k = 0; k < floats.size(); k += 4) {
+            EXPECT_EQ(floats[k], 0.1f);
+            EXPECT_EQ(floats[k + 1], -2);
+            EXPECT_EQ(floats[k + 2], 1e30f);
+            EXPECT_EQ(floats[k + 3], 4);
+        }
+        EXPECT_EQ(words, (std::array<std::uint32_t, 2>{4000000000u, 4000000000u}));
+    });
+    EXPECT_TRUE(shown);
+    EXPECT_EQ(target.read(0, 0, 0, 1, 1)[0], 9) << "other reads know no buffer";
 }
 
 TEST_P(DrawingTest, WholeNumbersAreClearedToo) {
