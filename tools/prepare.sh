@@ -4,9 +4,10 @@
 set -eu
 cd "$(dirname "$0")/.."
 
+# prepare_packages <package>...
 prepare_packages() {
     missing=
-    for package in $(sed 's/#.*//' tools/packages.txt); do
+    for package in "$@"; do
         case $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) in
             installed) ;;
             *) missing="$missing $package" ;;
@@ -30,6 +31,11 @@ prepare_packages() {
     fi
 }
 
+# prepare_check <check>: its packages of check-packages.txt.
+prepare_check() {
+    prepare_packages $(sed -n "s/^$1 //p" tools/check-packages.txt)
+}
+
 # build <cmake options>: configures and builds build/release, showing the log only on failure.
 build() {
     mkdir -p build
@@ -40,4 +46,4 @@ build() {
     fi
 }
 
-prepare_packages
+prepare_packages $(sed 's/#.*//' tools/packages.txt)

@@ -53,7 +53,7 @@ std::vector<int> parse_frame_range(std::string_view text) {
 
 std::string frame_range(std::vector<int> frames) {
     std::ranges::sort(frames);
-    frames.erase(std::ranges::unique(frames).begin(), frames.end());
+    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     std::string text;
     for (std::size_t k = 0; k < frames.size();) {
         const int step = k + 1 < frames.size() ? frames[k + 1] - frames[k] : 1;

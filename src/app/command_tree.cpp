@@ -72,7 +72,8 @@ std::vector<OptionText> options_of(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options()) {
         if (!option->get_group().empty()) all.push_back(text_of(app.get_name(), *option));
     }
-    std::ranges::stable_partition(all, &OptionText::positional);
+    std::stable_partition(all.begin(), all.end(),
+                          [](const OptionText& option) { return option.positional; });
     return all;
 }
 

@@ -43,7 +43,8 @@ Words words_of(const std::vector<CLI::Option*>& options) {
         if (option->count() > 0 && option->get_items_expected_max() == 0) {
             words.push_back(name);
         } else {
-            for (const std::string& value : option->results()) words.push_back(name + '=' + value);
+            for (const std::string& value : option->results())
+                words.push_back(fmt::format("{}={}", name, value));
         }
     }
     return words;
@@ -106,7 +107,7 @@ private:
         const std::size_t workers = arguments_.workers > 0 ? arguments_.workers : cores();
         const auto chunks = farm::chunks(frames_, {.size = arguments_.chunk, .workers = workers});
         // Any number of threads draws the same; one each is what several processes do best with.
-        if (!std::getenv("LP_NUM_THREADS")) job_.environment.push_back("LP_NUM_THREADS=1");
+        if (!std::getenv("LP_NUM_THREADS")) job_.environment.emplace_back("LP_NUM_THREADS=1");
 
         const auto begin = std::chrono::steady_clock::now();
         const StopOnSignal stop;

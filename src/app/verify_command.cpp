@@ -48,7 +48,7 @@ std::vector<fs::path> manifests_of(const std::string& what) {
     if (!path.has_filename()) path = path.parent_path(); // "out/"
     if (is_manifest(path)) return {path};
     if (fs::is_directory(path)) {
-        const auto found = manifests_in(path);
+        auto found = manifests_in(path);
         if (!found.empty()) return found;
         throw image::FileError(path, "has no sequence with a manifest, as render writes them",
                                ENOENT);

@@ -40,7 +40,7 @@ Output output_of(const std::string& command) {
     if (!pipe) return {};
     Output output;
     std::array<char, 4096> piece;
-    for (std::size_t n; (n = std::fread(piece.data(), 1, piece.size(), pipe)) > 0;) {
+    for (std::size_t n = 0; (n = std::fread(piece.data(), 1, piece.size(), pipe)) > 0;) {
         output.text.append(piece.data(), n);
     }
     const int status = ::pclose(pipe);
@@ -151,7 +151,7 @@ std::string submit(const Words& sbatch) {
     }
     const Output output = output_of(command_line(sbatch));
     // "JOB" or "JOB;CLUSTER"
-    const std::string id = output.text.substr(0, output.text.find_first_of(";\n"));
+    std::string id = output.text.substr(0, output.text.find_first_of(";\n"));
     if (output.status != 0 || id.empty()) {
         throw SlurmError(fmt::format("sbatch ended with exit status {}", output.status));
     }

@@ -38,6 +38,7 @@ template<class T> struct Operations {
         if constexpr (std::is_same_v<T, double>) {
             // Loops over it vectorise. Results below the normal numbers are 0.
             const double near = exponential(a < -708 ? -708 : a > 700 ? 700 : a);
+            // NaN differs from itself. NOLINTNEXTLINE(misc-redundant-expression)
             return a < -708 ? 0 : a != a ? a : near < saturation() ? near : saturation();
         } else {
             return saturate(std::exp(a));

@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    bool read(int begin, int end, OIIO::TypeDesc type, void* samples) {
+    bool read(int begin, int end, const OIIO::TypeDesc& type, void* samples) {
         const OIIO::ImageSpec& spec = input_->spec();
         const int top = spec.y + begin, bottom = spec.y + end;
         if (spec.tile_width == 0)

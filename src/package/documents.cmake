@@ -42,6 +42,7 @@ install(FILES ${made}/bash/isomotion DESTINATION ${share}/bash-completion/comple
 install(FILES ${made}/zsh/_isomotion DESTINATION ${share}/zsh/vendor-completions COMPONENT runtime)
 install(FILES ${made}/fish/isomotion.fish DESTINATION ${share}/fish/vendor_completions.d COMPONENT runtime)
 install(FILES desktop/isomotion.desktop DESTINATION ${share}/applications COMPONENT runtime)
+install(FILES desktop/invalid.isomotion.isomotion.metainfo.xml DESTINATION ${share}/metainfo COMPONENT runtime)
 install(FILES desktop/isomotion.svg DESTINATION ${share}/icons/hicolor/scalable/apps COMPONENT runtime)
 foreach(package isomotion=runtime libisomotion-dev=development)
   string(REGEX REPLACE "=.*" "" name ${package})

@@ -120,6 +120,7 @@ scene::Scene apply(scene::Scene scene, const Released& released) {
 std::vector<Span> spans(const scene::Scene& scene) {
     const auto& tracks = scene.timeline.animation.tracks();
     std::vector<Span> spans;
+    spans.reserve(std::size_t(scene.surface.parameters));
     for (int k = 0; k < scene.surface.parameters; ++k) {
         spans.push_back({tracks[std::size_t(k)].name, k, HUGE_VAL, -HUGE_VAL, false});
     }
@@ -144,6 +145,7 @@ std::vector<Span> spans(const scene::Scene& scene) {
 std::vector<Slider> sliders(const std::vector<Span>& spans, const animation::Values& values,
                             const Released& released) {
     std::vector<Slider> sliders;
+    sliders.reserve(spans.size());
     for (const Span& span : spans) {
         sliders.push_back({span.name, values.tracks[std::size_t(span.track)], span.least, span.most,
                            span.moves, released.values.contains(span.name)});

@@ -70,8 +70,11 @@ public:
             shown.samples = int(k) + 1;
             develop(exposure, other_exposure, shown);
             shown.took = Clock::now() - begin;
-            thread_.give(is_last ? std::move(shown) : Shown(shown));
-            if (is_last) return;
+            if (is_last) {
+                thread_.give(std::move(shown));
+                return;
+            }
+            thread_.give(Shown(shown));
             shown.compiled = false;
         }
     }

@@ -33,7 +33,8 @@ double part_of_lists(const synthesis::Shaders& shaders, const MarchPlan& plan, i
     for (const auto& level : shaders.beams) {
         wanted += double(blocks_in(plan, level.block)) * longest_list(level, array.capacity);
     }
-    return std::clamp((texels / array.texels - first) / wanted, 0.0, 1.0);
+    const int elements = texels / array.texels; // whole ones
+    return std::clamp((elements - first) / wanted, 0.0, 1.0);
 }
 
 // What fits into the loops of a beam's shader; with lists it is less where these are long.
@@ -132,7 +133,7 @@ void BeamPass::draw(const gpu::Rectangle& pixels, glm::ivec2 origin,
         if (array) array->wait_for_lists();
         before = &level;
     }
-    before->bind_results(unit_);
+    if (before) before->bind_results(unit_);
 }
 
 } // namespace isomotion::render

@@ -80,8 +80,8 @@ std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::Sce
     const auto& background = scene.output.background;
     std::vector<glm::vec4> block;
     block.push_back(wide(now.material_color));
-    block.push_back(glm::dvec4(background[0], background[1], background[2],
-                               scene.output.transparent ? 0.0 : 1.0));
+    block.emplace_back(background[0], background[1], background[2],
+                       scene.output.transparent ? 0.0 : 1.0);
     const glm::dmat3 to_local = glm::transpose(place.rotate);
     for (const auto& light : now.lights) {
         block.push_back(light.is_point ? wide(place.to_local(light.direction), 1)

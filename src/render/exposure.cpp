@@ -101,7 +101,7 @@ bool ask(Renderer& renderer, const scene::Scene& scene, int frame) {
 std::string fingerprint(const Renderer& renderer, const scene::Scene& scene, int frame) {
     const std::optional<Motion> motion = motion_of(renderer, scene, frame);
     const scene::SceneAt first = scene::at(scene, scene.timeline.values(frame));
-    const std::string of_first = renderer.fingerprint(first, {}, motion ? &*motion : nullptr);
+    std::string of_first = renderer.fingerprint(first, {}, motion ? &*motion : nullptr);
     if (scene.output.samples == 1) return of_first;
     scene::Fingerprint print;
     print.add(of_first);

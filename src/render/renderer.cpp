@@ -80,8 +80,8 @@ struct Renderer::Parts {
         }
         if (scene.environment) load_environment();
         if (!shaders.motion.empty()) {
-            moved.emplace(gpu::Program(shaders.vertex, shaders.motion, "motion"),
-                          gpu::Target(plan.tile_width, plan.tile_height));
+            moved = Moved{gpu::Program(shaders.vertex, shaders.motion, "motion"),
+                          gpu::Target(plan.tile_width, plan.tile_height)};
         }
         if (!shaders.proof.empty()) proofs.emplace(shaders, scene, plan, beam_unit() + 2);
         for_each_program([&](const gpu::Program& program) { connect(program); });
@@ -103,10 +103,10 @@ struct Renderer::Parts {
     }
 
     void make_passes() {
-        passes.emplace(ray_program(shaders, shaders.march, "march"),
-                       gpu::Program(shaders.vertex, shaders.active, "active"),
-                       gpu::Program(shaders.shade_vertex, shaders.shade, "shade"),
-                       RayTargets(plan.tile_width, plan.tile_height, shaders.state_textures));
+        passes = Passes{ray_program(shaders, shaders.march, "march"),
+                        gpu::Program(shaders.vertex, shaders.active, "active"),
+                        gpu::Program(shaders.shade_vertex, shaders.shade, "shade"),
+                        RayTargets(plan.tile_width, plan.tile_height, shaders.state_textures)};
     }
 
     void load_environment() {

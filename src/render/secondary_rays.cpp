@@ -17,14 +17,14 @@ SecondaryRays::SecondaryRays(const synthesis::Shaders& shaders, int width, int h
     , surface_(shaders.vertex, shaders.surface, "surface")
     , ends_(width, height, attachments) {
     if (!shaders.mirror.empty()) {
-        mirror_.emplace(ray_program(shaders, shaders.mirror, "mirror"),
-                        gpu::Program(shaders.vertex, shaders.mirror_surface, "mirror surface"),
-                        RayTargets(width, height, shaders.state_textures),
-                        gpu::Target(width, height, attachments));
+        mirror_ = Mirror{ray_program(shaders, shaders.mirror, "mirror"),
+                         gpu::Program(shaders.vertex, shaders.mirror_surface, "mirror surface"),
+                         RayTargets(width, height, shaders.state_textures),
+                         gpu::Target(width, height, attachments)};
     }
     if (!shaders.shadow.empty()) {
-        shadow_.emplace(ray_program(shaders, shaders.shadow, "shadow"),
-                        RayTargets(width, height, shaders.state_textures));
+        shadow_ = Shadow{ray_program(shaders, shaders.shadow, "shadow"),
+                         RayTargets(width, height, shaders.state_textures)};
     }
     for_each_program([&](const gpu::Program& program) { connect(program); });
 }

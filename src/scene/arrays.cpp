@@ -196,6 +196,7 @@ std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
              fmt::format("a scene has at most {} arrays", formula::max_arrays));
     }
     std::vector<animation::Array> arrays;
+    arrays.reserve(names.size());
     for (const std::string& name : names) {
         arrays.push_back(make_array(name, nodes[name], timeline, tracks, reach));
     }

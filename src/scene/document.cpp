@@ -160,7 +160,7 @@ std::optional<Section> Section::section(const std::string& name) {
 std::optional<std::string> Section::text(const std::string& name) {
     const toml::node* node = find(name);
     if (!node) return std::nullopt;
-    const auto value = node->value_exact<std::string>();
+    auto value = node->value_exact<std::string>();
     if (!value) fail(*node, dotted(name), "must be a text in quotes");
     return value;
 }

@@ -30,7 +30,7 @@ fs::path locate(const std::string& scene) {
     const bool looks_like_path =
         scene.find('/') != scene.npos || fs::path(scene).extension() == ".toml";
     if (looks_like_path) throw SceneError(scene + ": no such file");
-    const fs::path installed = animation_file(scene);
+    fs::path installed = animation_file(scene);
     if (fs::exists(installed)) return installed;
     const auto known = animation_names();
     const std::string near = formula::nearest_name(scene, known);

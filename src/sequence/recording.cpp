@@ -70,7 +70,7 @@ std::optional<Sequence> sequence_there(const fs::path& manifest) {
 std::vector<int> united(std::vector<int> frames, const std::vector<int>& more) {
     frames.insert(frames.end(), more.begin(), more.end());
     std::ranges::sort(frames);
-    frames.erase(std::ranges::unique(frames).begin(), frames.end());
+    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     return frames;
 }
 

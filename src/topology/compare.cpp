@@ -261,10 +261,10 @@ private:
     void compare_moments() {
         while (!together_.empty()) {
             const Event &wanted = *together_.front().first, &event = *together_.front().second;
-            const auto [rest, end] =
-                std::ranges::stable_partition(together_, [&](const auto& pair) {
-                    return !are_interchangeable(*pair.first, wanted);
-                });
+            const auto end = together_.end();
+            const auto rest = std::stable_partition(together_.begin(), end, [&](const auto& pair) {
+                return !are_interchangeable(*pair.first, wanted);
+            });
             int expected = 0, had = 0;
             bool certain = true;
             for (auto it = rest; it != end; ++it) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <ranges>
 
 namespace isomotion::topology {
 namespace {
@@ -67,19 +66,21 @@ std::optional<Route> PassGraph::route(const Way& from, const Way& to) {
         }
     }
     Route route;
-    const auto add = [&](const auto& points, std::size_t over) {
-        route.points.insert(route.points.end(), points.begin(), points.end());
+    const auto add = [&](auto begin, auto end, std::size_t over) {
+        route.points.insert(route.points.end(), begin, end);
         route.over.resize(route.points.size(), over);
     };
-    add(from.points, Route::none);
+    add(from.points.begin(), from.points.end(), Route::none);
     for (int here = first; here != last;) {
         const std::size_t k = *by[std::size_t(here)];
         const std::size_t up = ends_[k][0] == here ? 0 : 1;
-        add(std::views::reverse(passes_[k].ways[up].points), k);
-        add(std::views::drop(passes_[k].ways[1 - up].points, 1), k);
+        const auto& there = passes_[k].ways[up].points;
+        const auto& onward = passes_[k].ways[1 - up].points; // both begin at the pass
+        add(there.rbegin(), there.rend(), k);
+        if (!onward.empty()) add(onward.begin() + 1, onward.end(), k);
         here = ends_[k][1 - up];
     }
-    add(std::views::reverse(to.points), Route::none);
+    add(to.points.rbegin(), to.points.rend(), Route::none);
     return route;
 }
 
@@ -112,8 +113,7 @@ std::vector<PassGraph::Gap> PassGraph::gaps(const Way& from, const Way& to, cons
         const std::size_t count = std::min(nearest, others.size());
         std::ranges::partial_sort(others, others.begin() + std::ptrdiff_t(count), {},
                                   [&](const SpacePoint& p) { return distance(here, p); });
-        for (const SpacePoint& other : others | std::views::take(count))
-            gaps.push_back({here, other});
+        for (std::size_t n = 0; n < count; ++n) gaps.push_back({here, others[n]});
         if (ground.is_solid || root(parts, 0) == part) continue;
         for (std::size_t i = 0; i < 3; ++i) {
             const formula::Interval wall = ground.box[i];

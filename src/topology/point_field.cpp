@@ -1,6 +1,6 @@
 #include "topology/point_field.h"
 
-#include <ranges>
+#include <algorithm>
 
 #include "formula/derivative.h"
 #include "formula/lowering.h"
@@ -47,8 +47,9 @@ PointField::PointField(const SpaceFormula& formula)
 void PointField::bind(const formula::Bindings<Interval>& bindings, bool is_turned) {
     sign_ = is_turned ? -sign_of_solid_ : sign_of_solid_;
     const auto middles = [](const std::vector<Interval>& from) {
-        const auto numbers = from | std::views::transform([](const Interval& a) { return mid(a); });
-        return std::vector<double>(numbers.begin(), numbers.end());
+        std::vector<double> numbers(from.size());
+        std::ranges::transform(from, numbers.begin(), [](const Interval& a) { return mid(a); });
+        return numbers;
     };
     bindings_.parameters = middles(bindings.parameters);
     bindings_.seed = bindings.seed;

@@ -100,6 +100,35 @@ TEST_F(Documents, BashCompletes) {
     EXPECT_EQ(completed(script, {"topology", "blobby75", "--certify", "f"}), "fast full\n");
 }
 
+constexpr const char* metainfo = "metainfo/invalid.isomotion.isomotion.metainfo.xml";
+
+// A software centre installs by the one and starts by the other.
+TEST_F(Documents, MetainfoIsOfTheProgramAndItsDesktopEntry) {
+    const std::string about = text_of(share() / metainfo);
+    const std::string entry = text_of(share() / "applications/isomotion.desktop");
+    EXPECT_THAT(metainfo, HasSubstr("/" + found(about, "<id>([^<]*)</id>").at(0) + ".metainfo"));
+    for (const std::string& file : found(about, "desktop-id\">([^<]*)<")) {
+        EXPECT_TRUE(fs::exists(share() / "applications" / file)) << file;
+    }
+    for (const std::string& program : found(about, "<binary>([^<]*)<")) {
+        EXPECT_TRUE(fs::exists(prefix() / "bin" / program)) << program;
+    }
+    for (const std::string& icon : found(about, "<icon type=\"stock\">([^<]*)<")) {
+        EXPECT_TRUE(fs::exists(share() / "icons/hicolor/scalable/apps" / (icon + ".svg"))) << icon;
+    }
+    EXPECT_EQ(found(about, "<(launchable|binary|icon)[ >]").size(), 3u);
+
+    const auto together = [](const std::vector<std::string>& words) {
+        std::string all;
+        for (const std::string& word : words) all += word + ";";
+        return all;
+    };
+    EXPECT_THAT(entry, HasSubstr("\nCategories=" + together(found(about, "<category>([^<]*)<"))));
+    EXPECT_THAT(entry, HasSubstr("\nMimeType=" + together(found(about, "<mediatype>([^<]*)<"))));
+    EXPECT_THAT(told({"--version"}),
+                HasSubstr(found(about, "<release version=\"([^\"]*)\"").at(0)));
+}
+
 struct Reader {
     const char* program;
     std::vector<std::string> options;
@@ -115,6 +144,7 @@ TEST_F(Documents, AreReadByWhomTheyAreFor) {
         {"fish", {"-n"}, "fish/vendor_completions.d/isomotion.fish"},
         {"man", {"--warnings", "-l"}, "man/man1/isomotion.1.gz", false},
         {"desktop-file-validate", {}, "applications/isomotion.desktop"},
+        {"appstreamcli", {"validate", "--no-net"}, metainfo, false},
     };
     int read = 0;
     for (const Reader& reader : readers) {
@@ -129,7 +159,7 @@ TEST_F(Documents, AreReadByWhomTheyAreFor) {
         ++read;
     }
     // A fresh machine has none of them.
-    if (read == 0) GTEST_SKIP() << "no zsh, fish, man or desktop-file-validate here";
+    if (read == 0) GTEST_SKIP() << "no zsh, fish, man, desktop-file-validate or appstreamcli here";
 }
 
 } // namespace
