@@ -38,12 +38,16 @@ std::string step_key(const std::string& text) {
     return fmt::format("isolation.step={}", step);
 }
 
+std::string known_methods() {
+    std::vector<std::string_view> known;
+    for (const auto& entry : scene::method_names) known.push_back(entry.name);
+    return fmt::format("{}", fmt::join(known, ", "));
+}
+
 std::string method_key(const std::string& text) {
     if (!scene::parse_method(text)) {
-        std::vector<std::string_view> known;
-        for (const auto& entry : scene::method_names) known.push_back(entry.name);
-        throw std::invalid_argument(fmt::format("--method: there is no method '{}'; known: {}",
-                                                text, fmt::join(known, ", ")));
+        throw std::invalid_argument(
+            fmt::format("--method: there is no method '{}'; known: {}", text, known_methods()));
     }
     return fmt::format("isolation.method=\"{}\"", text);
 }
@@ -70,7 +74,8 @@ std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments
                         "name=value: a parameter, or a key of the scene file (camera.fov=30)")
             ->allow_extra_args(false),
         add_allow_outside(command, a.reach),
-        command.add_option("--method", a.method, "marching, amp-sign or amp-taylor"),
+        command.add_option("--method", a.method,
+                           known_methods() + "; isomotion list methods tells of them"),
         command.add_option("--step", a.step, "base step of the method, in formula coordinates"),
         command
             .add_option("--max-wrong", a.max_wrong,

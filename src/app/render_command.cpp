@@ -8,6 +8,7 @@
 #include "accuracy/truth_cache.h"
 #include "app/commands.h"
 #include "app/frame_metadata.h"
+#include "app/frame_progress.h"
 #include "app/frame_record.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
@@ -163,53 +164,106 @@ private:
         const auto warn_of_file = [](const std::string& text) {
             fmt::print(stderr, "warning: {}\n", text);
         };
-        render::Renderer renderer(
-            context, scene_,
-            {scene_.output.width, scene_.output.height, channels_, {}, warn_of_file, stage_});
+        Progress progress("rendering", int(frames_.size()), arguments_.quiet);
+        FrameProgress of_frame(progress, scene_.output.samples);
+        render::RenderOptions options;
+        options.width = scene_.output.width;
+        options.height = scene_.output.height;
+        options.channels = channels_;
+        options.warn = warn_of_file;
+        options.stage = stage_;
+        options.stop = [&stop] { return stop.asked(); };
+        options.progress = [&of_frame](double part) { of_frame.at(part); };
+        render::Renderer renderer(context, scene_, std::move(options));
         const sequence::Sequence sequence = sequence_of(
             scene_, name_, format_, channels_, frames_, context.info(),
             render::choose_stage(stage_, context.info()), renderer.shaders_fingerprint());
         if (name_.holds_many()) recording_.emplace(name_, sequence);
         image::SequenceWriter writer(name_, format_);
-        Progress progress("rendering", int(frames_.size()), arguments_.quiet);
-        std::optional<render::Picture> last;
-        std::string last_pixels; // the fingerprint of what `last` shows
-        for (std::size_t k = 0; k < frames_.size() && !stop.asked(); ++k) {
-            const int frame = frames_[k];
-            const animation::Values values = scene_.timeline.values(frame);
-            const scene::SceneAt now = scene::at(scene_, values);
-            const std::string pixels = render::fingerprint(renderer, scene_, frame);
-            image::Metadata metadata = frame_metadata(scene_, now, values, frame, "");
-            const std::string print = file_fingerprint(pixels, sequence.making.renderer, metadata);
-            metadata.back().value = print;
-            progress.show(int(k), fs::path(name_.path(frame)).filename().string());
-            if (arguments_.resume && is_finished(frame, print)) continue;
-            // A scene that stands still is drawn once.
-            const bool draws = !last || pixels != last_pixels;
-            if (draws) {
-                last = render::expose(renderer, scene_, frame);
-                last_pixels = pixels;
-                totals_.add(*last);
-                warn(frame, *last);
-            } else {
-                ++totals_.reused;
+        Drawn drawn{renderer, writer, {}, {}, {}};
+        try {
+            for (std::size_t k = 0; k < frames_.size() && !stop.asked(); ++k) {
+                const int frame = frames_[k];
+                of_frame.begin(int(k), frame, fs::path(name_.path(frame)).filename().string());
+                add_frame(drawn, frame, sequence.making.renderer);
             }
-            image::Frame image = last->frame;
-            image.metadata = std::move(metadata);
-            std::function<void(const image::Written&)> then;
-            if (recording_) {
-                sequence::FrameRecord record = record_of(scene_, frame, values, *last);
-                if (!draws) record.drawing = 0;
-                record.fingerprint = print;
-                record.making = sequence.making;
-                then = [this, record](const image::Written& file) mutable {
-                    sequence::add(file, record);
-                    recording_->record(record);
-                };
-            }
-            writer.submit(frame, std::move(image), std::move(then));
+            finish(drawn);
+        } catch (const render::Stopped&) { // frames that are not whole are not written
         }
         writer.finish();
+    }
+
+    // A frame that waits for its picture, or has it.
+    struct Wanted {
+        int frame = 0;
+        animation::Values values;
+        image::Metadata metadata;
+        std::string print; // of its file
+        bool draws = true; // not what the frame before it shows
+    };
+
+    // What is drawn last, and which frames still wait for it.
+    struct Drawn {
+        render::Renderer& renderer;
+        image::SequenceWriter& writer;
+        std::string pixels; // the fingerprint of what it shows
+        std::optional<render::Picture> picture;
+        std::vector<Wanted> waiting;
+    };
+
+    void add_frame(Drawn& drawn, int frame, const std::string& machine) {
+        Wanted wanted{frame, scene_.timeline.values(frame), {}, {}};
+        const scene::SceneAt now = scene::at(scene_, wanted.values);
+        const std::string pixels = render::fingerprint(drawn.renderer, scene_, frame);
+        wanted.metadata = frame_metadata(scene_, now, wanted.values, frame, "");
+        wanted.print = file_fingerprint(pixels, machine, wanted.metadata);
+        wanted.metadata.back().value = wanted.print;
+        if (arguments_.resume && is_finished(frame, wanted.print)) return;
+        // A scene that stands still is drawn once.
+        wanted.draws = pixels != drawn.pixels;
+        if (!wanted.draws) {
+            ++totals_.reused;
+            if (!drawn.waiting.empty()) return drawn.waiting.push_back(std::move(wanted));
+            return write(wanted, drawn);
+        }
+        const bool on_its_way = render::ask(drawn.renderer, scene_, frame);
+        finish(drawn); // while this one is drawn
+        drawn.pixels = pixels;
+        drawn.waiting.push_back(std::move(wanted));
+        if (on_its_way) return;
+        drawn.picture = render::expose(drawn.renderer, scene_, frame);
+        release(drawn);
+    }
+
+    // Takes the picture that frames wait for, if any do.
+    void finish(Drawn& drawn) {
+        if (drawn.waiting.empty()) return;
+        drawn.picture = drawn.renderer.take();
+        release(drawn);
+    }
+
+    void release(Drawn& drawn) {
+        totals_.add(*drawn.picture);
+        warn(drawn.waiting.front().frame, *drawn.picture);
+        for (Wanted& wanted : std::exchange(drawn.waiting, {})) write(wanted, drawn);
+    }
+
+    void write(Wanted& wanted, Drawn& drawn) {
+        image::Frame image = drawn.picture->frame;
+        image.metadata = std::move(wanted.metadata);
+        std::function<void(const image::Written&)> then;
+        if (recording_) {
+            sequence::FrameRecord record =
+                record_of(scene_, wanted.frame, wanted.values, *drawn.picture);
+            if (!wanted.draws) record.drawing = 0;
+            record.fingerprint = wanted.print;
+            record.making = recording_->making();
+            then = [this, record](const image::Written& file) mutable {
+                sequence::add(file, record);
+                recording_->record(record);
+            };
+        }
+        drawn.writer.submit(wanted.frame, std::move(image), std::move(then));
     }
 
     // Pixels, file format and everything else that the file records.

@@ -21,6 +21,7 @@ GLenum image_format(Format format) {
     case Format::rg32ui:
         return GL_RG32UI;
     case Format::rgba32f:
+    case Format::depth16: // no image can be one
         break;
     }
     return GL_RGBA32F;

@@ -60,6 +60,12 @@ void Target::clear(int attachment, glm::vec4 value) const {
     glClearBufferfv(GL_COLOR, attachment, &value.x);
 }
 
+void Target::clear(int attachment, std::uint32_t value) const {
+    const GLuint values[4] = {value, value, value, value};
+    glBindFramebuffer(GL_FRAMEBUFFER, name_.get());
+    glClearBufferuiv(GL_COLOR, attachment, values);
+}
+
 std::vector<float> Target::read(int attachment, int x, int y, int width, int height) const {
     std::vector<float> pixels(numbers_in(attachment, {x, y, width, height}));
     read(attachment, x, y, width, height, pixels);
@@ -68,32 +74,46 @@ std::vector<float> Target::read(int attachment, int x, int y, int width, int hei
 
 void Target::read(int attachment, int x, int y, int width, int height,
                   std::span<float> into) const {
-    constexpr GLenum externals[] = {GL_RED, GL_RG, GL_NONE, GL_RGBA};
-    read_into(attachment, {x, y, width, height}, externals, GL_FLOAT, into);
+    read_into(attachment, {x, y, width, height}, false, into);
 }
 
 void Target::read(int attachment, int x, int y, int width, int height,
                   std::span<std::uint32_t> into) const {
-    constexpr GLenum externals[] = {GL_RED_INTEGER, GL_RG_INTEGER, GL_NONE, GL_NONE};
-    read_into(attachment, {x, y, width, height}, externals, GL_UNSIGNED_INT, into);
+    read_into(attachment, {x, y, width, height}, true, into);
 }
 
 template<class Number>
-void Target::read_into(int attachment, Rectangle read, std::span<const unsigned, 4> externals,
-                       unsigned type, std::span<Number> into) const {
-    const std::size_t numbers = numbers_in(attachment, read);
-    const Format format = texture(attachment).format();
-    if (into.size() != numbers || is_whole(format) != (type == GL_UNSIGNED_INT))
+void Target::read_into(int attachment, Rectangle area, bool whole, std::span<Number> into) const {
+    const std::size_t numbers = numbers_in(attachment, area);
+    if (into.size() != numbers || is_whole(texture(attachment).format()) != whole)
         throw std::invalid_argument(
-            fmt::format("{} x {} pixels are {} {}, not {} {}", read.width, read.height, numbers,
-                        is_whole(format) ? "whole numbers" : "floats", into.size(),
-                        type == GL_FLOAT ? "floats" : "whole numbers"));
+            fmt::format("{} x {} pixels are {} {}, not {} {}", area.width, area.height, numbers,
+                        is_whole(texture(attachment).format()) ? "whole numbers" : "floats",
+                        into.size(), whole ? "whole numbers" : "floats"));
+    forget_errors();
+    ask(attachment, area, into.data());
+    expect_success("reading back pixels");
+}
+
+std::size_t Target::bytes_in(int attachment, Rectangle area) const {
+    return numbers_in(attachment, area) * sizeof(float);
+}
+
+void Target::pack(int attachment, Rectangle area, std::size_t offset) const {
+    forget_errors();
+    ask(attachment, area, reinterpret_cast<void*>(offset)); // NOLINT: what OpenGL takes it for
+    expect_success("reading back pixels");
+}
+
+void Target::ask(int attachment, Rectangle area, void* into) const {
+    constexpr GLenum floats[] = {GL_RED, GL_RG, GL_NONE, GL_RGBA};
+    constexpr GLenum wholes[] = {GL_RED_INTEGER, GL_RG_INTEGER, GL_NONE, GL_NONE};
+    const Format format = texture(attachment).format();
+    const auto k = std::size_t(channels(format) - 1);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, name_.get());
     glReadBuffer(GL_COLOR_ATTACHMENT0 + GLenum(attachment));
-    forget_errors();
-    glReadPixels(read.x, read.y, read.width, read.height,
-                 externals[std::size_t(channels(format) - 1)], type, into.data());
-    expect_success("reading back pixels");
+    glReadPixels(area.x, area.y, area.width, area.height, is_whole(format) ? wholes[k] : floats[k],
+                 is_whole(format) ? GL_UNSIGNED_INT : GL_FLOAT, into);
 }
 
 std::size_t Target::numbers_in(int attachment, Rectangle read) const {

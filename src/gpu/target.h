@@ -24,6 +24,8 @@ public:
 
     /// Fills one attachment of floats, inside the current scissor only.
     void clear(int attachment, glm::vec4 value = {}) const;
+    /// And one of whole numbers.
+    void clear(int attachment, std::uint32_t value) const;
 
     /// Rows from the bottom, as many numbers a pixel as the attachment has: the format it is stored
     /// in, as a conversion in the driver costs more than the copy. Waits for the draws before it.
@@ -31,6 +33,10 @@ public:
     void read(int attachment, int x, int y, int width, int height, std::span<float> into) const;
     void read(int attachment, int x, int y, int width, int height,
               std::span<std::uint32_t> into) const;
+
+    /// The same into the bound pixel buffer, from `offset` on, of so many bytes: gpu/transfer.h.
+    std::size_t bytes_in(int attachment, Rectangle area) const;
+    void pack(int attachment, Rectangle area, std::size_t offset) const;
 
     const Texture& texture(int attachment) const { return textures_.at(std::size_t(attachment)); }
     int attachments() const noexcept { return int(textures_.size()); }
@@ -43,10 +49,9 @@ public:
 
 private:
     std::size_t numbers_in(int attachment, Rectangle read) const;
-    /// `externals`: the driver's names for 1 to 4 numbers a pixel.
     template<class Number>
-    void read_into(int attachment, Rectangle read, std::span<const unsigned, 4> externals,
-                   unsigned type, std::span<Number> into) const;
+    void read_into(int attachment, Rectangle area, bool whole, std::span<Number> into) const;
+    void ask(int attachment, Rectangle area, void* into) const;
 
     std::vector<Texture> textures_;
     Name name_{Kind::framebuffer};

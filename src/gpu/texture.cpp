@@ -27,6 +27,8 @@ Layout layout(Format format) {
         return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 1};
     case Format::rg32ui:
         return {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 2};
+    case Format::depth16:
+        return {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_FLOAT, 1};
     case Format::rgba32f:
         break;
     }

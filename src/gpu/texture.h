@@ -6,7 +6,7 @@
 
 namespace isomotion::gpu {
 
-enum class Format { r32f, rg32f, rgba32f, r32ui, rg32ui };
+enum class Format { r32f, rg32f, rgba32f, r32ui, rg32ui, depth16 };
 
 int channels(Format format);
 /// Of unsigned whole numbers, which draws write and targets read back.

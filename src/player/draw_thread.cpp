@@ -214,7 +214,6 @@ DrawThread::~DrawThread() {
 }
 
 void DrawThread::draw(Request request) {
-    request.asked_at = Clock::now();
     {
         const std::lock_guard lock(mutex_);
         request_ = std::move(request);

@@ -45,7 +45,7 @@ struct Request {
     std::vector<Sample> samples;
     // Given up for a newer request at once; what moves only when it takes too long.
     bool may_be_dropped = false;
-    std::chrono::steady_clock::time_point asked_at{}; // by draw()
+    std::chrono::steady_clock::time_point asked_at{}; // when the first of what is new in it came
 };
 
 // What a method's rays went through, for reading out.

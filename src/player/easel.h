@@ -1,6 +1,7 @@
 // Which picture is asked for next: of what moves one that keeps up, of what rests a better one.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 
@@ -25,12 +26,13 @@ public:
     void begin_scene();
 
     // Asks for what `session` shows at `frame` in a picture of `size` if that is not asked for yet:
-    // at once, as large as keeps `rate` pictures a second; and, once nothing has changed for a
-    // moment, whole. `hand_rests`: no mouse button is held that changes it.
+    // as large as keeps `rate` pictures a second; and, once nothing has changed for a moment,
+    // whole. `hand_rests`: no mouse button is held that changes it. A held one's changes wait for
+    // the picture on its way, so that the next one has all of them and no other is before it.
     // Throws scene::SceneError where a value leaves its range at this frame.
     void ask(Session& session, std::int64_t frame, glm::ivec2 size, double now, bool hand_rests);
-    // A picture came, or was given up.
-    void learn(const Shown& shown);
+    // A picture came, or was given up; one takes `display` seconds to get to the screen.
+    void learn(const Shown& shown, double display);
     void learn(const GivenUp& picture);
     // When ask() is to be called again though nothing has happened, in seconds of `now`: never
     // where it would ask for nothing.
@@ -52,15 +54,18 @@ private:
         bool operator==(const Subject&) const = default;
     };
 
-    void post(const Session& session, double scale, int samples, bool may_be_dropped);
+    void post(const Session& session, double scale, int samples, bool may_be_dropped, double now);
+    bool holds_back(double now) const;
 
     DrawThread& thread_;
     Pacing pacing_;
-    std::optional<Subject> subject_;
-    std::uint64_t number_ = 0; // of the last request
-    std::uint64_t begin_ = 1;  // of the first one of this scene
+    std::optional<Subject> subject_; // of the last request
+    std::optional<Subject> wanted_;  // what it should be
+    std::uint64_t number_ = 0;       // of the last request
+    std::uint64_t begin_ = 1;        // of the first one of this scene
     bool whole_ = false, came_ = false, hand_rests_ = true;
-    double changed_ = 0;
+    double changed_ = 0, posted_ = 0;
+    std::optional<std::chrono::steady_clock::time_point> noticed_; // what is not asked for yet
 };
 
 } // namespace isomotion::player

@@ -16,8 +16,8 @@
 
 namespace isomotion::player {
 
-// Scales, each with half as many pixels as two before it: 2^(-k/4), from 1 to 1/8.
-inline constexpr int scale_count = 13;
+// Scales, each with half as many pixels as two before it: 2^(-k/4), from 1 to 1/16.
+inline constexpr int scale_count = 17;
 double scale_of(int rung);
 
 // Of a picture's cost; never negative.

@@ -74,8 +74,11 @@ public:
             window_.wait(sleep());
             attend();
             obey_keys();
+            const std::uint64_t shown = pictures_;
             if (window_.stale() || new_picture_ || compiling() || overdue()) show();
-            ask();
+            // What came while a picture was put on the screen is to be in the next one.
+            owes_ask_ = pictures_ != shown;
+            if (!owes_ask_) ask();
         }
     }
 
@@ -164,6 +167,7 @@ private:
 
     // Seconds that nothing has to be done for; below 0: until an event comes.
     double sleep() const {
+        if (owes_ask_) return 0;
         double least = -1;
         const auto sooner = [&](double seconds) {
             seconds = std::max(0.0, seconds);
@@ -198,7 +202,7 @@ private:
 
     void take_pictures() {
         if (auto shown = thread_.take_shown()) {
-            easel_.learn(*shown);
+            easel_.learn(*shown, display_);
             const std::uint64_t number = shown->number;
             window_.make_current();
             area_.take(std::move(*shown));
@@ -384,9 +388,12 @@ private:
         touched_ = ImGui::IsAnyItemActive() && !area_.held();
         skipped_ = picture_will_do();
         if (skipped_) return window_.skip_frame();
+        const double begin = now();
         window_.end_frame();
         last_frame_ = now();
+        display_ = last_frame_ - begin;
         if (std::exchange(new_picture_, false) && area_.shown()) {
+            ++pictures_;
             log_.add(*area_.shown(), area_.corner(), area_.size(), easel_.at_rest());
         }
     }
@@ -466,8 +473,11 @@ private:
     bool panel_ = true;
     bool touched_ = false; // a widget is held: what it changes has not come to rest
     bool new_picture_ = false;
-    double last_frame_ = 0; // when the window was drawn last
-    bool skipped_ = false;  // what came since has not been drawn
+    double last_frame_ = 0;      // when the window was drawn last
+    double display_ = 0;         // how long that took
+    std::uint64_t pictures_ = 0; // put on the screen
+    bool owes_ask_ = false;
+    bool skipped_ = false; // what came since has not been drawn
 };
 
 } // namespace

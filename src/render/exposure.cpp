@@ -82,10 +82,20 @@ Picture expose(Renderer& renderer, const scene::Scene& scene, int frame) {
     }
     Exposure exposure;
     for_each_picture(scene, frame, [&](const scene::SceneAt& now, const scene::Aim& aim) {
-        const bool is_first = exposure.count() == 0;
-        exposure.add(renderer.draw(now, aim, motion && is_first ? &*motion : nullptr));
+        const bool is_first = exposure.count() + renderer.in_flight() == 0;
+        renderer.start(now, aim, motion && is_first ? &*motion : nullptr);
+        if (renderer.in_flight() == renderer.most_in_flight()) exposure.add(renderer.take());
     });
+    while (renderer.in_flight() > 0) exposure.add(renderer.take());
     return std::move(exposure).mean();
+}
+
+bool ask(Renderer& renderer, const scene::Scene& scene, int frame) {
+    if (scene.output.samples > 1 || renderer.needs_motion() || renderer.most_in_flight() < 2) {
+        return false;
+    }
+    renderer.start(scene::at(scene, scene.timeline.values(frame)));
+    return true;
 }
 
 std::string fingerprint(const Renderer& renderer, const scene::Scene& scene, int frame) {

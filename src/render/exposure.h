@@ -37,6 +37,10 @@ private:
 // Throws SceneError where a value leaves its range while the shutter is open.
 Picture expose(Renderer& renderer, const scene::Scene& scene, int frame);
 
+// Asks for a frame that is one picture, which renderer.take() gives, if another may be on its way
+// meanwhile. Where it says false, nothing was asked for, and expose() draws the frame.
+bool ask(Renderer& renderer, const scene::Scene& scene, int frame);
+
 // Equal fingerprints, equal frames: of all the pictures. With one sample, the picture's own.
 std::string fingerprint(const Renderer& renderer, const scene::Scene& scene, int frame);
 

@@ -7,6 +7,14 @@
 
 namespace isomotion::render {
 
+void expect_drawable(double operations) {
+    if (operations <= operations_at_a_point) return;
+    throw std::length_error(
+        fmt::format("the formula or its gradient takes {:.3g} operations at every point, all "
+                    "elements of its sums counted; a picture is drawn of at most {:.3g}",
+                    operations, operations_at_a_point));
+}
+
 MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int max_tile) {
     const double by_loops = loop_iterations_per_pass / (1 + evaluation.iterations);
     if (by_loops < 1) {
@@ -14,6 +22,7 @@ MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int
             fmt::format("the formula sums {:.0f} terms at every point; a shader can sum {:.0f}",
                         evaluation.iterations, loop_iterations_per_pass - 1));
     }
+    expect_drawable(evaluation.operations);
     constexpr double march_operations = 40;   // of a step beside the field
     constexpr double useful_evaluations = 64; // fewer a pass and the passes' own cost shows
     const double operations = evaluation.operations + march_operations;

@@ -21,9 +21,16 @@ inline constexpr double loop_iterations_per_pass = 60'000;
 // Arithmetic operations in one draw: about a second on two cores of a software renderer.
 inline constexpr double operations_per_draw = 1e10;
 
+// And of the field or its gradient once: the smallest tile, which one thread of a software renderer
+// draws, takes some seconds then, whatever is planned.
+inline constexpr double operations_at_a_point = 2e7;
+
 // `evaluation` is the cost of sampling the field once. Throws std::length_error if one evaluation
-// alone passes the loop limit.
+// alone passes the loop limit or takes more operations than a point may.
 MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int max_tile);
+
+// Throws std::length_error where that is more than a point may take.
+void expect_drawable(double operations);
 
 // `planned`, or more where the samples of a polynomial, which no ray keeps from pass to pass, need
 // it. `iterations` is what the loops of one evaluation add up to; throws std::length_error where a

@@ -1,7 +1,7 @@
 #include "render/record.h"
 
+#include <algorithm>
 #include <numeric>
-#include <span>
 
 namespace isomotion::render {
 
@@ -14,6 +14,12 @@ void Record::read(const gpu::Target& from, int attachment, int width, int height
     height_ = height;
     const auto words = std::size_t(width) * std::size_t(height) * words_;
     from.read(attachment, 0, 0, width, height, std::span(packed_).first(words));
+}
+
+void Record::take(std::span<const std::uint32_t> words, int width, int height) {
+    width_ = width;
+    height_ = height;
+    std::copy(words.begin(), words.end(), packed_.begin());
 }
 
 // Lanes of ints, which loops vectorise.

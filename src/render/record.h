@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gpu/target.h"
@@ -30,6 +31,8 @@ public:
 
     gpu::Format format() const { return words_ == 2 ? gpu::Format::rg32ui : gpu::Format::r32ui; }
     void read(const gpu::Target& from, int attachment, int width, int height);
+    // The same of words that were read.
+    void take(std::span<const std::uint32_t> words, int width, int height);
 
     // Of the tile that was read last; pixels row by row from the bottom.
     int verdict(std::size_t pixel) const { return int(packed_[pixel * words_] & 7); }

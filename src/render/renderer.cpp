@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <deque>
 
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -10,16 +11,20 @@
 #include "gpu/program.h"
 #include "gpu/query.h"
 #include "gpu/target.h"
+#include "gpu/transfer.h"
 #include "image/environment.h"
 #include "render/array_buffer.h"
 #include "render/beam_pass.h"
 #include "render/blocks.h"
 #include "render/effect_uniforms.h"
+#include "render/layers.h"
 #include "render/light_beams.h"
 #include "render/planes.h"
 #include "render/ray_pass.h"
 #include "render/record.h"
+#include "render/scene_plan.h"
 #include "render/secondary_rays.h"
+#include "render/whole_draw.h"
 #include "scene/fingerprint.h"
 #include "synthesis/effect_text.h"
 
@@ -28,24 +33,6 @@ namespace {
 
 enum Binding : unsigned { binding_frame, binding_parameters, binding_shading, binding_arrays };
 enum Unit : int { unit_state_0, unit_state_1, unit_state_2, unit_arrays };
-
-// Elements that a list of those that matter in a beam is reckoned with; rays with longer ones take
-// more passes.
-constexpr int usual_list = 16;
-
-// What `layers` of EXR an attachment of the shade pass fills, and from which components.
-std::vector<image::Channel*> targets_of(image::Frame& frame, synthesis::Channel channel) {
-    std::vector<image::Channel*> targets;
-    for (const auto& entry : synthesis::channel_names()) {
-        if (entry.channel != channel) continue;
-        for (const auto layer : entry.layers) {
-            const auto it = std::find_if(frame.channels.begin(), frame.channels.end(),
-                                         [&](const auto& c) { return c.name == layer; });
-            targets.push_back(it == frame.channels.end() ? nullptr : &*it);
-        }
-    }
-    return targets;
-}
 
 } // namespace
 
@@ -57,13 +44,14 @@ struct Renderer::Parts {
         , shaders(synthesis::assemble(scene, options.channels,
                                       choose_stage(options.stage, context.info()),
                                       context.info().has(4, 3), options.finest_beam))
-        , plan(make_plan())
-        , evaluations_without_lists(plan_without_lists())
-        , element_budget(budget_of_elements())
+        , plans(plan_scene(scene, shaders, options.width, options.height,
+                           context.info().max_texture_size, options.plan))
+        , plan(plans.march)
         , one_draw(shaders.stage == synthesis::Stage::fragment && !shaders.whole.empty() &&
                    plan.evaluations_per_pass > 1)
         , record(plan.tile_width * plan.tile_height, !shaders.surface.empty())
         , planes(options.width, options.height)
+        , layers(options.channels, shaders.attachments)
         , result(plan.tile_width, plan.tile_height, formats())
         , frame(sizeof(FrameBlock))
         , parameters(std::size_t(shaders.parameter_vectors + shaders.count_vectors) * 16)
@@ -81,7 +69,7 @@ struct Renderer::Parts {
             arrays.emplace_back(storage, storage.has_lists ? listed : 0);
         }
         if (one_draw) {
-            whole.emplace(shaders.shade_vertex, shaders.whole, "whole");
+            whole.emplace(shaders, result);
         } else {
             make_passes();
         }
@@ -134,58 +122,8 @@ struct Renderer::Parts {
         environment->bind(unit);
     }
 
-    std::vector<int> capacities() const {
-        std::vector<int> counts;
-        for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
-        return counts;
-    }
-
-    MarchPlan make_plan() const {
-        const std::vector<int> counts = capacities();
-        const formula::Field& field = *scene.surface.field;
-        std::vector<int> usual = counts;
-        if (synthesis::has_lists(shaders)) usual[0] = std::min(usual[0], usual_list);
-        formula::Cost cost = synthesis::cost(field, shaders.samples, usual);
-        if (!shaders.surface.empty()) {
-            // Up to eight samples at the end of a ray (shaders/effects/end_of_ray.glsl) and five of
-            // its surroundings, each in one draw.
-            const double value = formula::cost(field.value, counts).iterations;
-            const double end = formula::cost(field.gradient, counts).iterations + 8 * value;
-            if (end > loop_iterations_per_pass) {
-                throw std::length_error(
-                    fmt::format("shadows, mirrors and other effects sum {:.0f} terms a pixel; a "
-                                "shader can sum {:.0f}: draw fewer elements or no effects",
-                                end, loop_iterations_per_pass));
-            }
-        }
-        // The shade pass must fit the loop limit too; it knows no lists.
-        if (const double sums = shade_iterations(counts); sums > loop_iterations_per_pass) {
-            throw std::length_error(
-                fmt::format("the normal and the paint sum {:.0f} terms a pixel; a shader can sum "
-                            "{:.0f}: draw fewer elements or no paint",
-                            sums, loop_iterations_per_pass));
-        }
-        cost.iterations = std::max(cost.iterations, shade_iterations(usual));
-        constexpr int largest_tile = 2048;
-        const MarchPlan fitting =
-            plan_march(cost, options.width, options.height,
-                       std::min(largest_tile, context.info().max_texture_size));
-        MarchPlan chosen = options.plan.value_or(fitting);
-        // One draw marches and shades.
-        const double with_shade =
-            (loop_iterations_per_pass - shade_iterations(counts)) / (1 + cost.iterations);
-        if (!shaders.whole.empty() && with_shade >= 1) {
-            chosen.evaluations_per_pass = std::min(chosen.evaluations_per_pass, int(with_shade));
-        }
-        if (shaders.degree > 0) {
-            chosen.evaluations_per_pass = evaluations_with_polynomial(
-                shaders.degree, cost.iterations, chosen.evaluations_per_pass);
-        }
-        return chosen;
-    }
-
     void for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
-        if (whole) visit(*whole);
+        if (whole) whole->for_each_program(visit);
         if (passes) {
             for (const gpu::Program* program : {&passes->march, &passes->active, &passes->shade}) {
                 visit(*program);
@@ -195,19 +133,6 @@ struct Renderer::Parts {
         if (moved) visit(moved->program);
         if (proofs) proofs->for_each_program(visit);
         if (beams) beams->for_each_program(visit);
-    }
-
-    // What the loops of one shaded pixel add up to.
-    double shade_iterations(const std::vector<int>& counts) const {
-        const auto of = [&](const formula::Program& program) {
-            return formula::cost(program, counts).iterations;
-        };
-        const double gradient =
-            shaders.march_takes_gradient ? 0.0 : of(scene.surface.field->gradient);
-        if (!scene.material.paint) return gradient;
-        const formula::Paint& paint = *scene.material.paint->value;
-        const double curvature = paint.hessian ? gradient + of(*paint.hessian) : 0.0;
-        return gradient + curvature + of(paint.value);
     }
 
     void connect(const gpu::Program& program) const {
@@ -236,6 +161,8 @@ struct Renderer::Parts {
         upload_field(now);
         const auto shades = shading_block(scene, now, options.width, options.height);
         shading.update(std::as_bytes(std::span(shades)));
+        background = shades[1];
+        done = 0;
         for_each_program([&](const gpu::Program& program) { set_effects(program, now); });
         if (environment) {
             environment->bind(unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units);
@@ -275,7 +202,7 @@ struct Renderer::Parts {
         const gpu::Rectangle viewport{0, 0, tile.width, tile.height};
         program.set("tile_origin", glm::ivec2(tile.x, tile.y));
         program.set("evaluations_per_pass", evaluations_of(program));
-        program.set("element_budget", element_budget);
+        program.set("element_budget", plans.element_budget);
         const gpu::Target *from = &targets.odd, *to = &targets.even;
         for (bool first = true;; first = false) {
             from->texture(0).bind(unit_state_0);
@@ -300,6 +227,7 @@ struct Renderer::Parts {
     }
 
     void stop_if_asked() const {
+        if (options.progress) options.progress(done);
         if (options.stop && options.stop()) throw Stopped{};
     }
 
@@ -308,27 +236,11 @@ struct Renderer::Parts {
         const bool by_lists =
             &program == &passes->march || (light_beams && &program == &secondary->shadows());
         const bool is_planned = !synthesis::has_lists(shaders) || by_lists;
-        const int all = is_planned ? plan.evaluations_per_pass : evaluations_without_lists;
+        const int all = is_planned ? plan.evaluations_per_pass : plans.evaluations_without_lists;
         if (shaders.shadow.empty() || &program != &secondary->shadows()) return all;
         // One light after the other, neighbours wait for the longest ray of each.
         const auto lights = std::popcount(unsigned(synthesis::shadow_mask(scene)));
         return std::max(all / lights, shaders.degree + 1);
-    }
-
-    int plan_without_lists() const {
-        const formula::Cost all =
-            synthesis::cost(*scene.surface.field, shaders.samples, capacities());
-        const int fitting = int(loop_iterations_per_pass / (1 + all.iterations));
-        const int fewest = std::min(shaders.degree + 1, plan.evaluations_per_pass);
-        return std::clamp(fitting, fewest, plan.evaluations_per_pass);
-    }
-
-    // Where only lists tell how many elements an evaluation takes.
-    float budget_of_elements() const {
-        const auto once = std::vector<int>(shaders.arrays.size(), 1);
-        const double loops =
-            std::max(1.0, synthesis::cost(*scene.surface.field, shaders.samples, once).iterations);
-        return float(0.8 * loop_iterations_per_pass / loops);
     }
 
     int beam_unit() const {
@@ -341,17 +253,20 @@ struct Renderer::Parts {
         picture.evaluations += tally.evaluations;
     }
 
+    void draw_beams(const gpu::Rectangle& tile) const {
+        if (keeps_beams) return beams->bind(beam_unit());
+        if (!beams) return;
+        beams->draw({0, 0, tile.width, tile.height}, {tile.x, tile.y},
+                    synthesis::has_lists(shaders) ? &arrays[0] : nullptr);
+    }
+
     // Draws a tile into `result`, reads its record and adds that to the picture's.
     // Returns its rays, or null if they were not kept.
     const gpu::Target* draw_tile(const gpu::Rectangle& tile, const scene::SceneAt& now,
                                  Picture& picture) {
-        if (keeps_beams) beams->bind(beam_unit());
-        if (beams && !keeps_beams) {
-            beams->draw({0, 0, tile.width, tile.height}, {tile.x, tile.y},
-                        synthesis::has_lists(shaders) ? &arrays[0] : nullptr);
-        }
+        draw_beams(tile);
         if (one_draw) {
-            draw_whole(tile);
+            whole->draw(tile, plan.evaluations_per_pass, plans.element_budget, background);
             ++picture.passes;
             record.read(result, 1, tile.width, tile.height);
             const Tally tally = record.tally();
@@ -372,16 +287,6 @@ struct Renderer::Parts {
         record.read(result, 1, tile.width, tile.height);
         add(record.tally(), picture);
         return &rays;
-    }
-
-    void draw_whole(const gpu::Rectangle& tile) {
-        result.bind();
-        gpu::set_viewport({0, 0, tile.width, tile.height});
-        whole->set("tile_origin", glm::ivec2(tile.x, tile.y));
-        whole->set("evaluations_per_pass", plan.evaluations_per_pass);
-        whole->set("element_budget", element_budget);
-        whole->use();
-        triangle.draw();
     }
 
     // The rays of a tile, which it returns, and what starts where they end.
@@ -445,7 +350,7 @@ struct Renderer::Parts {
                 glm::dvec4(glm::make_vec4(&after[4 * at])));
         }
         int k = 0;
-        for (image::Channel* channel : targets_of(drawn, synthesis::Channel::velocity)) {
+        for (image::Channel* channel : Layers::of(drawn, synthesis::Channel::velocity)) {
             planes.fill(tile, *channel, [&](std::size_t at) { return float(found[at][k]); });
             ++k;
         }
@@ -460,47 +365,151 @@ struct Renderer::Parts {
         proofs->prove(tile, binding_frame, pixels);
         frame.bind(binding_frame);
         for (std::size_t k = 0; k < count; k += 4) ++picture.proofs[std::size_t(pixels[k])];
-        if (wants(synthesis::Channel::proof)) {
+        if (layers.wants(synthesis::Channel::proof)) {
             planes.copy(pixels.data(), tile, 0, tile.height,
-                        targets_of(picture.frame, synthesis::Channel::proof));
+                        Layers::of(picture.frame, synthesis::Channel::proof));
         }
     }
 
-    // In `memory`, as far as it goes: fresh memory costs as much as reading back.
-    image::Frame blank_frame(image::Frame memory) const {
-        image::Frame blank;
-        blank.width = options.width;
-        blank.height = options.height;
-        const auto area = std::size_t(options.width) * std::size_t(options.height);
-        const auto add = [&](std::string_view name) {
-            const std::size_t k = blank.channels.size();
-            std::vector<float> samples;
-            if (k < memory.channels.size()) samples = std::move(memory.channels[k].samples);
-            samples.resize(area);
-            blank.channels.push_back({std::string(name), std::move(samples)});
+    Picture draw(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion) {
+        Picture picture;
+        picture.frame = layers.blank(options.width, options.height, std::move(used));
+        upload(now, aim);
+        const double pixels = double(options.width) * options.height;
+        for (int y = 0; y < options.height; y += plan.tile_height) {
+            for (int x = 0; x < options.width; x += plan.tile_width) {
+                stop_if_asked();
+                const gpu::Rectangle tile{x, y, std::min(plan.tile_width, options.width - x),
+                                          std::min(plan.tile_height, options.height - y)};
+                const gpu::Target* rays = draw_tile(tile, now, picture);
+                fill_counts(tile, picture.frame);
+                if (proofs) prove_tile(tile, *rays, picture);
+                if (moved && motion) draw_velocity(tile, *rays, now, *motion, picture.frame);
+                layers.for_each_attachment(picture.frame, [&](int k, const auto& channels) {
+                    planes.read(result, k, tile, channels);
+                });
+                done += double(tile.width) * tile.height / pixels;
+            }
+        }
+        return picture;
+    }
+
+    // What is told of each ray, of the tile whose record is there.
+    void fill_counts(const gpu::Rectangle& tile, image::Frame& of) const {
+        const auto fill = [&](synthesis::Channel kind, const auto& number) {
+            if (image::Channel* channel = Layers::of(of, kind)[0]) {
+                planes.fill(tile, *channel, [&](std::size_t k) { return float(number(k)); });
+            }
         };
-        for (const char* name : {"R", "G", "B", "A"}) add(name);
-        for (const auto& entry : synthesis::channel_names()) {
-            if (!wants(entry.channel)) continue;
-            for (const auto layer : entry.layers) add(layer);
-        }
-        return blank;
+        fill(synthesis::Channel::verdict, [&](std::size_t k) { return record.verdict(k); });
+        fill(synthesis::Channel::evaluations, [&](std::size_t k) { return record.evaluations(k); });
     }
 
-    bool wants(synthesis::Channel channel) const {
-        const auto& all = options.channels;
-        return std::find(all.begin(), all.end(), channel) != all.end();
+    // ----- pictures on their way
+
+    // Of one tile, drawn at once: for others the program has to look between their draws.
+    bool overlaps() const {
+        return options.overlap && one_draw && options.width <= plan.tile_width &&
+               options.height <= plan.tile_height;
+    }
+
+    // A picture that was asked for: what it is of, its pixels to come, or itself.
+    struct Flight {
+        scene::SceneAt now;
+        scene::Aim aim;
+        std::optional<gpu::Transfer> pixels;
+        std::optional<Picture> picture;
+        std::chrono::duration<double> begun; // the time that asking took
+    };
+
+    void expect_in_flight(int most) const {
+        if (int(flights.size()) <= most) return;
+        throw std::logic_error(
+            fmt::format("{} pictures that were asked for are not taken yet", flights.size()));
+    }
+
+    template<class Action> void land_all_on_failure(const Action& action) {
+        try {
+            action();
+        } catch (...) {
+            flights.clear();
+            throw;
+        }
+    }
+
+    void launch(const scene::SceneAt& now, const scene::Aim& aim) {
+        upload(now, aim);
+        stop_if_asked();
+        const gpu::Rectangle tile{0, 0, options.width, options.height};
+        draw_beams(tile);
+        whole->draw(tile, plan.evaluations_per_pass, plans.element_budget, background);
+        if (transfers.empty()) transfers.emplace_back(bytes_of_a_tile());
+        gpu::Transfer pixels = std::move(transfers.back());
+        transfers.pop_back();
+        std::size_t end = 0;
+        for (int k = 0; k < result.attachments(); ++k) end = pixels.ask(result, k, tile, end);
+        pixels.send();
+        flights.push_back({now, aim, std::move(pixels), {}, {}});
+    }
+
+    std::size_t bytes_of_a_tile() const {
+        std::size_t bytes = 0;
+        for (int k = 0; k < result.attachments(); ++k) bytes += result.bytes_in(k, result.area());
+        return bytes;
+    }
+
+    // The picture that was asked for first.
+    Picture land() {
+        Flight flight = std::move(flights.front());
+        flights.pop_front();
+        if (!flight.picture) {
+            flight.picture = read(*flight.pixels);
+            transfers.push_back(std::move(*flight.pixels));
+        }
+        // Some ray takes longer than a draw may.
+        if (!flight.picture) flight.picture = draw(flight.now, flight.aim, nullptr);
+        flight.picture->drawing = flight.begun;
+        return std::move(*flight.picture);
+    }
+
+    // None if not all rays have ended.
+    std::optional<Picture> read(gpu::Transfer& pixels) {
+        const gpu::Rectangle tile{0, 0, options.width, options.height};
+        Picture picture;
+        picture.passes = 1;
+        bool ended = false;
+        pixels.read([&](std::span<const std::byte> bytes) {
+            std::vector<const std::byte*> begin; // of each attachment, as launch() asked for them
+            for (int k = 0; k < result.attachments(); ++k) {
+                begin.push_back(bytes.data());
+                bytes = bytes.subspan(result.bytes_in(k, tile));
+            }
+            record.take({reinterpret_cast<const std::uint32_t*>(begin[1]),
+                         result.bytes_in(1, tile) / sizeof(std::uint32_t)},
+                        tile.width, tile.height);
+            const Tally tally = record.tally();
+            ended = tally.rays() == std::int64_t(tile.width) * tile.height;
+            if (!ended) return;
+            add(tally, picture);
+            picture.frame = layers.blank(options.width, options.height, std::move(used));
+            layers.for_each_attachment(picture.frame, [&](int k, const auto& channels) {
+                planes.copy(reinterpret_cast<const float*>(begin[std::size_t(k)]), tile, 0,
+                            tile.height, channels);
+            });
+        });
+        if (!ended) return std::nullopt;
+        fill_counts(tile, picture.frame);
+        return picture;
     }
 
     gpu::Context& context;
     scene::Scene scene;
     RenderOptions options;
     synthesis::Shaders shaders;
-    MarchPlan plan;
-    int evaluations_without_lists; // of one draw, for rays that go by all elements
-    float element_budget;          // that the evaluations of one draw may go through, all together
-    bool one_draw;                 // as long as every tile's rays ended in one
-    std::optional<gpu::Program> whole;
+    ScenePlan plans;
+    const MarchPlan& plan;          // the march's
+    bool one_draw;                  // as long as every tile's rays ended in one
+    std::optional<WholeDraw> whole; // into `result`
     struct Passes {
         gpu::Program march, active, shade;
         RayTargets rays;
@@ -508,12 +517,15 @@ struct Renderer::Parts {
     std::optional<Passes> passes;
     Record record; // of the tile drawn last
     Planes planes;
+    Layers layers;
     gpu::Target result;
     gpu::UniformBuffer frame, parameters, shading;
     std::vector<ArrayBuffer> arrays;
     std::optional<SecondaryRays> secondary;
     std::optional<gpu::Texture> environment;
     std::string environment_print; // of its texels
+    glm::vec4 background{0};       // of the picture being drawn
+    double done = 0;               // the part of it that is drawn
     std::string shaders_print = synthesis::fingerprint(shaders);
     struct Moved {
         gpu::Program program;
@@ -527,6 +539,8 @@ struct Renderer::Parts {
     gpu::Fullscreen triangle;
     gpu::SamplesQuery still_active;
     image::Frame used; // whose memory the next picture may have
+    std::deque<Flight> flights;
+    std::vector<gpu::Transfer> transfers; // that no picture is in
 };
 
 Renderer::Renderer(gpu::Context& context, const scene::Scene& scene, RenderOptions options)
@@ -552,6 +566,7 @@ void Renderer::resize(int width, int height) {
             "multiples of {}",
             width, height, p.plan.tile_width, p.plan.tile_height, synthesis::beam_square));
     }
+    p.expect_in_flight(0);
     p.options.width = width;
     p.options.height = height;
     p.planes = Planes(width, height);
@@ -579,38 +594,41 @@ void Renderer::keep_beams(bool keep) {
 
 Picture Renderer::draw(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion) {
     Parts& p = *parts_;
+    p.expect_in_flight(0);
+    const auto begin = std::chrono::steady_clock::now();
+    p.context.make_current();
+    Picture picture = p.draw(now, aim, motion);
+    picture.drawing = std::chrono::steady_clock::now() - begin;
+    return picture;
+}
+
+int Renderer::in_flight() const { return int(parts_->flights.size()); }
+
+int Renderer::most_in_flight() const { return parts_->overlaps() ? 2 : 1; }
+
+void Renderer::start(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion) {
+    Parts& p = *parts_;
+    if (in_flight() >= most_in_flight()) p.expect_in_flight(most_in_flight() - 1);
+    const auto begin = std::chrono::steady_clock::now();
+    p.context.make_current();
+    p.land_all_on_failure([&] {
+        if (p.overlaps() && !motion) {
+            p.launch(now, aim);
+        } else {
+            p.flights.push_back({{}, {}, {}, p.draw(now, aim, motion), {}});
+        }
+    });
+    p.flights.back().begun = std::chrono::steady_clock::now() - begin;
+}
+
+Picture Renderer::take() {
+    Parts& p = *parts_;
+    if (p.flights.empty()) throw std::logic_error("no picture was asked for");
     const auto begin = std::chrono::steady_clock::now();
     p.context.make_current();
     Picture picture;
-    picture.frame = p.blank_frame(std::move(p.used));
-    p.upload(now, aim);
-    const auto channel = [&](std::size_t k) { return &picture.frame.channels[k]; };
-    const auto asked = [&](synthesis::Channel kind) { return targets_of(picture.frame, kind)[0]; };
-    image::Channel* verdict = asked(synthesis::Channel::verdict);
-    image::Channel* evaluations = asked(synthesis::Channel::evaluations);
-    for (int y = 0; y < p.options.height; y += p.plan.tile_height) {
-        for (int x = 0; x < p.options.width; x += p.plan.tile_width) {
-            p.stop_if_asked();
-            const gpu::Rectangle tile{x, y, std::min(p.plan.tile_width, p.options.width - x),
-                                      std::min(p.plan.tile_height, p.options.height - y)};
-            const gpu::Target* rays = p.draw_tile(tile, now, picture);
-            const auto fill = [&](image::Channel& to, const auto& number) {
-                p.planes.fill(tile, to, [&](std::size_t k) { return float(number(k)); });
-            };
-            if (verdict) fill(*verdict, [&](std::size_t k) { return p.record.verdict(k); });
-            if (evaluations) {
-                fill(*evaluations, [&](std::size_t k) { return p.record.evaluations(k); });
-            }
-            if (p.proofs) p.prove_tile(tile, *rays, picture);
-            if (p.moved && motion) p.draw_velocity(tile, *rays, now, *motion, picture.frame);
-            p.planes.read(p.result, 0, tile, {channel(0), channel(1), channel(2), channel(3)});
-            for (std::size_t a = 0; a < p.shaders.attachments.size(); ++a) {
-                p.planes.read(p.result, 2 + int(a), tile,
-                              targets_of(picture.frame, p.shaders.attachments[a]));
-            }
-        }
-    }
-    picture.drawing = std::chrono::steady_clock::now() - begin;
+    p.land_all_on_failure([&] { picture = p.land(); });
+    picture.drawing += std::chrono::steady_clock::now() - begin;
     return picture;
 }
 

@@ -26,13 +26,14 @@ inline constexpr std::array verdict_names{"miss", "hit", "step limit", "NaN", "z
 
 // A finished picture and what its rays went through.
 struct Picture {
-    image::Frame frame;                      // R G B A and the channels asked for; no metadata
-    std::array<std::int64_t, 5> verdicts{};  // rays by Verdict
-    std::int64_t evaluations = 0;            // of the field, all rays together
-    ProofCounts proofs{};                    // pixels by Proof; none unless certified
-    int passes = 0;                          // march draws, all tiles together
-    bool compiled = false;                   // a shader, the first time that one draw is too few
-    std::chrono::duration<double> drawing{}; // upload to read-back
+    image::Frame frame;                     // R G B A and the channels asked for; no metadata
+    std::array<std::int64_t, 5> verdicts{}; // rays by Verdict
+    std::int64_t evaluations = 0;           // of the field, all rays together
+    ProofCounts proofs{};                   // pixels by Proof; none unless certified
+    int passes = 0;                         // march draws, all tiles together
+    bool compiled = false;                  // a shader, the first time that one draw is too few
+    // Upload to read-back; of one that was asked for and taken, those two alone.
+    std::chrono::duration<double> drawing{};
 };
 
 struct RenderOptions {
@@ -48,6 +49,12 @@ struct RenderOptions {
     int finest_beam = synthesis::usual_beam;
     // Asked before each tile and between its passes; where it says true, draw() throws Stopped.
     std::function<bool()> stop = {};
+    // Whether pictures that one draw is enough for may be asked for before the one before is taken:
+    // they come by way of the driver's pixel buffers, and the next is drawn meanwhile. Software
+    // renderers, which draw with the processors that read back, gain and lose nothing by it.
+    bool overlap = true;
+    // Told then: the part of the picture that is drawn, in whole tiles.
+    std::function<void(double part)> progress = {};
 };
 
 // A picture that was given up.
@@ -64,6 +71,14 @@ public:
     // velocity needs `motion`.
     Picture draw(const scene::SceneAt& now, const scene::Aim& aim = {},
                  const Motion* motion = nullptr);
+    // The same in two steps: start() asks for a picture, take() gives the one asked for first, and
+    // as many may be on their way as most_in_flight() says, 1 or 2. After an exception out of
+    // either, none is. Both throw std::logic_error out of turn, draw() where any is on its way.
+    void start(const scene::SceneAt& now, const scene::Aim& aim = {},
+               const Motion* motion = nullptr);
+    Picture take();
+    int in_flight() const;
+    int most_in_flight() const;
     // Gives back a picture's memory, for the next one.
     void reuse(Picture picture);
 

@@ -23,7 +23,9 @@ Thresholds field_thresholds(const formula::Field& field, const SceneAt& scene, d
     std::vector<int> counts;
     for (const auto& array : scene.bindings.arrays) counts.push_back(array.count);
     const double operations = formula::cost(field.gradient, counts).operations;
-    const int samples = int(std::clamp(2e7 / (operations + 1), 128.0, 4096.0));
+    // But a formula at the limits (scene/limits.h) must not keep a scene from being read.
+    const double least = std::clamp(1.28e8 / (operations + 1), 8.0, 128.0);
+    const int samples = int(std::clamp(2e7 / (operations + 1), least, 4096.0));
 
     formula::FieldEvaluator<double> evaluate(field);
     const auto bindings = formula::convert<double>(scene.bindings);

@@ -278,6 +278,15 @@ std::string whole_text(const scene::Scene& scene, const std::vector<Channel>& ch
     return text.take();
 }
 
+std::string open_text(const scene::Scene& scene, Shaders& shaders) {
+    ShaderText text(shaders.files);
+    text.file("math/bits.glsl");
+    add_ray(text, scene);
+    add_way(text, shaders, uses_beams(scene));
+    text.file("march/open.frag");
+    return text.take();
+}
+
 std::string shade_text(const scene::Scene& scene, const std::vector<Channel>& channels,
                        Shaders& shaders) {
     ShaderText text(shaders.files);
@@ -374,6 +383,7 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     }
     shaders.shade = shade_text(scene, channels, shaders);
     shaders.whole = whole_text(scene, channels, shaders);
+    if (!shaders.whole.empty()) shaders.open = open_text(scene, shaders);
     return shaders;
 }
 
@@ -383,7 +393,7 @@ std::string fingerprint(const Shaders& shaders) {
     for (const std::string* text :
          {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.mirror,
           &shaders.mirror_surface, &shaders.motion, &shaders.shade_vertex, &shaders.shade,
-          &shaders.whole, &shaders.proof, &shaders.sharp_proof}) {
+          &shaders.whole, &shaders.open, &shaders.proof, &shaders.sharp_proof}) {
         print.add(*text);
     }
     return print.text();

@@ -35,6 +35,7 @@ struct Shaders : FieldStorage {
     std::string active;            // asks whether rays still march
     std::string shade;             // the picture from finished rays
     std::string whole;             // march and shade in one draw, for plain pictures; else empty
+    std::string open;              // of that draw: depth lets the rays pass that have to march
 
     // Of scenes that call for them (see effect_text.h), else empty.
     std::string surface;        // keeps where the rays ended

@@ -91,6 +91,11 @@ void add_entrance(ShaderText& text, const Shaders& shaders, bool by_beams) {
     text.file(by_beams ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
 }
 
+void add_way(ShaderText& text, const Shaders& shaders, bool by_beams) {
+    if (by_beams) define_blocks(text, shaders.beams.back());
+    text.file(by_beams ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
+}
+
 void add_beams(const scene::Scene& scene, Shaders& shaders, int finest) {
     using enum BeamLists;
     // A picture of 512 pixels has 16 squares of the smaller blocks, 4 of the largest. Squares of

@@ -14,6 +14,9 @@ void add_beams(const scene::Scene& scene, Shaders& shaders, int finest);
 // text.
 void add_entrance(ShaderText& text, const Shaders& shaders, bool by_beams);
 
+// The same without lists: where rays begin and end, and no more.
+void add_way(ShaderText& text, const Shaders& shaders, bool by_beams);
+
 // Of shadow rays, by the last level of beams from the lights: shaders/effects/light_beam.glsl.
 void add_light_beams(ShaderText& text, const Shaders& shaders);
 

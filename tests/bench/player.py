@@ -8,7 +8,7 @@ mouse turns the camera by xdotool. Of the pictures shown meanwhile, after the fi
 which their size finds itself, the table tells
 
     a second     how many there were
-    smallest     the smallest scale used, as a part of the window's sides (the least there is: 1/8)
+    smallest     the smallest scale used, as a part of the window's sides (the least there is: 1/16)
     usual        the median scale
     draw         the median time of a draw, ms
     longest gap  between two pictures, ms

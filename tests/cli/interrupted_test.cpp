@@ -123,5 +123,26 @@ TEST_F(Interrupted, TerminationStopsAlike) {
     expect_only_whole_files();
 }
 
+// A frame of this takes hours: it is given up between two of its draws.
+TEST_F(Interrupted, StopsInTheMiddleOfAFrame) {
+    write("heavy.toml",
+          "[surface]\nformula = \"sum(a, sum(b, sqrt(abs(x*u + y*v + z*u*v)))) - 1\"\n"
+          "bounds = { sphere = 1.5 }\n"
+          "[arrays.a]\ncount = 200\nu = \"sin(i)\"\n"
+          "[arrays.b]\ncount = 200\nv = \"cos(i)\"\n"
+          "[isolation]\nmethod = \"amp-sign\"\nstep = 1e-3\n");
+    Circumstances circumstances = this->circumstances();
+    circumstances.interrupt_signal = SIGINT;
+    circumstances.interrupt_when = [this](milliseconds running) {
+        return running >= milliseconds(1500) && std::filesystem::exists(*this / "cut");
+    };
+    const Ending ending =
+        run({"render", "heavy.toml", "--frames", "1", "--size", "2048x2048", "-o", "cut/a.png"},
+            circumstances);
+    EXPECT_EQ(ending.code, 130) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("stopped"));
+    EXPECT_THAT(present("cut"), IsEmpty());
+}
+
 } // namespace
 } // namespace isomotion::cli

@@ -1,11 +1,14 @@
 #include "every_backend.h"
 
 #include "gpu/buffer.h"
+#include "gpu/gate.h"
 #include "gpu/query.h"
+#include "gpu/transfer.h"
 
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace isomotion::gpu {
@@ -40,6 +43,90 @@ TEST_P(DrawingTest, AttachmentsKeepFloatsExactly) {
     EXPECT_EQ(b[1], -std::numeric_limits<float>::infinity());
     EXPECT_EQ(b[2], 0.0f);
     EXPECT_EQ(b[3], 0.1f);
+}
+
+TEST_P(DrawingTest, AGateLetsDrawsThroughWhereItIsOpenUntilItIsSetAnew) {
+    const Target target(37, 5, 1);
+    const Gate gate(target);
+    const Program left = fullscreen_program(
+        "out vec4 never;", "never = vec4(9.0); gl_FragDepth = gl_FragCoord.x < 18.0 ? 1.0 : 0.0;");
+    const Program none = fullscreen_program("", "gl_FragDepth = 0.0;");
+    const Program seven = fullscreen_program("out vec4 a;", "a = vec4(7.0);");
+    const Fullscreen triangle;
+    const auto draw = [&](const Program& program) {
+        return [&] {
+            program.use();
+            triangle.draw();
+        };
+    };
+    const auto sevens = [&] {
+        int count = 0;
+        const auto pixels = target.read(0, 0, 0, 37, 5);
+        for (std::size_t k = 0; k < pixels.size(); k += 4) {
+            const bool is_left = (k / 4) % 37 < 18;
+            EXPECT_TRUE(pixels[k] == 1 || (pixels[k] == 7 && is_left))
+                << k / 4 << ": " << pixels[k];
+            count += pixels[k] == 7;
+        }
+        return count;
+    };
+
+    gate.set(draw(left));
+    target.clear(0, glm::vec4(1));
+    gate.through(draw(seven));
+    EXPECT_EQ(sevens(), 18 * 5);
+    gate.set(draw(none));
+    target.clear(0, glm::vec4(1));
+    gate.through(draw(seven));
+    EXPECT_EQ(sevens(), 0);
+    target.bind();
+    draw(seven)();
+    EXPECT_EQ(target.read(0, 36, 4, 1, 1)[0], 7) << "other draws know no gate";
+}
+
+// Later draws into the same target change nothing of what was asked for.
+TEST_P(DrawingTest, ATransferBringsWhatWasThereWhenItWasAskedFor) {
+    const std::array formats{Format::rgba32f, Format::r32ui};
+    const Target target(5, 3, formats);
+    target.clear(0, glm::vec4(0.1f, -2, 1e30f, 4));
+    target.clear(1, 4000000000u);
+    Transfer transfer(5 * 3 * 16 + 2 * 4);
+    const std::size_t colors = transfer.ask(target, 0, {0, 0, 5, 3}, 0);
+    EXPECT_EQ(colors, 5u * 3 * 16);
+    EXPECT_EQ(transfer.ask(target, 1, {1, 1, 2, 1}, colors), colors + 8);
+    EXPECT_THROW(transfer.ask(target, 1, {0, 0, 5, 3}, colors), std::length_error);
+    EXPECT_THROW(transfer.read([](auto) {}), std::logic_error) << "nothing was sent";
+    transfer.send();
+    target.clear(0, glm::vec4(9));
+    target.clear(1, 9u);
+    bool shown = false;
+    transfer.read([&](std::span<const std::byte> bytes) {
+        shown = true;
+        ASSERT_EQ(bytes.size(), 5u * 3 * 16 + 8);
+        std::array<float, 5 * 3 * 4> floats{};
+        std::array<std::uint32_t, 2> words{};
+        std::memcpy(floats.data(), bytes.data(), sizeof floats);
+        std::memcpy(words.data(), bytes.data() + colors, sizeof words);
+        for (std::size_t k = 0; k < floats.size(); k += 4) {
+            EXPECT_EQ(floats[k], 0.1f);
+            EXPECT_EQ(floats[k + 1], -2);
+            EXPECT_EQ(floats[k + 2], 1e30f);
+            EXPECT_EQ(floats[k + 3], 4);
+        }
+        EXPECT_EQ(words, (std::array<std::uint32_t, 2>{4000000000u, 4000000000u}));
+    });
+    EXPECT_TRUE(shown);
+    EXPECT_EQ(target.read(0, 0, 0, 1, 1)[0], 9) << "other reads know no buffer";
+}
+
+TEST_P(DrawingTest, WholeNumbersAreClearedToo) {
+    const std::array formats{Format::r32f, Format::r32ui};
+    const Target target(2, 2, formats);
+    target.clear(1, 4294967294u);
+    std::array<std::uint32_t, 4> numbers{};
+    target.read(1, 0, 0, 2, 2, numbers);
+    EXPECT_EQ(numbers,
+              (std::array<std::uint32_t, 4>{4294967294u, 4294967294u, 4294967294u, 4294967294u}));
 }
 
 // Beside each other in one target, as what is counted of a pixel is beside its colour.

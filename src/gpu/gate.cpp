@@ -1,0 +1,61 @@
+#include "gpu/gate.h"
+
+#include "gpu/error.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+namespace isomotion::gpu {
+namespace {
+
+/// Tests depth for as long as it lives.
+class Testing {
+public:
+    Testing(GLenum passes, bool writes) {
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(passes);
+        glDepthMask(GLboolean(writes));
+    }
+    ~Testing() { glDisable(GL_DEPTH_TEST); }
+    Testing(const Testing&) = delete;
+    Testing& operator=(const Testing&) = delete;
+};
+
+class Colorless {
+public:
+    Colorless() { glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); }
+    ~Colorless() { glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE); }
+    Colorless(const Colorless&) = delete;
+    Colorless& operator=(const Colorless&) = delete;
+};
+
+} // namespace
+
+Gate::Gate(const Target& target)
+    : target_(target)
+    , depth_(Format::depth16, target.width(), target.height()) {
+    forget_errors();
+    glBindFramebuffer(GL_FRAMEBUFFER, target.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    const auto what =
+        fmt::format("the depth of a target of {} x {} pixels", target.width(), target.height());
+    expect_success(what);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        throw ResourceError(fmt::format("{}: incomplete ({:#06x})", what, status));
+}
+
+void Gate::set(const std::function<void()>& draw) const {
+    target_.bind();
+    const Testing always(GL_ALWAYS, true);
+    const Colorless depth_alone;
+    draw();
+}
+
+void Gate::through(const std::function<void()>& draw) const {
+    target_.bind();
+    const Testing open(GL_LESS, false);
+    draw();
+}
+
+} // namespace isomotion::gpu

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "gpu/target.h"
+
+#include <functional>
+
+namespace isomotion::gpu {
+
+/// Where a target's pixels are drawn, by its depth buffer: early depth tests skip a fragment's
+/// shader, which on software renderers no branch in it does.
+class Gate {
+public:
+    /// Of a target that outlives it. Throws ResourceError if the driver cannot test depth there.
+    explicit Gate(const Target& target);
+
+    /// `draw` writes depth and no colour: 1 opens a pixel, 0 closes it.
+    void set(const std::function<void()>& draw) const;
+    /// `draw`, whose depth is 0.5, as z = 0 gives it, is done where the gate is open.
+    void through(const std::function<void()>& draw) const;
+
+private:
+    const Target& target_;
+    Texture depth_;
+};
+
+} // namespace isomotion::gpu

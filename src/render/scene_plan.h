@@ -1,0 +1,23 @@
+// How a scene's pictures are cut into draws, by what its shaders' loops may add up to.
+#pragma once
+
+#include <optional>
+
+#include "render/march_plan.h"
+#include "scene/scene.h"
+#include "synthesis/assemble.h"
+
+namespace isomotion::render {
+
+struct ScenePlan {
+    MarchPlan march;
+    int evaluations_without_lists = 0; // of one draw, for rays that go by all elements
+    float element_budget = 0; // that the evaluations of one draw may go through, all together
+};
+
+// `wanted`: instead of the march plan made from the formula's cost. Throws std::length_error for a
+// sum too long for a shader and for a formula that no draw can hold.
+ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Shaders& shaders, int width,
+                     int height, int max_texture_size, const std::optional<MarchPlan>& wanted);
+
+} // namespace isomotion::render
