@@ -66,7 +66,7 @@ Timeline sampled(const scene::Scene& scene, Side side, const Analysing& how, int
     double since = 0;
     for (int frame = first; frame <= last; ++frame) {
         if (asking.stopped()) {
-            timeline.doubts.push_back("interrupted");
+            timeline.doubts.emplace_back("interrupted");
             return timeline;
         }
         const animation::Values values = scene.timeline.values(frame);
@@ -159,7 +159,7 @@ Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Inte
     proofs.stopped = seeking.stopped;
     const bool is_late = asking.stopped();
     if (is_late && timeline.is_proved)
-        timeline.doubts.push_back("interrupted before kinds were proved");
+        timeline.doubts.emplace_back("interrupted before kinds were proved");
     find_kinds(timeline, is_late ? KindProofs{} : proofs);
     if (!timeline.start_is_proved && !no_start.empty()) timeline.doubts.push_back(no_start);
     if (!timeline.end_is_proved && !no_end.empty()) timeline.doubts.push_back(no_end);
@@ -170,7 +170,7 @@ Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Inte
         prove_again(timeline, SecondProof(scene, side, range), confirming);
     }
     if (asking.stopped()) {
-        if (!is_late) timeline.doubts.push_back("interrupted while kinds were proved");
+        if (!is_late) timeline.doubts.emplace_back("interrupted while kinds were proved");
         timeline.is_proved = false;
     }
     return timeline;

@@ -94,8 +94,8 @@ std::vector<Driven::Time> Driven::times(Interval value) const {
                 found.push_back({t, 0});
                 continue;
             }
-            stack.push_back({t.lo, m});
-            stack.push_back({m, t.hi});
+            stack.emplace_back(t.lo, m);
+            stack.emplace_back(m, t.hi);
         }
     }
     std::sort(found.begin(), found.end(),

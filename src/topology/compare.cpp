@@ -49,7 +49,7 @@ public:
         , diagonal_(diagonal(expected.subject)) {
         same_place_ = diagonal_ * std::max(1e-6, dt / span_);
         if (expected.subject.fingerprint != found.subject.fingerprint) {
-            check_.notes.push_back("the scene is not the one that the expectation was made of");
+            check_.notes.emplace_back("the scene is not the one that the expectation was made of");
         }
     }
 

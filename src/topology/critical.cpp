@@ -157,7 +157,7 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range, const
     timeline.is_proved = true;
     const Motions all = motions(scene, side, range);
     timeline.doubts = all.doubts;
-    if (how.seeds > 0) timeline.doubts.push_back("found from seeds: events may be missing");
+    if (how.seeds > 0) timeline.doubts.emplace_back("found from seeds: events may be missing");
     for (const double jump : all.jumps) {
         timeline.unresolved.push_back(
             {Interval(jump), {}, "the surface jumps from one shape to another", {}, {}});
@@ -195,7 +195,7 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range, const
                 events.add_reaching(field, how.stopped);
         }
     }
-    if (is_stopped()) timeline.doubts.push_back("the search was interrupted");
+    if (is_stopped()) timeline.doubts.emplace_back("the search was interrupted");
     if (!timeline.doubts.empty() || !timeline.unresolved.empty()) timeline.is_proved = false;
     const auto earlier = [](const auto& a, const auto& b) { return mid(a.time) < mid(b.time); };
     std::stable_sort(timeline.events.begin(), timeline.events.end(), earlier);

@@ -154,6 +154,7 @@ std::vector<Way> ways_down(PointField& field, const Ground& ground, std::span<co
         }
     }
     std::vector<Way> ways;
+    ways.reserve(walkers.size());
     for (Walker& walker : walkers) ways.push_back(std::move(walker).way());
     return ways;
 }

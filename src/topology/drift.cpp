@@ -36,6 +36,7 @@ Drift drift_of(const MovingField& field) {
 
     const Seeds seeds(field);
     std::vector<Point> points;
+    points.reserve(std::size_t(samples));
     for (int number = 0; number < samples; ++number) points.push_back(seeds[number]);
     std::vector<Jet<double>> jets;
     Numbers(field).jets(points, jets);

@@ -159,7 +159,8 @@ FrameField::FrameField(const SpaceFormula& formula)
         std::set<int> fields;
         for (NodeId id : below(graph, body, [](const Node& n) { return n.op == Op::element; }))
             fields.insert(graph[id].second);
-        Sum& made = sums_.emplace_back(array, std::vector(fields.begin(), fields.end()));
+        sums_.push_back({array, std::vector(fields.begin(), fields.end()), {}});
+        Sum& made = sums_.back();
         const auto to_input = [&](Graph& g, const Node& node, NodeId rebuilt) {
             if (node.op != Op::element) return rebuilt;
             const auto which = std::ranges::find(made.fields, node.second) - made.fields.begin();

@@ -54,6 +54,7 @@ bool force(std::vector<Event*> events, int change, int Betti::*number, const cha
     if (change != least && change != most) {
         // At one moment there is no order: as many as there are, the first ones by convention.
         std::vector<Interval> times;
+        times.reserve(events.size());
         for (const Event* event : events) times.push_back(event->time);
         if (!is_one_moment(times) || (least != 0 && most != 0)) return true;
         int parts = std::abs(change);

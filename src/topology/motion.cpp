@@ -84,6 +84,7 @@ void fold_elements(Motion& motion) {
         std::vector<double> column(std::size_t(of.count));
         for (std::size_t i = 0; i < column.size(); ++i) {
             std::vector<double> inputs;
+            inputs.reserve(fields.size());
             for (const int field : fields) inputs.push_back(of.fields[std::size_t(field)][i]);
             evaluator.point(motion.bindings, inputs, {&column[i], 1});
         }

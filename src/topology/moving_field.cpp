@@ -246,6 +246,7 @@ std::vector<NodeId> MovingField::between_ends(Graph& graph, std::span<const Node
     };
     const std::vector<NodeId> at_low = at(low), at_high = at(high);
     std::vector<Node> nodes;
+    nodes.reserve(linear.size());
     for (const NodeId id : linear) nodes.push_back(graph[id]);
     return formula::substitute(
         graph, graph, roots, [&](Graph& g, const Node& node, NodeId rebuilt) {
@@ -287,6 +288,7 @@ std::vector<NodeId> MovingField::with_rests(Graph& graph, std::span<const NodeId
 
     std::vector<NodeId> bodies;
     std::map<int, int> place_of;
+    bodies.reserve(found.size());
     for (const NodeId id : found) bodies.push_back(graph[id].children[0]);
     const auto as_input = [&](Graph& g, const Node& node, NodeId rebuilt) {
         if (node.op != Op::element) return rebuilt;
@@ -299,6 +301,7 @@ std::vector<NodeId> MovingField::with_rests(Graph& graph, std::span<const NodeId
     culling_.terms = formula::schedule(graph, terms);
 
     std::vector<Node> nodes;
+    nodes.reserve(found.size());
     for (const NodeId id : found) nodes.push_back(graph[id]);
     const auto with_rest = [&](Graph& g, const Node& node, NodeId rebuilt) {
         const auto at = std::find(nodes.begin(), nodes.end(), node);

@@ -55,7 +55,8 @@ void PointField::bind(const formula::Bindings<Interval>& bindings, bool is_turne
     bindings_.seed = bindings.seed;
     bindings_.arrays.clear();
     for (const auto& array : bindings.arrays) {
-        auto& columns = bindings_.arrays.emplace_back(array.count);
+        bindings_.arrays.push_back({array.count, {}});
+        auto& columns = bindings_.arrays.back();
         for (const auto& field : array.fields) columns.fields.push_back(middles(field));
     }
 }

@@ -122,6 +122,7 @@ std::vector<std::vector<SpacePoint>> saddles_at_events(const FieldAt& field,
             leave_one_of_each(saddles, same * size);
             time = now;
             std::vector<SpacePoint> points;
+            points.reserve(saddles.size());
             for (const Saddle& saddle : saddles) points.push_back(saddle.at);
             add_points(found[k], points, same * size);
             saddles.push_back({middle(events[k].where)});

@@ -92,7 +92,8 @@ template<class Emit> void each_run(std::span<const Word> row, int side, Part par
     Word before = 0;
     for (std::size_t w = 0; w < row.size(); ++w) {
         const int begin = int(w) * 64;
-        const Word all = side - begin >= 64 ? ~Word(0) : (Word(1) << (side - begin)) - 1;
+        const auto left = unsigned(side - begin); // columns from there on
+        const Word all = left >= 64 ? ~Word(0) : (Word(1) << left) - 1;
         const Word bits = (part == Part::solid ? row[w] : ~row[w]) & all;
         for (Word ends = bits ^ (bits << 1 | before); ends != 0; ends &= ends - 1) {
             const int at = begin + std::countr_zero(ends);
