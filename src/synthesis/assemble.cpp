@@ -350,7 +350,7 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     shaders.shade_vertex = has_flat_shading(scene) ? "#version 330 core\n#define FLAT_SHADING\n" +
                                                          read_shader("fullscreen.vert")
                                                    : shaders.vertex;
-    shaders.files.push_back("fullscreen.vert");
+    shaders.files.emplace_back("fullscreen.vert");
     shaders.march_takes_gradient = is_long(scene.surface.field->gradient);
     shaders.samples = samples_of(scene.isolation.method, shaders.march_takes_gradient);
     if (scene.isolation.method == scene::Method::chebyshev) {

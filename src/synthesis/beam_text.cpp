@@ -45,7 +45,7 @@ std::string beam_text(const scene::Scene& scene, const BeamShader& beam, const B
     if (has_lists(shaders)) {
         text.define("LISTS", 1);
         text.generated("of a sum, by the lists of one level", "#define LEFT_OUT 6.25e-7\n");
-        FieldStorage written = shaders;
+        FieldStorage written = static_cast<const FieldStorage&>(shaders); // without the rest of it
         written.arrays[0].kind = ArrayStorage::Kind::storage_buffer;
         add_bounds_of_sum(text, field, written);
     } else {

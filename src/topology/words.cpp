@@ -62,7 +62,7 @@ std::string frame_text(formula::Interval frames) {
 
 std::vector<std::string> gaps(const Timeline& timeline, animation::FrameRate fps) {
     std::vector<std::string> reasons = timeline.doubts;
-    if (!timeline.is_proved) reasons.push_back("it is not proved that no event is missing");
+    if (!timeline.is_proved) reasons.emplace_back("it is not proved that no event is missing");
     if (const auto n = count(timeline.events, [](const Event& e) { return !e.is_proved; })) {
         reasons.push_back(fmt::format("{} event{} not proved", n, n == 1 ? " is" : "s are"));
     }
