@@ -1,13 +1,14 @@
 #include "accuracy/report.h"
 
-#include <cstdio>
 #include <fstream>
+#include <span>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "image/base64.h"
+#include "image/child_process.h"
 #include "image/encode.h"
 #include "image/file.h"
 
@@ -90,11 +91,11 @@ void plot(const Report& report, const fs::path& folder) {
                           "set output '{1}.svg'\nplot {0}\n"
                           "set terminal pngcairo size 760,460\nset output '{1}.png'\nreplot\n",
                           curves, in_quotes((folder / "accuracy").string()));
-    FILE* pipe = popen("gnuplot", "w");
-    if (pipe) std::fputs(script.c_str(), pipe);
-    const int status = pipe ? pclose(pipe) : -1;
-    if (status != 0 || !fs::exists(folder / "accuracy.svg") ||
-        !fs::exists(folder / "accuracy.png")) {
+    const auto gnuplot = image::find_program("gnuplot");
+    if (!gnuplot) throw PlotError("gnuplot could not plot the report; install it: gnuplot-nox");
+    image::ChildProcess plotting(*gnuplot, {});
+    const bool plotted = plotting.feed(std::as_bytes(std::span(script))) && plotting.finish();
+    if (!plotted || !fs::exists(folder / "accuracy.svg") || !fs::exists(folder / "accuracy.png")) {
         throw PlotError("gnuplot could not plot the report; install it: gnuplot-nox");
     }
 }
