@@ -84,7 +84,8 @@ Picture expose(Renderer& renderer, const scene::Scene& scene, int frame) {
     for_each_picture(scene, frame, [&](const scene::SceneAt& now, const scene::Aim& aim) {
         const bool is_first = exposure.count() + renderer.in_flight() == 0;
         renderer.start(now, aim, motion && is_first ? &*motion : nullptr);
-        if (renderer.in_flight() == renderer.most_in_flight()) exposure.add(renderer.take());
+        // Taking one may find that others of the scene cannot overlap.
+        while (renderer.in_flight() >= renderer.most_in_flight()) exposure.add(renderer.take());
     });
     while (renderer.in_flight() > 0) exposure.add(renderer.take());
     return std::move(exposure).mean();

@@ -428,7 +428,7 @@ struct Renderer::Parts {
             fmt::format("{} pictures that were asked for are not taken yet", flights.size()));
     }
 
-    template<class Action> void land_all_on_failure(const Action& action) {
+    template<class Action> void none_left_on_failure(const Action& action) {
         try {
             action();
         } catch (...) {
@@ -611,7 +611,7 @@ void Renderer::start(const scene::SceneAt& now, const scene::Aim& aim, const Mot
     if (in_flight() >= most_in_flight()) p.expect_in_flight(most_in_flight() - 1);
     const auto begin = std::chrono::steady_clock::now();
     p.context.make_current();
-    p.land_all_on_failure([&] {
+    p.none_left_on_failure([&] {
         if (p.overlaps() && !motion) {
             p.launch(now, aim);
         } else {
@@ -627,7 +627,7 @@ Picture Renderer::take() {
     const auto begin = std::chrono::steady_clock::now();
     p.context.make_current();
     Picture picture;
-    p.land_all_on_failure([&] { picture = p.land(); });
+    p.none_left_on_failure([&] { picture = p.land(); });
     picture.drawing += std::chrono::steady_clock::now() - begin;
     return picture;
 }

@@ -75,6 +75,20 @@ TEST_P(InFlight, WhatOneDrawIsTooFewForIsDrawnInPasses) {
     expect_same(second, waits.draw(at(scene, 2)));
 }
 
+// That is found out in the middle of a frame, with the next of its pictures on the way.
+TEST_P(InFlight, AFrameOfManyPicturesMayTurnOutToTakePasses) {
+    scene::Scene scene = scene_of("torus");
+    scene.output.samples = 5;
+    Renderer overlaps = renderer_of(scene, MarchPlan{61, 43, 2});
+    ASSERT_EQ(overlaps.most_in_flight(), 2);
+    const Picture frame = expose(overlaps, scene, 1);
+    EXPECT_EQ(overlaps.most_in_flight(), 1);
+    EXPECT_EQ(overlaps.in_flight(), 0);
+    Renderer passes = renderer_of(scene, MarchPlan{61, 43, 1});
+    ASSERT_EQ(passes.most_in_flight(), 1);
+    expect_same(frame, expose(passes, scene, 1));
+}
+
 TEST_P(InFlight, PicturesOfSeveralTilesAreNotAskedForAhead) {
     scene::Scene scene = scene_of("torus");
     scene.output.width = scene.output.height = 128;
