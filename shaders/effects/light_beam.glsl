@@ -7,6 +7,7 @@
 uniform sampler2D light_beam_texture;
 #ifdef LISTS
 uniform sampler2D light_lists_texture;
+uniform sampler2D light_all_texture;
 #endif
 // Of each light: across its picture and up, in pixels from the middle; w of the first, half of the
 // pixels, and of the second, how far from the place that has none of these the pictures are right.
@@ -16,9 +17,9 @@ uniform vec4 light_views[4 * LIGHTS];
 // As it is, to a light: through all elements.
 void come_to_light() {
 #ifdef LISTS
-    float all = float(array_counts[0].x);
-    beam_lists = vec4(all, 0.0, all, 0.0);
-    enter_list(beam_lists.zw);
+    vec2 all = vec2(float(array_counts[0].x), 0.0);
+    beam_lists = BeamLists(all, all, all, 0.0, 0.0);
+    enter_list(all);
 #endif
 }
 
@@ -37,13 +38,14 @@ void come_from_light(inout Ray ray, int k) {
     ivec2 texel = beam_texel(pixel / BLOCK, SQUARE_BITS);
     vec4 part = texelFetch(light_beam_texture, texel, 0);
     float here = dot(depth.xyz, place);
-    vec3 t = (part.xyz - here) * depth.w + vec3(-origin.w, origin.w, -origin.w);
+    vec4 t = (part - here) * depth.w + vec4(-origin.w, origin.w, -origin.w, -origin.w);
     ray = Ray(ray.anchor, -ray.direction, -ray.t_far, -ray.t_near, 0.0);
     ray.t_near = max(ray.t_near, t.x);
     ray.t_far = part.x < part.y ? min(ray.t_far, t.y) : ray.t_near - 1.0;
 #ifdef LISTS
-    beam_lists = texelFetch(light_lists_texture, texel, 0);
-    front_end = t.z;
-    enter_list(beam_lists.zw);
+    vec4 lists = texelFetch(light_lists_texture, texel, 0);
+    vec2 all = texelFetch(light_all_texture, texel, 0).xy;
+    beam_lists = BeamLists(lists.xy, lists.zw, all, t.z, t.w);
+    enter_list(all);
 #endif
 }

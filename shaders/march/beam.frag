@@ -1,13 +1,14 @@
 // Which part of their way the rays of a block of BLOCK x BLOCK pixels need to march: one fragment a
 // block walks along the block's beam by interval arithmetic, from its near end and, but for the
-// smallest blocks with lists, from its far one. A piece of the beam
-// whose box is proved free of roots is passed, and the next is twice as long; another is halved,
-// until it is short against the block. What was passed holds no root of any of the block's rays,
-// rounding included.
+// smallest blocks with lists, from its far one. A piece of the beam whose box is proved free of
+// roots is passed, and the next is twice as long; another is halved, until it is short against the
+// block. What was passed holds no root of any of the block's rays, rounding included.
 
-layout(location = 0) out vec4 part; // of tau, empty without roots; where its front ends
+layout(location = 0) out vec4 part; // of tau, empty without roots; where front and middle end
 #ifdef LISTS
-layout(location = 1) out vec4 lists; // of the front and of all: elements, the first
+// Elements and the first, of each list: of the front and of the middle; of all.
+layout(location = 1) out vec4 lists;
+layout(location = 2) out vec4 list_of_all;
 #endif
 
 uniform int beam_evaluations;
@@ -15,25 +16,36 @@ uniform int beam_evaluations;
 void main() {
     ivec2 block = beam_block(ivec2(pixel_centre), SQUARE_BITS);
     Beam way = beam_of(block);
-    vec4 whole = parent_part(block);
-    float low = whole.x, high = whole.y;
-    float longest = whole.z, piece = longest;
+    Part whole = parent_part(block);
+    float low = whole.low, high = whole.high;
+    float longest = whole.first, piece = longest;
     bool backwards = false, open = low < high;
-    float front_end = mix(low, high, FRONT);
     int evaluations = beam_evaluations;
 #ifdef LISTS
+    enter_list(whole.all);
     evaluations = min(evaluations, MOST_TERMS / max(array0_count, 1)); // as in beam_list.glsl
-    vec2 all = vec2(float(array0_count), float(array0_first)), front = all;
+    vec2 front = whole.front, middle = whole.front, all = whole.all;
+    float front_end = whole.front_end, middle_end = whole.front_end;
     // Few elements matter in the front, where most rays end; the walk there is the cheaper, too.
-    if (FRONT < 1.0 && open) front = list_of(block, way, low, front_end);
+    if (LIST_OF_ALL == 0 && open) {
+        front_end = mix(low, high, FRONT);
+        enter_list(front_end <= middle_end ? middle : all);
+        front = lists_of(block, way, low, front_end).all;
+    }
 #endif
     for (int k = 0; k < evaluations; ++k) {
-        bool in_front = low < front_end;
+        float end = high;
 #ifdef LISTS
-        if (FRONT < 1.0) enter_list(in_front ? front : all);
+        if (low < middle_end) end = middle_end;
+        enter_list(low < middle_end ? middle : all);
+        if (low < front_end) {
+            end = front_end;
+            enter_list(front);
+        }
+        if (backwards) enter_list(all);
 #endif
         float a = backwards ? max(high - piece, low) : low;
-        float b = backwards ? high : min(low + piece, in_front ? front_end : high);
+        float b = backwards ? high : min(low + piece, min(end, high));
         vec2 x, y, z;
         bool inside = box_of(way, a, b, x, y, z);
         vec2 f = field_interval(x, y, z);
@@ -57,9 +69,18 @@ void main() {
         }
         if (!open) break;
     }
-    part = vec4(low, open ? high : low, front_end, 0.0);
 #ifdef LISTS
-    if (FRONT == 1.0 && open) front = all = list_of(block, way, low, high);
-    lists = vec4(front, all);
+    if (LIST_OF_ALL == 1 && open) {
+        enter_list(all);
+        Lists made = lists_of(block, way, low, high);
+        all = made.all;
+        front = middle = made.front;
+        front_end = middle_end = made.front_end;
+    }
+    part = vec4(low, open ? high : low, front_end, middle_end);
+    lists = vec4(front, middle);
+    list_of_all = vec4(all, 0.0, 0.0);
+#else
+    part = vec4(low, open ? high : low, low, low);
 #endif
 }

@@ -3,44 +3,76 @@
 // and all together, stay below LEFT_OUT of that: float32 loses as much when it adds up some ten
 // terms.
 
-vec2 list_of(ivec2 block, Beam way, float low, float high) {
-    int first = list.x + (block.y * list.z + block.x) * list.y;
+// Elements and the first, of all of a way and of its front, which ends at a depth.
+struct Lists {
+    vec2 all, front;
+    float front_end;
+};
+
+// What does not fit goes on with the list it came from.
+vec2 list_from(int first, int kept) {
+    return kept <= list.y ? vec2(float(kept), float(first))
+                          : vec2(float(array0_count), float(array0_first));
+}
+
+void keep(int e, int first, int kept) {
+    if (kept >= list.y) return;
+    for (int t = 0; t < TEXELS; ++t) listed[(first + kept) * TEXELS + t] = array0_texel(e, t);
+}
+
+Lists lists_of(ivec2 block, Beam way, float low, float high) {
+    int first = list.x + (block.y * list.z + block.x) * LISTS_OF_A_BLOCK * list.y;
+    int first_of_front = first + list.y;
     // Loops must end before drivers end them, silently.
     int pieces = clamp(MOST_TERMS / max(array0_count, 1), 1, PIECES);
-    float left = IM_SATURATION;
+    int front_pieces = min(FRONT_PIECES, pieces);
+    float part = 1.0 / float(pieces);
+    float left = IM_SATURATION, left_in_front = IM_SATURATION;
     for (int k = 0; k < pieces; ++k) {
         vec2 x, y, z, rest, factor;
-        float a = mix(low, high, float(k) / float(pieces));
-        float b = mix(low, high, float(k + 1) / float(pieces));
+        float a = mix(low, high, float(k) * part), b = mix(low, high, float(k + 1) * part);
         if (!box_of(way, a, b, x, y, z)) continue;
         rest_and_factor_interval(x, y, z, rest, factor);
         float least = im_abs(rest).x, most = im_abs(factor).y;
         left = most < IM_SATURATION ? min(left, LEFT_OUT * least / max(most, 1.0e-30)) : 0.0;
+        if (k < front_pieces) left_in_front = left;
     }
-    int kept = 0;
+    // Boxes around equal pieces lie evenly between the first and the last; each element meets them
+    // all, and they take more than its bound when they are made anew for it.
+    vec2 first_x, first_y, first_z, last_x, last_y, last_z;
+    box_around(way, low, mix(low, high, part), first_x, first_y, first_z);
+    box_around(way, mix(low, high, 1.0 - part), high, last_x, last_y, last_z);
+    vec2 rounding = vec2(-beam.w, beam.w);
+    float per_piece = 1.0 / max(float(pieces - 1), 1.0);
+    int kept = 0, kept_in_front = 0;
     for (int e = 0; e < array0_count; ++e) {
-        float largest = 0.0;
+        float largest = 0.0, in_front = 0.0;
         for (int k = 0; k < pieces; ++k) {
-            vec2 x, y, z;
-            float a = mix(low, high, float(k) / float(pieces));
-            float b = mix(low, high, float(k + 1) / float(pieces));
-            if (box_of(way, a, b, x, y, z)) {
-                largest = max(largest, im_abs(term_interval(e, x, y, z)).y);
-            }
-            if (!(largest <= 0.125 * left)) break; // it stays
+            float along = float(k) * per_piece;
+            vec2 x = mix(first_x, last_x, along) + rounding;
+            vec2 y = mix(first_y, last_y, along) + rounding;
+            vec2 z = mix(first_z, last_z, along) + rounding;
+            largest = max(largest, im_abs(term_interval(e, x, y, z)).y);
+            if (k < front_pieces) in_front = largest;
+            // It stays.
+            if (k + 1 >= front_pieces && !(largest <= 0.125 * left)) break;
         }
         if (largest <= 0.125 * left) {
             left -= largest;
-            continue;
+        } else {
+            keep(e, first, kept);
+            kept += 1;
         }
-        if (kept < list.y) {
-            for (int t = 0; t < TEXELS; ++t) {
-                array0[(first + kept) * TEXELS + t] = array0_texel(e, t);
-            }
+        if (LISTS_OF_A_BLOCK == 1) continue;
+        if (in_front <= 0.125 * left_in_front) {
+            left_in_front -= in_front;
+        } else {
+            keep(e, first_of_front, kept_in_front);
+            kept_in_front += 1;
         }
-        kept += 1;
     }
-    // What does not fit goes on with the list it came from.
-    return kept <= list.y ? vec2(float(kept), float(first))
-                          : vec2(float(array0_count), float(array0_first));
+    vec2 all = list_from(first, kept);
+    float front_end = mix(low, high, float(front_pieces) * part);
+    return LISTS_OF_A_BLOCK == 1 ? Lists(all, all, high)
+                                 : Lists(all, list_from(first_of_front, kept_in_front), front_end);
 }

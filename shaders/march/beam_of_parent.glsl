@@ -2,13 +2,17 @@
 uniform sampler2D beam_texture;
 #ifdef LISTS
 uniform sampler2D beam_lists_texture;
+uniform sampler2D beam_all_texture;
 #endif
 
-// The part of tau, and the first piece to try.
-vec4 parent_part(ivec2 block) {
+Part parent_part(ivec2 block) {
     ivec2 at = beam_texel(block * BLOCK / PARENT_BLOCK, PARENT_SQUARE_BITS);
+    vec4 part = texelFetch(beam_texture, at, 0);
 #ifdef LISTS
-    enter_list(texelFetch(beam_lists_texture, at, 0).zw);
+    vec2 front = texelFetch(beam_lists_texture, at, 0).xy;
+    vec2 all = texelFetch(beam_all_texture, at, 0).xy;
+    return Part(part.x, part.y, 2.0 * beam.z, part.z, front, all);
+#else
+    return Part(part.x, part.y, 2.0 * beam.z);
 #endif
-    return vec4(texelFetch(beam_texture, at, 0).xy, 2.0 * beam.z, 0.0);
 }

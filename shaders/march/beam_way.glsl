@@ -16,6 +16,17 @@ struct Beam {
     vec3 low, high; // of `across`
 };
 
+// What a beam is told of its way.
+struct Part {
+    float low, high; // tau
+    float first;     // the piece to try first
+#ifdef LISTS
+    // The elements to go through up to front_end, and everywhere.
+    float front_end;
+    vec2 front, all;
+#endif
+};
+
 // What is added to the middles of a block's outer pixels, in pixels: rays may be anywhere in blocks
 // of a light's picture.
 uniform float around_middles;
@@ -30,8 +41,8 @@ Beam beam_of(ivec2 block) {
     return Beam(across - reach, across + reach);
 }
 
-// A box around the beam from depth a to b. False if it is outside of the bounds.
-bool box_of(Beam way, float a, float b, out vec2 x, out vec2 y, out vec2 z) {
+// A box around the beam from depth a to b.
+void box_around(Beam way, float a, float b, out vec2 x, out vec2 y, out vec2 z) {
     float near = max(1.0 + ray_axis.w * a, 0.0), far = max(1.0 + ray_axis.w * b, 0.0);
     vec2 rounding = vec2(-beam.w, beam.w);
     x = ray_origin.x + hull(a * ray_axis.x, b * ray_axis.x) +
@@ -40,6 +51,11 @@ bool box_of(Beam way, float a, float b, out vec2 x, out vec2 y, out vec2 z) {
         scaled(near, far, vec2(way.low.y, way.high.y)) + rounding;
     z = ray_origin.z + hull(a * ray_axis.z, b * ray_axis.z) +
         scaled(near, far, vec2(way.low.z, way.high.z)) + rounding;
+}
+
+// Its part in the bounds. False if it is outside of them.
+bool box_of(Beam way, float a, float b, out vec2 x, out vec2 y, out vec2 z) {
+    box_around(way, a, b, x, y, z);
     bool meets = meets_bounds(x, y, z);
     vec3 least = bounds_low(), most = bounds_high();
     if (meets) {

@@ -1,6 +1,11 @@
 // The first beams: their part is all of the bounds.
 
-// The part of tau, and the first piece to try.
-vec4 parent_part(ivec2 block) {
-    return vec4(beam.xy, 0.125 * (beam.y - beam.x), 0.0);
+Part parent_part(ivec2 block) {
+    float first = 0.125 * (beam.y - beam.x);
+#ifdef LISTS
+    vec2 all = vec2(float(array0_count), float(array0_first));
+    return Part(beam.x, beam.y, first, beam.y, all, all);
+#else
+    return Part(beam.x, beam.y, first);
+#endif
 }

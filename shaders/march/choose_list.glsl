@@ -1,8 +1,13 @@
-// Of the elements that matter in a ray's beam: those in its front, and in all of it.
-vec4 beam_lists;
-float front_end;
+// Of the elements that matter in a ray's beam: those in its front, on to the end of its middle, and
+// in all of it; with where front and middle end.
+struct BeamLists {
+    vec2 front, middle, all;
+    float front_end, middle_end;
+};
+BeamLists beam_lists;
 
 // The list for samples at t, or for all up to there.
 void choose_list(float t) {
-    enter_list(t <= front_end ? beam_lists.xy : beam_lists.zw);
+    vec2 list = t <= beam_lists.middle_end ? beam_lists.middle : beam_lists.all;
+    enter_list(t <= beam_lists.front_end ? beam_lists.front : list);
 }

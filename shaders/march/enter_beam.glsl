@@ -2,6 +2,7 @@
 uniform sampler2D beam_texture;
 #ifdef LISTS
 uniform sampler2D beam_lists_texture;
+uniform sampler2D beam_all_texture;
 #endif
 
 void enter_beam(inout Ray ray) {
@@ -10,8 +11,10 @@ void enter_beam(inout Ray ray) {
     ray.t_near = max(ray.t_near, part.x * ray.to_eye);
     ray.t_far = part.x < part.y ? min(ray.t_far, part.y * ray.to_eye) : ray.t_near - 1.0;
 #ifdef LISTS
-    beam_lists = texelFetch(beam_lists_texture, at, 0);
-    front_end = part.z * ray.to_eye;
-    enter_list(beam_lists.zw);
+    vec4 lists = texelFetch(beam_lists_texture, at, 0);
+    vec2 all = texelFetch(beam_all_texture, at, 0).xy;
+    vec2 ends = part.zw * ray.to_eye;
+    beam_lists = BeamLists(lists.xy, lists.zw, all, ends.x, ends.y);
+    enter_list(all);
 #endif
 }

@@ -31,7 +31,8 @@ double part_of_lists(const synthesis::Shaders& shaders, const MarchPlan& plan, i
     const auto& array = shaders.arrays[0];
     double wanted = 0;
     for (const auto& level : shaders.beams) {
-        wanted += double(blocks_in(plan, level.block)) * longest_list(level, array.capacity);
+        wanted += double(blocks_in(plan, level.block)) * lists_of_a_block(level) *
+                  longest_list(level, array.capacity);
     }
     const int elements = texels / array.texels; // whole ones
     return std::clamp((elements - first) / wanted, 0.0, 1.0);
@@ -84,10 +85,10 @@ void BeamPass::add_level(std::shared_ptr<const gpu::Program> program,
     levels_.push_back(
         {std::move(program),
          gpu::Target(texels_of(plan.tile_width, side), texels_of(plan.tile_height, side),
-                     synthesis::has_lists(shaders) ? 2 : 1),
+                     synthesis::has_lists(shaders) ? 3 : 1),
          block, level.square_bits, evaluations,
          glm::ivec3(first_ + listed_, length, blocks_in(plan.tile_width, block))});
-    listed_ += blocks_in(plan, block) * length;
+    listed_ += blocks_in(plan, block) * lists_of_a_block(level) * length;
 }
 
 void BeamPass::for_each_program(const std::function<void(const gpu::Program&)>& visit) const {

@@ -22,7 +22,7 @@ namespace isomotion::render {
 class BeamPass {
 public:
     // Of shaders that have beams, for tiles as planned. `texels`: the most a texture buffer may
-    // have. The parts of the rays that are left go to texture `unit`, their lists to the next.
+    // have. The parts of the rays that are left go to texture `unit`, their lists to the next two.
     BeamPass(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
              int texels, int unit);
     // With the programs of other beams, for pictures of another size; lists behind theirs.
@@ -41,6 +41,7 @@ public:
     // Binds the last level's results elsewhere.
     void bind(int unit) const { levels_.back().bind_results(unit); }
 
+    static constexpr int units = 3; // of textures
     // Pixels that the squares of every level are whole multiples of.
     static constexpr int square = 256;
 

@@ -74,6 +74,7 @@ void LightBeams::draw(const scene::Scene& scene, const scene::SceneAt& now, unsi
 void LightBeams::connect(const gpu::Program& program, int unit) const {
     program.bind_sampler("light_beam_texture", unit);
     program.bind_sampler("light_lists_texture", unit + 1);
+    program.bind_sampler("light_all_texture", unit + 2);
 }
 
 void LightBeams::set_views(const gpu::Program& program) const {

@@ -83,7 +83,7 @@ struct Renderer::Parts {
             moved = Moved{gpu::Program(shaders.vertex, shaders.motion, "motion"),
                           gpu::Target(plan.tile_width, plan.tile_height)};
         }
-        if (!shaders.proof.empty()) proofs.emplace(shaders, scene, plan, beam_unit() + 2);
+        if (!shaders.proof.empty()) proofs.emplace(shaders, scene, plan, beam_unit() + BeamPass::units);
         for_each_program([&](const gpu::Program& program) { connect(program); });
     }
 
@@ -144,6 +144,7 @@ struct Renderer::Parts {
         program.bind_sampler("state_texture_2", unit_state_2);
         program.bind_sampler("beam_texture", beam_unit());
         program.bind_sampler("beam_lists_texture", beam_unit() + 1);
+        program.bind_sampler("beam_all_texture", beam_unit() + 2);
         if (light_beams) light_beams->connect(program, light_unit());
         for (std::size_t a = 0; a < shaders.arrays.size(); ++a) {
             const auto& storage = shaders.arrays[a];
@@ -246,7 +247,7 @@ struct Renderer::Parts {
     int beam_unit() const {
         return unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units + 1;
     }
-    int light_unit() const { return beam_unit() + 2 + Proofs::units; }
+    int light_unit() const { return beam_unit() + BeamPass::units + Proofs::units; }
 
     static void add(const Tally& tally, Picture& picture) {
         for (std::size_t k = 0; k < 5; ++k) picture.verdicts[k] += tally.verdicts[k];

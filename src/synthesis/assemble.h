@@ -16,16 +16,23 @@
 namespace isomotion::synthesis {
 
 // Which of an array's elements a level of beams tells apart: those that matter in all of a beam's
-// part, or in its front, beyond which the list of the level before it holds.
+// part and those in its front, or only the latter; beyond it the lists of the level before hold.
 enum class BeamLists { none, whole, front };
 
 // Finds which part of their way the rays of each block of pixels need to march.
 struct BeamShader {
     int block = 0; // pixels across
     BeamLists lists = BeamLists::none;
+    double front = 1;    // a part of the way
     int square_bits = 0; // of its blocks, squares of 2^bits are kept apart: march/beam_place.glsl
     std::string text{};
 };
+
+// That are made of one beam.
+inline int lists_of_a_block(const BeamShader& level) {
+    if (level.lists == BeamLists::none) return 0;
+    return level.lists == BeamLists::whole && level.front < 1 ? 2 : 1;
+}
 
 struct Shaders : FieldStorage {
     std::string vertex;

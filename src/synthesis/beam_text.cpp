@@ -1,5 +1,7 @@
 #include "synthesis/beam_text.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "formula/glsl_interval.h"
@@ -13,6 +15,9 @@ namespace {
 // Lanes of blocks with lists of other lengths go through the longest of each, so that the driver's
 // limit is spent up to six times over: llvmpipe ends all loops of a shader after 65535 turns.
 constexpr int most_terms = 10'000;
+
+// That a beam's way is bounded in, to make its lists.
+int pieces_of(const BeamShader& beam) { return beam.lists == BeamLists::whole ? 10 : 6; }
 
 void define_blocks(ShaderText& text, const BeamShader& beam) {
     text.define("BLOCK", beam.block);
@@ -45,33 +50,38 @@ std::string beam_text(const scene::Scene& scene, const BeamShader& beam, const B
     if (has_lists(shaders)) {
         text.define("LISTS", 1);
         text.generated("of a sum, by the lists of one level", "#define LEFT_OUT 6.25e-7\n");
-        FieldStorage written = static_cast<const FieldStorage&>(shaders); // without the rest of it
-        written.arrays[0].kind = ArrayStorage::Kind::storage_buffer;
-        add_bounds_of_sum(text, field, written);
+        add_bounds_of_sum(text, field, shaders);
     } else {
         add_field(text, field, shaders, {FieldFunction::value_interval});
     }
-    const bool has_front = beam.lists == BeamLists::front;
-    text.generated("the front, as a part of all",
-                   fmt::format("#define FRONT {}\n", has_front ? "0.12" : "1.0"));
     if (makes_lists) {
+        const bool whole = beam.lists == BeamLists::whole;
+        text.generated("the front, as a part of all",
+                       fmt::format("#define FRONT {:#.3}\n", beam.front));
+        text.define("LIST_OF_ALL", int(whole));
+        text.define("LISTS_OF_A_BLOCK", lists_of_a_block(beam));
         text.define("TEXELS", shaders.arrays[0].texels);
-        text.define("PIECES", 6);
+        const int pieces = pieces_of(beam);
+        text.define("PIECES", pieces);
+        text.define("FRONT_PIECES", whole ? int(std::lround(beam.front * pieces)) : pieces);
         text.define("MOST_TERMS", most_terms);
+        // Read as a texture: software renderers go through the lanes one by one to read a storage
+        // buffer.
         text.generated("generated: where this level's lists go",
-                       "uniform ivec3 list; // first element, most of a block, blocks across\n");
+                       "uniform ivec3 list; // first element, most of one, blocks across\n"
+                       "layout(std430, binding = 0) buffer lists_buffer { vec4 listed[]; };\n");
     }
     text.file("frame.glsl");
     text.generated("generated: least and most tau, the shortest piece; rounding, a length",
                    "uniform vec4 beam;\n");
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
+    text.file("march/beam_way.glsl");
     if (parent) {
         text.define("PARENT_BLOCK", parent->block);
         text.define("PARENT_SQUARE_BITS", parent->square_bits);
     }
     text.file(parent ? "march/beam_of_parent.glsl" : "march/beam_whole.glsl");
-    text.file("march/beam_way.glsl");
     if (makes_lists) text.file("march/beam_list.glsl");
     text.file("march/beam.frag");
     return text.take();
@@ -101,10 +111,10 @@ void add_beams(const scene::Scene& scene, Shaders& shaders, int finest) {
     // A picture of 512 pixels has 16 squares of the smaller blocks, 4 of the largest. Squares of
     // single pixels lie side by side.
     const int bits = finest == 1 ? 6 : 4;
-    shaders.beams =
-        has_lists(shaders)
-            ? std::vector<BeamShader>{{64, whole, 2}, {16, whole, 3}, {finest, front, bits}}
-            : std::vector<BeamShader>{{finest, none, bits}};
+    shaders.beams = {{finest, none, 1, bits}};
+    if (has_lists(shaders)) {
+        shaders.beams = {{64, whole, 0.3, 2}, {16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
+    }
     const BeamShader* parent = nullptr;
     for (BeamShader& beam : shaders.beams) {
         beam.text = beam_text(scene, beam, parent, shaders);

@@ -49,12 +49,6 @@ std::string declarations(const FieldStorage& storage) {
             text += fmt::format("uniform samplerBuffer {};\n", array.name);
             texel = fmt::format("texelFetch({}, {})", array.name, at);
             break;
-        case ArrayStorage::Kind::storage_buffer:
-            text += fmt::format("layout(std430, binding = {0}) buffer {1}_buffer {{ vec4 {1}[]; "
-                                "}};\n",
-                                a, array.name);
-            texel = fmt::format("{}[{}]", array.name, at);
-            break;
         }
         text += fmt::format("vec4 {}_texel(int element, int texel) {{ return {}; }}\n", array.name,
                             texel);

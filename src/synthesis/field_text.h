@@ -15,8 +15,8 @@ namespace isomotion::synthesis {
 // How an array's elements reach the shader, `texels` vec4s each.
 struct ArrayStorage {
     // Every OpenGL 3.3 has uniform blocks of 16 kB, and they are faster than texture buffers,
-    // which hold the longer ones. As a storage buffer those can be written too.
-    enum class Kind { uniform_block, texture_buffer, storage_buffer };
+    // which hold the longer ones.
+    enum class Kind { uniform_block, texture_buffer };
     static constexpr std::size_t uniform_block_bytes = 16384;
 
     Kind kind = Kind::uniform_block;
