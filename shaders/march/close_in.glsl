@@ -60,7 +60,7 @@ RayState isolated(RayState s, float low, float high, float guess) {
     return s;
 }
 
-// Newton's step where it stays between the ends, and every third time half of the interval.
+// Newton's step where it stays between the ends, and every fourth time half of the interval.
 RayState close_in(RayState s, float t, float f, float slope) {
     if (im_is_nan(f)) return finish(s, VERDICT_NAN);
     if ((f < 0.0) == (s.f_low.x < 0.0)) s.low = t;
@@ -70,6 +70,6 @@ RayState close_in(RayState s, float t, float f, float slope) {
     bool inside = newton >= s.low && newton <= s.high;
     bool close = inside && abs(newton - t) <= 4.0 * finest_at(t);
     bool narrow = s.high - s.low <= finest_at(t) || s.refinements >= 32;
-    s.f_low.y = inside && (close || s.refinements % 3 != 0) ? newton : 0.5 * (s.low + s.high);
+    s.f_low.y = inside && (close || (s.refinements & 3) != 0) ? newton : 0.5 * (s.low + s.high);
     return close || narrow ? found(s, s.f_low.y) : s;
 }

@@ -21,7 +21,7 @@ float inverse_cubic(vec2 f0, vec2 f1, float h) {
 
 RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float safety = refinement.x, finest = refinement.z,
-          longest = clamp(0.25 * (ray.t_far - ray.t_near), refinement.z, refinement.w);
+          longest = clamp(0.25 * (ray.t_far - ray.t_near), refinement.z, thresholds.x);
     s.evaluations += 1;
     if (s.phase == PHASE_GRADIENT) return take_slope(s, f);
     bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
@@ -36,8 +36,8 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float begins = beyond ? t : s.low, ends = refines && same_side ? s.other.x : t;
     vec2 first = beyond ? f : s.f_low, last = beyond ? s.other.yz : f;
     float part = inverse_cubic(first, last, ends - begins);
-    // Every third time halves the interval: kinks and noise in slopes cost little.
-    float between = begins + (s.refinements % 3 == 2 ? 0.5 : part) * (ends - begins);
+    // Now and then it halves the interval: kinks and noise in slopes cost little.
+    float between = begins + ((s.refinements & 3) == 2 ? 0.5 : part) * (ends - begins);
 
     // The cubic f0 + y (m0 + y (c2 + (y - h) c3)) from y = 0 to h.
     float f0 = s.f_low.x, m0 = s.f_low.y;
@@ -63,7 +63,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float least = upright * (f0 + y * (m0 + y * (c2 + (y - h) * c3)));
     float in_step = 4.0 * y * (h - y) * per_h * per_h;
     // How far rounding moves a sample; all that keeps a cubic off a double root where it is exact.
-    float rounding = 3.81469727e-6 * refinement.w;
+    float rounding = thresholds.y;
     bool clear = least > error * in_step * in_step + 0.25 * rounding * max(abs(m0), abs(f.y));
     float middle = upright * (0.5 * (f0 + f.x) + 0.125 * h * (m0 - f.y));
 
@@ -79,11 +79,14 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     bool closes_in = isolated || refines;
     bool moves = starts || free || refines && same_side;
 
-    float step = starts ? abs(t - newton) : h * (min(middle, abs(f.x)) > 4.0 * error ? 2.0 : 1.4);
+    float step = starts ? abs(t - newton) : h * (min(middle, abs(f.x)) > 8.0 * error ? 2.5 : 1.2);
     float forward = min(t + clamp(step, finest, longest), ray.t_far);
     float cut = s.low + clamp(y, 0.1 * h, 0.9 * h);
     float next = closes_in ? between : moves ? forward : cut;
-    bool close = refines && abs(t - newton) <= 4.0 * finest && newton >= begins && newton <= ends;
+    // Newton's step leaves as much as the slope changes on the way, told by that to the other end.
+    float change = 0.5 * (newton - t) * (last.y - first.y) / (f.y * (ends - begins));
+    bool small = abs(newton - t) <= 4.0 * finest || abs((newton - t) * change) <= 0.0625 * finest;
+    bool close = refines && small && newton >= begins && newton <= ends;
     bool narrow = refines && (ends - begins <= finest || s.refinements >= 32) ||
                   closes_in && !(between > begins && between < ends);
     bool left = !closes_in && moves && t >= ray.t_far;

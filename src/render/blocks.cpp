@@ -4,6 +4,8 @@
 #include <cstring>
 #include <span>
 
+#include "render/element_radius.h"
+
 namespace isomotion::render {
 namespace {
 
@@ -42,16 +44,22 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     block.bounds_max = wide(now.bounds.max + face);
     block.picture = glm::vec4(2.0 / width, 2.0 / height, 0, 0);
     block.thresholds = glm::dvec4(isolation.step, isolation.near, isolation.far, isolation.horizon);
+    const double eighth = 0.125 * now.bounds.radius;
     const double footprint = 2 * glm::length(rays.up) / height;
     if (isolation.method == scene::Method::hermite || scene::bounds_pieces(isolation.method)) {
-        // The finest step is where a root that F only touches is taken for one; the longest is what
-        // waves of F may not hide in when they end before and begin after it, and the first piece
-        // of methods that bound it. Bounds shrink with the piece: those need finer ones.
+        // The finest step is where a root that F only touches is taken for one. An eighth of the
+        // radius is the first piece of methods that bound F. Bounds shrink with the piece: those
+        // need finer ones.
         const double finest = scene::bounds_pieces(isolation.method) ? 0x1p-13 : 0x1p-10;
         const double spacing = 0x1p-21 * now.bounds.radius; // some roundings of t
-        block.refinement =
-            glm::dvec4(isolation.safety, isolation.limit, std::max(finest * footprint, spacing),
-                       0.125 * now.bounds.radius);
+        block.refinement = glm::dvec4(isolation.safety, isolation.limit,
+                                      std::max(finest * footprint, spacing), eighth);
+        // The longest step is what waves of F may not hide in when they end before and begin after
+        // it.
+        if (isolation.method == scene::Method::hermite) {
+            const double longest = std::min(eighth, least_element_radius(scene, now));
+            block.thresholds = glm::dvec4(longest, spacing, 0, 0);
+        }
     } else {
         block.refinement = glm::vec4(isolation.bisections, isolation.limit, 0, 0);
     }

@@ -1,0 +1,18 @@
+// How small the elements of a scene's array are, as what a ray must not step over.
+//
+// Between small blobs a sum of them stands still, and samples of it tell nothing of a blob that
+// lies between two. An element's own size does: bounds of F over ever smaller boxes lead to where
+// it matters most, and F around that place tells how far it does.
+#pragma once
+
+#include "scene/scene_at.h"
+
+namespace isomotion::render {
+
+// The least distance, of some elements evenly out of all, from where an element changes F most to
+// where F without the others comes to 0 on the way out; or to half of its change, where it is too
+// weak to take F to 0. Infinite if the scene has no array or several, or if all its elements reach
+// an eighth of the bounds' radius. Takes some 100 evaluations of F with one element for each.
+double least_element_radius(const scene::Scene& scene, const scene::SceneAt& now);
+
+} // namespace isomotion::render
