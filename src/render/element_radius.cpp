@@ -25,14 +25,9 @@ template<class T> class Alone {
 public:
     Alone(const formula::Program& program, const Bindings<float>& all)
         : all_(all)
-        , evaluator_(program) {
-        none_.parameters.assign(all.parameters.begin(), all.parameters.end());
-        none_.seed = all.seed;
-        none_.arrays.resize(1);
-        none_.arrays[0].fields.resize(all.arrays[0].fields.size());
-        one_ = none_;
-        one_.arrays[0].count = 1;
-    }
+        , evaluator_(program)
+        , none_(room_for(0, all))
+        , one_(room_for(1, all)) {}
 
     void choose(int element) {
         for (std::size_t f = 0; f < one_.arrays[0].fields.size(); ++f) {
@@ -45,6 +40,15 @@ public:
     T change(const std::array<T, 3>& at) { return value(one_, at) - value(none_, at); }
 
 private:
+    static Bindings<T> room_for(int elements, const Bindings<float>& all) {
+        Bindings<T> some;
+        some.parameters.assign(all.parameters.begin(), all.parameters.end());
+        some.seed = all.seed;
+        some.arrays.resize(1);
+        some.arrays[0].count = elements;
+        some.arrays[0].fields.resize(all.arrays[0].fields.size());
+        return some;
+    }
     T value(const Bindings<T>& bindings, const std::array<T, 3>& at) {
         T result{};
         evaluator_.point(bindings, at, std::span(&result, 1));
