@@ -18,10 +18,11 @@ int blocks_in(const MarchPlan& tile, int block) {
     return blocks_in(tile.tile_width, block) * blocks_in(tile.tile_height, block);
 }
 
-// Elements in one list of a level: what large blocks pass on, smaller ones go through.
+// Elements in one list of a level: what large blocks pass on, smaller ones go through. The first
+// level's blocks are few and hold many of thousands.
 int longest_list(const synthesis::BeamShader& level, int capacity) {
     if (level.lists == synthesis::BeamLists::none) return 0;
-    return std::min(16 * level.block, capacity);
+    return std::min((level.block >= 64 ? 64 : 16) * level.block, capacity);
 }
 
 // The part of the longest lists that a buffer of so many texels has room for behind `first`.

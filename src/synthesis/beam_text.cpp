@@ -15,6 +15,8 @@ namespace {
 // Lanes of blocks with lists of other lengths go through the longest of each, so that the driver's
 // limit is spent up to six times over: llvmpipe ends all loops of a shader after 65535 turns.
 constexpr int most_terms = 10'000;
+// The first beams all go through all elements.
+constexpr int most_terms_at_first = 20'000;
 
 // That a beam's way is bounded in, to make its lists.
 int pieces_of(const BeamShader& beam) { return beam.lists == BeamLists::whole ? 10 : 6; }
@@ -64,7 +66,7 @@ std::string beam_text(const scene::Scene& scene, const BeamShader& beam, const B
         const int pieces = pieces_of(beam);
         text.define("PIECES", pieces);
         text.define("FRONT_PIECES", whole ? int(std::lround(beam.front * pieces)) : pieces);
-        text.define("MOST_TERMS", most_terms);
+        text.define("MOST_TERMS", parent ? most_terms : most_terms_at_first);
         // Read as a texture: software renderers go through the lanes one by one to read a storage
         // buffer.
         text.generated("generated: where this level's lists go",
