@@ -18,11 +18,13 @@ int blocks_in(const MarchPlan& tile, int block) {
     return blocks_in(tile.tile_width, block) * blocks_in(tile.tile_height, block);
 }
 
-// Elements in one list of a level: what large blocks pass on, smaller ones go through. The first
-// level's blocks are few and hold many of thousands.
-int longest_list(const synthesis::BeamShader& level, int capacity) {
+// Elements in one list of a level: what large blocks pass on, smaller ones go through. Where there
+// are few blocks there is room for more.
+int longest_list(const synthesis::BeamShader& level, const MarchPlan& tile, int capacity) {
     if (level.lists == synthesis::BeamLists::none) return 0;
-    return std::min((level.block >= 64 ? 64 : 16) * level.block, capacity);
+    constexpr int room = 1 << 21; // of a level
+    const int lists = blocks_in(tile, level.block) * lists_of_a_block(level);
+    return std::min(std::max(16 * level.block, room / lists), capacity);
 }
 
 // The part of the longest lists that a buffer of so many texels has room for behind `first`.
@@ -33,7 +35,7 @@ double part_of_lists(const synthesis::Shaders& shaders, const MarchPlan& plan, i
     double wanted = 0;
     for (const auto& level : shaders.beams) {
         wanted += double(blocks_in(plan, level.block)) * lists_of_a_block(level) *
-                  longest_list(level, array.capacity);
+                  longest_list(level, plan, array.capacity);
     }
     const int elements = texels / array.texels; // whole ones
     return std::clamp((elements - first) / wanted, 0.0, 1.0);
@@ -82,7 +84,7 @@ void BeamPass::add_level(std::shared_ptr<const gpu::Program> program,
                          const MarchPlan& plan, int evaluations, double part) {
     const int elements = shaders.arrays.empty() ? 0 : shaders.arrays[0].capacity;
     const int block = level.block, side = block << level.square_bits;
-    const int length = int(part * longest_list(level, elements));
+    const int length = int(part * longest_list(level, plan, elements));
     levels_.push_back(
         {std::move(program),
          gpu::Target(texels_of(plan.tile_width, side), texels_of(plan.tile_height, side),
