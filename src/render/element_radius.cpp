@@ -15,8 +15,8 @@ using formula::Interval;
 
 constexpr int most_elements = 16;
 constexpr int halvings = 8; // of the bounds, around the place where an element matters most
-constexpr double narrowest = 0x1p-7; // of the bounds' radius: no longest step is shorter
-constexpr double widest = 0x1p-3;
+constexpr double narrowest = 0x1p-6; // of the bounds' radius: none is told to be smaller
+constexpr double widest = 0x1p-2;
 
 using Box = std::array<Interval, 3>;
 
