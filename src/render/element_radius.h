@@ -12,7 +12,8 @@ namespace isomotion::render {
 // The least distance, of some elements evenly out of all, from where an element changes F most to
 // where F without the others comes to 0 on the way out; or to half of its change, where it is too
 // weak to take F to 0. Infinite if the scene has no array or several, or if all its elements reach
-// a quarter of the bounds' radius; never less than a 64th of that. Takes some 100 evaluations of F with one element for each.
+// a quarter of the bounds' radius; never less than a 64th of that. Takes some hundred evaluations
+// of F with one element for each.
 double least_element_radius(const scene::Scene& scene, const scene::SceneAt& now);
 
 } // namespace isomotion::render

@@ -83,8 +83,9 @@ struct Renderer::Parts {
             moved = Moved{gpu::Program(shaders.vertex, shaders.motion, "motion"),
                           gpu::Target(plan.tile_width, plan.tile_height)};
         }
-        if (!shaders.proof.empty())
+        if (!shaders.proof.empty()) {
             proofs.emplace(shaders, scene, plan, beam_unit() + BeamPass::units);
+        }
         for_each_program([&](const gpu::Program& program) { connect(program); });
     }
 
