@@ -1,0 +1,108 @@
+// What --certify proves and what it takes: every surface of the catalogue by the method hermite,
+// with proofs and without, as Markdown.
+//
+//   proofs_bench [--only SURFACE,...] [--size N] [--repeat N] [--backend NAME]
+//
+// Proofs are held against certified truth, which is remembered from run to run.
+
+#include <algorithm>
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "accuracy/truth_cache.h"
+#include "machine.h"
+#include "methods/contest.h"
+#include "scene/data_folder.h"
+
+namespace isomotion::bench {
+namespace {
+
+using render::Proof;
+
+struct Arguments {
+    std::vector<std::string> only;
+    std::string backend = "auto";
+    int size = 512, repeat = 5;
+};
+
+// What proofs say of a picture, held against truth.
+accuracy::Errors held_against_truth(gpu::Context& context, const Certified& on,
+                                    const accuracy::Setting& setting) {
+    using synthesis::Channel;
+    const scene::Scene scene = accuracy::apply(setting, on.subject.scene);
+    render::Renderer renderer(
+        context, scene,
+        {on.width(),
+         on.height(),
+         {Channel::normal, Channel::position, Channel::verdict, Channel::proof},
+         {}});
+    return accuracy::compare(scene, on.frames[0], renderer.draw(on.frames[0]).frame, on.truths[0]);
+}
+
+void run(const Arguments& arguments) {
+    const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+    fmt::print("{}, {}, {} x {} pixels\n\n", machine(context->info()), today(), arguments.size,
+               arguments.size);
+    fmt::print(
+        "| surface | ms | ms with proofs | times | proved % | hidden % | sign % | budget % | "
+        "unbounded % | none % | contradicted |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+    int enough = 0, cheap = 0, both = 0, all = 0;
+    double logarithms = 0;
+    std::int64_t contradicted = 0;
+    const auto names = arguments.only.empty() ? scene::surface_names() : arguments.only;
+    for (const std::string& name : names) {
+        const Certified plain =
+            certified(surface(name), arguments.size, accuracy::truth_cache_folder());
+        Certified proved = plain;
+        proved.subject.scene.isolation.certify = true;
+        const scene::Isolation& own = plain.subject.scene.isolation;
+        const accuracy::Setting setting{scene::Method::hermite, own.step, 1, own.bisections,
+                                        own.safety};
+        const accuracy::Errors errors = held_against_truth(*context, proved, setting);
+        const std::vector<Timing> timings =
+            race(*context, std::array{Entrant{&plain, setting}, Entrant{&proved, setting}},
+                 arguments.repeat);
+        const double times = ratio(timings[1], timings[0]);
+        const double part = render::proved_part(errors.proofs);
+        const auto percent = [&](Proof proof) {
+            return 100 * double(errors.proofs[std::size_t(proof)]) / double(errors.pixels);
+        };
+        fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | "
+                   "{:.3f} | {} |\n",
+                   name, timings[0].ms, timings[1].ms, times, 100 * part, percent(Proof::hidden),
+                   percent(Proof::sign), percent(Proof::budget), percent(Proof::unbounded),
+                   percent(Proof::none), errors.contradicted);
+        std::fflush(stdout);
+        ++all;
+        enough += part >= 0.99;
+        cheap += times <= 3;
+        both += part >= 0.99 && times <= 3;
+        logarithms += std::log(times);
+        contradicted += errors.contradicted;
+    }
+    fmt::print("\n{} surfaces: 99 % are proved on {}, for at most three times the time on {}, both "
+               "on {}; {:.2f} times in the geometric mean; {} proofs contradicted\n",
+               all, enough, cheap, both, std::exp(logarithms / all), contradicted);
+}
+
+} // namespace
+} // namespace isomotion::bench
+
+int main(int argc, char** argv) {
+    isomotion::bench::Arguments arguments;
+    CLI::App app("what proofs take, and how much they prove");
+    app.add_option("--only", arguments.only, "surfaces a,b (default: all)")->delimiter(',');
+    app.add_option("--size", arguments.size, "pixels a side")->check(CLI::Range(8, 4096));
+    app.add_option("--repeat", arguments.repeat, "frames a median is taken of")
+        ->check(CLI::Range(1, 1000));
+    app.add_option("--backend", arguments.backend, "auto, egl or osmesa");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        isomotion::bench::run(arguments);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return 1;
+    }
+}
