@@ -1,38 +1,39 @@
 // One pass of the proofs of rays that were marched to their ends.
-uniform sampler2D proof_texture_0;
-uniform sampler2D proof_texture_1;
-uniform int start; // 0: go on; 1: begin; 2: begin anew where closer bounds may help
+uniform int start; // 0: go on; 1: begin
 
-layout(location = 0) out vec4 proof_0; // outcome, t of what is settled; the rest for the next pass
-layout(location = 1) out vec4 proof_1;
+layout(location = 0) out vec4 proof;
 
-ProofState load_proof() {
-    vec4 a = texelFetch(proof_texture_0, ivec2(pixel_centre), 0);
-    vec4 b = texelFetch(proof_texture_1, ivec2(pixel_centre), 0);
-    return ProofState(a.y, a.z, a.w, int(a.x), b.x != 0.0, int(b.y));
+vec4 kept(ProofState s) {
+    float first = s.outcome == PROOF_UNFINISHED ? -1.0 - float(2 * s.pieces + int(s.at_root))
+                                                : float(s.outcome);
+    return vec4(first, s.settled, s.value, s.piece);
+}
+
+ProofState proof_of(vec4 kept) {
+    int going_on = int(-kept.x) - 1;
+    return ProofState(kept.y, kept.z, kept.w, proof_outcome(kept), (going_on & 1) != 0,
+                      going_on >> 1);
 }
 
 void main() {
-    RayState ended = load_state();
-    bool hit = ended.verdict == VERDICT_HIT;
+    Ending ended = load_ending();
     Ray ray = pixel_ray();
     enter_beam(ray);
     bool empty = !(ray.t_near <= ray.t_far);
     ray.t_near -= tube.z;
     ray.t_far += tube.z;
-    ProofState s = load_proof();
-    if (start == 1 || start == 2 && (s.outcome == PROOF_SIGN || s.outcome == PROOF_HIDDEN)) {
-        s = begin_proof(ray, hit, ended.low);
-        if (empty) s.outcome = hit ? PROOF_SIGN : PROOF_MISS;
-        if (!hit && ended.verdict != VERDICT_MISS) s.outcome = PROOF_NONE;
+    ProofState s = proof_of(load_proof());
+    if (start == 1) {
+        s = begin_proof(ray, ended.hit, ended.t);
+        if (empty) s.outcome = ended.hit ? PROOF_SIGN : PROOF_MISS;
+        if (!ended.hit && !ended.miss) s.outcome = PROOF_NONE;
     }
     int turns = s.outcome == PROOF_UNFINISHED ? pieces_per_pass : 0;
     if (turns > 0) {
         do {
-            s = prove_piece(s, ray, hit);
+            s = prove_piece(s, ray, ended.hit);
             turns -= 1;
         } while (turns > 0 && s.outcome == PROOF_UNFINISHED);
     }
-    proof_0 = vec4(float(s.outcome), s.settled, s.value, s.piece);
-    proof_1 = vec4(float(s.at_root), float(s.pieces), 0.0, 0.0);
+    proof = kept(s);
 }

@@ -34,6 +34,12 @@ public:
 Gate::Gate(const Target& target)
     : target_(target)
     , depth_(Format::depth16, target.width(), target.height()) {
+    attach_to(target);
+}
+
+void Gate::serve(const Target& other) const { attach_to(other); }
+
+void Gate::attach_to(const Target& target) const {
     forget_errors();
     glBindFramebuffer(GL_FRAMEBUFFER, target.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
@@ -52,8 +58,16 @@ void Gate::set(const std::function<void()>& draw) const {
     draw();
 }
 
-void Gate::through(const std::function<void()>& draw) const {
-    target_.bind();
+void Gate::open(const std::function<void()>& draw) const {
+    set([&] {
+        const float closed = 0;
+        glClearBufferfv(GL_DEPTH, 0, &closed);
+        draw();
+    });
+}
+
+void Gate::through(const Target& into, const std::function<void()>& draw) const {
+    into.bind();
     const Testing open(GL_LESS, false);
     draw();
 }

@@ -13,12 +13,20 @@ public:
     /// Of a target that outlives it. Throws ResourceError if the driver cannot test depth there.
     explicit Gate(const Target& target);
 
+    /// Draws into another target, as large, can go through it too.
+    void serve(const Target& other) const;
+
     /// `draw` writes depth and no colour: 1 opens a pixel, 0 closes it.
     void set(const std::function<void()>& draw) const;
+    /// The same where pixels that `draw` discards stay closed.
+    void open(const std::function<void()>& draw) const;
     /// `draw`, whose depth is 0.5, as z = 0 gives it, is done where the gate is open.
-    void through(const std::function<void()>& draw) const;
+    void through(const std::function<void()>& draw) const { through(target_, draw); }
+    void through(const Target& into, const std::function<void()>& draw) const;
 
 private:
+    void attach_to(const Target& target) const;
+
     const Target& target_;
     Texture depth_;
 };

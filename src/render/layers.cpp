@@ -47,7 +47,8 @@ void Layers::for_each_attachment(
     const auto color = [&](std::size_t k) { return &frame.channels[k]; };
     visit(0, {color(0), color(1), color(2), color(3)});
     for (std::size_t a = 0; a < attachments_.size(); ++a) {
-        visit(2 + int(a), of(frame, attachments_[a]));
+        const auto layers = of(frame, attachments_[a]);
+        if (!layers.empty()) visit(2 + int(a), layers);
     }
 }
 

@@ -30,6 +30,11 @@ int plan_pieces(const synthesis::Shaders& shaders, const scene::Scene& scene, co
     return int(std::clamp(std::min(by_work, by_loops), 1.0, double(Proofs::most_pieces)));
 }
 
+int attachment_of(const synthesis::Shaders& shaders, synthesis::Channel channel) {
+    const auto& all = shaders.attachments;
+    return 2 + int(std::find(all.begin(), all.end(), channel) - all.begin());
+}
+
 } // namespace
 
 double proved_part(const ProofCounts& counts) {
@@ -52,27 +57,32 @@ std::string summary(const ProofCounts& counts) {
 
 Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
                int first_unit)
-    : natural_{gpu::Program(shaders.vertex, shaders.proof, "proof"),
+    : to_prove_(shaders.vertex, shaders.to_prove, "rays to prove")
+    , waiting_(shaders.vertex, shaders.waiting, "waiting proofs")
+    , keep_(shaders.vertex, shaders.keep, "proofs that went on")
+    , natural_{gpu::Program(shaders.vertex, shaders.proof, "proof"),
                plan_pieces(shaders, scene, plan, synthesis::ProofBounds::natural)}
     , sharp_{gpu::Program(shaders.vertex, shaders.sharp_proof, "sharp proof"),
              plan_pieces(shaders, scene, plan, synthesis::ProofBounds::by_gradient)}
-    , unfinished_(shaders.vertex, shaders.unfinished, "unfinished proofs")
-    , states_(plan.tile_width, plan.tile_height, units)
-    , from_(&states_.odd)
-    , to_(&states_.even)
-    , nowhere_(plan.tile_width, plan.tile_height)
+    , ending_(attachment_of(shaders, synthesis::Channel::ending))
+    , kept_(plan.tile_width, plan.tile_height)
+    , going_on_(plan.tile_width, plan.tile_height)
+    , gate_(going_on_)
     , frame_(sizeof(FrameBlock))
     , first_unit_(first_unit) {
-    for_each_program([&](const gpu::Program& program) {
-        program.bind_sampler("proof_texture_0", first_unit);
-        program.bind_sampler("proof_texture_1", first_unit + 1);
-    });
-    unfinished_.bind_sampler("proof_texture_0", first_unit);
+    gate_.serve(kept_);
+    for (const gpu::Program* program :
+         {&to_prove_, &waiting_, &keep_, &natural_.program, &sharp_.program}) {
+        program->bind_sampler("proof_texture", first_unit);
+        program->bind_sampler("record_texture", first_unit + 1);
+        program->bind_sampler("ending_texture", first_unit + 2);
+    }
 }
 
 void Proofs::for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
-    visit(natural_.program);
-    visit(sharp_.program);
+    for (const gpu::Program* program : {&to_prove_, &natural_.program, &sharp_.program}) {
+        visit(*program);
+    }
 }
 
 void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
@@ -102,34 +112,48 @@ void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int wi
     frame_.update(std::as_bytes(std::span(&block, 1)));
 }
 
-void Proofs::finish(const gpu::Rectangle& tile, const Pass& pass, Start start) {
-    const glm::ivec2 origin(tile.x, tile.y);
-    pass.program.set("tile_origin", origin);
-    pass.program.set("pieces_per_pass", pass.pieces);
-    for (bool active = true; active; start = Start::go_on) {
-        for (int k = 0; k < units; ++k) from_->texture(k).bind(first_unit_ + k);
-        pass.program.set("start", int(start));
-        to_->bind();
-        gpu::set_viewport({0, 0, tile.width, tile.height});
-        pass.program.use();
-        triangle_.draw();
+void Proofs::draw(const gpu::Program& program) {
+    program.set("tile_origin", glm::ivec2(tile_.x, tile_.y));
+    gpu::set_viewport({0, 0, tile_.width, tile_.height});
+    program.use();
+    triangle_.draw();
+}
 
-        to_->texture(0).bind(first_unit_);
-        nowhere_.bind();
-        unfinished_.use();
-        still_active_.begin();
-        triangle_.draw();
-        still_active_.end();
-        active = still_active_.any_passed();
-        std::swap(from_, to_);
+bool Proofs::open(const gpu::Program& program) {
+    passes_.begin();
+    gate_.open([&] { draw(program); });
+    passes_.end();
+    return passes_.any_passed();
+}
+
+void Proofs::finish(const Pass& pass, Start start) {
+    pass.program.set("pieces_per_pass", pass.pieces);
+    for (;; start = Start::go_on) {
+        kept_.texture(0).bind(first_unit_);
+        waiting_.set("start", int(start));
+        if (!open(start == Start::begin ? to_prove_ : waiting_)) return;
+        // What begins needs nothing of what is kept; what goes on can't be read and written at
+        // once.
+        const bool begins = start != Start::go_on;
+        pass.program.set("start", begins ? 1 : 0);
+        if (begins) going_on_.texture(0).bind(first_unit_);
+        gate_.through(begins ? kept_ : going_on_, [&] { draw(pass.program); });
+        if (begins) continue;
+        going_on_.texture(0).bind(first_unit_);
+        gate_.through(kept_, [&] { draw(keep_); });
     }
 }
 
-void Proofs::prove(const gpu::Rectangle& tile, unsigned binding, std::span<float> record) {
+void Proofs::prove(const gpu::Target& picture, const gpu::Rectangle& tile, unsigned binding,
+                   std::span<float> record) {
+    tile_ = tile;
     frame_.bind(binding);
-    finish(tile, natural_, Start::begin);
-    finish(tile, sharp_, Start::again);
-    from_->read(0, 0, 0, tile.width, tile.height, record);
+    picture.texture(1).bind(first_unit_ + 1);
+    picture.texture(ending_).bind(first_unit_ + 2);
+    kept_.clear(0, glm::vec4(float(Proof::miss), 0, 0, 0));
+    finish(natural_, Start::begin);
+    finish(sharp_, Start::again);
+    kept_.read(0, 0, 0, tile.width, tile.height, record);
 }
 
 } // namespace isomotion::render

@@ -17,13 +17,14 @@
 
 #include "gpu/buffer.h"
 #include "gpu/draw.h"
+#include "gpu/gate.h"
 #include "gpu/program.h"
 #include "gpu/query.h"
 #include "gpu/target.h"
 #include "render/march_plan.h"
-#include "render/secondary_rays.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
+#include "synthesis/assemble.h"
 
 namespace isomotion::render {
 
@@ -48,7 +49,7 @@ std::string summary(const ProofCounts& counts);
 
 class Proofs {
 public:
-    static constexpr int units = 2;
+    static constexpr int units = 3;
     // Pieces after which a ray's proof is given up.
     static constexpr int most_pieces = 128;
     // Takes texture units from `first_unit` on. Throws std::length_error if the formula sums too
@@ -62,10 +63,11 @@ public:
     void upload(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
                 const scene::Aim& aim);
 
-    // Proves the rays of a tile, whose states are bound where the march reads them. Four floats a
-    // pixel, rows from the bottom: Proof, the t down to which the ray is settled, and two more.
-    // `binding` is that of the block Frame, which is left changed.
-    void prove(const gpu::Rectangle& tile, unsigned binding, std::span<float> record);
+    // Proves the rays of a tile whose picture is drawn, record and endings among its attachments.
+    // Four floats a pixel, rows from the bottom: Proof, the t down to which the ray is settled, and
+    // two more. `binding` is that of the block Frame, which is left changed.
+    void prove(const gpu::Target& picture, const gpu::Rectangle& tile, unsigned binding,
+               std::span<float> record);
 
 private:
     enum class Start { go_on, begin, again };
@@ -73,18 +75,22 @@ private:
         gpu::Program program;
         int pieces; // at most
     };
+    // Opens the gate where `program` has it; whether it does anywhere.
+    bool open(const gpu::Program& program);
+    void draw(const gpu::Program& program);
     // Draws passes until all proofs are finished.
-    void finish(const gpu::Rectangle& tile, const Pass& pass, Start start);
+    void finish(const Pass& pass, Start start);
 
+    gpu::Program to_prove_, waiting_, keep_;
     Pass natural_, sharp_;
-    gpu::Program unfinished_;
-    RayTargets states_;
-    const gpu::Target *from_, *to_; // of states_
-    gpu::Target nowhere_;           // the query's draws go there
+    int ending_; // among the picture's attachments
+    gpu::Target kept_, going_on_;
+    gpu::Gate gate_; // of both
     gpu::UniformBuffer frame_;
-    gpu::SamplesQuery still_active_;
+    gpu::SamplesQuery passes_;
     gpu::Fullscreen triangle_;
     int first_unit_;
+    gpu::Rectangle tile_; // being proved
 };
 
 } // namespace isomotion::render

@@ -101,6 +101,10 @@ struct Renderer::Parts {
     std::vector<gpu::Format> formats() const {
         std::vector<gpu::Format> all(2 + shaders.attachments.size(), gpu::Format::rgba32f);
         all[1] = record.format();
+        for (std::size_t k = 0; k < shaders.attachments.size(); ++k) {
+            if (shaders.attachments[k] == synthesis::Channel::ending)
+                all[2 + k] = gpu::Format::r32f;
+        }
         return all;
     }
 
@@ -359,13 +363,11 @@ struct Renderer::Parts {
         }
     }
 
-    // Proves the rays of a tile; counts and, where wanted, keeps the outcomes.
-    void prove_tile(const gpu::Rectangle& tile, const gpu::Target& rays, Picture& picture) {
-        rays.texture(0).bind(unit_state_0);
-        rays.texture(1).bind(unit_state_1);
+    // Proves the rays of a tile that is drawn; counts and, where wanted, keeps the outcomes.
+    void prove_tile(const gpu::Rectangle& tile, Picture& picture) {
         const auto count = std::size_t(tile.width) * std::size_t(tile.height) * 4;
         std::vector<float> pixels(count);
-        proofs->prove(tile, binding_frame, pixels);
+        proofs->prove(result, tile, binding_frame, pixels);
         frame.bind(binding_frame);
         for (std::size_t k = 0; k < count; k += 4) ++picture.proofs[std::size_t(pixels[k])];
         if (layers.wants(synthesis::Channel::proof)) {
@@ -386,7 +388,7 @@ struct Renderer::Parts {
                                           std::min(plan.tile_height, options.height - y)};
                 const gpu::Target* rays = draw_tile(tile, now, picture);
                 fill_counts(tile, picture.frame);
-                if (proofs) prove_tile(tile, *rays, picture);
+                if (proofs) prove_tile(tile, picture);
                 if (moved && motion) draw_velocity(tile, *rays, now, *motion, picture.frame);
                 layers.for_each_attachment(picture.frame, [&](int k, const auto& channels) {
                     planes.read(result, k, tile, channels);
@@ -412,7 +414,7 @@ struct Renderer::Parts {
 
     // Of one tile, drawn at once: for others the program has to look between their draws.
     bool overlaps() const {
-        return options.overlap && one_draw && options.width <= plan.tile_width &&
+        return options.overlap && one_draw && !proofs && options.width <= plan.tile_width &&
                options.height <= plan.tile_height;
     }
 

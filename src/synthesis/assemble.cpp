@@ -228,6 +228,7 @@ constexpr ChannelShader channel_shaders[] = {
     {Channel::depth, "channels/depth.glsl", "write_depth", "DEPTH_LOCATION"},
     {Channel::normal, "channels/normal.glsl", "write_normal", "NORMAL_LOCATION"},
     {Channel::position, "channels/position.glsl", "write_position", "POSITION_LOCATION"},
+    {Channel::ending, "channels/ending.glsl", "write_ending", "ENDING_LOCATION"},
 };
 
 // Returns the attachments they go to, from the third on.
@@ -253,8 +254,7 @@ bool has_flat_shading(const scene::Scene& scene) {
 // March and picture in one, where nothing but the picture needs to know where rays ended.
 std::string whole_text(const scene::Scene& scene, const std::vector<Channel>& channels,
                        Shaders& shaders) {
-    if (keeps_surfaces(scene) || scene.material.paint || contains(channels, Channel::velocity) ||
-        scene.isolation.certify) {
+    if (keeps_surfaces(scene) || scene.material.paint || contains(channels, Channel::velocity)) {
         return {};
     }
     ShaderText text(shaders.files);
@@ -379,10 +379,14 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     if (scene.isolation.certify) {
         shaders.proof = proof_text(scene, shaders, ProofBounds::natural);
         shaders.sharp_proof = proof_text(scene, shaders, ProofBounds::by_gradient);
-        shaders.unfinished = unfinished_proofs_text(shaders.files);
+        shaders.to_prove = to_prove_text(scene, shaders);
+        shaders.waiting = waiting_text(shaders.files);
+        shaders.keep = keep_text(shaders.files);
     }
-    shaders.shade = shade_text(scene, channels, shaders);
-    shaders.whole = whole_text(scene, channels, shaders);
+    std::vector<Channel> written = channels;
+    if (scene.isolation.certify) written.push_back(Channel::ending);
+    shaders.shade = shade_text(scene, written, shaders);
+    shaders.whole = whole_text(scene, written, shaders);
     if (!shaders.whole.empty()) shaders.open = open_text(scene, shaders);
     return shaders;
 }
@@ -393,7 +397,7 @@ std::string fingerprint(const Shaders& shaders) {
     for (const std::string* text :
          {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.mirror,
           &shaders.mirror_surface, &shaders.motion, &shaders.shade_vertex, &shaders.shade,
-          &shaders.whole, &shaders.open, &shaders.proof, &shaders.sharp_proof}) {
+          &shaders.whole, &shaders.open, &shaders.proof, &shaders.sharp_proof, &shaders.to_prove}) {
         print.add(*text);
     }
     return print.text();

@@ -55,7 +55,9 @@ struct Shaders : FieldStorage {
     // Of scenes that ask for proofs (Isolation::certify), else empty.
     std::string proof;       // one pass of them
     std::string sharp_proof; // one of those that take closer bounds
-    std::string unfinished;  // asks whether proofs go on
+    std::string to_prove;    // depth lets the rays pass that have something to prove
+    std::string waiting;     // and those whose proofs go on
+    std::string keep;        // copies these
 
     Stage stage = Stage::fragment; // of march, shadow and mirror; the others are of fragments
     int state_textures = 2;        // that a ray's state takes between passes

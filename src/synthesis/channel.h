@@ -7,7 +7,16 @@
 
 namespace isomotion::synthesis {
 
-enum class Channel { depth, normal, position, verdict, evaluations, velocity, proof };
+enum class Channel {
+    depth,
+    normal,
+    position,
+    verdict,
+    evaluations,
+    velocity,
+    proof,
+    ending, // what a proof needs to know of a ray; no layer of a file
+};
 
 struct ChannelName {
     Channel channel;

@@ -1,0 +1,6 @@
+// Proofs that went on, back to where all are kept.
+layout(location = 0) out vec4 proof;
+
+void main() {
+    proof = load_proof();
+}

@@ -1,0 +1,7 @@
+// Opens the gate for rays with something to prove. What stays closed are misses without a way to go.
+void main() {
+    Ray ray = pixel_ray();
+    enter_beam(ray);
+    if (load_ending().miss && !(ray.t_near <= ray.t_far)) discard;
+    gl_FragDepth = 1.0;
+}
