@@ -8,8 +8,7 @@ void main() {
     RayState s = load_state();
     SurfacePoint p = load_surface();
     Hit hit = Hit(p.position, p.normal, p.t, p.inside);
-    bool on_surface = is_on_surface(p);
-    if (on_surface || p.on_ground) {
+    if (is_on_surface(p) || p.on_ground) {
         color = vec4(shade(ray, p, hit), 1.0);
     } else if (p.verdict == VERDICT_NAN) {
         color = vec4(1.0, 0.0, 1.0, 1.0); // no pixel lies silently: magenta,
@@ -19,5 +18,5 @@ void main() {
         color = sky(ray.direction);
     }
     record = uvec2(packed_record(p.verdict, s.evaluations), uint(further_evaluations()));
-    write_channels(ray, hit, on_surface);
+    write_channels(ray, hit, p.verdict);
 }

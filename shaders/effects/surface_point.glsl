@@ -13,7 +13,7 @@ struct SurfacePoint {
 };
 
 bool is_on_surface(SurfacePoint p) {
-    return p.verdict == VERDICT_HIT || p.verdict == VERDICT_ZERO_GRADIENT;
+    return on_surface(p.verdict);
 }
 
 SurfacePoint unpack_surface(vec4 a, vec4 b, vec4 c) {

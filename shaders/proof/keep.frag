@@ -2,5 +2,5 @@
 layout(location = 0) out vec4 proof;
 
 void main() {
-    proof = load_proof();
+    proof = packed_proof(load_proof());
 }

@@ -8,14 +8,29 @@ const int PROOF_SIGN = 4;      // F may not change its sign, or more than once, 
 const int PROOF_BUDGET = 5;
 const int PROOF_UNBOUNDED = 6; // F or its slope has no bound somewhere
 
-// What is kept of a proof in a texel: its outcome or, below 0, where it goes on; t of what is
-// settled, F there and the next piece.
+// Where the proof of a ray stands. It lives in a texel between passes.
+struct ProofState {
+    float settled; // from here on to the end of the ray's part nothing is left to prove
+    float value;   // F there is at least so far from 0, on this side; 0: unknown. At the root: what
+                   // F can be there
+    float piece;   // the next one's length
+    int outcome;
+    bool at_root;  // the next piece is about the root
+    int pieces;    // so far; forgotten when it ends
+};
+
 uniform sampler2D proof_texture;
 
-vec4 load_proof() {
-    return texelFetch(proof_texture, ivec2(pixel_centre), 0);
+vec4 packed_proof(ProofState s) {
+    float first = s.outcome == PROOF_UNFINISHED ? -1.0 - float(2 * s.pieces + int(s.at_root))
+                                                : float(s.outcome);
+    return vec4(first, s.settled, s.value, s.piece);
 }
 
-int proof_outcome(vec4 kept) {
-    return kept.x < 0.0 ? PROOF_UNFINISHED : int(kept.x);
+ProofState load_proof() {
+    vec4 kept = texelFetch(proof_texture, ivec2(pixel_centre), 0);
+    int going_on = int(-kept.x) - 1;
+    return kept.x < 0.0 ? ProofState(kept.y, kept.z, kept.w, PROOF_UNFINISHED, (going_on & 1) != 0,
+                                     going_on >> 1)
+                        : ProofState(kept.y, kept.z, kept.w, int(kept.x), false, 0);
 }

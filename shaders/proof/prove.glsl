@@ -10,28 +10,8 @@
 uniform int pieces_per_pass;
 uniform int most_pieces;
 
-struct ProofState {
-    float settled;  // from here on to the end of the ray's part nothing is left to prove
-    float value;    // F there is at least so far from 0, on this side; 0: unknown
-    float piece;    // the next one's length
-    int outcome;
-    bool at_root;   // the next piece is about the root
-    int pieces;     // so far
-};
-
 ProofState conclude(ProofState s, int outcome) {
     s.outcome = outcome;
-    return s;
-}
-
-ProofState begin_proof(Ray ray, bool hit, float root) {
-    ProofState s;
-    s.settled = hit ? root : ray.t_far;
-    s.value = 0.0;
-    s.piece = max(s.settled - ray.t_near, shortest_piece);
-    s.outcome = PROOF_UNFINISHED;
-    s.at_root = hit;
-    s.pieces = 0;
     return s;
 }
 
@@ -46,21 +26,20 @@ ProofState settle(ProofState s, Ray ray, bool hit, float t, float value) {
 ProofState prove_piece(ProofState s, Ray ray, bool hit) {
     float low = max(s.settled - s.piece, ray.t_near);
     float high = s.at_root ? s.settled + min(s.piece, tube.w) : s.settled;
-    float sample_at = s.at_root ? s.settled : low;
-    vec2 there = value_at(ray, sample_at);
+    vec2 there = value_at(ray, low);
     vec4 f = bounds_over(ray, box_around(ray, low, high));
     s.pieces += 1;
 
     // The root. Half a millionth more than float32 can lose in these lines.
     precise float steepness = max(f.z, -f.w); // the least, if positive
-    precise float off = max(-there.x, there.y) / steepness * 1.000002 + 4.76837158e-7 * abs(s.settled);
+    precise float off = s.value / steepness * 1.000002 + 4.76837158e-7 * abs(s.settled);
     bool isolates = steepness > 0.0 && off <= high - s.settled && off <= s.settled - low &&
                     s.settled - off > 2.0 * tube.z - ray.to_eye &&
                     inside_bounds(ray_point(ray, s.settled - off)) &&
                     inside_bounds(ray_point(ray, s.settled + off));
     precise float ahead = steepness * (0.999998 * (s.settled - low) - off);
 
-    // What is before, upright: F > 0 at the sample.
+    // What is before, upright: F > 0 at its beginning.
     bool below = there.y < 0.0;
     float near = below ? -there.y : there.x, far = below ? -s.value : s.value;
     float fall = max(below ? f.w : -f.z, 0.0), rise = max(below ? -f.z : f.w, 0.0);
@@ -76,22 +55,25 @@ ProofState prove_piece(ProofState s, Ray ray, bool hit) {
     // How long the next piece may be, from how far this one was from the other outcome. Slopes over
     // a piece spread about as it is long, so what keeps F off 0 falls by its square.
     float spread = 0.5 * (f.w - f.z), middle = 0.5 * abs(f.z + f.w);
-    float by_root = 0.8 * middle / spread;
+    // ... and off 0, or as steep as brings Newton's step close enough.
+    float by_root = 0.8 * (middle - 1.1 * s.value / tube.w) / spread;
     float by_near = near > 0.0 ? max(cross_at / deep, near / (fall * h)) : 0.0;
     float by_value = max(by_near, far / (rise * h));
-    float least = s.at_root ? 0.125 : !is_free ? 0.15 : natural ? 2.0 : 1.0;
+    float least = s.at_root ? 0.03 : !is_free ? 0.15 : natural ? 2.0 : 1.0;
     float most = s.at_root || !is_free ? 0.7 : 4.0;
     float part = s.at_root ? by_root : 0.9 * sqrt(by_value);
     part = part > least ? min(part, most) : least; // also where it is not a number
     // No shorter piece could bring Newton's step close enough.
-    bool hopeless = s.at_root && max(-there.x, there.y) > tube.w * max(-f.z, f.w);
+    bool hopeless = s.at_root && s.value > tube.w * max(-f.z, f.w);
     float length = s.settled - low;
 
     bool succeeds = s.at_root ? isolates : is_free;
     if (succeeds) {
         float value = s.at_root ? (f.z > 0.0 ? -1.0 : 1.0) * max(ahead, 0.0)
                                 : (near > 0.0 ? below : f.y < 0.0) ? -kept : kept;
-        s.piece = max(s.at_root ? 2.0 * length : part * length, shortest_piece);
+        // Behind the root F grows, as far as its slope keeps its sign.
+        float onwards = s.at_root ? clamp(2.0 * by_root, 2.0, 16.0) : part;
+        s.piece = max(onwards * length, shortest_piece);
         s = settle(s, ray, hit, low, value);
     } else {
         s.piece = part * length;

@@ -2,7 +2,7 @@
 uniform int start; // as in proof.frag
 
 void main() {
-    int outcome = proof_outcome(load_proof());
+    int outcome = load_proof().outcome;
     bool waits = start == 0 ? outcome == PROOF_UNFINISHED
                             : outcome == PROOF_SIGN || outcome == PROOF_HIDDEN;
     if (!waits) discard;

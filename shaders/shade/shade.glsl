@@ -32,6 +32,5 @@ void shade_ray(Ray ray, RayState s) {
         color = vec4(1.0, 0.8, 0.0, 1.0); // amber
     }
     record = packed_record(verdict, s.evaluations);
-    bool on_surface = verdict == VERDICT_HIT || verdict == VERDICT_ZERO_GRADIENT;
-    write_channels(ray, hit, on_surface);
+    write_channels(ray, hit, verdict);
 }

@@ -30,6 +30,10 @@ int plan_pieces(const synthesis::Shaders& shaders, const scene::Scene& scene, co
     return int(std::clamp(std::min(by_work, by_loops), 1.0, double(Proofs::most_pieces)));
 }
 
+int blocks_across(int pixels) {
+    return (pixels + synthesis::proved_block - 1) / synthesis::proved_block;
+}
+
 int attachment_of(const synthesis::Shaders& shaders, synthesis::Channel channel) {
     const auto& all = shaders.attachments;
     return 2 + int(std::find(all.begin(), all.end(), channel) - all.begin());
@@ -60,27 +64,33 @@ Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, con
     : to_prove_(shaders.vertex, shaders.to_prove, "rays to prove")
     , waiting_(shaders.vertex, shaders.waiting, "waiting proofs")
     , keep_(shaders.vertex, shaders.keep, "proofs that went on")
+    , blocks_(shaders.vertex, shaders.block_proof, "proofs of blocks")
+    , begin_(shaders.vertex, shaders.begin_proof, "beginning proofs")
     , natural_{gpu::Program(shaders.vertex, shaders.proof, "proof"),
                plan_pieces(shaders, scene, plan, synthesis::ProofBounds::natural)}
     , sharp_{gpu::Program(shaders.vertex, shaders.sharp_proof, "sharp proof"),
              plan_pieces(shaders, scene, plan, synthesis::ProofBounds::by_gradient)}
     , ending_(attachment_of(shaders, synthesis::Channel::ending))
+    , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
     , going_on_(plan.tile_width, plan.tile_height)
     , gate_(going_on_)
     , frame_(sizeof(FrameBlock))
     , first_unit_(first_unit) {
     gate_.serve(kept_);
-    for (const gpu::Program* program :
-         {&to_prove_, &waiting_, &keep_, &natural_.program, &sharp_.program}) {
-        program->bind_sampler("proof_texture", first_unit);
-        program->bind_sampler("record_texture", first_unit + 1);
-        program->bind_sampler("ending_texture", first_unit + 2);
-    }
+    for_each_program([&](const gpu::Program& program) { bind_samplers(program); });
+    for (const gpu::Program* program : {&waiting_, &keep_}) bind_samplers(*program);
+}
+
+void Proofs::bind_samplers(const gpu::Program& program) const {
+    program.bind_sampler("proof_texture", first_unit_);
+    program.bind_sampler("ending_texture", first_unit_ + 1);
+    program.bind_sampler("block_texture", first_unit_ + 2);
 }
 
 void Proofs::for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
-    for (const gpu::Program* program : {&to_prove_, &natural_.program, &sharp_.program}) {
+    for (const gpu::Program* program :
+         {&to_prove_, &blocks_, &begin_, &natural_.program, &sharp_.program}) {
         visit(*program);
     }
 }
@@ -91,7 +101,9 @@ void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int wi
     const double footprint = 2 * glm::length(rays.up) / height;
     // Of truth's tubes what a point may be off by, four times over: the rays here and those marched
     // are each within once that of the exact one.
-    const double margin = beam_range(now, width, height, aim, 1).w;
+    const glm::vec4 block_range = beam_range(now, width, height, aim, synthesis::proved_block);
+    const double margin = block_range.w;
+    blocks_.set("beam", block_range);
     const double spread = glm::length(rays.right) + glm::length(rays.up);
     const double direction =
         3 * 16 * 0x1p-24 * (1 + (rays.parallel ? 0 : spread / glm::length(rays.axis)));
@@ -112,12 +124,14 @@ void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int wi
     frame_.update(std::as_bytes(std::span(&block, 1)));
 }
 
-void Proofs::draw(const gpu::Program& program) {
+void Proofs::draw(const gpu::Program& program, int width, int height) const {
     program.set("tile_origin", glm::ivec2(tile_.x, tile_.y));
-    gpu::set_viewport({0, 0, tile_.width, tile_.height});
+    gpu::set_viewport({0, 0, width, height});
     program.use();
     triangle_.draw();
 }
+
+void Proofs::draw(const gpu::Program& program) const { draw(program, tile_.width, tile_.height); }
 
 bool Proofs::open(const gpu::Program& program) {
     passes_.begin();
@@ -126,21 +140,30 @@ bool Proofs::open(const gpu::Program& program) {
     return passes_.any_passed();
 }
 
-void Proofs::finish(const Pass& pass, Start start) {
+void Proofs::draw_and_keep(const gpu::Program& program) {
+    // A texture can't be read and written at once.
+    kept_.texture(0).bind(first_unit_);
+    gate_.through(going_on_, [&] { draw(program); });
+    going_on_.texture(0).bind(first_unit_);
+    gate_.through(kept_, [&] { draw(keep_); });
+}
+
+void Proofs::begin() {
+    of_blocks_.bind();
+    draw(blocks_, blocks_across(tile_.width), blocks_across(tile_.height));
+    of_blocks_.texture(0).bind(first_unit_ + 2);
+    draw_and_keep(begin_);
+}
+
+void Proofs::prove_rays(const Pass& pass, Start start) {
     pass.program.set("pieces_per_pass", pass.pieces);
     for (;; start = Start::go_on) {
         kept_.texture(0).bind(first_unit_);
         waiting_.set("start", int(start));
-        if (!open(start == Start::begin ? to_prove_ : waiting_)) return;
-        // What begins needs nothing of what is kept; what goes on can't be read and written at
-        // once.
-        const bool begins = start != Start::go_on;
-        pass.program.set("start", begins ? 1 : 0);
-        if (begins) going_on_.texture(0).bind(first_unit_);
-        gate_.through(begins ? kept_ : going_on_, [&] { draw(pass.program); });
-        if (begins) continue;
-        going_on_.texture(0).bind(first_unit_);
-        gate_.through(kept_, [&] { draw(keep_); });
+        if (!open(waiting_)) return;
+        pass.program.set("start", int(start));
+        draw_and_keep(pass.program);
+        if (pass.pieces >= most_pieces) return;
     }
 }
 
@@ -148,11 +171,13 @@ void Proofs::prove(const gpu::Target& picture, const gpu::Rectangle& tile, unsig
                    std::span<float> record) {
     tile_ = tile;
     frame_.bind(binding);
-    picture.texture(1).bind(first_unit_ + 1);
-    picture.texture(ending_).bind(first_unit_ + 2);
+    picture.texture(ending_).bind(first_unit_ + 1);
     kept_.clear(0, glm::vec4(float(Proof::miss), 0, 0, 0));
-    finish(natural_, Start::begin);
-    finish(sharp_, Start::again);
+    if (open(to_prove_)) {
+        begin();
+        prove_rays(natural_, Start::go_on);
+        prove_rays(sharp_, Start::again);
+    }
     kept_.read(0, 0, 0, tile.width, tile.height, record);
 }
 

@@ -70,22 +70,28 @@ public:
                std::span<float> record);
 
 private:
-    enum class Start { go_on, begin, again };
+    enum class Start { go_on, again };
     struct Pass {
         gpu::Program program;
         int pieces; // at most
     };
+    void bind_samplers(const gpu::Program& program) const;
+    void draw(const gpu::Program& program, int width, int height) const;
+    void draw(const gpu::Program& program) const;
     // Opens the gate where `program` has it; whether it does anywhere.
     bool open(const gpu::Program& program);
-    void draw(const gpu::Program& program);
-    // Draws passes until all proofs are finished.
-    void finish(const Pass& pass, Start start);
+    // Goes on with what is kept where the gate is open.
+    void draw_and_keep(const gpu::Program& program);
+    // Blocks, then single rays, where the gate is open.
+    void begin();
+    // Draws passes until the proofs that wait for these are finished.
+    void prove_rays(const Pass& pass, Start start);
 
-    gpu::Program to_prove_, waiting_, keep_;
+    gpu::Program to_prove_, waiting_, keep_, blocks_, begin_;
     Pass natural_, sharp_;
     int ending_; // among the picture's attachments
-    gpu::Target kept_, going_on_;
-    gpu::Gate gate_; // of both
+    gpu::Target of_blocks_, kept_, going_on_;
+    gpu::Gate gate_; // of the last two
     gpu::UniformBuffer frame_;
     gpu::SamplesQuery passes_;
     gpu::Fullscreen triangle_;

@@ -36,9 +36,13 @@ void WholeDraw::clear_to_misses(glm::vec4 background) const {
     result_.clear(0, background);
     result_.clear(1, 0u);
     for (std::size_t k = 0; k < channels_.size(); ++k) {
-        const bool is_depth = channels_[k] == synthesis::Channel::depth;
-        const float far = std::numeric_limits<float>::infinity();
-        result_.clear(2 + int(k), is_depth ? glm::vec4(far, 0, 0, 0) : glm::vec4(0));
+        float nowhere = 0;
+        if (channels_[k] == synthesis::Channel::depth) {
+            nowhere = std::numeric_limits<float>::infinity();
+        } else if (channels_[k] == synthesis::Channel::ending) {
+            nowhere = 1e30f; // march/verdict.glsl
+        }
+        result_.clear(2 + int(k), glm::vec4(nowhere, 0, 0, 0));
     }
 }
 

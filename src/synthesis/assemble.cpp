@@ -239,11 +239,11 @@ std::vector<Channel> add_channels(ShaderText& text, const std::vector<Channel>& 
         if (!contains(channels, shader.channel)) continue;
         text.define(shader.location, 2 + int(attachments.size()));
         text.file(shader.file);
-        calls += fmt::format("    {}(ray, hit, on_surface);\n", shader.function);
+        calls += fmt::format("    {}(ray, hit, verdict);\n", shader.function);
         attachments.push_back(shader.channel);
     }
     text.generated("generated: the channels asked for",
-                   "void write_channels(Ray ray, Hit hit, bool on_surface) {\n" + calls + "}\n");
+                   "void write_channels(Ray ray, Hit hit, int verdict) {\n" + calls + "}\n");
     return attachments;
 }
 
@@ -377,6 +377,8 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
         shaders.motion = motion_text(scene, shaders);
     }
     if (scene.isolation.certify) {
+        shaders.block_proof = block_proof_text(scene, shaders);
+        shaders.begin_proof = begin_proof_text(scene, shaders);
         shaders.proof = proof_text(scene, shaders, ProofBounds::natural);
         shaders.sharp_proof = proof_text(scene, shaders, ProofBounds::by_gradient);
         shaders.to_prove = to_prove_text(scene, shaders);
@@ -397,7 +399,8 @@ std::string fingerprint(const Shaders& shaders) {
     for (const std::string* text :
          {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.mirror,
           &shaders.mirror_surface, &shaders.motion, &shaders.shade_vertex, &shaders.shade,
-          &shaders.whole, &shaders.open, &shaders.proof, &shaders.sharp_proof, &shaders.to_prove}) {
+          &shaders.whole, &shaders.open, &shaders.proof, &shaders.sharp_proof, &shaders.to_prove,
+          &shaders.block_proof, &shaders.begin_proof}) {
         print.add(*text);
     }
     return print.text();

@@ -40,6 +40,20 @@ void add_bounds_of_sum(ShaderText& text, const formula::Field& field, const Fiel
               true);
 }
 
+// Around pieces of beams within those of `parent`, if it is not null.
+void add_boxes(ShaderText& text, const scene::Scene& scene, const BeamShader* parent) {
+    text.generated("generated: least and most tau, the shortest piece; rounding, a length",
+                   "uniform vec4 beam;\n");
+    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+    text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
+    text.file("march/beam_way.glsl");
+    if (parent) {
+        text.define("PARENT_BLOCK", parent->block);
+        text.define("PARENT_SQUARE_BITS", parent->square_bits);
+    }
+    text.file(parent ? "march/beam_of_parent.glsl" : "march/beam_whole.glsl");
+}
+
 // `parent`: the beams that these lie in, or null.
 std::string beam_text(const scene::Scene& scene, const BeamShader& beam, const BeamShader* parent,
                       Shaders& shaders) {
@@ -74,22 +88,19 @@ std::string beam_text(const scene::Scene& scene, const BeamShader& beam, const B
                        "layout(std430, binding = 0) buffer lists_buffer { vec4 listed[]; };\n");
     }
     text.file("frame.glsl");
-    text.generated("generated: least and most tau, the shortest piece; rounding, a length",
-                   "uniform vec4 beam;\n");
-    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
-    text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
-    text.file("march/beam_way.glsl");
-    if (parent) {
-        text.define("PARENT_BLOCK", parent->block);
-        text.define("PARENT_SQUARE_BITS", parent->square_bits);
-    }
-    text.file(parent ? "march/beam_of_parent.glsl" : "march/beam_whole.glsl");
+    add_boxes(text, scene, parent);
     if (makes_lists) text.file("march/beam_list.glsl");
     text.file("march/beam.frag");
     return text.take();
 }
 
 } // namespace
+
+void add_beam_of_block(ShaderText& text, const scene::Scene& scene, const Shaders& shaders,
+                       int block) {
+    const bool lies_in_beams = !shaders.beams.empty() && shaders.beams.back().block >= block;
+    add_boxes(text, scene, lies_in_beams ? &shaders.beams.back() : nullptr);
+}
 
 void add_light_beams(ShaderText& text, const Shaders& shaders) {
     define_blocks(text, shaders.beams.back());

@@ -17,6 +17,10 @@ void add_entrance(ShaderText& text, const Shaders& shaders, bool by_beams);
 // The same without lists: where rays begin and end, and no more.
 void add_way(ShaderText& text, const Shaders& shaders, bool by_beams);
 
+// Boxes around the beams of blocks of so many pixels, which lie in those of the last level.
+void add_beam_of_block(ShaderText& text, const scene::Scene& scene, const Shaders& shaders,
+                       int block);
+
 // Of shadow rays, by the last level of beams from the lights: shaders/effects/light_beam.glsl.
 void add_light_beams(ShaderText& text, const Shaders& shaders);
 

@@ -6,12 +6,59 @@
 namespace isomotion::synthesis {
 namespace {
 
-// Beams that leave out elements which matter little prove nothing about the whole sum.
-bool proves_by_beams(const Shaders& shaders) {
-    return !shaders.beams.empty() && !has_lists(shaders);
+// A ray and how it ended.
+void add_ended_ray(ShaderText& text, const scene::Scene& scene) {
+    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+    text.file("frame.glsl");
+    text.file("march/verdict.glsl");
+    text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
+    text.file("march/ray.glsl");
+    text.file("proof/ending.glsl");
+}
+
+// What its proof begins with: the part it is of, the boxes around it, what F can be in one.
+void add_proof(ShaderText& text, const scene::Scene& scene, const Shaders& shaders,
+               ProofBounds bounds) {
+    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+    add_ended_ray(text, scene);
+    add_way(text, shaders, !shaders.beams.empty());
+    text.define("PROVED_BLOCK", proved_block);
+    text.file("proof/rounding.glsl");
+    text.file("proof/way.glsl");
+    text.file("proof/outcome.glsl");
+    text.file("proof/tube.glsl");
+    text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");
+    text.file(bounds == ProofBounds::natural ? "proof/value_over_box.glsl"
+                                             : "proof/value_by_gradient.glsl");
 }
 
 } // namespace
+
+std::vector<FieldFunction> block_proof_samples() { return {FieldFunction::along_interval}; }
+
+std::string block_proof_text(const scene::Scene& scene, Shaders& shaders) {
+    ShaderText text(shaders.files);
+    text.define("BLOCK", proved_block);
+    text.define("SQUARES_APART", beam_square);
+    text.file("march/beam_place.glsl");
+    add_field(text, *scene.surface.field, shaders, block_proof_samples());
+    text.file("frame.glsl");
+    text.file("march/verdict.glsl");
+    text.file("proof/ending.glsl");
+    text.file("proof/rounding.glsl");
+    add_beam_of_block(text, scene, shaders, proved_block);
+    text.file("proof/block.frag");
+    return text.take();
+}
+
+std::string begin_proof_text(const scene::Scene& scene, Shaders& shaders) {
+    ShaderText text(shaders.files);
+    add_field(text, *scene.surface.field, shaders,
+              {FieldFunction::value_interval, FieldFunction::gradient_interval});
+    add_proof(text, scene, shaders, ProofBounds::by_gradient);
+    text.file("proof/begin.frag");
+    return text.take();
+}
 
 std::vector<FieldFunction> proof_samples(ProofBounds bounds) {
     std::vector samples{FieldFunction::value_interval, FieldFunction::along_interval};
@@ -20,35 +67,20 @@ std::vector<FieldFunction> proof_samples(ProofBounds bounds) {
 }
 
 std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds bounds) {
-    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     ShaderText text(shaders.files);
     add_field(text, *scene.surface.field, shaders, proof_samples(bounds));
-    text.file("frame.glsl");
-    text.file("march/verdict.glsl");
-    text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
-    text.file("march/ray.glsl");
-    add_entrance(text, shaders, proves_by_beams(shaders));
-    text.file("proof/ending.glsl");
-    text.file("proof/outcome.glsl");
-    text.file("proof/tube.glsl");
-    text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");
-    text.file(bounds == ProofBounds::natural ? "proof/value_over_box.glsl"
-                                             : "proof/value_by_gradient.glsl");
+    add_proof(text, scene, shaders, bounds);
+    text.file("proof/slope.glsl");
     text.file("proof/prove.glsl");
     text.file("proof/proof.frag");
     return text.take();
 }
 
 std::string to_prove_text(const scene::Scene& scene, Shaders& shaders) {
-    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     ShaderText text(shaders.files);
     text.file("math/bits.glsl");
-    text.file("frame.glsl");
-    text.file("march/verdict.glsl");
-    text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
-    text.file("march/ray.glsl");
-    add_way(text, shaders, proves_by_beams(shaders));
-    text.file("proof/ending.glsl");
+    add_ended_ray(text, scene);
+    add_way(text, shaders, !shaders.beams.empty());
     text.file("proof/open.frag");
     return text.take();
 }

@@ -12,6 +12,14 @@ namespace isomotion::synthesis {
 // by its gradient there, which is closer and costs more.
 enum class ProofBounds { natural, by_gradient };
 
+// Pixels across the blocks whose rays are proved together.
+inline constexpr int proved_block = 4;
+
+// Proves blocks of rays; and what begins the proof of each ray.
+std::vector<FieldFunction> block_proof_samples();
+std::string block_proof_text(const scene::Scene& scene, Shaders& shaders);
+std::string begin_proof_text(const scene::Scene& scene, Shaders& shaders);
+
 // What a piece of a proof asks of the field.
 std::vector<FieldFunction> proof_samples(ProofBounds bounds);
 

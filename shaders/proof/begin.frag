@@ -1,0 +1,27 @@
+// Begins the proofs of single rays, and ends those of which their blocks left little: whether the
+// root is close to where it was found. That is told by Newton's step, see prove.glsl.
+layout(location = 0) out vec4 proof;
+
+void main() {
+    Ending ended = load_ending(ivec2(pixel_centre));
+    vec4 block = load_block();
+    Ray ray = ray_to_prove();
+    float t = ended.hit ? ended.t : ray.t_far;
+    vec2 f = value_at(ray, t);
+    float uncertain = max(-f.x, f.y);
+
+    precise float slope = block.z / ray.to_eye * 0.999999;
+    precise float off = uncertain / slope * 1.000002 + 4.76837158e-7 * abs(t);
+    float margin = 2.0 * tube.z;
+    bool isolates = ended.hit && slope > 0.0 && off <= tube.w &&
+                    t - off > block.x * ray.to_eye + margin &&
+                    t + off < block.y * ray.to_eye - margin && t - off > margin - ray.to_eye &&
+                    inside_bounds(ray_point(ray, t - off)) && inside_bounds(ray_point(ray, t + off));
+    bool misses = ended.miss && block.z < 0.0;
+
+    int outcome = isolates ? PROOF_HIT : misses ? PROOF_MISS : PROOF_UNFINISHED;
+    if (outcome == PROOF_UNFINISHED && t < ray.t_near) outcome = ended.hit ? PROOF_SIGN : PROOF_MISS;
+    if (!ended.hit && !ended.miss) outcome = PROOF_NONE;
+    proof = packed_proof(ProofState(t, ended.hit ? uncertain : 0.0,
+                                    max(t - ray.t_near, shortest_piece), outcome, ended.hit, 0));
+}

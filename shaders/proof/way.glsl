@@ -1,0 +1,15 @@
+// The part of a ray that its proof is of: what beams left of it and, rounding included, the proof of
+// its block.
+uniform sampler2D block_texture;
+
+vec4 load_block() {
+    return texelFetch(block_texture, ivec2(pixel_centre) / PROVED_BLOCK, 0);
+}
+
+Ray ray_to_prove() {
+    Ray ray = pixel_ray();
+    enter_beam(ray);
+    ray.t_near = max(ray.t_near, load_block().x * ray.to_eye) - tube.z;
+    ray.t_far += tube.z;
+    return ray;
+}
