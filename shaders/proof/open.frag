@@ -2,6 +2,6 @@
 void main() {
     Ray ray = pixel_ray();
     enter_beam(ray);
-    if (load_ending(ivec2(pixel_centre)).miss && !(ray.t_near <= ray.t_far)) discard;
-    gl_FragDepth = 1.0;
+    bool ended = load_ending(ivec2(pixel_centre)).miss && !(ray.t_near <= ray.t_far);
+    gl_FragDepth = ended ? 0.0 : 1.0;
 }

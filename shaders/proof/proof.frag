@@ -7,18 +7,16 @@ void main() {
     bool hit = load_ending(ivec2(pixel_centre)).hit;
     Ray ray = ray_to_prove();
     ProofState s = load_proof();
-    if (start == 1) {
-        s.at_root = s.outcome == PROOF_SIGN;
-        s.piece = s.at_root ? s.settled - ray.t_near : 4.0 * s.piece;
-        s.piece = max(s.piece, shortest_piece);
+    if (start == 1 && s.outcome == PROOF_HIDDEN) {
+        s.piece = max(4.0 * s.piece, shortest_piece);
         s.outcome = PROOF_UNFINISHED;
     }
-    int turns = s.outcome == PROOF_UNFINISHED ? pieces_per_pass : 0;
-    if (turns > 0) {
-        do {
-            s = prove_piece(s, ray, hit);
-            turns -= 1;
-        } while (turns > 0 && s.outcome == PROOF_UNFINISHED);
-    }
+    // A query on this draw tells whether there was anything left to do.
+    if (s.outcome != PROOF_UNFINISHED) discard;
+    int turns = pieces_per_pass;
+    do {
+        s = prove_piece(s, ray, hit);
+        turns -= 1;
+    } while (turns > 0 && s.outcome == PROOF_UNFINISHED);
     proof = packed_proof(s);
 }

@@ -58,12 +58,11 @@ void Gate::set(const std::function<void()>& draw) const {
     draw();
 }
 
-void Gate::open(const std::function<void()>& draw) const {
-    set([&] {
-        const float closed = 0;
-        glClearBufferfv(GL_DEPTH, 0, &closed);
-        draw();
-    });
+void Gate::close(const Target& bound, const std::function<void()>& draw) const {
+    bound.bind();
+    const Testing open(GL_LESS, true);
+    const Colorless depth_alone;
+    draw();
 }
 
 void Gate::through(const Target& into, const std::function<void()>& draw) const {

@@ -18,8 +18,9 @@ public:
 
     /// `draw` writes depth and no colour: 1 opens a pixel, 0 closes it.
     void set(const std::function<void()>& draw) const;
-    /// The same where pixels that `draw` discards stay closed.
-    void open(const std::function<void()>& draw) const;
+    /// Closes pixels, of those that are open, which `draw` does not discard. It has no depth of its
+    /// own: then it is not run where the gate is closed.
+    void close(const Target& bound, const std::function<void()>& draw) const;
     /// `draw`, whose depth is 0.5, as z = 0 gives it, is done where the gate is open.
     void through(const std::function<void()>& draw) const { through(target_, draw); }
     void through(const Target& into, const std::function<void()>& draw) const;

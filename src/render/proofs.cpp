@@ -60,9 +60,9 @@ std::string summary(const ProofCounts& counts) {
 }
 
 Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
-               int first_unit)
+               int first_unit, const gpu::Gate* gate)
     : to_prove_(shaders.vertex, shaders.to_prove, "rays to prove")
-    , waiting_(shaders.vertex, shaders.waiting, "waiting proofs")
+    , close_(shaders.vertex, shaders.close_proofs, "ended proofs")
     , keep_(shaders.vertex, shaders.keep, "proofs that went on")
     , blocks_(shaders.vertex, shaders.block_proof, "proofs of blocks")
     , begin_(shaders.vertex, shaders.begin_proof, "beginning proofs")
@@ -74,12 +74,12 @@ Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, con
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
     , going_on_(plan.tile_width, plan.tile_height)
-    , gate_(going_on_)
+    , gate_(gate ? *gate : own_gate_.emplace(going_on_))
     , frame_(sizeof(FrameBlock))
     , first_unit_(first_unit) {
-    gate_.serve(kept_);
+    for (const gpu::Target* target : {&kept_, &going_on_}) gate_.serve(*target);
     for_each_program([&](const gpu::Program& program) { bind_samplers(program); });
-    for (const gpu::Program* program : {&waiting_, &keep_}) bind_samplers(*program);
+    for (const gpu::Program* program : {&close_, &keep_}) bind_samplers(*program);
 }
 
 void Proofs::bind_samplers(const gpu::Program& program) const {
@@ -133,17 +133,12 @@ void Proofs::draw(const gpu::Program& program, int width, int height) const {
 
 void Proofs::draw(const gpu::Program& program) const { draw(program, tile_.width, tile_.height); }
 
-bool Proofs::open(const gpu::Program& program) {
-    passes_.begin();
-    gate_.open([&] { draw(program); });
-    passes_.end();
-    return passes_.any_passed();
-}
-
 void Proofs::draw_and_keep(const gpu::Program& program) {
     // A texture can't be read and written at once.
     kept_.texture(0).bind(first_unit_);
+    passes_.begin();
     gate_.through(going_on_, [&] { draw(program); });
+    passes_.end();
     going_on_.texture(0).bind(first_unit_);
     gate_.through(kept_, [&] { draw(keep_); });
 }
@@ -159,25 +154,24 @@ void Proofs::prove_rays(const Pass& pass, Start start) {
     pass.program.set("pieces_per_pass", pass.pieces);
     for (;; start = Start::go_on) {
         kept_.texture(0).bind(first_unit_);
-        waiting_.set("start", int(start));
-        if (!open(waiting_)) return;
+        gate_.close(going_on_, [&] { draw(close_); });
         pass.program.set("start", int(start));
         draw_and_keep(pass.program);
-        if (pass.pieces >= most_pieces) return;
+        // None has more pieces than that. Where there may be more passes, one finds nothing to do.
+        if (pass.pieces >= most_pieces || !passes_.any_passed()) return;
     }
 }
 
-void Proofs::prove(const gpu::Target& picture, const gpu::Rectangle& tile, unsigned binding,
-                   std::span<float> record) {
+void Proofs::prove(const gpu::Target& picture, bool is_gated, const gpu::Rectangle& tile,
+                   unsigned binding, std::span<float> record) {
     tile_ = tile;
     frame_.bind(binding);
     picture.texture(ending_).bind(first_unit_ + 1);
     kept_.clear(0, glm::vec4(float(Proof::miss), 0, 0, 0));
-    if (open(to_prove_)) {
-        begin();
-        prove_rays(natural_, Start::go_on);
-        prove_rays(sharp_, Start::again);
-    }
+    if (!is_gated) gate_.set([&] { draw(to_prove_); });
+    begin();
+    prove_rays(natural_, Start::go_on);
+    prove_rays(sharp_, Start::again);
     kept_.read(0, 0, 0, tile.width, tile.height, record);
 }
 

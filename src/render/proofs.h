@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -52,10 +53,11 @@ public:
     static constexpr int units = 3;
     // Pieces after which a ray's proof is given up.
     static constexpr int most_pieces = 128;
-    // Takes texture units from `first_unit` on. Throws std::length_error if the formula sums too
+    // Takes texture units from `first_unit` on. `gate`: of the pixels that the picture's draw
+    // marched, which outlives it, or null. Throws std::length_error if the formula sums too
     // many terms for a shader.
     Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
-           int first_unit);
+           int first_unit, const gpu::Gate* gate);
 
     void for_each_program(const std::function<void(const gpu::Program&)>& visit) const;
 
@@ -65,9 +67,10 @@ public:
 
     // Proves the rays of a tile whose picture is drawn, record and endings among its attachments.
     // Four floats a pixel, rows from the bottom: Proof, the t down to which the ray is settled, and
-    // two more. `binding` is that of the block Frame, which is left changed.
-    void prove(const gpu::Target& picture, const gpu::Rectangle& tile, unsigned binding,
-               std::span<float> record);
+    // two more. `is_gated`: the gate is as the picture's draw left it. `binding` is that of the
+    // block Frame, which is left changed.
+    void prove(const gpu::Target& picture, bool is_gated, const gpu::Rectangle& tile,
+               unsigned binding, std::span<float> record);
 
 private:
     enum class Start { go_on, again };
@@ -78,20 +81,19 @@ private:
     void bind_samplers(const gpu::Program& program) const;
     void draw(const gpu::Program& program, int width, int height) const;
     void draw(const gpu::Program& program) const;
-    // Opens the gate where `program` has it; whether it does anywhere.
-    bool open(const gpu::Program& program);
-    // Goes on with what is kept where the gate is open.
+    // Goes on with what is kept where the gate is open, and tells `passes_` how many do.
     void draw_and_keep(const gpu::Program& program);
     // Blocks, then single rays, where the gate is open.
     void begin();
     // Draws passes until the proofs that wait for these are finished.
     void prove_rays(const Pass& pass, Start start);
 
-    gpu::Program to_prove_, waiting_, keep_, blocks_, begin_;
+    gpu::Program to_prove_, close_, keep_, blocks_, begin_;
     Pass natural_, sharp_;
     int ending_; // among the picture's attachments
     gpu::Target of_blocks_, kept_, going_on_;
-    gpu::Gate gate_; // of the last two
+    std::optional<gpu::Gate> own_gate_;
+    const gpu::Gate& gate_; // of the last two
     gpu::UniformBuffer frame_;
     gpu::SamplesQuery passes_;
     gpu::Fullscreen triangle_;

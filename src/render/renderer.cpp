@@ -84,7 +84,8 @@ struct Renderer::Parts {
                           gpu::Target(plan.tile_width, plan.tile_height)};
         }
         if (!shaders.proof.empty()) {
-            proofs.emplace(shaders, scene, plan, beam_unit() + BeamPass::units);
+            proofs.emplace(shaders, scene, plan, beam_unit() + BeamPass::units,
+                           whole ? &whole->gate() : nullptr);
         }
         for_each_program([&](const gpu::Program& program) { connect(program); });
     }
@@ -366,12 +367,12 @@ struct Renderer::Parts {
     // Proves the rays of a tile that is drawn; counts and, where wanted, keeps the outcomes.
     void prove_tile(const gpu::Rectangle& tile, Picture& picture) {
         const auto count = std::size_t(tile.width) * std::size_t(tile.height) * 4;
-        std::vector<float> pixels(count);
-        proofs->prove(result, tile, binding_frame, pixels);
+        proved.resize(count);
+        proofs->prove(result, one_draw, tile, binding_frame, proved);
         frame.bind(binding_frame);
-        for (std::size_t k = 0; k < count; k += 4) ++picture.proofs[std::size_t(pixels[k])];
+        for (std::size_t k = 0; k < count; k += 4) ++picture.proofs[std::size_t(proved[k])];
         if (layers.wants(synthesis::Channel::proof)) {
-            planes.copy(pixels.data(), tile, 0, tile.height,
+            planes.copy(proved.data(), tile, 0, tile.height,
                         Layers::of(picture.frame, synthesis::Channel::proof));
         }
     }
@@ -541,6 +542,7 @@ struct Renderer::Parts {
     bool keeps_beams = false;
     std::optional<LightBeams> light_beams;
     std::optional<Proofs> proofs; // of scenes that ask for them
+    std::vector<float> proved;    // of the tile proved last
     gpu::Fullscreen triangle;
     gpu::SamplesQuery still_active;
     image::Frame used; // whose memory the next picture may have

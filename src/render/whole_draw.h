@@ -25,6 +25,8 @@ public:
     // of which `background` is the colour.
     void draw(const gpu::Rectangle& tile, int evaluations, float element_budget,
               glm::vec4 background) const;
+    // Open, after a draw, for the pixels whose rays had a way to march.
+    const gpu::Gate& gate() const { return gate_; }
 
 private:
     void clear_to_misses(glm::vec4 background) const;

@@ -382,7 +382,7 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
         shaders.proof = proof_text(scene, shaders, ProofBounds::natural);
         shaders.sharp_proof = proof_text(scene, shaders, ProofBounds::by_gradient);
         shaders.to_prove = to_prove_text(scene, shaders);
-        shaders.waiting = waiting_text(shaders.files);
+        shaders.close_proofs = close_proofs_text(shaders.files);
         shaders.keep = keep_text(shaders.files);
     }
     std::vector<Channel> written = channels;

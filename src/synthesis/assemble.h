@@ -58,8 +58,8 @@ struct Shaders : FieldStorage {
     std::string proof;       // one pass of proofs of single rays
     std::string sharp_proof; // one of those that take closer bounds
     std::string to_prove;    // depth lets the rays pass that have something to prove
-    std::string waiting;     // and those whose proofs go on
-    std::string keep;        // copies these
+    std::string close_proofs; // and no longer those that are proved
+    std::string keep;         // copies what is kept of proofs
 
     Stage stage = Stage::fragment; // of march, shadow and mirror; the others are of fragments
     int state_textures = 2;        // that a ray's state takes between passes

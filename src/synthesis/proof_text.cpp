@@ -85,10 +85,10 @@ std::string to_prove_text(const scene::Scene& scene, Shaders& shaders) {
     return text.take();
 }
 
-std::string waiting_text(std::vector<std::string>& files) {
+std::string close_proofs_text(std::vector<std::string>& files) {
     ShaderText text(files);
     text.file("proof/outcome.glsl");
-    text.file("proof/waiting.frag");
+    text.file("proof/close.frag");
     return text.take();
 }
 

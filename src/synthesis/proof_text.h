@@ -26,9 +26,9 @@ std::vector<FieldFunction> proof_samples(ProofBounds bounds);
 // One pass of proofs. Adds to `shaders.files`; its beams must be there.
 std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds bounds);
 
-// Which rays have something to prove; and which go on, or are tried again.
+// Which rays have something to prove; and which no longer.
 std::string to_prove_text(const scene::Scene& scene, Shaders& shaders);
-std::string waiting_text(std::vector<std::string>& files);
+std::string close_proofs_text(std::vector<std::string>& files);
 // Copies proofs.
 std::string keep_text(std::vector<std::string>& files);
 
