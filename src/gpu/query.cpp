@@ -15,13 +15,13 @@ GLuint result(GLuint query, GLenum what) {
 
 } // namespace
 
-void SamplesQuery::begin() { glBeginQuery(GL_ANY_SAMPLES_PASSED, name_.get()); }
+void SamplesQuery::begin() { glBeginQuery(GL_SAMPLES_PASSED, name_.get()); }
 
-void SamplesQuery::end() { glEndQuery(GL_ANY_SAMPLES_PASSED); }
+void SamplesQuery::end() { glEndQuery(GL_SAMPLES_PASSED); }
 
 bool SamplesQuery::ready() const { return result(name_.get(), GL_QUERY_RESULT_AVAILABLE) != 0; }
 
-bool SamplesQuery::any_passed() const { return result(name_.get(), GL_QUERY_RESULT) != 0; }
+std::uint32_t SamplesQuery::passed() const { return result(name_.get(), GL_QUERY_RESULT); }
 
 Timer::Timer()
     : on_the_wall_(Context::current()->info().software) {}

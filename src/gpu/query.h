@@ -7,15 +7,15 @@
 
 namespace isomotion::gpu {
 
-/// Whether any pixel was written between begin() and end().
+/// How many pixels were drawn between begin() and end().
 class SamplesQuery {
 public:
     void begin();
     void end();
 
-    /// True once any_passed() would not have to wait.
+    /// True once passed() would not have to wait.
     bool ready() const;
-    bool any_passed() const;
+    std::uint32_t passed() const;
 
 private:
     Name name_{Kind::query};

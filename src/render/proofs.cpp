@@ -12,21 +12,25 @@
 namespace isomotion::render {
 namespace {
 
-int plan_pieces(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
-                synthesis::ProofBounds bounds) {
+formula::Cost cost_of_piece(const synthesis::Shaders& shaders, const scene::Scene& scene,
+                            synthesis::ProofBounds bounds) {
     std::vector<int> counts;
     for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
     const formula::Cost piece =
         synthesis::cost(*scene.surface.field, synthesis::proof_samples(bounds), counts);
-    const double by_loops = loop_iterations_per_pass / (1 + piece.iterations);
-    if (by_loops < 1) {
+    if (1 + piece.iterations > loop_iterations_per_pass) {
         throw std::length_error(
             fmt::format("a proof bounds {:.0f} terms for every piece; a shader can sum {:.0f}: "
                         "draw fewer elements or without certify",
                         piece.iterations, loop_iterations_per_pass - 1));
     }
-    const double pixels = double(plan.tile_width) * plan.tile_height;
-    const double by_work = operations_per_draw / (pixels * (piece.operations + 100));
+    return piece;
+}
+
+// That one draw may bound on each of so many rays.
+int pieces_of_draw(const formula::Cost& piece, double rays) {
+    const double by_loops = loop_iterations_per_pass / (1 + piece.iterations);
+    const double by_work = operations_per_draw / (rays * (piece.operations + 100));
     return int(std::clamp(std::min(by_work, by_loops), 1.0, double(Proofs::most_pieces)));
 }
 
@@ -67,9 +71,9 @@ Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, con
     , blocks_(shaders.vertex, shaders.block_proof, "proofs of blocks")
     , begin_(shaders.vertex, shaders.begin_proof, "beginning proofs")
     , natural_{gpu::Program(shaders.vertex, shaders.proof, "proof"),
-               plan_pieces(shaders, scene, plan, synthesis::ProofBounds::natural)}
+               cost_of_piece(shaders, scene, synthesis::ProofBounds::natural)}
     , sharp_{gpu::Program(shaders.vertex, shaders.sharp_proof, "sharp proof"),
-             plan_pieces(shaders, scene, plan, synthesis::ProofBounds::by_gradient)}
+             cost_of_piece(shaders, scene, synthesis::ProofBounds::by_gradient)}
     , ending_(attachment_of(shaders, synthesis::Channel::ending))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
@@ -136,9 +140,9 @@ void Proofs::draw(const gpu::Program& program) const { draw(program, tile_.width
 void Proofs::draw_and_keep(const gpu::Program& program) {
     // A texture can't be read and written at once.
     kept_.texture(0).bind(first_unit_);
-    passes_.begin();
+    drawn_.begin();
     gate_.through(going_on_, [&] { draw(program); });
-    passes_.end();
+    drawn_.end();
     going_on_.texture(0).bind(first_unit_);
     gate_.through(kept_, [&] { draw(keep_); });
 }
@@ -150,15 +154,18 @@ void Proofs::begin() {
     draw_and_keep(begin_);
 }
 
-void Proofs::prove_rays(const Pass& pass, Start start) {
-    pass.program.set("pieces_per_pass", pass.pieces);
-    for (;; start = Start::go_on) {
+void Proofs::prove_rays(const Pass& pass, Start start, std::uint32_t rays) {
+    // No more rays have something to prove than in the draw before. A ray that had all its pieces
+    // has nothing.
+    for (int left = most_pieces; left > 0 && rays > 0; start = Start::go_on) {
         kept_.texture(0).bind(first_unit_);
         gate_.close(going_on_, [&] { draw(close_); });
+        const int pieces = pieces_of_draw(pass.piece, rays);
+        pass.program.set("pieces_per_pass", pieces);
         pass.program.set("start", int(start));
         draw_and_keep(pass.program);
-        // None has more pieces than that. Where there may be more passes, one finds nothing to do.
-        if (pass.pieces >= most_pieces || !passes_.any_passed()) return;
+        left -= pieces;
+        if (left > 0) rays = drawn_.passed();
     }
 }
 
@@ -170,8 +177,9 @@ void Proofs::prove(const gpu::Target& picture, bool is_gated, const gpu::Rectang
     kept_.clear(0, glm::vec4(float(Proof::miss), 0, 0, 0));
     if (!is_gated) gate_.set([&] { draw(to_prove_); });
     begin();
-    prove_rays(natural_, Start::go_on);
-    prove_rays(sharp_, Start::again);
+    const std::uint32_t open = drawn_.passed();
+    prove_rays(natural_, Start::go_on, open);
+    prove_rays(sharp_, Start::again, open);
     kept_.read(0, 0, 0, tile.width, tile.height, record);
 }
 

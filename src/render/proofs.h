@@ -76,17 +76,17 @@ private:
     enum class Start { go_on, again };
     struct Pass {
         gpu::Program program;
-        int pieces; // at most
+        formula::Cost piece;
     };
     void bind_samplers(const gpu::Program& program) const;
     void draw(const gpu::Program& program, int width, int height) const;
     void draw(const gpu::Program& program) const;
-    // Goes on with what is kept where the gate is open, and tells `passes_` how many do.
+    // Goes on with what is kept where the gate is open, and tells `drawn_` how many do.
     void draw_and_keep(const gpu::Program& program);
     // Blocks, then single rays, where the gate is open.
     void begin();
-    // Draws passes until the proofs that wait for these are finished.
-    void prove_rays(const Pass& pass, Start start);
+    // Draws passes until the proofs that wait for these are finished, of so many rays at most.
+    void prove_rays(const Pass& pass, Start start, std::uint32_t rays);
 
     gpu::Program to_prove_, close_, keep_, blocks_, begin_;
     Pass natural_, sharp_;
@@ -95,7 +95,7 @@ private:
     std::optional<gpu::Gate> own_gate_;
     const gpu::Gate& gate_; // of the last two
     gpu::UniformBuffer frame_;
-    gpu::SamplesQuery passes_;
+    gpu::SamplesQuery drawn_; // rays, by the last draw
     gpu::Fullscreen triangle_;
     int first_unit_;
     gpu::Rectangle tile_; // being proved

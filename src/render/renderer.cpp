@@ -228,7 +228,7 @@ struct Renderer::Parts {
             still_active.begin();
             triangle.draw();
             still_active.end();
-            if (!still_active.any_passed()) return *to;
+            if (still_active.passed() == 0) return *to;
             stop_if_asked();
             std::swap(from, to);
         }
