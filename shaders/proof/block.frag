@@ -9,7 +9,7 @@
 // if it is not, or -1 where no ray hits, proved.
 layout(location = 0) out vec4 block_proof;
 
-const int MOST_PIECES = 24;
+uniform int block_pieces; // at most
 
 void main() {
     ivec2 block = ivec2(pixel_centre);
@@ -19,7 +19,7 @@ void main() {
     // Where in tau they end.
     int hits = 0, misses = 0;
     float first = IM_SATURATION, last = -IM_SATURATION, nearest_eye = IM_SATURATION;
-    for (int k = 0; k < BLOCK * BLOCK; ++k) {
+    for (int k = 0; k < RAYS; ++k) {
         ivec2 pixel = block * BLOCK + ivec2(k % BLOCK, k / BLOCK);
         Ending ended = load_ending(pixel);
         vec2 at = (vec2(pixel) + 0.5 + picture.zw) * picture.xy - 1.0;
@@ -31,7 +31,7 @@ void main() {
         last = ended.hit ? max(last, ended.t / to_eye) : last;
         nearest_eye = min(nearest_eye, to_eye);
     }
-    bool all_hit = hits == BLOCK * BLOCK, all_miss = misses == BLOCK * BLOCK;
+    bool all_hit = hits == RAYS, all_miss = misses == RAYS;
     float margin = 2.0 * tube.z / nearest_eye;
     float around = 2.0 * tube.w / nearest_eye + margin;
     float low = whole.low - margin, high = all_hit ? last + around : whole.high + margin;
@@ -47,7 +47,7 @@ void main() {
     float value = 0.0; // F at `settled` is at least so far from 0, on this side; 0: unknown
     bool below = false, open = low < high && hits + misses > 0, monotone = false, at_roots = false;
     float slope = 0.0;
-    for (int k = 0; k < MOST_PIECES && open; ++k) {
+    for (int k = 0; k < block_pieces && open; ++k) {
         float end = at_roots ? high : min(settled + piece, high);
         bool inside = box_of(way, settled, end, x, y, z);
         vec4 f = field_along_interval(x, y, z, dx, dy, dz);
@@ -65,7 +65,7 @@ void main() {
             settled = is_free ? end : settled;
             piece = k == 0 ? longest : is_free ? 2.0 * h : 0.4 * h;
             // No shorter piece could bring the box in.
-            bool stuck = piece < beam.z || k == MOST_PIECES - 2;
+            bool stuck = piece < beam.z || k == block_pieces - 2;
             at_roots = stuck && all_hit;
             open = settled < high && (!stuck || all_hit);
         }

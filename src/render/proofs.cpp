@@ -13,11 +13,10 @@ namespace isomotion::render {
 namespace {
 
 formula::Cost cost_of_piece(const synthesis::Shaders& shaders, const scene::Scene& scene,
-                            synthesis::ProofBounds bounds) {
+                            const std::vector<synthesis::FieldFunction>& samples) {
     std::vector<int> counts;
     for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
-    const formula::Cost piece =
-        synthesis::cost(*scene.surface.field, synthesis::proof_samples(bounds), counts);
+    const formula::Cost piece = synthesis::cost(*scene.surface.field, samples, counts);
     if (1 + piece.iterations > loop_iterations_per_pass) {
         throw std::length_error(
             fmt::format("a proof bounds {:.0f} terms for every piece; a shader can sum {:.0f}: "
@@ -65,15 +64,21 @@ std::string summary(const ProofCounts& counts) {
 
 Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
                int first_unit, const gpu::Gate* gate)
-    : to_prove_(shaders.vertex, shaders.to_prove, "rays to prove")
+    : block_pieces_(std::min(
+          most_pieces_of_block,
+          pieces_of_draw(cost_of_piece(shaders, scene, synthesis::block_proof_samples()),
+                         double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
+    , to_prove_(shaders.vertex, shaders.to_prove, "rays to prove")
     , close_(shaders.vertex, shaders.close_proofs, "ended proofs")
     , keep_(shaders.vertex, shaders.keep, "proofs that went on")
     , blocks_(shaders.vertex, shaders.block_proof, "proofs of blocks")
     , begin_(shaders.vertex, shaders.begin_proof, "beginning proofs")
     , natural_{gpu::Program(shaders.vertex, shaders.proof, "proof"),
-               cost_of_piece(shaders, scene, synthesis::ProofBounds::natural)}
+               cost_of_piece(shaders, scene,
+                             synthesis::proof_samples(synthesis::ProofBounds::natural))}
     , sharp_{gpu::Program(shaders.vertex, shaders.sharp_proof, "sharp proof"),
-             cost_of_piece(shaders, scene, synthesis::ProofBounds::by_gradient)}
+             cost_of_piece(shaders, scene,
+                           synthesis::proof_samples(synthesis::ProofBounds::by_gradient))}
     , ending_(attachment_of(shaders, synthesis::Channel::ending))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
@@ -108,6 +113,7 @@ void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int wi
     const glm::vec4 block_range = beam_range(now, width, height, aim, synthesis::proved_block);
     const double margin = block_range.w;
     blocks_.set("beam", block_range);
+    blocks_.set("block_pieces", block_pieces_);
     const double spread = glm::length(rays.right) + glm::length(rays.up);
     const double direction =
         3 * 16 * 0x1p-24 * (1 + (rays.parallel ? 0 : spread / glm::length(rays.axis)));

@@ -53,6 +53,8 @@ public:
     static constexpr int units = 3;
     // Pieces after which a ray's proof is given up.
     static constexpr int most_pieces = 128;
+    // And those of a block, whose rays' own proofs go on.
+    static constexpr int most_pieces_of_block = 24;
     // Takes texture units from `first_unit` on. `gate`: of the pixels that the picture's draw
     // marched, which outlives it, or null. Throws std::length_error if the formula sums too
     // many terms for a shader.
@@ -88,6 +90,7 @@ private:
     // Draws passes until the proofs that wait for these are finished, of so many rays at most.
     void prove_rays(const Pass& pass, Start start, std::uint32_t rays);
 
+    int block_pieces_; // at most
     gpu::Program to_prove_, close_, keep_, blocks_, begin_;
     Pass natural_, sharp_;
     int ending_; // among the picture's attachments

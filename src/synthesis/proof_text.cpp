@@ -39,6 +39,7 @@ std::vector<FieldFunction> block_proof_samples() { return {FieldFunction::along_
 std::string block_proof_text(const scene::Scene& scene, Shaders& shaders) {
     ShaderText text(shaders.files);
     text.define("BLOCK", proved_block);
+    text.define("RAYS", proved_block * proved_block);
     text.define("SQUARES_APART", beam_square);
     text.file("march/beam_place.glsl");
     add_field(text, *scene.surface.field, shaders, block_proof_samples());

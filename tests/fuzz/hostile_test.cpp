@@ -170,7 +170,7 @@ std::vector<std::string> texts(const Shaders& shaders) {
                                  shaders.active,         shaders.shade,        shaders.whole,
                                  shaders.surface,        shaders.shadow,       shaders.mirror,
                                  shaders.mirror_surface, shaders.motion,       shaders.proof,
-                                 shaders.sharp_proof,    shaders.unfinished};
+                                 shaders.sharp_proof,    shaders.block_proof,  shaders.begin_proof};
     for (const BeamShader& beam : shaders.beams) all.push_back(beam.text);
     return all;
 }
@@ -208,9 +208,9 @@ TEST_P(Hostile, NamesAreNotInTheShaders) {
 // What loops may go by: numbers written in the text, its constants, uniforms that the renderer sets
 // to what it has bounded (march_plan.h, beam_pass.h), and elements, whose number plan_march()
 // bounds.
-const std::set<std::string> bounds{"LIGHTS",      "DEGREE",  "TEXELS",           "level",
-                                   "pieces",      "samples", "beam_evaluations", "evaluations",
-                                   "array0_count"};
+const std::set<std::string> bounds{"LIGHTS",           "RAYS",        "block_pieces", "DEGREE",
+                                   "TEXELS",           "level",       "pieces",       "samples",
+                                   "beam_evaluations", "evaluations", "array0_count"};
 
 // A counter that goes one way to a bound.
 bool is_counted(const std::string& head) {

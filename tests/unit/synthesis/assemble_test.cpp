@@ -114,7 +114,7 @@ TEST_F(Assemble, AChannelAddsItsOwnFileADefineAndACall) {
     EXPECT_THAT(without(lines_of(plain.shade), lines_of(with_depth.shade)), IsEmpty());
     Lines expected = lines_of(read_shader("channels/depth.glsl"));
     expected.insert({"", "// shaders/channels/depth.glsl", "#define DEPTH_LOCATION 2",
-                     "    write_depth(ray, hit, on_surface);"});
+                     "    write_depth(ray, hit, verdict);"});
     EXPECT_EQ(without(lines_of(with_depth.shade), lines_of(plain.shade)), expected);
 }
 
@@ -166,18 +166,29 @@ TEST_F(Assemble, TheBoundsShapeChangesOneFile) {
     EXPECT_EQ(box.active, sphere.active);
 }
 
-// Proofs are shaders of their own: no other text knows whether they are asked for.
-TEST_F(Assemble, ProofsChangeNoOtherShader) {
+// Proofs are shaders of their own: others only tell them where rays ended, as they tell a channel.
+TEST_F(Assemble, ProofsAddAChannelToThePictureAndChangeNoOtherShader) {
     for (const auto& bounds : every_bounds) {
         const std::string text = surface_text("x*y - 1", bounds);
         const Shaders plain = assemble(scene_of(text), every_channel);
         const Shaders proving = assemble(scene_of(text + "certify = true\n"), every_channel);
-        expect_same_text(plain, proving);
+        EXPECT_EQ(proving.march, plain.march);
+        EXPECT_EQ(proving.active, plain.active);
+        EXPECT_EQ(proving.vertex, plain.vertex);
+        Lines ending = lines_of(read_shader("channels/ending.glsl"));
+        ending.insert({"", "// shaders/channels/ending.glsl", "#define ENDING_LOCATION 5",
+                       "    write_ending(ray, hit, verdict);"});
+        for (const auto part : {&Shaders::shade, &Shaders::whole}) {
+            EXPECT_THAT(without(lines_of(plain.*part), lines_of(proving.*part)), IsEmpty());
+            EXPECT_EQ(without(lines_of(proving.*part), lines_of(plain.*part)), ending);
+        }
+        EXPECT_EQ(proving.attachments.size(), plain.attachments.size() + 1);
         ASSERT_EQ(plain.beams.size(), proving.beams.size());
         for (std::size_t k = 0; k < plain.beams.size(); ++k) {
             EXPECT_EQ(plain.beams[k].text, proving.beams[k].text);
         }
-        EXPECT_THAT(plain.proof + plain.sharp_proof + plain.unfinished, IsEmpty());
+        EXPECT_THAT(plain.block_proof + plain.begin_proof + plain.proof + plain.sharp_proof,
+                    IsEmpty());
         EXPECT_THAT(proving.proof, HasSubstr("proof/prove.glsl"));
         for (const auto& name : plain.files) EXPECT_FALSE(name.starts_with("proof/")) << name;
     }
