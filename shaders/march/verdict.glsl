@@ -1,4 +1,4 @@
-// How a ray ends: Verdict of src/render/renderer.h.
+// How a ray ends: Verdict of src/render/record.h.
 const int VERDICT_MISS = 0;
 const int VERDICT_HIT = 1;
 const int VERDICT_STEP_LIMIT = 2;

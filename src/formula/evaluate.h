@@ -17,6 +17,8 @@ namespace isomotion::formula {
 template<class T> struct ArrayColumns {
     int count = 0;
     std::vector<std::vector<T>> fields; // [field][element]; unused fields may be empty
+
+    bool operator==(const ArrayColumns&) const = default;
 };
 
 // What a formula's names stand for, apart from its inputs.
@@ -24,6 +26,8 @@ template<class T> struct Bindings {
     std::vector<T> parameters;
     std::vector<ArrayColumns<T>> arrays;
     std::uint64_t seed = 0; // of random(i, k)
+
+    bool operator==(const Bindings&) const = default;
 };
 
 template<class To, class From> Bindings<To> convert(const Bindings<From>& from) {

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <span>
-
-#include "render/element_radius.h"
 
 namespace isomotion::render {
 namespace {
@@ -27,7 +26,7 @@ double rounding(const scene::Rays& rays, const scene::SceneAt& now, double reach
 } // namespace
 
 FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                       const scene::Aim& aim) {
+                       const scene::Aim& aim, double element_radius) {
     const scene::Rays rays = scene::rays(now, width, height, aim);
     const scene::Isolation& isolation = scene.isolation;
     const bool box = now.bounds.shape == scene::Bounds::Shape::box;
@@ -58,13 +57,18 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
         // it: steps of half an element's radius lose some 10 pixels in a million of blobby75, those
         // of a whole one a thousand, and take as long.
         if (isolation.method == scene::Method::hermite) {
-            const double longest = std::min(eighth, 0.5 * least_element_radius(scene, now));
+            const double longest = std::min(eighth, 0.5 * element_radius);
             block.thresholds = glm::dvec4(longest, spacing, 0, 0);
         }
     } else {
         block.refinement = glm::vec4(isolation.bisections, isolation.limit, 0, 0);
     }
     return block;
+}
+
+FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+                       const scene::Aim& aim) {
+    return frame_block(scene, now, width, height, aim, std::numeric_limits<double>::infinity());
 }
 
 glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const scene::Aim& aim,

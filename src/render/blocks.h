@@ -18,6 +18,11 @@ struct FrameBlock {
     glm::vec4 picture, thresholds, refinement;
 };
 
+// `element_radius`: see element_radius.h; cubics (the method hermite) step no farther than half of
+// it.
+FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+                       const scene::Aim& aim, double element_radius);
+// The same for draws that march no rays.
 FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
                        const scene::Aim& aim = {});
 

@@ -124,4 +124,11 @@ double least_element_radius(const scene::Scene& scene, const scene::SceneAt& now
     return least;
 }
 
+double ElementRadius::least(const scene::Scene& scene, const scene::SceneAt& now) {
+    if (!known_ || known_->elements != now.bindings || known_->bounds != now.bounds) {
+        known_ = Known{now.bindings, now.bounds, least_element_radius(scene, now)};
+    }
+    return known_->least;
+}
+
 } // namespace isomotion::render

@@ -5,6 +5,8 @@
 // it matters most, and F around that place tells how far it does.
 #pragma once
 
+#include <optional>
+
 #include "scene/scene_at.h"
 
 namespace isomotion::render {
@@ -15,5 +17,20 @@ namespace isomotion::render {
 // a quarter of the bounds' radius; never less than a 64th of that. Takes some hundred evaluations
 // of F with one element for each.
 double least_element_radius(const scene::Scene& scene, const scene::SceneAt& now);
+
+// The same, remembered for as long as the elements and the bounds stay: a frame is made of many
+// pictures, one for each sample of a pixel.
+class ElementRadius {
+public:
+    double least(const scene::Scene& scene, const scene::SceneAt& now);
+
+private:
+    struct Known {
+        formula::Bindings<float> elements;
+        scene::BoundsAt bounds;
+        double least;
+    };
+    std::optional<Known> known_;
+};
 
 } // namespace isomotion::render

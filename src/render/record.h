@@ -13,6 +13,9 @@
 
 namespace isomotion::render {
 
+enum class Verdict { miss, hit, step_limit, nan, zero_gradient };
+inline constexpr std::array verdict_names{"miss", "hit", "step limit", "NaN", "zero gradient"};
+
 // What the rays of a tile went through.
 struct Tally {
     std::array<std::int64_t, 5> verdicts{}; // by Verdict

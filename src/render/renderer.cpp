@@ -5,7 +5,6 @@
 #include <deque>
 
 #include <fmt/format.h>
-#include <glm/gtc/type_ptr.hpp>
 
 #include "gpu/draw.h"
 #include "gpu/program.h"
@@ -17,6 +16,7 @@
 #include "render/beam_pass.h"
 #include "render/blocks.h"
 #include "render/effect_uniforms.h"
+#include "render/element_radius.h"
 #include "render/layers.h"
 #include "render/light_beams.h"
 #include "render/planes.h"
@@ -24,6 +24,7 @@
 #include "render/record.h"
 #include "render/scene_plan.h"
 #include "render/secondary_rays.h"
+#include "render/velocity_pass.h"
 #include "render/whole_draw.h"
 #include "scene/fingerprint.h"
 #include "synthesis/effect_text.h"
@@ -80,8 +81,7 @@ struct Renderer::Parts {
         }
         if (scene.environment) load_environment();
         if (!shaders.motion.empty()) {
-            moved = Moved{gpu::Program(shaders.vertex, shaders.motion, "motion"),
-                          gpu::Target(plan.tile_width, plan.tile_height)};
+            moved.emplace(shaders, plan);
         }
         if (!shaders.proof.empty()) {
             proofs.emplace(shaders, scene, plan, beam_unit() + BeamPass::units,
@@ -137,7 +137,7 @@ struct Renderer::Parts {
             }
         }
         if (secondary) secondary->for_each_program(visit);
-        if (moved) visit(moved->program);
+        if (moved) visit(moved->program());
         if (proofs) proofs->for_each_program(visit);
         if (beams) beams->for_each_program(visit);
     }
@@ -163,8 +163,15 @@ struct Renderer::Parts {
         }
     }
 
+    FrameBlock frame_block_of(const scene::SceneAt& now, const scene::Aim& aim) {
+        const bool by_cubics = scene.isolation.method == scene::Method::hermite;
+        return by_cubics ? frame_block(scene, now, options.width, options.height, aim,
+                                       element_radius.least(scene, now))
+                         : frame_block(scene, now, options.width, options.height, aim);
+    }
+
     void upload(const scene::SceneAt& now, const scene::Aim& aim) {
-        const FrameBlock block = frame_block(scene, now, options.width, options.height, aim);
+        const FrameBlock block = frame_block_of(now, aim);
         frame.update(std::as_bytes(std::span(&block, 1)));
         upload_field(now);
         const auto shades = shading_block(scene, now, options.width, options.height);
@@ -321,42 +328,20 @@ struct Renderer::Parts {
         triangle.draw();
     }
 
-    // F and its gradient at another time, where the rays that are bound ended.
-    std::vector<float> field_at(const gpu::Rectangle& tile, const scene::SceneAt& now,
-                                const scene::SceneAt& other) {
-        upload_field(other);
-        const auto rows = change_of_place(now.placement, other.placement);
-        moved->program.set("move_x", rows[0]);
-        moved->program.set("move_y", rows[1]);
-        moved->program.set("move_z", rows[2]);
-        moved->program.set("tile_origin", glm::ivec2(tile.x, tile.y));
-        moved->field.bind();
-        gpu::set_viewport({0, 0, tile.width, tile.height});
-        moved->program.use();
-        triangle.draw();
-        return moved->field.read(0, 0, 0, tile.width, tile.height);
-    }
-
     // The channel velocity of a tile whose rays and record are there.
     void draw_velocity(const gpu::Rectangle& tile, const gpu::Target& rays,
                        const scene::SceneAt& now, const Motion& motion, image::Frame& drawn) {
         rays.texture(0).bind(unit_state_0);
         rays.texture(1).bind(unit_state_1);
-        const std::vector<float> before = field_at(tile, now, motion.before);
-        const std::vector<float> after = field_at(tile, now, motion.after);
+        const auto field_at = [&](const scene::SceneAt& other) {
+            upload_field(other);
+            return moved->field_there(tile, now.placement, other.placement);
+        };
+        const std::vector<float> before = field_at(motion.before), after = field_at(motion.after);
         upload_field(now);
-        const std::vector<float> ends = rays.read(0, 0, 0, tile.width, tile.height);
-        const scene::Rays from = scene::rays(now, options.width, options.height);
-        std::vector<glm::dvec3> found(before.size() / 4, glm::dvec3(0));
-        for (std::size_t at = 0; at < found.size(); ++at) {
-            if (Verdict(record.verdict(at)) != Verdict::hit) continue;
-            const glm::ivec2 pixel(tile.x + int(at) % tile.width, tile.y + int(at) / tile.width);
-            found[at] = velocity(
-                motion, now, options.width, options.height,
-                place_on_ray(from, pixel, options.width, options.height, double(ends[4 * at])),
-                glm::dvec4(glm::make_vec4(&before[4 * at])),
-                glm::dvec4(glm::make_vec4(&after[4 * at])));
-        }
+        const std::vector<glm::dvec3> found =
+            velocities(motion, now, options.width, options.height, tile, record,
+                       rays.read(0, 0, 0, tile.width, tile.height), before, after);
         int k = 0;
         for (image::Channel* channel : Layers::of(drawn, synthesis::Channel::velocity)) {
             planes.fill(tile, *channel, [&](std::size_t at) { return float(found[at][k]); });
@@ -526,6 +511,7 @@ struct Renderer::Parts {
     Layers layers;
     gpu::Target result;
     gpu::UniformBuffer frame, parameters, shading;
+    ElementRadius element_radius;
     std::vector<ArrayBuffer> arrays;
     std::optional<SecondaryRays> secondary;
     std::optional<gpu::Texture> environment;
@@ -533,11 +519,7 @@ struct Renderer::Parts {
     glm::vec4 background{0};       // of the picture being drawn
     double done = 0;               // the part of it that is drawn
     std::string shaders_print = synthesis::fingerprint(shaders);
-    struct Moved {
-        gpu::Program program;
-        gpu::Target field;
-    };
-    std::optional<Moved> moved; // of the channel velocity
+    std::optional<VelocityPass> moved; // of the channel velocity
     std::optional<BeamPass> beams;
     bool keeps_beams = false;
     std::optional<LightBeams> light_beams;
@@ -641,12 +623,12 @@ Picture Renderer::take() {
 
 std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& aim,
                                   const Motion* motion) const {
-    const Parts& p = *parts_;
+    Parts& p = *parts_;
     scene::Fingerprint print;
     const synthesis::Shaders& shaders = p.shaders;
     print.add(p.shaders_print);
     const auto add_field = [&](const scene::SceneAt& at) {
-        const FrameBlock block = frame_block(p.scene, at, p.options.width, p.options.height, aim);
+        const FrameBlock block = p.frame_block_of(at, aim);
         print.add_values(std::span<const FrameBlock>(&block, 1));
         print.add(parameter_block(shaders, at));
         for (std::size_t a = 0; a < shaders.arrays.size(); ++a) {

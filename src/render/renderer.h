@@ -13,6 +13,7 @@
 #include "render/march_plan.h"
 #include "render/motion.h"
 #include "render/proofs.h"
+#include "render/record.h"
 #include "render/stage.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
@@ -20,9 +21,6 @@
 #include "synthesis/channel.h"
 
 namespace isomotion::render {
-
-enum class Verdict { miss, hit, step_limit, nan, zero_gradient };
-inline constexpr std::array verdict_names{"miss", "hit", "step limit", "NaN", "zero gradient"};
 
 // A finished picture and what its rays went through.
 struct Picture {

@@ -15,6 +15,8 @@ struct BoundsAt {
     glm::dvec3 min{-1}, max{1}; // the box, or the sphere's circumscribed box
     glm::dvec3 centre{0};
     double radius = 1; // of the sphere, or of the box's circumscribed sphere
+
+    bool operator==(const BoundsAt&) const = default;
 };
 
 // Formula coordinates to world: world = translate + scale * rotate * local.

@@ -133,5 +133,27 @@ beam = {}
     }
 }
 
+// A scene whose blobs shrink and grow, and whose bounds move.
+TEST(ElementRadius, IsThatOfTheTimeAsked) {
+    const scene::Scene scene = scene_of(R"scene([time]
+fps = 10
+frames = 20
+[surface]
+formula = "sum(blobs, exp(1 - ((x-cx)^2 + y^2 + z^2)/r^2)) - 1"
+bounds = { sphere = "2 + t" }
+[parameters]
+r = "0.2 + 0.1*sin(3*t)"
+[arrays.blobs]
+count = 3
+cx = "0.5*i - 0.5"
+)scene");
+    ElementRadius remembered;
+    for (const int frame : {1, 1, 5, 5, 12, 1}) {
+        SCOPED_TRACE(frame);
+        const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+        EXPECT_EQ(remembered.least(scene, now), least_element_radius(scene, now));
+    }
+}
+
 } // namespace
 } // namespace isomotion::render

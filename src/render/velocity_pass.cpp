@@ -1,0 +1,43 @@
+#include "render/velocity_pass.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+namespace isomotion::render {
+
+VelocityPass::VelocityPass(const synthesis::Shaders& shaders, const MarchPlan& plan)
+    : program_(shaders.vertex, shaders.motion, "motion")
+    , field_(plan.tile_width, plan.tile_height) {}
+
+std::vector<float> VelocityPass::field_there(const gpu::Rectangle& tile,
+                                             const scene::PlacementAt& from,
+                                             const scene::PlacementAt& to) const {
+    const auto rows = change_of_place(from, to);
+    program_.set("move_x", rows[0]);
+    program_.set("move_y", rows[1]);
+    program_.set("move_z", rows[2]);
+    program_.set("tile_origin", glm::ivec2(tile.x, tile.y));
+    field_.bind();
+    gpu::set_viewport({0, 0, tile.width, tile.height});
+    program_.use();
+    triangle_.draw();
+    return field_.read(0, 0, 0, tile.width, tile.height);
+}
+
+std::vector<glm::dvec3> velocities(const Motion& motion, const scene::SceneAt& now, int width,
+                                   int height, const gpu::Rectangle& tile, const Record& record,
+                                   std::span<const float> rays, std::span<const float> before,
+                                   std::span<const float> after) {
+    const scene::Rays from = scene::rays(now, width, height);
+    std::vector<glm::dvec3> found(before.size() / 4, glm::dvec3(0));
+    for (std::size_t at = 0; at < found.size(); ++at) {
+        if (Verdict(record.verdict(at)) != Verdict::hit) continue;
+        const glm::ivec2 pixel(tile.x + int(at) % tile.width, tile.y + int(at) / tile.width);
+        found[at] = velocity(motion, now, width, height,
+                             place_on_ray(from, pixel, width, height, double(rays[4 * at])),
+                             glm::dvec4(glm::make_vec4(&before[4 * at])),
+                             glm::dvec4(glm::make_vec4(&after[4 * at])));
+    }
+    return found;
+}
+
+} // namespace isomotion::render
