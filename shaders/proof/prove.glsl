@@ -11,12 +11,12 @@ uniform int pieces_per_pass;
 uniform int most_pieces;
 
 struct ProofState {
-    float settled;  // from here on to the end of the ray's part nothing is left to prove
-    float value;    // F there is at least so far from 0, on this side; 0: unknown
-    float piece;    // the next one's length
+    REAL settled; // from here on to the end of the ray's part nothing is left to prove; a float
+    REAL value;   // F there is at least so far from 0, on this side; 0: unknown
+    REAL piece;   // the next one's length
     int outcome;
-    bool at_root;   // the next piece is about the root
-    int pieces;     // so far
+    bool at_root; // the next piece is about the root
+    int pieces;   // so far
 };
 
 ProofState conclude(ProofState s, int outcome) {
@@ -24,7 +24,7 @@ ProofState conclude(ProofState s, int outcome) {
     return s;
 }
 
-ProofState begin_proof(Ray ray, bool hit, float root) {
+ProofState begin_proof(ProofRay ray, bool hit, float root) {
     ProofState s;
     s.settled = hit ? root : ray.t_far;
     s.value = 0.0;
@@ -35,61 +35,72 @@ ProofState begin_proof(Ray ray, bool hit, float root) {
     return s;
 }
 
+// Goes on where a proof was given up.
+ProofState resume_proof(ProofState s, ProofRay ray) {
+    REAL2 there = value_at(ray, s.settled);
+    s.value = there.x > 0.0 ? there.x : min(there.y, REAL(0.0));
+    if (s.at_root) s.value = 0.0;
+    s.piece = max(s.settled - ray.t_near, shortest_piece);
+    s.outcome = PROOF_UNFINISHED;
+    s.pieces = 0;
+    return s;
+}
+
 // All from t on is settled; F there is at least as far from 0 as `value`.
-ProofState settle(ProofState s, Ray ray, bool hit, float t, float value) {
+ProofState settle(ProofState s, ProofRay ray, bool hit, REAL t, REAL value) {
     s.settled = t;
     s.value = value;
     s.at_root = false;
     return t <= ray.t_near ? conclude(s, hit ? PROOF_HIT : PROOF_MISS) : s;
 }
 
-ProofState prove_piece(ProofState s, Ray ray, bool hit) {
-    float low = max(s.settled - s.piece, ray.t_near);
-    float high = s.at_root ? s.settled + min(s.piece, tube.w) : s.settled;
-    float sample_at = s.at_root ? s.settled : low;
-    vec2 there = value_at(ray, sample_at);
-    vec4 f = bounds_over(ray, box_around(ray, low, high));
+ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
+    REAL low = float(max(s.settled - s.piece, ray.t_near));
+    REAL high = s.at_root ? s.settled + min(s.piece, tube.w) : s.settled;
+    REAL sample_at = s.at_root ? s.settled : low;
+    REAL2 there = value_at(ray, sample_at);
+    REAL4 f = bounds_over(ray, box_around(ray, low, high));
     s.pieces += 1;
 
     // The root. Half a millionth more than float32 can lose in these lines.
-    precise float steepness = max(f.z, -f.w); // the least, if positive
-    precise float off = max(-there.x, there.y) / steepness * 1.000002 + 4.76837158e-7 * abs(s.settled);
+    precise REAL steepness = max(f.z, -f.w); // the least, if positive
+    precise REAL off = max(-there.x, there.y) / steepness * 1.000002 + 4.76837158e-7 * abs(s.settled);
     bool isolates = steepness > 0.0 && off <= high - s.settled && off <= s.settled - low &&
                     s.settled - off > 2.0 * tube.z - ray.to_eye &&
-                    inside_bounds(ray_point(ray, s.settled - off)) &&
-                    inside_bounds(ray_point(ray, s.settled + off));
-    precise float ahead = steepness * (0.999998 * (s.settled - low) - off);
+                    inside_bounds(vec3(ray_point(ray, s.settled - off))) &&
+                    inside_bounds(vec3(ray_point(ray, s.settled + off)));
+    precise REAL ahead = steepness * (0.999998 * (s.settled - low) - off);
 
     // What is before, upright: F > 0 at the sample.
     bool below = there.y < 0.0;
-    float near = below ? -there.y : there.x, far = below ? -s.value : s.value;
-    float fall = max(below ? f.w : -f.z, 0.0), rise = max(below ? -f.z : f.w, 0.0);
-    precise float h = (high - low) * 1.000002;
+    REAL near = below ? -there.y : there.x, far = below ? -s.value : s.value;
+    REAL fall = max(below ? f.w : -f.z, 0.0), rise = max(below ? -f.z : f.w, 0.0);
+    precise REAL h = (high - low) * 1.000002;
     // Two lines that F stays above, one from either end, cross above 0.
-    precise float cross_at = near * rise + far * fall;
-    precise float deep = fall * rise * h * 1.000002 + 1.0e-34 * (1.0 + h);
+    precise REAL cross_at = near * rise + far * fall;
+    precise REAL deep = fall * rise * h * 1.000002 + 1.0e-34 * (1.0 + h);
     bool natural = f.x > 0.0 || f.y < 0.0;
     bool is_free = natural || near > 0.0 && (near > fall * h || far > rise * h ||
                                              far > 0.0 && cross_at > deep);
-    float kept = near > 0.0 ? near : max(f.x, -f.y);
+    REAL kept = near > 0.0 ? near : max(f.x, -f.y);
 
     // How long the next piece may be, from how far this one was from the other outcome. Slopes over
     // a piece spread about as it is long, so what keeps F off 0 falls by its square.
-    float spread = 0.5 * (f.w - f.z), middle = 0.5 * abs(f.z + f.w);
-    float by_root = 0.8 * middle / spread;
-    float by_near = near > 0.0 ? max(cross_at / deep, near / (fall * h)) : 0.0;
-    float by_value = max(by_near, far / (rise * h));
-    float least = s.at_root ? 0.125 : !is_free ? 0.15 : natural ? 2.0 : 1.0;
-    float most = s.at_root || !is_free ? 0.7 : 4.0;
-    float part = s.at_root ? by_root : 0.9 * sqrt(by_value);
+    REAL spread = 0.5 * (f.w - f.z), middle = 0.5 * abs(f.z + f.w);
+    REAL by_root = 0.8 * middle / spread;
+    REAL by_near = near > 0.0 ? max(cross_at / deep, near / (fall * h)) : REAL(0.0);
+    REAL by_value = max(by_near, far / (rise * h));
+    REAL least = s.at_root ? 0.125 : !is_free ? 0.15 : natural ? 2.0 : 1.0;
+    REAL most = s.at_root || !is_free ? 0.7 : 4.0;
+    REAL part = s.at_root ? by_root : 0.9 * sqrt(by_value);
     part = part > least ? min(part, most) : least; // also where it is not a number
     // No shorter piece could bring Newton's step close enough.
     bool hopeless = s.at_root && max(-there.x, there.y) > tube.w * max(-f.z, f.w);
-    float length = s.settled - low;
+    REAL length = s.settled - low;
 
     bool succeeds = s.at_root ? isolates : is_free;
     if (succeeds) {
-        float value = s.at_root ? (f.z > 0.0 ? -1.0 : 1.0) * max(ahead, 0.0)
+        REAL value = s.at_root ? (f.z > 0.0 ? -1.0 : 1.0) * max(ahead, 0.0)
                                 : (near > 0.0 ? below : f.y < 0.0) ? -kept : kept;
         s.piece = max(s.at_root ? 2.0 * length : part * length, shortest_piece);
         s = settle(s, ray, hit, low, value);

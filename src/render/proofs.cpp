@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "render/blocks.h"
+#include "render/doubles.h"
 #include "synthesis/proof_text.h"
 
 namespace isomotion::render {
@@ -30,6 +32,14 @@ int plan_pieces(const synthesis::Shaders& shaders, const scene::Scene& scene, co
     return int(std::clamp(std::min(by_work, by_loops), 1.0, double(Proofs::most_pieces)));
 }
 
+// Of the outcomes of pixels, four numbers each.
+bool is_any_open(std::span<const float> record) {
+    for (std::size_t k = 0; k < record.size(); k += 4) {
+        if (Proof(int(record[k])) >= Proof::hidden) return true;
+    }
+    return false;
+}
+
 } // namespace
 
 double proved_part(const ProofCounts& counts) {
@@ -51,7 +61,7 @@ std::string summary(const ProofCounts& counts) {
 }
 
 Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
-               int first_unit)
+               int first_unit, InDoubles in_doubles)
     : natural_{gpu::Program(shaders.vertex, shaders.proof, "proof"),
                plan_pieces(shaders, scene, plan, synthesis::ProofBounds::natural)}
     , sharp_{gpu::Program(shaders.vertex, shaders.sharp_proof, "sharp proof"),
@@ -63,16 +73,35 @@ Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, con
     , nowhere_(plan.tile_width, plan.tile_height)
     , frame_(sizeof(FrameBlock))
     , first_unit_(first_unit) {
-    for_each_program([&](const gpu::Program& program) {
-        program.bind_sampler("proof_texture_0", first_unit);
-        program.bind_sampler("proof_texture_1", first_unit + 1);
-    });
-    unfinished_.bind_sampler("proof_texture_0", first_unit);
+    for_each_program([&](const gpu::Program& program) { connect_textures(program); });
+    connect_textures(unfinished_);
+    if (!in_doubles.wanted) return;
+    const int pieces = plan_pieces(shaders, scene, plan, synthesis::ProofBounds::in_doubles);
+    make_in_doubles_ = [this, &shaders, pieces, connect = std::move(in_doubles.connect)] {
+        std::optional<Pass> made;
+        if (!can_trust_doubles()) return made;
+        made = Pass{gpu::Program(shaders.vertex, shaders.double_proof, "proof in doubles"), pieces};
+        connect_textures(made->program);
+        connect(made->program);
+        return made;
+    };
+}
+
+void Proofs::connect_textures(const gpu::Program& program) const {
+    program.bind_sampler("proof_texture_0", first_unit_);
+    program.bind_sampler("proof_texture_1", first_unit_ + 1);
 }
 
 void Proofs::for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
     visit(natural_.program);
     visit(sharp_.program);
+    if (in_doubles_) visit(in_doubles_->program);
+}
+
+void Proofs::set(const Pass& pass, const Thickness& thickness, int most_pieces) {
+    pass.program.set("tube", thickness.tube);
+    pass.program.set("shortest_piece", thickness.shortest_piece);
+    pass.program.set("most_pieces", most_pieces);
 }
 
 void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
@@ -80,16 +109,18 @@ void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int wi
     const scene::Rays rays = scene::rays(now, width, height, aim);
     const double footprint = 2 * glm::length(rays.up) / height;
     // Of truth's tubes what a point may be off by, four times over: the rays here and those marched
-    // are each within once that of the exact one.
+    // are each within once that of the exact one, which the rays in doubles are but for 2^-40 of
+    // it.
     const double margin = beam_range(now, width, height, aim, 1).w;
     const double spread = glm::length(rays.right) + glm::length(rays.up);
     const double direction =
-        3 * 16 * 0x1p-24 * (1 + (rays.parallel ? 0 : spread / glm::length(rays.axis)));
-    for_each_program([&](const gpu::Program& program) {
-        program.set("tube", glm::vec4(0.55 * margin, direction, margin, footprint / 8));
-        program.set("shortest_piece", float(std::max(margin, footprint / 256)));
-        program.set("most_pieces", most_pieces);
-    });
+        16 * 0x1p-24 * (1 + (rays.parallel ? 0 : spread / glm::length(rays.axis)));
+    const auto shortest = float(std::max(margin, footprint / 256));
+    const Thickness of_floats{glm::vec4(0.55 * margin, 3 * direction, margin, footprint / 8),
+                              shortest};
+    of_doubles_ = {glm::vec4(0.26 * margin, 1.01 * direction, margin, footprint / 8), shortest};
+    for (const Pass* pass : {&natural_, &sharp_}) set(*pass, of_floats, most_pieces);
+    if (in_doubles_) set(*in_doubles_, of_doubles_, most_pieces_in_doubles);
 
     FrameBlock block = frame_block(scene, now, width, height, aim);
     const auto more = float(margin);
@@ -125,10 +156,23 @@ void Proofs::finish(const gpu::Rectangle& tile, const Pass& pass, Start start) {
     }
 }
 
+const Proofs::Pass* Proofs::pass_in_doubles() {
+    if (make_in_doubles_) {
+        in_doubles_ = std::exchange(make_in_doubles_, {})();
+        if (in_doubles_) set(*in_doubles_, of_doubles_, most_pieces_in_doubles);
+    }
+    return in_doubles_ ? &*in_doubles_ : nullptr;
+}
+
 void Proofs::prove(const gpu::Rectangle& tile, unsigned binding, std::span<float> record) {
     frame_.bind(binding);
     finish(tile, natural_, Start::begin);
     finish(tile, sharp_, Start::again);
+    from_->read(0, 0, 0, tile.width, tile.height, record);
+    if (!is_any_open(record)) return;
+    const Pass* in_doubles = pass_in_doubles();
+    if (!in_doubles) return;
+    finish(tile, *in_doubles, Start::resume);
     from_->read(0, 0, 0, tile.width, tile.height, record);
 }
 

@@ -3,13 +3,15 @@
 // A pass after the march bounds F and dF/dt over pieces of the ray in float32 interval arithmetic
 // (shaders/proof/prove.glsl); what stays undecided is tried again with closer bounds. Each ray is
 // as thick as all that float32 may have made of it, see truth/tube.h: what is proved holds for the
-// ray that was drawn, on any driver. A proved hit is a simple root, the ray's first, within an
-// eighth of a pixel's width of the place that was found.
+// ray that was drawn, on any driver. What is open then is resumed in doubles, where the driver's
+// can be trusted (doubles.h). A proved hit is a simple root, the ray's first, within an eighth of a
+// pixel's width of the place that was found.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,10 +53,18 @@ public:
     static constexpr int units = 2;
     // Pieces after which a ray's proof is given up.
     static constexpr int most_pieces = 128;
+    // And one in doubles.
+    static constexpr int most_pieces_in_doubles = 128;
+    // What proofs in doubles take: whether they are wanted, and what connects their program, which
+    // is made when float32 first leaves something open, to the field's values.
+    struct InDoubles {
+        bool wanted;
+        std::function<void(const gpu::Program&)> connect;
+    };
     // Takes texture units from `first_unit` on. Throws std::length_error if the formula sums too
     // many terms for a shader.
     Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
-           int first_unit);
+           int first_unit, InDoubles in_doubles);
 
     void for_each_program(const std::function<void(const gpu::Program&)>& visit) const;
 
@@ -68,15 +78,27 @@ public:
     void prove(const gpu::Rectangle& tile, unsigned binding, std::span<float> record);
 
 private:
-    enum class Start { go_on, begin, again };
+    enum class Start { go_on, begin, again, resume };
     struct Pass {
         gpu::Program program;
         int pieces; // at most
     };
+    // How thick the rays are, and how short pieces get: uniforms of shaders/proof/.
+    struct Thickness {
+        glm::vec4 tube{0};
+        float shortest_piece = 0;
+    };
+    static void set(const Pass& pass, const Thickness& thickness, int most_pieces);
+    void connect_textures(const gpu::Program& program) const;
+    // Tries again what is open; null where doubles can't be had or trusted.
+    const Pass* pass_in_doubles();
     // Draws passes until all proofs are finished.
     void finish(const gpu::Rectangle& tile, const Pass& pass, Start start);
 
     Pass natural_, sharp_;
+    std::function<std::optional<Pass>()> make_in_doubles_; // empty once it was called
+    std::optional<Pass> in_doubles_;
+    Thickness of_doubles_;
     gpu::Program unfinished_;
     RayTargets states_;
     const gpu::Target *from_, *to_; // of states_

@@ -84,7 +84,10 @@ struct Renderer::Parts {
                           gpu::Target(plan.tile_width, plan.tile_height)};
         }
         if (!shaders.proof.empty()) {
-            proofs.emplace(shaders, scene, plan, beam_unit() + BeamPass::units);
+            proofs.emplace(
+                shaders, scene, plan, beam_unit() + BeamPass::units,
+                Proofs::InDoubles{options.proofs_in_doubles && context.info().has(4, 0),
+                                  [this](const gpu::Program& program) { connect(program); }});
         }
         for_each_program([&](const gpu::Program& program) { connect(program); });
     }

@@ -379,6 +379,7 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
     if (scene.isolation.certify) {
         shaders.proof = proof_text(scene, shaders, ProofBounds::natural);
         shaders.sharp_proof = proof_text(scene, shaders, ProofBounds::by_gradient);
+        shaders.double_proof = proof_text(scene, shaders, ProofBounds::in_doubles);
         shaders.unfinished = unfinished_proofs_text(shaders.files);
     }
     shaders.shade = shade_text(scene, channels, shaders);
@@ -393,7 +394,8 @@ std::string fingerprint(const Shaders& shaders) {
     for (const std::string* text :
          {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.mirror,
           &shaders.mirror_surface, &shaders.motion, &shaders.shade_vertex, &shaders.shade,
-          &shaders.whole, &shaders.open, &shaders.proof, &shaders.sharp_proof}) {
+          &shaders.whole, &shaders.open, &shaders.proof, &shaders.sharp_proof,
+          &shaders.double_proof}) {
         print.add(*text);
     }
     return print.text();

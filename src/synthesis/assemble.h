@@ -53,9 +53,10 @@ struct Shaders : FieldStorage {
     std::string motion;         // of the channel velocity: F at another time
 
     // Of scenes that ask for proofs (Isolation::certify), else empty.
-    std::string proof;       // one pass of them
-    std::string sharp_proof; // one of those that take closer bounds
-    std::string unfinished;  // asks whether proofs go on
+    std::string proof;        // one pass of them
+    std::string sharp_proof;  // one of those that take closer bounds
+    std::string double_proof; // and in doubles, which takes OpenGL 4.0
+    std::string unfinished;   // asks whether proofs go on
 
     Stage stage = Stage::fragment; // of march, shadow and mirror; the others are of fragments
     int state_textures = 2;        // that a ray's state takes between passes

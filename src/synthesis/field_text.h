@@ -66,4 +66,9 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
                const std::vector<FieldFunction>& functions,
                const std::vector<GeneratedFunction>& beside = {}, bool beside_on_intervals = false);
 
+// Of functions on intervals, those on doubles, which take GLSL 4.00. From there on REAL is double
+// in shaders/interval/.
+void add_field_on_doubles(ShaderText& text, const formula::Field& field,
+                          const FieldStorage& storage, const std::vector<FieldFunction>& functions);
+
 } // namespace isomotion::synthesis

@@ -7,7 +7,7 @@ namespace isomotion::synthesis {
 
 std::vector<FieldFunction> proof_samples(ProofBounds bounds) {
     std::vector samples{FieldFunction::value_interval, FieldFunction::along_interval};
-    if (bounds == ProofBounds::by_gradient) samples.push_back(FieldFunction::gradient_interval);
+    if (bounds != ProofBounds::natural) samples.push_back(FieldFunction::gradient_interval);
     return samples;
 }
 
@@ -15,8 +15,14 @@ std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds 
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     // Beams that leave out elements which matter little prove nothing about the whole sum.
     const bool beam = !shaders.beams.empty() && !has_lists(shaders);
+    const bool doubles = bounds == ProofBounds::in_doubles;
     ShaderText text(shaders.files);
-    add_field(text, *scene.surface.field, shaders, proof_samples(bounds));
+    if (doubles) {
+        text.version(400);
+        add_field_on_doubles(text, *scene.surface.field, shaders, proof_samples(bounds));
+    } else {
+        add_field(text, *scene.surface.field, shaders, proof_samples(bounds));
+    }
     text.file("frame.glsl");
     text.file("march/verdict.glsl");
     text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
@@ -24,6 +30,7 @@ std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds 
     text.file("march/state.glsl");
     add_entrance(text, shaders, beam);
     text.file("proof/outcome.glsl");
+    text.file(doubles ? "proof/in_doubles.glsl" : "proof/in_floats.glsl");
     text.file("proof/tube.glsl");
     text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");
     text.file(bounds == ProofBounds::natural ? "proof/value_over_box.glsl"

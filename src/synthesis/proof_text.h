@@ -9,8 +9,8 @@
 namespace isomotion::synthesis {
 
 // How F is bounded at a point that float32 leaves uncertain: over the box of all that it can be, or
-// by its gradient there, which is closer and costs more.
-enum class ProofBounds { natural, by_gradient };
+// by its gradient there, which is closer and costs more; or that in doubles, where float32 cancels.
+enum class ProofBounds { natural, by_gradient, in_doubles };
 
 // What a piece of a proof asks of the field.
 std::vector<FieldFunction> proof_samples(ProofBounds bounds);

@@ -1,0 +1,26 @@
+// Proofs in doubles go along the ray that float32 rounded to the one that is marched, made of the
+// same numbers.
+struct ProofRay {
+    dvec3 anchor, direction;
+    double t_near, t_far; // the marched one's
+    double to_eye;
+};
+
+ProofRay proof_ray(Ray marched) {
+    dvec2 at = (dvec2(pixel_centre) + dvec2(picture.zw)) * dvec2(picture.xy) - 1.0;
+    dvec3 across = at.x * dvec3(ray_right.xyz) + at.y * dvec3(ray_up.xyz);
+    dvec3 from_eye = dvec3(ray_axis.xyz) + double(ray_axis.w) * across;
+    dvec3 squares = from_eye * from_eye;
+    double distance_to_eye = sqrt(squares.x + squares.y + squares.z);
+    return ProofRay(dvec3(ray_origin.xyz) + across, from_eye / distance_to_eye,
+                    double(marched.t_near), double(marched.t_far), distance_to_eye);
+}
+
+dvec3 ray_point(ProofRay ray, double t) {
+    return ray.anchor + t * ray.direction;
+}
+
+// As a float.
+float toward_zero(double x) {
+    return 0.9999998 * float(clamp(x, -3.4e38lf, 3.4e38lf));
+}
