@@ -59,7 +59,7 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
     REAL high = s.at_root ? s.settled + min(s.piece, tube.w) : s.settled;
     REAL sample_at = s.at_root ? s.settled : low;
     REAL2 there = value_at(ray, sample_at);
-    REAL4 f = bounds_over(ray, box_around(ray, low, high));
+    REAL4 f = bounds_of_piece(ray, low, high);
     s.pieces += 1;
 
     // The root. Half a millionth more than float32 can lose in these lines.

@@ -19,10 +19,14 @@ Box box_around(ProofRay ray, REAL low, REAL high) {
     return Box(REAL2(least.x, most.x), REAL2(least.y, most.y), REAL2(least.z, most.z));
 }
 
-// F and its slope along the rays.
-REAL4 bounds_over(ProofRay ray, Box p) {
+Box directions_about(ProofRay ray) {
     precise REAL3 least = ray.direction - tube.y;
     precise REAL3 most = ray.direction + tube.y;
-    return field_along_interval(p.x, p.y, p.z, REAL2(least.x, most.x), REAL2(least.y, most.y),
-                                REAL2(least.z, most.z));
+    return Box(REAL2(least.x, most.x), REAL2(least.y, most.y), REAL2(least.z, most.z));
+}
+
+// F and its slope along the rays.
+REAL4 bounds_over(ProofRay ray, Box p) {
+    Box d = directions_about(ray);
+    return field_along_interval(p.x, p.y, p.z, d.x, d.y, d.z);
 }

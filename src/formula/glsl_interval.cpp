@@ -352,4 +352,15 @@ std::string glsl_gradient_interval(const EnclosurePrograms& programs, const Arra
                               packing, numbers);
 }
 
+std::string glsl_bend_interval(const Program& bend, const ArrayPacking& packing, Numbers numbers) {
+    return emit_interval_glsl(
+        bend,
+        {"void field_bend_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz, out vec2 f, "
+         "out vec2 slope, out vec2 bx, out vec2 by, out vec2 bz)",
+         {"x", "y", "z", "dx", "dy", "dz"},
+         "",
+         {"f", "slope", "bx", "by", "bz"}},
+        packing, numbers);
+}
+
 } // namespace isomotion::formula

@@ -44,4 +44,8 @@ std::string glsl_along_interval(const EnclosurePrograms& programs, const ArrayPa
 std::string glsl_gradient_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
                                    Numbers numbers = Numbers::floats);
 
+// void field_bend_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz, out vec2 f,
+//                          out vec2 slope, out vec2 bx, out vec2 by, out vec2 bz): bend_program()
+std::string glsl_bend_interval(const Program& bend, const ArrayPacking& packing, Numbers numbers);
+
 } // namespace isomotion::formula

@@ -18,8 +18,9 @@ int plan_pieces(const synthesis::Shaders& shaders, const scene::Scene& scene, co
                 synthesis::ProofBounds bounds) {
     std::vector<int> counts;
     for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
+    const formula::Field& field = *scene.surface.field;
     const formula::Cost piece =
-        synthesis::cost(*scene.surface.field, synthesis::proof_samples(bounds), counts);
+        synthesis::cost(field, synthesis::proof_samples(field, bounds), counts);
     const double by_loops = loop_iterations_per_pass / (1 + piece.iterations);
     if (by_loops < 1) {
         throw std::length_error(

@@ -79,6 +79,8 @@ formula::Program program_of(const formula::Field& field, FieldFunction function)
         return formula::enclosure_programs(field).value;
     case FieldFunction::along_interval:
         return formula::enclosure_programs(field).along;
+    case FieldFunction::bend_interval:
+        return formula::bend_program(field).value();
     default:
         return formula::enclosure_programs(field).gradient;
     }
@@ -102,6 +104,11 @@ FunctionParts parts_of(const formula::Field& field, FieldFunction function,
         return {kernels_used(field.gradient), formula::glsl_gradient(field)};
     default:
         break;
+    }
+    if (function == FieldFunction::bend_interval) {
+        const formula::Program bend = formula::bend_program(field).value();
+        return {interval_kernels_used(bend),
+                formula::glsl_bend_interval(bend, field.packing, numbers), true};
     }
     const formula::EnclosurePrograms programs = formula::enclosure_programs(field);
     switch (function) {

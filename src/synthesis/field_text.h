@@ -47,7 +47,8 @@ enum class FieldFunction {
     gradient,
     value_interval,
     along_interval,
-    gradient_interval
+    gradient_interval,
+    bend_interval // of fields that have a bend_program()
 };
 
 // What one call of each takes. An operation on intervals is counted as so many on numbers.

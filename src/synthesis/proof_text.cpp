@@ -1,13 +1,24 @@
 #include "synthesis/proof_text.h"
 
+#include "formula/enclosure.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/shader_text.h"
 
 namespace isomotion::synthesis {
 
-std::vector<FieldFunction> proof_samples(ProofBounds bounds) {
+namespace {
+
+// In doubles, where rounding no longer hides it, and where there are such bounds.
+bool takes_bend(const formula::Field& field, ProofBounds bounds) {
+    return bounds == ProofBounds::in_doubles && formula::bend_program(field);
+}
+
+} // namespace
+
+std::vector<FieldFunction> proof_samples(const formula::Field& field, ProofBounds bounds) {
     std::vector samples{FieldFunction::value_interval, FieldFunction::along_interval};
     if (bounds != ProofBounds::natural) samples.push_back(FieldFunction::gradient_interval);
+    if (takes_bend(field, bounds)) samples.push_back(FieldFunction::bend_interval);
     return samples;
 }
 
@@ -15,13 +26,14 @@ std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds 
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     // Beams that leave out elements which matter little prove nothing about the whole sum.
     const bool beam = !shaders.beams.empty() && !has_lists(shaders);
+    const formula::Field& field = *scene.surface.field;
     const bool doubles = bounds == ProofBounds::in_doubles;
     ShaderText text(shaders.files);
     if (doubles) {
         text.version(400);
-        add_field_on_doubles(text, *scene.surface.field, shaders, proof_samples(bounds));
+        add_field_on_doubles(text, field, shaders, proof_samples(field, bounds));
     } else {
-        add_field(text, *scene.surface.field, shaders, proof_samples(bounds));
+        add_field(text, field, shaders, proof_samples(field, bounds));
     }
     text.file("frame.glsl");
     text.file("march/verdict.glsl");
@@ -35,6 +47,8 @@ std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds 
     text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");
     text.file(bounds == ProofBounds::natural ? "proof/value_over_box.glsl"
                                              : "proof/value_by_gradient.glsl");
+    text.file(takes_bend(field, bounds) ? "proof/bounds_by_bend.glsl"
+                                        : "proof/bounds_over_box.glsl");
     text.file("proof/prove.glsl");
     text.file("proof/proof.frag");
     return text.take();

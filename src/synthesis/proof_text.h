@@ -13,7 +13,7 @@ namespace isomotion::synthesis {
 enum class ProofBounds { natural, by_gradient, in_doubles };
 
 // What a piece of a proof asks of the field.
-std::vector<FieldFunction> proof_samples(ProofBounds bounds);
+std::vector<FieldFunction> proof_samples(const formula::Field& field, ProofBounds bounds);
 
 // One pass of proofs. Adds to `shaders.files`; its beams must be there.
 std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds bounds);
