@@ -37,10 +37,7 @@ ProofState begin_proof(ProofRay ray, bool hit, float root) {
 
 // Goes on where a proof was given up.
 ProofState resume_proof(ProofState s, ProofRay ray) {
-    REAL2 there = value_at(ray, s.settled);
-    s.value = there.x > 0.0 ? there.x : min(there.y, REAL(0.0));
-    if (s.at_root) s.value = 0.0;
-    s.piece = max(s.settled - ray.t_near, shortest_piece);
+    s.piece = s.at_root ? 32.0 * tube.w : max(s.settled - ray.t_near, shortest_piece);
     s.outcome = PROOF_UNFINISHED;
     s.pieces = 0;
     return s;

@@ -197,18 +197,18 @@ bool is_asked_for(std::size_t operation, const Pair& of) {
 
 } // namespace
 
-std::string fault_of_doubles() {
+std::string fault_of_doubles(int first_unit) {
     const gpu::Program program("#version 330 core\n" + synthesis::read_shader("probe/corners.vert"),
                                probe(), "doubles");
     const std::vector<Pair> pairs = operands();
     const gpu::Texture first = texture_of(pairs, &Pair::a), second = texture_of(pairs, &Pair::b);
     const gpu::Target target(side, side);
-    program.bind_sampler("first", 0);
-    program.bind_sampler("second", 1);
+    program.bind_sampler("first", first_unit);
+    program.bind_sampler("second", first_unit + 1);
     for (std::size_t k = 0; k < operations.size(); ++k) {
         target.bind();
-        first.bind(0);
-        second.bind(1);
+        first.bind(first_unit);
+        second.bind(first_unit + 1);
         program.set("operation", int(k));
         gpu::Fullscreen().draw();
         const std::vector<float> results = target.read(0, 0, 0, side, side);
@@ -226,9 +226,9 @@ std::string fault_of_doubles() {
     return {};
 }
 
-bool can_trust_doubles() {
+bool can_trust_doubles(int first_unit) {
     const gpu::Context* context = gpu::Context::current();
-    return context && context->info().has(4, 0) && fault_of_doubles().empty();
+    return context && context->info().has(4, 0) && fault_of_doubles(first_unit).empty();
 }
 
 } // namespace isomotion::render

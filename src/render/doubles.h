@@ -12,9 +12,10 @@ namespace isomotion::render {
 // Measures some thousand operands in the current context, of OpenGL 4.0, nasty ones first, against
 // the processor. The first that comes out otherwise, such as "a + b at 1 and 0x1p-53: 1, not ...",
 // or empty if none does.
-std::string fault_of_doubles();
+// Takes two texture units.
+std::string fault_of_doubles(int first_unit = 0);
 
 // Whether there is none, and the current context has doubles.
-bool can_trust_doubles();
+bool can_trust_doubles(int first_unit);
 
 } // namespace isomotion::render

@@ -80,7 +80,7 @@ Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, con
     const int pieces = plan_pieces(shaders, scene, plan, synthesis::ProofBounds::in_doubles);
     make_in_doubles_ = [this, &shaders, pieces, connect = std::move(in_doubles.connect)] {
         std::optional<Pass> made;
-        if (!can_trust_doubles()) return made;
+        if (!can_trust_doubles(first_unit_)) return made;
         made = Pass{gpu::Program(shaders.vertex, shaders.double_proof, "proof in doubles"), pieces};
         connect_textures(made->program);
         connect(made->program);
