@@ -40,12 +40,12 @@ private:
 };
 
 constexpr double most(glm::vec2) { return double(3e38f); }
-constexpr double most(glm::dvec2) { return 1e300; }
+constexpr double most(glm::dvec2) { return std::numeric_limits<double>::max(); }
 
 template<class Ends> double member(Random& random, Ends a) {
     const double lo = std::max(double(a.x), -most(a)), hi = std::min(double(a.y), most(a));
     const double part = random.below(3) == 0 ? double(random.below(2)) : double(random.in(0, 1));
-    return std::clamp(lo + (hi - lo) * part, lo, hi);
+    return std::clamp(lo * (1 - part) + hi * part, lo, hi);
 }
 
 template<class Ends> std::string describe(const std::array<Ends, 6>& box) {
