@@ -15,22 +15,20 @@ struct ProofState {
                    // F can be there
     float piece;   // the next one's length
     int outcome;
-    bool at_root;  // the next piece is about the root
+    bool at_root;  // the next piece is about the root, or was the last
     int pieces;    // so far; forgotten when it ends
 };
 
 uniform sampler2D proof_texture;
 
 vec4 packed_proof(ProofState s) {
-    float first = s.outcome == PROOF_UNFINISHED ? -1.0 - float(2 * s.pieces + int(s.at_root))
-                                                : float(s.outcome);
-    return vec4(first, s.settled, s.value, s.piece);
+    float first = s.outcome == PROOF_UNFINISHED ? -1.0 - float(s.pieces) : float(s.outcome);
+    return vec4(first, s.settled, s.value, s.at_root ? -s.piece : s.piece);
 }
 
 ProofState load_proof() {
     vec4 kept = texelFetch(proof_texture, ivec2(pixel_centre), 0);
-    int going_on = int(-kept.x) - 1;
-    return kept.x < 0.0 ? ProofState(kept.y, kept.z, kept.w, PROOF_UNFINISHED, (going_on & 1) != 0,
-                                     going_on >> 1)
-                        : ProofState(kept.y, kept.z, kept.w, int(kept.x), false, 0);
+    bool goes_on = kept.x < 0.0;
+    return ProofState(kept.y, kept.z, abs(kept.w), goes_on ? PROOF_UNFINISHED : int(kept.x),
+                      kept.w < 0.0, goes_on ? int(-kept.x) - 1 : 0);
 }

@@ -1,16 +1,15 @@
 // One pass of the proofs of single rays.
-uniform int start; // 0: go on; 1: where no more could be proved, with closer bounds
+// 0: go on; 1: where a root may be hidden, with closer bounds; 2: all that is open, in doubles.
+uniform int start;
 
 layout(location = 0) out vec4 proof;
 
 void main() {
     bool hit = load_ending(ivec2(pixel_centre)).hit;
-    Ray ray = ray_to_prove();
+    ProofRay ray = proof_ray(ray_to_prove());
     ProofState s = load_proof();
-    if (start == 1 && s.outcome == PROOF_HIDDEN) {
-        s.piece = max(4.0 * s.piece, shortest_piece);
-        s.outcome = PROOF_UNFINISHED;
-    }
+    bool again = start == 1 ? s.outcome == PROOF_HIDDEN : start == 2 && s.outcome >= PROOF_HIDDEN;
+    if (again && s.settled > ray.t_near) s = resume_proof(s, ray);
     // A query on this draw tells whether there was anything left to do.
     if (s.outcome != PROOF_UNFINISHED) discard;
     int turns = pieces_per_pass;

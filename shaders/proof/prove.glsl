@@ -15,68 +15,78 @@ ProofState conclude(ProofState s, int outcome) {
     return s;
 }
 
-// All from t on is settled; F there is at least as far from 0 as `value`.
-ProofState settle(ProofState s, Ray ray, bool hit, float t, float value) {
-    s.settled = t;
-    s.value = value;
+// Goes on where a proof was given up.
+ProofState resume_proof(ProofState s, ProofRay ray) {
+    float piece = s.at_root ? 32.0 * tube.w : 4.0 * s.piece;
+    s.piece = max(piece, shortest_piece);
+    s.outcome = PROOF_UNFINISHED;
+    s.pieces = 0;
+    return s;
+}
+
+// All from t, a float, on is settled; F there is at least as far from 0 as `value`.
+ProofState settle(ProofState s, ProofRay ray, bool hit, REAL t, REAL value) {
+    s.settled = float(t);
+    s.value = toward_zero(value);
     s.at_root = false;
     return t <= ray.t_near ? conclude(s, hit ? PROOF_HIT : PROOF_MISS) : s;
 }
 
-ProofState prove_piece(ProofState s, Ray ray, bool hit) {
-    float low = max(s.settled - s.piece, ray.t_near);
-    float high = s.at_root ? s.settled + min(s.piece, tube.w) : s.settled;
-    vec2 there = value_at(ray, low);
-    vec4 f = bounds_over(ray, box_around(ray, low, high));
+ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
+    REAL low = float(max(s.settled - s.piece, ray.t_near));
+    REAL high = s.at_root ? s.settled + min(s.piece, tube.w) : s.settled;
+    REAL2 there = value_at(ray, sampled_at(s, low));
+    REAL uncertain = uncertain_at_root(s, there);
+    REAL4 f = bounds_of_piece(ray, low, high);
     s.pieces += 1;
 
     // The root. Half a millionth more than float32 can lose in these lines.
-    precise float steepness = max(f.z, -f.w); // the least, if positive
-    precise float off = s.value / steepness * 1.000002 + 4.76837158e-7 * abs(s.settled);
+    precise REAL steepness = max(f.z, -f.w); // the least, if positive
+    precise REAL off = uncertain / steepness * 1.000002 + 4.76837158e-7 * abs(s.settled);
     bool isolates = steepness > 0.0 && off <= high - s.settled && off <= s.settled - low &&
                     s.settled - off > 2.0 * tube.z - ray.to_eye &&
-                    inside_bounds(ray_point(ray, s.settled - off)) &&
-                    inside_bounds(ray_point(ray, s.settled + off));
-    precise float ahead = steepness * (0.999998 * (s.settled - low) - off);
+                    inside_bounds(vec3(ray_point(ray, s.settled - off))) &&
+                    inside_bounds(vec3(ray_point(ray, s.settled + off)));
+    precise REAL ahead = steepness * (0.999998 * (s.settled - low) - off);
 
     // What is before, upright: F > 0 at its beginning.
     bool below = there.y < 0.0;
-    float near = below ? -there.y : there.x, far = below ? -s.value : s.value;
-    float fall = max(below ? f.w : -f.z, 0.0), rise = max(below ? -f.z : f.w, 0.0);
-    precise float h = (high - low) * 1.000002;
+    REAL near = below ? -there.y : there.x, far = below ? -s.value : s.value;
+    REAL fall = max(below ? f.w : -f.z, 0.0), rise = max(below ? -f.z : f.w, 0.0);
+    precise REAL h = (high - low) * 1.000002;
     // Two lines that F stays above, one from either end, cross above 0.
-    precise float cross_at = near * rise + far * fall;
-    precise float deep = fall * rise * h * 1.000002 + 1.0e-34 * (1.0 + h);
+    precise REAL cross_at = near * rise + far * fall;
+    precise REAL deep = fall * rise * h * 1.000002 + 1.0e-34 * (1.0 + h);
     bool natural = f.x > 0.0 || f.y < 0.0;
     bool is_free = natural || near > 0.0 && (near > fall * h || far > rise * h ||
                                              far > 0.0 && cross_at > deep);
-    float kept = near > 0.0 ? near : max(f.x, -f.y);
+    REAL kept = near > 0.0 ? near : max(f.x, -f.y);
 
     // How long the next piece may be, from how far this one was from the other outcome. Slopes over
     // a piece spread about as it is long, so what keeps F off 0 falls by its square.
-    float spread = 0.5 * (f.w - f.z), middle = 0.5 * abs(f.z + f.w);
+    REAL spread = 0.5 * (f.w - f.z), middle = 0.5 * abs(f.z + f.w);
     // ... and off 0, or as steep as brings Newton's step close enough.
-    float by_root = 0.8 * (middle - 1.1 * s.value / tube.w) / spread;
-    float by_near = near > 0.0 ? max(cross_at / deep, near / (fall * h)) : 0.0;
-    float by_value = max(by_near, far / (rise * h));
-    float least = s.at_root ? 0.03 : !is_free ? 0.15 : natural ? 2.0 : 1.0;
-    float most = s.at_root || !is_free ? 0.7 : 4.0;
-    float part = s.at_root ? by_root : 0.9 * sqrt(by_value);
+    REAL by_root = 0.8 * (middle - 1.1 * uncertain / tube.w) / spread;
+    REAL by_near = near > 0.0 ? max(cross_at / deep, near / (fall * h)) : REAL(0.0);
+    REAL by_value = max(by_near, far / (rise * h));
+    REAL least = s.at_root ? 0.03 : !is_free ? 0.15 : natural ? 2.0 : 1.0;
+    REAL most = s.at_root || !is_free ? 0.7 : 4.0;
+    REAL part = s.at_root ? by_root : 0.9 * sqrt(by_value);
     part = part > least ? min(part, most) : least; // also where it is not a number
     // No shorter piece could bring Newton's step close enough.
-    bool hopeless = s.at_root && s.value > tube.w * max(-f.z, f.w);
-    float length = s.settled - low;
+    bool hopeless = s.at_root && uncertain > tube.w * max(-f.z, f.w);
+    REAL length = s.settled - low;
 
     bool succeeds = s.at_root ? isolates : is_free;
     if (succeeds) {
-        float value = s.at_root ? (f.z > 0.0 ? -1.0 : 1.0) * max(ahead, 0.0)
+        REAL value = s.at_root ? (f.z > 0.0 ? -1.0 : 1.0) * max(ahead, 0.0)
                                 : (near > 0.0 ? below : f.y < 0.0) ? -kept : kept;
         // Behind the root F grows, as far as its slope keeps its sign.
-        float onwards = s.at_root ? clamp(2.0 * by_root, 2.0, 16.0) : part;
-        s.piece = max(onwards * length, shortest_piece);
+        REAL onwards = s.at_root ? clamp(2.0 * by_root, 2.0, 16.0) : part;
+        s.piece = float(max(onwards * length, shortest_piece));
         s = settle(s, ray, hit, low, value);
     } else {
-        s.piece = part * length;
+        s.piece = float(part * length);
         bool bounded = abs(f.x) < IM_SATURATION && abs(f.y) < IM_SATURATION &&
                        abs(f.z) < IM_SATURATION && abs(f.w) < IM_SATURATION;
         int why = !bounded ? PROOF_UNBOUNDED : s.at_root ? PROOF_SIGN : PROOF_HIDDEN;

@@ -1,7 +1,11 @@
-// F and its slope along the rays.
-vec4 bounds_over(Ray ray, Box p) {
-    precise vec3 least = ray.direction - tube.y;
-    precise vec3 most = ray.direction + tube.y;
-    return field_along_interval(p.x, p.y, p.z, vec2(least.x, most.x), vec2(least.y, most.y),
-                                vec2(least.z, most.z));
+// Directions of the rays, and F and its slope along them.
+Box directions_about(ProofRay ray) {
+    precise REAL3 least = ray.direction - tube.y;
+    precise REAL3 most = ray.direction + tube.y;
+    return Box(REAL2(least.x, most.x), REAL2(least.y, most.y), REAL2(least.z, most.z));
+}
+
+REAL4 bounds_over(ProofRay ray, Box p) {
+    Box d = directions_about(ray);
+    return field_along_interval(p.x, p.y, p.z, d.x, d.y, d.z);
 }

@@ -4,14 +4,14 @@
 uniform float shortest_piece;
 
 struct Box {
-    vec2 x, y, z;
+    REAL2 x, y, z;
 };
 
 // Around the points from t = low to high.
-Box box_around(Ray ray, float low, float high) {
-    precise vec3 a = ray.anchor + low * ray.direction;
-    precise vec3 b = ray.anchor + high * ray.direction;
-    precise vec3 least = min(a, b) - tube.x;
-    precise vec3 most = max(a, b) + tube.x;
-    return Box(vec2(least.x, most.x), vec2(least.y, most.y), vec2(least.z, most.z));
+Box box_around(ProofRay ray, REAL low, REAL high) {
+    precise REAL3 a = ray.anchor + low * ray.direction;
+    precise REAL3 b = ray.anchor + high * ray.direction;
+    precise REAL3 least = min(a, b) - tube.x;
+    precise REAL3 most = max(a, b) + tube.x;
+    return Box(REAL2(least.x, most.x), REAL2(least.y, most.y), REAL2(least.z, most.z));
 }

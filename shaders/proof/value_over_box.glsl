@@ -1,5 +1,5 @@
 // What F can be at a point of the rays: its natural bound over all of them.
-vec2 value_at(Ray ray, float t) {
+REAL2 value_at(ProofRay ray, REAL t) {
     Box p = box_around(ray, t, t);
     return field_interval(p.x, p.y, p.z);
 }

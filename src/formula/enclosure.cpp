@@ -1,8 +1,24 @@
 #include "formula/enclosure.h"
 
+#include "formula/degree.h"
 #include "formula/derivative.h"
 
 namespace isomotion::formula {
+
+namespace {
+
+std::vector<NodeId> direction(Graph& g) {
+    return {g.input(first_direction), g.input(first_direction + 1), g.input(first_direction + 2)};
+}
+
+bool has_chebyshev(const Graph& g) {
+    for (std::size_t id = 0; id < g.size(); ++id) {
+        if (g[NodeId(id)].op == Op::chebyshev) return true;
+    }
+    return false;
+}
+
+} // namespace
 
 EnclosurePrograms enclosure_programs(const Field& field) {
     Graph g = field.graph;
@@ -10,12 +26,25 @@ EnclosurePrograms enclosure_programs(const Field& field) {
         return differentiate_inputs(g, field.root, directions, Slopes::generalized);
     };
     const NodeId one = g.constant(1), zero = g.constant(0);
-    const NodeId along = slope(
-        {g.input(first_direction), g.input(first_direction + 1), g.input(first_direction + 2)});
+    const NodeId along = slope(direction(g));
     const std::array gradient{slope({one, zero, zero}), slope({zero, one, zero}),
                               slope({zero, zero, one})};
     return {schedule(g, std::array{field.root}), schedule(g, std::array{field.root, along}),
             schedule(g, gradient)};
+}
+
+std::optional<Program> bend_program(const Field& field) {
+    if (!degree(field.graph, field.root) || has_chebyshev(field.graph)) return {};
+    Graph g = field.graph;
+    const NodeId along = differentiate_inputs(g, field.root, direction(g));
+    const NodeId one = g.constant(1), zero = g.constant(0);
+    std::vector<NodeId> outputs{field.root, along};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::vector<NodeId> directions(6, zero); // the ray's rests
+        directions[axis] = one;
+        outputs.push_back(differentiate_inputs(g, along, directions));
+    }
+    return schedule(g, outputs);
 }
 
 } // namespace isomotion::formula

@@ -13,6 +13,8 @@
 //     along.point(convert<Interval>(bindings), ray, f);
 #pragma once
 
+#include <optional>
+
 #include "formula/field.h"
 
 namespace isomotion::formula {
@@ -25,5 +27,10 @@ struct EnclosurePrograms {
 };
 
 EnclosurePrograms enclosure_programs(const Field& field);
+
+// Of polynomials: F, dF/dt and the gradient of dF/dt, inputs as of `along`. Centred about a point
+// of the box, dF/dt is bounded by the latter as closely as its terms, which cancel, are not. None
+// of other fields, where a second derivative may have no bound, or, of chebyshev, only a poor one.
+std::optional<Program> bend_program(const Field& field);
 
 } // namespace isomotion::formula

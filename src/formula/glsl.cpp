@@ -180,6 +180,12 @@ std::string glsl_literal(double value) {
     return text;
 }
 
+std::string glsl_double_literal(double value) {
+    std::string text = fmt::format("{}", value);
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text + "lf";
+}
+
 std::string glsl_parameter(int index) {
     return fmt::format("parameters[{}].{}", index / 4, components[std::size_t(index % 4)]);
 }

@@ -28,6 +28,8 @@ std::string emit_glsl(const Program& program, const GlslSignature& signature,
 
 // A float literal that reads back to the nearest float of `value`.
 std::string glsl_literal(double value);
+// A double literal, which reads back to `value`, finite.
+std::string glsl_double_literal(double value);
 // "parameters[2].y" for index 9.
 std::string glsl_parameter(int index);
 

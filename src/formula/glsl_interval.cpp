@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <regex>
 
 #include <fmt/format.h>
 
@@ -15,14 +16,41 @@ namespace {
 // What is known of a register's values when the text is written.
 struct Known {
     std::string text;
-    bool point = false;        // `text` is a float, else a vec2
+    bool point = false;        // `text` is a number, else an interval
     bool not_negative = false; // then no lower end is below 0 either
     bool positive_constant = false;
 };
 
 using Floats = std::numeric_limits<float>;
+using Doubles = std::numeric_limits<double>;
 
 std::string float_text(float value) { return glsl_literal(double(value)); }
+
+// "dvec2" for "vec2".
+std::string on_doubles(const std::string& glsl) {
+    return std::regex_replace(glsl, std::regex(R"(\bvec(?=[24]\b))"), "dvec");
+}
+
+// A number; where it is none, or too large or small for those there are, what is around it.
+Known constant_on_doubles(double value) {
+    Known known;
+    known.not_negative = value >= 0;
+    known.positive_constant = value > 0;
+    const double size = std::abs(value);
+    if (std::isnan(value)) {
+        known.text = "IM_ENTIRE";
+    } else if (std::isinf(value)) {
+        known.text =
+            value > 0 ? "dvec2(IM_LARGEST, IM_INFINITY)" : "dvec2(-IM_INFINITY, -IM_LARGEST)";
+    } else if (size > 0 && size < Doubles::min()) {
+        known.text = value > 0 ? "dvec2(0.0, IM_SMALLEST)" : "dvec2(-IM_SMALLEST, 0.0)";
+        known.positive_constant = false;
+    } else {
+        known.text = glsl_double_literal(value);
+        known.point = true;
+    }
+    return known;
+}
 
 // The floats around a number.
 Known constant(double value) {
@@ -84,14 +112,17 @@ float chebyshev_at_one(int n, int k) {
 
 class Writer {
 public:
-    Writer(const Program& program, const IntervalSignature& signature, const ArrayPacking& packing)
+    Writer(const Program& program, const IntervalSignature& signature, const ArrayPacking& packing,
+           Numbers numbers)
         : program_(program)
         , signature_(signature)
         , packing_(packing)
+        , doubles_(numbers == Numbers::doubles)
+        , type_(doubles_ ? "dvec2" : "vec2")
         , known_(std::size_t(program.registers)) {}
 
     std::string write() {
-        text_ = signature_.head + " {\n";
+        text_ = (doubles_ ? on_doubles(signature_.head) : signature_.head) + " {\n";
         for (std::size_t at = 0; at < program_.instructions.size(); ++at) {
             instruction(program_.instructions[at], at);
         }
@@ -101,7 +132,8 @@ public:
             if (signature_.result.empty()) line("{} = {};", signature_.outputs.at(o), output);
             outputs += (o == 0 ? "" : ", ") + output;
         }
-        if (!signature_.result.empty()) line("return {}({});", signature_.result, outputs);
+        if (!signature_.result.empty())
+            line("return {}{}({});", doubles_ ? "d" : "", signature_.result, outputs);
         return text_ + "}\n";
     }
 
@@ -114,7 +146,7 @@ private:
     void instruction(const Instruction& now, std::size_t at) {
         switch (now.kind) {
         case Instruction::Kind::zero:
-            define(now.result, "vec2(0.0)", true);
+            define(now.result, fmt::format("{}(0.0)", type_), true);
             return;
         case Instruction::Kind::loop_begin:
             line("for (int e{0} = 0; e{0} < array{0}_count; ++e{0}) {{", now.index);
@@ -140,7 +172,7 @@ private:
         }
         switch (now.op) { // leaves need no statement: their text stands where they are used
         case Op::constant:
-            known(now.result) = constant(now.value);
+            known(now.result) = doubles_ ? constant_on_doubles(now.value) : constant(now.value);
             return;
         case Op::input:
             known(now.result).text = signature_.inputs.at(std::size_t(now.index));
@@ -252,15 +284,14 @@ private:
         return fmt::format("{}({})", function, list);
     }
 
-    // As a vec2.
     std::string interval(Register r) const {
         const Known& known = known_[std::size_t(r)];
-        return known.point ? "vec2(" + known.text + ")" : known.text;
+        return known.point ? fmt::format("{}({})", type_, known.text) : known.text;
     }
 
     void define(Register r, const std::string& value, bool not_negative) {
         known(r) = {fmt::format("v{}", r), false, not_negative};
-        line("vec2 v{} = {};", r, value);
+        line("{} v{} = {};", type_, r, value);
     }
 
     Known& known(Register r) { return known_[std::size_t(r)]; }
@@ -268,6 +299,8 @@ private:
     const Program& program_;
     const IntervalSignature& signature_;
     const ArrayPacking& packing_;
+    const bool doubles_;
+    const std::string_view type_; // of intervals
     std::vector<Known> known_;
     std::string text_;
     int indent_ = 1;
@@ -276,8 +309,8 @@ private:
 } // namespace
 
 std::string emit_interval_glsl(const Program& program, const IntervalSignature& signature,
-                               const ArrayPacking& packing) {
-    return Writer(program, signature, packing).write();
+                               const ArrayPacking& packing, Numbers numbers) {
+    return Writer(program, signature, packing, numbers).write();
 }
 
 std::set<std::string> interval_kernels_used(const Program& program) {
@@ -289,30 +322,45 @@ std::set<std::string> interval_kernels_used(const Program& program) {
     return kernels;
 }
 
-std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPacking& packing) {
+std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
+                                Numbers numbers) {
     return emit_interval_glsl(
         programs.value,
-        {"vec2 field_interval(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec2", {}}, packing);
+        {"vec2 field_interval(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec2", {}}, packing,
+        numbers);
 }
 
-std::string glsl_along_interval(const EnclosurePrograms& programs, const ArrayPacking& packing) {
+std::string glsl_along_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
+                                Numbers numbers) {
     return emit_interval_glsl(
         programs.along,
         {"vec4 field_along_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz)",
          {"x", "y", "z", "dx", "dy", "dz"},
          "vec4",
          {}},
-        packing);
+        packing, numbers);
 }
 
-std::string glsl_gradient_interval(const EnclosurePrograms& programs, const ArrayPacking& packing) {
+std::string glsl_gradient_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
+                                   Numbers numbers) {
     return emit_interval_glsl(programs.gradient,
                               {"void field_gradient_interval(vec2 x, vec2 y, vec2 z, out vec2 gx, "
                                "out vec2 gy, out vec2 gz)",
                                {"x", "y", "z"},
                                "",
                                {"gx", "gy", "gz"}},
-                              packing);
+                              packing, numbers);
+}
+
+std::string glsl_bend_interval(const Program& bend, const ArrayPacking& packing, Numbers numbers) {
+    return emit_interval_glsl(
+        bend,
+        {"void field_bend_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz, out vec2 f, "
+         "out vec2 slope, out vec2 bx, out vec2 by, out vec2 bz)",
+         {"x", "y", "z", "dx", "dy", "dz"},
+         "",
+         {"f", "slope", "bx", "by", "bz"}},
+        packing, numbers);
 }
 
 } // namespace isomotion::formula

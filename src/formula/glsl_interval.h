@@ -1,8 +1,9 @@
 // Program -> GLSL on intervals.
 //
-// As glsl.h, but for programs of enclosure.h, and with vec2s (lo, hi): functions of
+// As glsl.h, but for programs of enclosure.h, and with vec2s (lo, hi), or dvec2s: functions of
 // shaders/interval/. Parameters, elements and constants that are floats are points, and cost a
-// product with one number; a constant between two floats is the interval of both. What is never
+// product with one number; a constant between two floats is the interval of both. On doubles all
+// constants are points. What is never
 // negative on paper, by its operations alone (squares, roots and the like), is known to be so,
 // which saves half of a product and keeps divisors from 0.
 #pragma once
@@ -15,6 +16,8 @@
 
 namespace isomotion::formula {
 
+enum class Numbers { floats, doubles }; // that the ends of intervals are
+
 struct IntervalSignature {
     std::string head;                 // "vec4 field_along_interval(vec2 x, ...)"
     std::vector<std::string> inputs;  // what input k, a vec2, is called
@@ -23,17 +26,26 @@ struct IntervalSignature {
 };
 
 std::string emit_interval_glsl(const Program& program, const IntervalSignature& signature,
-                               const ArrayPacking& packing);
+                               const ArrayPacking& packing, Numbers numbers = Numbers::floats);
 
 // The operations ("divide", "pow", "chebyshev", ...) a program needs files of shaders/interval/
 // for, other than arithmetic.glsl.
 std::set<std::string> interval_kernels_used(const Program& program);
 
+// Of floats; on doubles each vec stands for a dvec.
+
 // vec2 field_interval(vec2 x, vec2 y, vec2 z)
-std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPacking& packing);
+std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
+                                Numbers numbers = Numbers::floats);
 // vec4 field_along_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz): F, dF/dt
-std::string glsl_along_interval(const EnclosurePrograms& programs, const ArrayPacking& packing);
+std::string glsl_along_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
+                                Numbers numbers = Numbers::floats);
 // void field_gradient_interval(vec2 x, vec2 y, vec2 z, out vec2 gx, out vec2 gy, out vec2 gz)
-std::string glsl_gradient_interval(const EnclosurePrograms& programs, const ArrayPacking& packing);
+std::string glsl_gradient_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
+                                   Numbers numbers = Numbers::floats);
+
+// void field_bend_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz, out vec2 f,
+//                          out vec2 slope, out vec2 bx, out vec2 by, out vec2 bz): bend_program()
+std::string glsl_bend_interval(const Program& bend, const ArrayPacking& packing, Numbers numbers);
 
 } // namespace isomotion::formula

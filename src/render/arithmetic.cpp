@@ -9,9 +9,11 @@
 
 #include <fmt/format.h>
 
+#include "gpu/context.h"
 #include "gpu/draw.h"
 #include "gpu/program.h"
 #include "gpu/target.h"
+#include "render/doubles.h"
 #include "synthesis/shader_files.h"
 #include "synthesis/shader_text.h"
 
@@ -176,6 +178,13 @@ double error_of(float result, double exact, Unit unit) {
     return std::abs(double(result) - exact) / spacing(unit == Unit::one ? 1.0 : exact);
 }
 
+Behaviour of_doubles() {
+    const gpu::Context* context = gpu::Context::current();
+    if (!context || !context->info().has(4, 0)) return {"doubles", "none", true};
+    const std::string fault = fault_of_doubles();
+    return {"doubles", fault.empty() ? "as IEEE 754 has them" : fault, fault.empty()};
+}
+
 } // namespace
 
 std::vector<Behaviour> behaviours() {
@@ -202,6 +211,7 @@ std::vector<Behaviour> behaviours() {
         found.push_back(
             {question.what, answer ? question.yes : question.no, answer == question.ieee});
     }
+    found.push_back(of_doubles());
     return found;
 }
 

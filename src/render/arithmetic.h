@@ -4,6 +4,7 @@
 // shaders/math/ has functions of its own, and why they say `precise`.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace isomotion::render {
 
 // An answer to a question of yes or no, such as whether denormals are kept.
 struct Behaviour {
-    std::string_view what, found;
+    std::string_view what;
+    std::string found;
     bool is_ieee = true; // what IEEE 754 asks for, or a shader's text says
 };
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "render/blocks.h"
+#include "render/doubles.h"
 #include "synthesis/proof_text.h"
 
 namespace isomotion::render {
@@ -26,6 +28,11 @@ formula::Cost cost_of_piece(const synthesis::Shaders& shaders, const scene::Scen
     return piece;
 }
 
+std::vector<synthesis::FieldFunction> samples_of(const scene::Scene& scene,
+                                                 synthesis::ProofBounds bounds) {
+    return synthesis::proof_samples(*scene.surface.field, bounds);
+}
+
 // That one draw may bound on each of so many rays.
 int pieces_of_draw(const formula::Cost& piece, double rays) {
     const double by_loops = loop_iterations_per_pass / (1 + piece.iterations);
@@ -35,6 +42,15 @@ int pieces_of_draw(const formula::Cost& piece, double rays) {
 
 int blocks_across(int pixels) {
     return (pixels + synthesis::proved_block - 1) / synthesis::proved_block;
+}
+
+// Of the outcomes of pixels, four numbers each.
+std::uint32_t count_open(std::span<const float> record) {
+    std::uint32_t open = 0;
+    for (std::size_t k = 0; k < record.size(); k += 4) {
+        open += Proof(int(record[k])) >= Proof::hidden;
+    }
+    return open;
 }
 
 int attachment_of(const synthesis::Shaders& shaders, synthesis::Channel channel) {
@@ -63,7 +79,7 @@ std::string summary(const ProofCounts& counts) {
 }
 
 Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
-               int first_unit, const gpu::Gate* gate)
+               int first_unit, const gpu::Gate* gate, InDoubles in_doubles)
     : block_pieces_(std::min(
           most_pieces_of_block,
           pieces_of_draw(cost_of_piece(shaders, scene, synthesis::block_proof_samples()),
@@ -74,11 +90,9 @@ Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, con
     , blocks_(shaders.vertex, shaders.block_proof, "proofs of blocks")
     , begin_(shaders.vertex, shaders.begin_proof, "beginning proofs")
     , natural_{gpu::Program(shaders.vertex, shaders.proof, "proof"),
-               cost_of_piece(shaders, scene,
-                             synthesis::proof_samples(synthesis::ProofBounds::natural))}
+               cost_of_piece(shaders, scene, samples_of(scene, synthesis::ProofBounds::natural))}
     , sharp_{gpu::Program(shaders.vertex, shaders.sharp_proof, "sharp proof"),
-             cost_of_piece(shaders, scene,
-                           synthesis::proof_samples(synthesis::ProofBounds::by_gradient))}
+             cost_of_piece(shaders, scene, samples_of(scene, synthesis::ProofBounds::by_gradient))}
     , ending_(attachment_of(shaders, synthesis::Channel::ending))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
@@ -89,6 +103,17 @@ Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, con
     for (const gpu::Target* target : {&kept_, &going_on_}) gate_.serve(*target);
     for_each_program([&](const gpu::Program& program) { bind_samplers(program); });
     for (const gpu::Program* program : {&close_, &keep_}) bind_samplers(*program);
+    if (!in_doubles.wanted) return;
+    const formula::Cost piece =
+        cost_of_piece(shaders, scene, samples_of(scene, synthesis::ProofBounds::in_doubles));
+    make_in_doubles_ = [this, &shaders, piece, connect = std::move(in_doubles.connect)] {
+        std::optional<Pass> made;
+        if (!can_trust_doubles(first_unit_)) return made;
+        made = Pass{gpu::Program(shaders.vertex, shaders.double_proof, "proof in doubles"), piece};
+        bind_samplers(made->program);
+        connect(made->program);
+        return made;
+    };
 }
 
 void Proofs::bind_samplers(const gpu::Program& program) const {
@@ -102,6 +127,13 @@ void Proofs::for_each_program(const std::function<void(const gpu::Program&)>& vi
          {&to_prove_, &blocks_, &begin_, &natural_.program, &sharp_.program}) {
         visit(*program);
     }
+    if (in_doubles_) visit(in_doubles_->program);
+}
+
+void Proofs::set(const gpu::Program& program, const Thickness& thickness, int most_pieces) {
+    program.set("tube", thickness.tube);
+    program.set("shortest_piece", thickness.shortest_piece);
+    program.set("most_pieces", most_pieces);
 }
 
 void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
@@ -109,19 +141,23 @@ void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int wi
     const scene::Rays rays = scene::rays(now, width, height, aim);
     const double footprint = 2 * glm::length(rays.up) / height;
     // Of truth's tubes what a point may be off by, four times over: the rays here and those marched
-    // are each within once that of the exact one.
+    // are each within once that of the exact one, which the rays in doubles are but for 2^-40 of
+    // it.
     const glm::vec4 block_range = beam_range(now, width, height, aim, synthesis::proved_block);
     const double margin = block_range.w;
     blocks_.set("beam", block_range);
     blocks_.set("block_pieces", block_pieces_);
     const double spread = glm::length(rays.right) + glm::length(rays.up);
     const double direction =
-        3 * 16 * 0x1p-24 * (1 + (rays.parallel ? 0 : spread / glm::length(rays.axis)));
-    for_each_program([&](const gpu::Program& program) {
-        program.set("tube", glm::vec4(0.55 * margin, direction, margin, footprint / 8));
-        program.set("shortest_piece", float(std::max(margin, footprint / 256)));
-        program.set("most_pieces", most_pieces);
-    });
+        16 * 0x1p-24 * (1 + (rays.parallel ? 0 : spread / glm::length(rays.axis)));
+    const auto shortest = float(std::max(margin, footprint / 256));
+    const Thickness of_floats{glm::vec4(0.55 * margin, 3 * direction, margin, footprint / 8),
+                              shortest};
+    of_doubles_ = {glm::vec4(0.26 * margin, 1.01 * direction, margin, footprint / 8), shortest};
+    for (const gpu::Program* program : {&blocks_, &begin_, &natural_.program, &sharp_.program}) {
+        set(*program, of_floats, most_pieces);
+    }
+    if (in_doubles_) set(in_doubles_->program, of_doubles_, most_pieces_in_doubles);
 
     FrameBlock block = frame_block(scene, now, width, height, aim);
     const auto more = float(margin);
@@ -156,7 +192,6 @@ void Proofs::draw_and_keep(const gpu::Program& program) {
 void Proofs::begin() {
     of_blocks_.bind();
     draw(blocks_, blocks_across(tile_.width), blocks_across(tile_.height));
-    of_blocks_.texture(0).bind(first_unit_ + 2);
     draw_and_keep(begin_);
 }
 
@@ -175,18 +210,38 @@ void Proofs::prove_rays(const Pass& pass, Start start, std::uint32_t rays) {
     }
 }
 
+const Proofs::Pass* Proofs::pass_in_doubles() {
+    if (make_in_doubles_) {
+        in_doubles_ = std::exchange(make_in_doubles_, {})();
+        if (in_doubles_) set(in_doubles_->program, of_doubles_, most_pieces_in_doubles);
+    }
+    return in_doubles_ ? &*in_doubles_ : nullptr;
+}
+
+void Proofs::bind_inputs(const gpu::Target& picture) const {
+    picture.texture(ending_).bind(first_unit_ + 1);
+    of_blocks_.texture(0).bind(first_unit_ + 2);
+}
+
 void Proofs::prove(const gpu::Target& picture, bool is_gated, const gpu::Rectangle& tile,
                    unsigned binding, std::span<float> record) {
     tile_ = tile;
     frame_.bind(binding);
-    picture.texture(ending_).bind(first_unit_ + 1);
+    bind_inputs(picture);
     kept_.clear(0, glm::vec4(float(Proof::miss), 0, 0, 0));
     if (!is_gated) gate_.set([&] { draw(to_prove_); });
     begin();
-    const std::uint32_t open = drawn_.passed();
-    prove_rays(natural_, Start::go_on, open);
-    prove_rays(sharp_, Start::again, open);
-    kept_.read(0, 0, 0, tile.width, tile.height, record);
+    const std::uint32_t rays = drawn_.passed();
+    prove_rays(natural_, Start::go_on, rays);
+    prove_rays(sharp_, Start::again, rays);
+    const auto read = [&] { kept_.read(0, 0, 0, tile.width, tile.height, record); };
+    read();
+    const std::uint32_t open = count_open(record);
+    const Pass* in_doubles = open > 0 ? pass_in_doubles() : nullptr;
+    if (!in_doubles) return;
+    bind_inputs(picture);
+    prove_rays(*in_doubles, Start::in_doubles, open);
+    read();
 }
 
 } // namespace isomotion::render

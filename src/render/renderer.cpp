@@ -84,8 +84,11 @@ struct Renderer::Parts {
             moved.emplace(shaders, plan);
         }
         if (!shaders.proof.empty()) {
-            proofs.emplace(shaders, scene, plan, beam_unit() + BeamPass::units,
-                           whole ? &whole->gate() : nullptr);
+            proofs.emplace(
+                shaders, scene, plan, beam_unit() + BeamPass::units,
+                whole ? &whole->gate() : nullptr,
+                Proofs::InDoubles{options.proofs_in_doubles && context.info().has(4, 0),
+                                  [this](const gpu::Program& program) { connect(program); }});
         }
         for_each_program([&](const gpu::Program& program) { connect(program); });
     }

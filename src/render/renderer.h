@@ -45,6 +45,8 @@ struct RenderOptions {
     StageChoice stage = StageChoice::fragment;
     // Pixels across the smallest beams: 8, or 1 to measure what closer starts would be worth.
     int finest_beam = synthesis::usual_beam;
+    // Whether what float32 can't prove is tried in doubles, where the driver's can be trusted.
+    bool proofs_in_doubles = true;
     // Asked before each tile and between its passes; where it says true, draw() throws Stopped.
     std::function<bool()> stop = {};
     // Whether pictures that one draw is enough for may be asked for before the one before is taken:

@@ -381,6 +381,7 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
         shaders.begin_proof = begin_proof_text(scene, shaders);
         shaders.proof = proof_text(scene, shaders, ProofBounds::natural);
         shaders.sharp_proof = proof_text(scene, shaders, ProofBounds::by_gradient);
+        shaders.double_proof = proof_text(scene, shaders, ProofBounds::in_doubles);
         shaders.to_prove = to_prove_text(scene, shaders);
         shaders.close_proofs = close_proofs_text(shaders.files);
         shaders.keep = keep_text(shaders.files);
@@ -400,7 +401,7 @@ std::string fingerprint(const Shaders& shaders) {
          {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.mirror,
           &shaders.mirror_surface, &shaders.motion, &shaders.shade_vertex, &shaders.shade,
           &shaders.whole, &shaders.open, &shaders.proof, &shaders.sharp_proof, &shaders.to_prove,
-          &shaders.block_proof, &shaders.begin_proof}) {
+          &shaders.block_proof, &shaders.begin_proof, &shaders.double_proof}) {
         print.add(*text);
     }
     return print.text();

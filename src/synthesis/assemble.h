@@ -53,11 +53,12 @@ struct Shaders : FieldStorage {
     std::string motion;         // of the channel velocity: F at another time
 
     // Of scenes that ask for proofs (Isolation::certify), else empty.
-    std::string block_proof; // of blocks of rays
-    std::string begin_proof; // of single rays
-    std::string proof;       // one pass of proofs of single rays
-    std::string sharp_proof; // one of those that take closer bounds
-    std::string to_prove;    // depth lets the rays pass that have something to prove
+    std::string block_proof;  // of blocks of rays
+    std::string begin_proof;  // of single rays
+    std::string proof;        // one pass of proofs of single rays
+    std::string sharp_proof;  // one of those that take closer bounds
+    std::string double_proof; // and in doubles, which takes OpenGL 4.0
+    std::string to_prove;     // depth lets the rays pass that have something to prove
     std::string close_proofs; // and no longer those that are proved
     std::string keep;         // copies what is kept of proofs
 

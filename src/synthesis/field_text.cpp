@@ -79,6 +79,8 @@ formula::Program program_of(const formula::Field& field, FieldFunction function)
         return formula::enclosure_programs(field).value;
     case FieldFunction::along_interval:
         return formula::enclosure_programs(field).along;
+    case FieldFunction::bend_interval:
+        return formula::bend_program(field).value();
     default:
         return formula::enclosure_programs(field).gradient;
     }
@@ -90,7 +92,8 @@ struct FunctionParts {
     bool on_intervals = false;
 };
 
-FunctionParts parts_of(const formula::Field& field, FieldFunction function) {
+FunctionParts parts_of(const formula::Field& field, FieldFunction function,
+                       formula::Numbers numbers = formula::Numbers::floats) {
     using formula::interval_kernels_used, formula::kernels_used;
     switch (function) {
     case FieldFunction::value:
@@ -102,17 +105,22 @@ FunctionParts parts_of(const formula::Field& field, FieldFunction function) {
     default:
         break;
     }
+    if (function == FieldFunction::bend_interval) {
+        const formula::Program bend = formula::bend_program(field).value();
+        return {interval_kernels_used(bend),
+                formula::glsl_bend_interval(bend, field.packing, numbers), true};
+    }
     const formula::EnclosurePrograms programs = formula::enclosure_programs(field);
     switch (function) {
     case FieldFunction::value_interval:
         return {interval_kernels_used(programs.value),
-                formula::glsl_value_interval(programs, field.packing), true};
+                formula::glsl_value_interval(programs, field.packing, numbers), true};
     case FieldFunction::along_interval:
         return {interval_kernels_used(programs.along),
-                formula::glsl_along_interval(programs, field.packing), true};
+                formula::glsl_along_interval(programs, field.packing, numbers), true};
     default:
         return {interval_kernels_used(programs.gradient),
-                formula::glsl_gradient_interval(programs, field.packing), true};
+                formula::glsl_gradient_interval(programs, field.packing, numbers), true};
     }
 }
 
@@ -181,6 +189,23 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     for (const GeneratedFunction& function : beside) {
         text.generated("generated from: " + as_comment(function.from), function.glsl);
     }
+}
+
+void add_field_on_doubles(ShaderText& text, const formula::Field& field,
+                          const FieldStorage& storage,
+                          const std::vector<FieldFunction>& functions) {
+    std::set<std::string> kernels;
+    std::string generated;
+    for (const FieldFunction function : functions) {
+        FunctionParts parts = parts_of(field, function, formula::Numbers::doubles);
+        kernels.merge(parts.kernels);
+        generated += parts.glsl;
+    }
+    const DoubleIntervalFiles files = double_interval_files(kernels);
+    for (const auto& file : files.for_floats) text.file(file);
+    for (const auto& file : files.for_doubles) text.file_again(file);
+    text.generated("generated: parameters of the surface", declarations(storage));
+    text.generated("generated from: " + as_comment(field.text), generated);
 }
 
 } // namespace isomotion::synthesis

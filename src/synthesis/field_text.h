@@ -47,7 +47,8 @@ enum class FieldFunction {
     gradient,
     value_interval,
     along_interval,
-    gradient_interval
+    gradient_interval,
+    bend_interval // of fields that have a bend_program()
 };
 
 // What one call of each takes. An operation on intervals is counted as so many on numbers.
@@ -65,5 +66,10 @@ struct GeneratedFunction {
 void add_field(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
                const std::vector<FieldFunction>& functions,
                const std::vector<GeneratedFunction>& beside = {}, bool beside_on_intervals = false);
+
+// Of functions on intervals, those on doubles, which take GLSL 4.00. From there on REAL is double
+// in shaders/interval/.
+void add_field_on_doubles(ShaderText& text, const formula::Field& field,
+                          const FieldStorage& storage, const std::vector<FieldFunction>& functions);
 
 } // namespace isomotion::synthesis

@@ -1,5 +1,6 @@
 #include "synthesis/proof_text.h"
 
+#include "formula/enclosure.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/shader_text.h"
 
@@ -16,6 +17,11 @@ void add_ended_ray(ShaderText& text, const scene::Scene& scene) {
     text.file("proof/ending.glsl");
 }
 
+// In doubles, where rounding no longer hides it, and where there are such bounds.
+bool takes_bend(const formula::Field& field, ProofBounds bounds) {
+    return bounds == ProofBounds::in_doubles && formula::bend_program(field);
+}
+
 // What its proof begins with: the part it is of, the boxes around it, what F can be in one.
 void add_proof(ShaderText& text, const scene::Scene& scene, const Shaders& shaders,
                ProofBounds bounds) {
@@ -26,6 +32,7 @@ void add_proof(ShaderText& text, const scene::Scene& scene, const Shaders& shade
     text.file("proof/rounding.glsl");
     text.file("proof/way.glsl");
     text.file("proof/outcome.glsl");
+    text.file(bounds == ProofBounds::in_doubles ? "proof/in_doubles.glsl" : "proof/in_floats.glsl");
     text.file("proof/tube.glsl");
     text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");
     text.file(bounds == ProofBounds::natural ? "proof/value_over_box.glsl"
@@ -61,17 +68,26 @@ std::string begin_proof_text(const scene::Scene& scene, Shaders& shaders) {
     return text.take();
 }
 
-std::vector<FieldFunction> proof_samples(ProofBounds bounds) {
+std::vector<FieldFunction> proof_samples(const formula::Field& field, ProofBounds bounds) {
     std::vector samples{FieldFunction::value_interval, FieldFunction::along_interval};
-    if (bounds == ProofBounds::by_gradient) samples.push_back(FieldFunction::gradient_interval);
+    if (bounds != ProofBounds::natural) samples.push_back(FieldFunction::gradient_interval);
+    if (takes_bend(field, bounds)) samples.push_back(FieldFunction::bend_interval);
     return samples;
 }
 
 std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds bounds) {
+    const formula::Field& field = *scene.surface.field;
     ShaderText text(shaders.files);
-    add_field(text, *scene.surface.field, shaders, proof_samples(bounds));
+    if (bounds == ProofBounds::in_doubles) {
+        text.version(400);
+        add_field_on_doubles(text, field, shaders, proof_samples(field, bounds));
+    } else {
+        add_field(text, field, shaders, proof_samples(field, bounds));
+    }
     add_proof(text, scene, shaders, bounds);
     text.file("proof/slope.glsl");
+    text.file(takes_bend(field, bounds) ? "proof/bounds_by_bend.glsl"
+                                        : "proof/bounds_over_box.glsl");
     text.file("proof/prove.glsl");
     text.file("proof/proof.frag");
     return text.take();

@@ -38,12 +38,13 @@ const KernelTable& interval_table() {
     static const KernelTable table = [] {
         KernelTable all = kernel_table();
         for (KernelFile& file : all) file.kernels.clear();
-        const std::string arithmetic = "interval/arithmetic.glsl";
+        const std::string floats = "interval/float32.glsl", arithmetic = "interval/arithmetic.glsl";
         const std::string divide = "interval/divide.glsl", root = "interval/sqrt.glsl";
         const std::string exp = "interval/exp.glsl", trig = "interval/trig.glsl";
         const std::string inverse_trig = "interval/inverse_trig.glsl";
         const KernelTable own{
-            {arithmetic, {}, {"math/bits.glsl"}},
+            {floats, {}, {"math/bits.glsl"}},
+            {arithmetic, {}, {floats}},
             {divide, {"divide"}, {arithmetic}},
             {root, {"sqrt"}, {arithmetic}},
             {exp, {"exp", "sinh", "cosh", "tanh"}, {arithmetic, "math/exp.glsl"}},
@@ -57,6 +58,30 @@ const KernelTable& interval_table() {
         };
         all.insert(all.end(), own.begin(), own.end());
         return all;
+    }();
+    return table;
+}
+
+// And on doubles. Files for floats come before these.
+const KernelTable& double_interval_table() {
+    static const KernelTable table = [] {
+        const std::string doubles = "interval/float64.glsl";
+        const std::string arithmetic = "interval/arithmetic.glsl";
+        const std::string by_floats = "interval/by_floats/";
+        const std::string around = by_floats + "floats_around.glsl";
+        return KernelTable{
+            {doubles, {}, {}},
+            {arithmetic, {}, {doubles}},
+            {"interval/divide.glsl", {"divide"}, {arithmetic}},
+            {"interval/sqrt.glsl", {"sqrt"}, {arithmetic}},
+            {around, {}, {doubles}},
+            {by_floats + "exp.glsl", {"exp", "sinh", "cosh", "tanh"}, {around}},
+            {by_floats + "log.glsl", {"log"}, {around}},
+            {by_floats + "pow.glsl", {"pow"}, {around}},
+            {by_floats + "trig.glsl", {"sin", "cos", "tan"}, {around}},
+            {by_floats + "inverse_trig.glsl", {"asin", "acos", "atan"}, {around}},
+            {by_floats + "chebyshev.glsl", {"chebyshev"}, {around}},
+        };
     }();
     return table;
 }
@@ -97,6 +122,14 @@ std::vector<std::string> kernel_files(const std::set<std::string>& kernels) {
 
 std::vector<std::string> interval_files(const std::set<std::string>& kernels) {
     return files_of(interval_table(), kernels, "interval/arithmetic.glsl");
+}
+
+DoubleIntervalFiles double_interval_files(const std::set<std::string>& kernels) {
+    std::set<std::string> by_floats = kernels;
+    by_floats.erase("divide");
+    by_floats.erase("sqrt");
+    return {by_floats.empty() ? kernel_files({}) : interval_files(by_floats),
+            files_of(double_interval_table(), kernels, "interval/arithmetic.glsl")};
 }
 
 } // namespace isomotion::synthesis

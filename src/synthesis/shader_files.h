@@ -18,4 +18,11 @@ std::vector<std::string> kernel_files(const std::set<std::string>& kernels);
 // is always there.
 std::vector<std::string> interval_files(const std::set<std::string>& kernels);
 
+// What defines the same functions on intervals of doubles: first files for floats, by which some of
+// them go, then those for doubles, of which some were among the former.
+struct DoubleIntervalFiles {
+    std::vector<std::string> for_floats, for_doubles;
+};
+DoubleIntervalFiles double_interval_files(const std::set<std::string>& kernels);
+
 } // namespace isomotion::synthesis

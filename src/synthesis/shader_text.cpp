@@ -29,7 +29,11 @@ void ShaderText::file_of_stage(const std::string& fragment, const std::string& c
 }
 
 void ShaderText::file(const std::string& name) {
-    if (!added_.insert(name).second) return;
+    if (!added_.contains(name)) file_again(name);
+}
+
+void ShaderText::file_again(const std::string& name) {
+    added_.insert(name);
     text_ += fmt::format("\n// shaders/{}\n{}", name, read_shader(name));
     record(name);
 }

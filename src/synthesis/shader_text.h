@@ -19,6 +19,8 @@ public:
     void version(int glsl);
     // Adds a file, once.
     void file(const std::string& name);
+    // Even if it is there: files that are written for numbers of any type.
+    void file_again(const std::string& name);
     // The form of a file that the stage has: fragment shaders that of the first name.
     void file_of_stage(const std::string& fragment, const std::string& compute);
     void define(std::string_view name, int value);

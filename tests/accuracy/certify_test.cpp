@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "accuracy/compare.h"
+#include "render/doubles.h"
 #include "render/drawing.h"
 #include "truth/certify.h"
 
@@ -132,6 +133,43 @@ TEST_P(Certify, EveryPixelHasAnOutcome) {
     std::int64_t all = 0;
     for (const auto n : undefined.proofs) all += n;
     EXPECT_EQ(all, side * side);
+}
+
+// A polynomial of degree 14 written out, whose terms are thousands of times their sum.
+TEST_P(Certify, DoublesProveWhatFloatsCannot) {
+    const scene::Scene scene = scene_of(fmt::format(
+        "[surface]\nuse = 'chmutov_14_power'\n[output]\nsize = [{0}, {0}]\n[isolation]\ncertify = "
+        "true\n",
+        side));
+    const scene::SceneAt now =
+        scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1)));
+    const auto proved_by = [&](bool doubles) {
+        render::RenderOptions options{side, side, channels(), {}};
+        options.proofs_in_doubles = doubles;
+        return render::Renderer(*context, scene, options).draw(now);
+    };
+    const Picture by_floats = proved_by(false), by_both = proved_by(true);
+    EXPECT_LT(render::proved_part(by_floats.proofs), 0.7); // else nothing is tested
+    const auto& before = by_floats.frame.find("proof")->samples;
+    const auto& after = by_both.frame.find("proof")->samples;
+    const auto& verdicts = by_both.frame.find("verdict")->samples;
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        const auto proof = Proof(int(after[k]));
+        if (render::is_proved(Proof(int(before[k])))) {
+            EXPECT_EQ(after[k], before[k]) << k;
+        }
+        if (render::is_proved(proof)) {
+            EXPECT_EQ(proof == Proof::hit, verdicts[k] == float(render::Verdict::hit)) << k;
+        }
+    }
+    if (!render::can_trust_doubles(0)) {
+        EXPECT_EQ(before, after);
+        GTEST_SKIP() << "no doubles, or not to be trusted";
+    }
+    EXPECT_GE(render::proved_part(by_both.proofs), 0.98);
+    const Errors errors =
+        compare(scene, now, by_both.frame, truth::certify(scene, now, side, side));
+    EXPECT_EQ(errors.contradicted, 0);
 }
 
 struct Cheap {

@@ -187,7 +187,8 @@ TEST_F(Assemble, ProofsAddAChannelToThePictureAndChangeNoOtherShader) {
         for (std::size_t k = 0; k < plain.beams.size(); ++k) {
             EXPECT_EQ(plain.beams[k].text, proving.beams[k].text);
         }
-        EXPECT_THAT(plain.block_proof + plain.begin_proof + plain.proof + plain.sharp_proof,
+        EXPECT_THAT(plain.block_proof + plain.begin_proof + plain.proof + plain.sharp_proof +
+                        plain.double_proof,
                     IsEmpty());
         EXPECT_THAT(proving.proof, HasSubstr("proof/prove.glsl"));
         for (const auto& name : plain.files) EXPECT_FALSE(name.starts_with("proof/")) << name;
@@ -282,6 +283,7 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
                                    every_effect[0]};
     for (const auto& bounds : every_bounds) {
         texts.push_back(surface_text("x", bounds) + "certify = true\n");
+        texts.push_back(surface_text(all_kernels, bounds) + "certify = true\n");
         texts.push_back(surface_text("x", bounds, "hermite"));
         texts.push_back(blobs_text(75, bounds, "hermite"));
     }

@@ -1,6 +1,8 @@
 #include "field_on_gpu.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <cstring>
 #include <optional>
 #include <span>
@@ -222,6 +224,103 @@ std::vector<GpuBounds> bounds_on_gpu(const formula::Field& field,
         for (std::size_t k = 0; k < boxes.size(); ++k) {
             const float* at = &pixels[4 * k + std::size_t(places[o].component)];
             results[k].outputs[o] = {at[0], at[1]};
+        }
+    }
+    return results;
+}
+
+namespace {
+
+// Doubles come and go as four whole numbers of 16 bits, lowest first.
+constexpr int parts = 4;
+
+void put(double value, float* into) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    for (int k = 0; k < parts; ++k) into[k] = float(bits >> (16 * k) & 0xffff);
+}
+
+double take(const float* from) {
+    std::uint64_t bits = 0;
+    for (int k = 0; k < parts; ++k) bits |= std::uint64_t(from[k]) << (16 * k);
+    return std::bit_cast<double>(bits);
+}
+
+// A box takes twelve rows of the input; a draw gives one output, both of its ends.
+std::string double_bounds_shader(const formula::Field& field, const FieldStorage& storage) {
+    std::vector<std::string> files;
+    ShaderText text(files);
+    text.version(400);
+    add_field_on_doubles(text, field, storage,
+                         {FieldFunction::value_interval, FieldFunction::along_interval,
+                          FieldFunction::gradient_interval});
+    text.generated("a box a pixel", R"(
+uniform sampler2D boxes;
+uniform int wanted;
+layout(location = 0) out vec4 low;
+layout(location = 1) out vec4 high;
+
+double joined(int k) {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    uvec4 bits = uvec4(texelFetch(boxes, ivec2(at.x, 12 * at.y + k), 0));
+    return packDouble2x32(uvec2(bits.x | bits.y << 16, bits.z | bits.w << 16));
+}
+
+vec4 parted(double x) {
+    uvec2 bits = unpackDouble2x32(x);
+    return vec4(bits.x & 0xffffu, bits.x >> 16, bits.y & 0xffffu, bits.y >> 16);
+}
+
+void main() {
+    dvec2 v[6];
+    for (int k = 0; k < 6; ++k) v[k] = dvec2(joined(2 * k), joined(2 * k + 1));
+    dvec2 bounds[6];
+    bounds[0] = field_interval(v[0], v[1], v[2]);
+    dvec4 along = field_along_interval(v[0], v[1], v[2], v[3], v[4], v[5]);
+    bounds[1] = along.xy;
+    bounds[2] = along.zw;
+    field_gradient_interval(v[0], v[1], v[2], bounds[3], bounds[4], bounds[5]);
+    low = parted(bounds[wanted].x);
+    high = parted(bounds[wanted].y);
+}
+)");
+    return text.take();
+}
+
+} // namespace
+
+std::vector<DoubleBox> double_bounds_on_gpu(const formula::Field& field,
+                                            const formula::Bindings<float>& bindings,
+                                            const std::vector<DoubleBox>& boxes) {
+    std::vector<int> counts;
+    for (const auto& array : bindings.arrays) counts.push_back(array.count);
+    const FieldStorage storage = field_storage(field, int(bindings.parameters.size()), counts);
+    const gpu::Program program(gpu::fullscreen_vertex, double_bounds_shader(field, storage),
+                               "boxes of doubles");
+    const FieldValues values(storage, field.packing, bindings);
+    const int height = (int(boxes.size()) + width - 1) / width;
+    std::vector<float> texels(std::size_t(width * height) * 12 * parts);
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+        const std::size_t column = k % width, row = k / width;
+        for (std::size_t end = 0; end < 12; ++end) {
+            put(boxes[k][end / 2][int(end % 2)],
+                &texels[((12 * row + end) * width + column) * parts]);
+        }
+    }
+    const gpu::Texture input(gpu::Format::rgba32f, width, 12 * height, texels);
+    const gpu::Target target(width, height, 2);
+    values.bind(program, 1);
+    program.bind_sampler("boxes", 0);
+    std::vector<DoubleBox> results(boxes.size());
+    for (std::size_t output = 0; output < 6; ++output) {
+        target.bind();
+        input.bind(0);
+        program.set("wanted", int(output));
+        program.use();
+        gpu::Fullscreen().draw();
+        const auto low = target.read(0, 0, 0, width, height);
+        const auto high = target.read(1, 0, 0, width, height);
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            results[k][output] = {take(&low[parts * k]), take(&high[parts * k])};
         }
     }
     return results;

@@ -45,4 +45,10 @@ std::vector<GpuBounds> bounds_on_gpu(const formula::Field& field,
                                      const formula::Bindings<float>& bindings,
                                      const std::vector<GpuBox>& boxes);
 
+// The same in doubles, in a context of OpenGL 4.0.
+using DoubleBox = std::array<glm::dvec2, 6>;
+std::vector<DoubleBox> double_bounds_on_gpu(const formula::Field& field,
+                                            const formula::Bindings<float>& bindings,
+                                            const std::vector<DoubleBox>& boxes);
+
 } // namespace isomotion::synthesis

@@ -39,15 +39,18 @@ private:
     }
 };
 
-double member(Random& random, glm::vec2 a) {
-    const double lo = std::max(a.x, -3e38f), hi = std::min(a.y, 3e38f);
+constexpr double most(glm::vec2) { return double(3e38f); }
+constexpr double most(glm::dvec2) { return std::numeric_limits<double>::max(); }
+
+template<class Ends> double member(Random& random, Ends a) {
+    const double lo = std::max(double(a.x), -most(a)), hi = std::min(double(a.y), most(a));
     const double part = random.below(3) == 0 ? double(random.below(2)) : double(random.in(0, 1));
-    return std::clamp(lo + (hi - lo) * part, lo, hi);
+    return std::clamp(lo * (1 - part) + hi * part, lo, hi);
 }
 
-std::string describe(const GpuBox& box) {
+template<class Ends> std::string describe(const std::array<Ends, 6>& box) {
     std::string text;
-    for (const glm::vec2 a : box) text += fmt::format("[{:.9g}, {:.9g}] ", a.x, a.y);
+    for (const Ends a : box) text += fmt::format("[{:.17g}, {:.17g}] ", a.x, a.y);
     return text;
 }
 
@@ -72,16 +75,26 @@ public:
         return bounds_on_gpu(field_, floats_, boxes);
     }
 
-    std::array<Interval, 6> on_cpu(const GpuBox& box) {
+    std::vector<DoubleBox> in_doubles(const std::vector<DoubleBox>& boxes) const {
+        return double_bounds_on_gpu(field_, floats_, boxes);
+    }
+
+    template<class Ends> std::array<Interval, 6> on_cpu(const std::array<Ends, 6>& box) {
         std::array<Interval, 6> inputs;
         for (std::size_t k = 0; k < 6; ++k) inputs[k] = {double(box[k].x), double(box[k].y)};
         return enclose(inputs);
     }
 
     void expect_holds(const GpuBox& box, const GpuBounds& bounds, Random& random, int samples) {
-        for (std::size_t o = 0; o < bounds.outputs.size(); ++o) {
-            const glm::vec2 b = bounds.outputs[o];
-            ASSERT_TRUE(b.x <= b.y && b.x < inf && b.y > -inf)
+        expect_holds(box, bounds.outputs, random, samples);
+    }
+
+    template<class Ends>
+    void expect_holds(const std::array<Ends, 6>& box, const std::array<Ends, 6>& bounds,
+                      Random& random, int samples) {
+        for (std::size_t o = 0; o < bounds.size(); ++o) {
+            const Ends b = bounds[o];
+            ASSERT_TRUE(b.x <= b.y && inf > b.x && -inf < b.y)
                 << name_ << " output " << o << " over " << describe(box) << ": " << b.x << ' '
                 << b.y;
         }
@@ -90,10 +103,10 @@ public:
             for (std::size_t i = 0; i < 6; ++i) at[i] = member(random, box[i]);
             const auto values = enclose(at);
             for (std::size_t o = 0; o < values.size(); ++o) {
-                const glm::vec2 b = bounds.outputs[o];
+                const Ends b = bounds[o];
                 ASSERT_TRUE(double(b.x) <= values[o].hi && values[o].lo <= double(b.y))
                     << name_ << " output " << o << " over " << describe(box)
-                    << fmt::format(": [{:.9g}, {:.9g}] lacks {:.17g} to {:.17g}", b.x, b.y,
+                    << fmt::format(": [{:.17g}, {:.17g}] lacks {:.17g} to {:.17g}", b.x, b.y,
                                    values[o].lo, values[o].hi);
             }
         }
@@ -254,6 +267,112 @@ TEST_P(IntervalOnGpu, OperationsHoldTheirValues) {
         for (std::size_t k = 0; k < boxes.size(); ++k) {
             subject.expect_holds(boxes[k], bounds[k], random, 4);
             if (HasFatalFailure()) return;
+        }
+    }
+}
+
+double double_number(Random& random) {
+    static constexpr double special[]{0,
+                                      0,
+                                      1,
+                                      0x1.0000000000001p0,
+                                      0x1.fffffffffffffp-1,
+                                      2,
+                                      0.5,
+                                      1.0 / 3,
+                                      0.1,
+                                      1e308,
+                                      1.7976931348623157e308,
+                                      2.2250738585072014e-308,
+                                      1e-300,
+                                      1e154,
+                                      1e-154,
+                                      1e30,
+                                      1e39,
+                                      3.4028234663852886e38,
+                                      1.1754943508222875e-38,
+                                      1e-39,
+                                      1e-45,
+                                      1e5,
+                                      69.07,
+                                      88.7,
+                                      1.5707963267948966,
+                                      3.141592653589793,
+                                      1e15,
+                                      9007199254740992.0};
+    const double sign = random.below(2) == 0 ? 1.0 : -1.0;
+    switch (random.below(4)) {
+    case 0:
+        return sign * special[random.below(std::size(special))];
+    case 1:
+        return sign * std::exp2(double(random.in(-1000, 1000)));
+    default:
+        return double(random.in(-4, 4)) + double(random.in(0, 1)) * 0x1p-24;
+    }
+}
+
+glm::dvec2 double_interval(Random& random) {
+    const double a = double_number(random), endless = HUGE_VAL;
+    switch (random.below(8)) {
+    case 0:
+        return {a, a};
+    case 1:
+        return random.below(2) == 0 ? glm::dvec2(-endless, a) : glm::dvec2(a, endless);
+    case 2:
+        return random.below(4) == 0 ? glm::dvec2(-endless, endless)
+                                    : glm::dvec2(std::min(a, 0.0), std::max(a, 0.0));
+    case 3: {
+        const double b = a + std::abs(a) * std::exp2(double(random.in(-50, 0)));
+        return {a, b};
+    }
+    default: {
+        const double b = double_number(random);
+        return {std::min(a, b), std::max(a, b)};
+    }
+    }
+}
+
+TEST_P(IntervalOnGpu, OperationsOnDoublesHoldTheirValues) {
+    if (!context->info().has(4, 0)) GTEST_SKIP() << "no doubles";
+    formula::Vocabulary vocabulary;
+    vocabulary.parameters = {"a", "b"};
+    for (const char* text : operations) {
+        const formula::Field field = formula::make_field(text, vocabulary);
+        Subject subject(text, field, {{1.25f, -0.7f}, {}, 0});
+        std::vector<DoubleBox> boxes(1024);
+        for (DoubleBox& box : boxes) {
+            for (std::size_t k = 0; k < 6; ++k) {
+                box[k] = k < 3 ? double_interval(random) : glm::dvec2(1);
+            }
+        }
+        const auto bounds = subject.in_doubles(boxes);
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            subject.expect_holds(boxes[k], bounds[k], random, 4);
+            if (HasFatalFailure()) return;
+        }
+    }
+}
+
+// Of points, where the width is that of rounding alone: what doubles are taken for.
+TEST_P(IntervalOnGpu, RationalOperationsOnDoublesAreDoubles) {
+    if (!context->info().has(4, 0)) GTEST_SKIP() << "no doubles";
+    formula::Vocabulary vocabulary;
+    vocabulary.parameters = {"a", "b"};
+    for (const char* text :
+         {"x + y", "x - y", "x*y", "x^2*y", "0.1*x", "a*x", "x + b", "x/(y^2 + 1)",
+          "sqrt(x^2 + y^2)", "x^12 - 0.3*y^7", "min(x, y)*max(x, z)", "abs(x)*floor(y)"}) {
+        const formula::Field field = formula::make_field(text, vocabulary);
+        Subject subject(text, field, {{1.25f, -0.7f}, {}, 0});
+        std::vector<DoubleBox> boxes(256);
+        for (DoubleBox& box : boxes) {
+            for (glm::dvec2& ends : box) ends = glm::dvec2(double(random.in(-2, 2)) + 0x1p-40);
+        }
+        const auto bounds = subject.in_doubles(boxes);
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            const Interval cpu = subject.on_cpu(boxes[k])[0];
+            const glm::dvec2 gpu = bounds[k][0];
+            EXPECT_LE(gpu.y - gpu.x, 1e-13 * (1 + formula::magnitude(cpu)))
+                << text << " over " << describe(boxes[k]);
         }
     }
 }

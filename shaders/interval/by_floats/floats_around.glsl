@@ -1,0 +1,13 @@
+// im_floats_around: an interval of doubles as one of floats. Needs float64.glsl.
+//
+// Functions without a form of their own on doubles go by floats, as the files of this folder have
+// it: their bounds hold, and are as close as those of floats.
+vec2 im_floats_around(dvec2 a) {
+    dvec2 inner = clamp(a, dvec2(-3.40282347e38), dvec2(3.40282347e38));
+    precise vec2 r = vec2(inner);
+    // However it is rounded, and if it is flushed to 0.
+    precise vec2 margin = abs(r) * 2.38418579e-7 + 4.70197740e-38;
+    precise vec2 outer = vec2(r.x - margin.x, r.y + margin.y);
+    outer = vec2(a.x >= 0.0 ? max(outer.x, 0.0) : outer.x, a.y <= 0.0 ? min(outer.y, 0.0) : outer.y);
+    return vec2(dvec2(r).x == a.x ? r.x : outer.x, dvec2(r).y == a.y ? r.y : outer.y);
+}

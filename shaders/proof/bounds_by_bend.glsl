@@ -1,0 +1,18 @@
+// F and its slope over a piece of the rays. The slope is also bounded by what it is in the middle
+// and how it bends from there: in a long polynomial, whose terms cancel, that is closer by far.
+REAL4 bounds_of_piece(ProofRay ray, REAL low, REAL high) {
+    Box all = box_around(ray, low, high);
+    Box d = directions_about(ray);
+    REAL2 f, slope, bx, by, bz;
+    field_bend_interval(all.x, all.y, all.z, d.x, d.y, d.z, f, slope, bx, by, bz);
+    precise REAL middle = 0.5 * (low + high);
+    precise REAL3 p = ray_point(ray, middle);
+    REAL2 there = field_along_interval(REAL2(p.x), REAL2(p.y), REAL2(p.z), d.x, d.y, d.z).zw;
+    // Along the ray here, and from it to the others.
+    REAL2 along = im_add(im_add(im_scale(ray.direction.x, bx), im_scale(ray.direction.y, by)),
+                         im_scale(ray.direction.z, bz));
+    precise REAL aside = im_abs(bx).y + im_abs(by).y + im_abs(bz).y;
+    precise REAL off = 0.500001 * (high - low) * im_abs(along).y + 1.000001 * tube.x * aside;
+    REAL2 centred = im_add(there, REAL2(-off, off));
+    return REAL4(f, max(slope.x, centred.x), min(slope.y, centred.y));
+}

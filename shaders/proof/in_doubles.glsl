@@ -1,0 +1,30 @@
+// Proofs in doubles go along the ray that float32 rounded to the one that is marched, made of the
+// same numbers.
+struct ProofRay {
+    dvec3 anchor, direction;
+    double t_near, t_far; // the marched one's
+    double to_eye;
+};
+
+ProofRay proof_ray(Ray marched) {
+    dvec2 at = (dvec2(pixel_centre) + dvec2(picture.zw)) * dvec2(picture.xy) - 1.0;
+    dvec3 across = at.x * dvec3(ray_right.xyz) + at.y * dvec3(ray_up.xyz);
+    dvec3 from_eye = dvec3(ray_axis.xyz) + double(ray_axis.w) * across;
+    dvec3 squares = from_eye * from_eye;
+    double distance_to_eye = sqrt(squares.x + squares.y + squares.z);
+    return ProofRay(dvec3(ray_origin.xyz) + across, from_eye / distance_to_eye,
+                    double(marched.t_near), double(marched.t_far), distance_to_eye);
+}
+
+dvec3 ray_point(ProofRay ray, double t) {
+    return ray.anchor + t * ray.direction;
+}
+
+// As a float.
+float toward_zero(double x) {
+    return 0.9999998 * float(clamp(x, -3.4e38lf, 3.4e38lf));
+}
+
+// Where a piece is sampled: at its beginning, or at the root, where floats told too little of F.
+double sampled_at(ProofState s, double low) { return s.at_root ? double(s.settled) : low; }
+double uncertain_at_root(ProofState s, dvec2 sampled) { return max(-sampled.x, sampled.y); }

@@ -1,0 +1,14 @@
+// Proofs in floats go along the ray that is marched.
+#define ProofRay Ray
+
+ProofRay proof_ray(Ray marched) {
+    return marched;
+}
+
+float toward_zero(float x) {
+    return x;
+}
+
+// Where a piece is sampled: at its beginning. What F can be at the root is known.
+float sampled_at(ProofState s, float low) { return low; }
+float uncertain_at_root(ProofState s, vec2 sampled) { return s.value; }
