@@ -353,6 +353,48 @@ TEST_P(IntervalOnGpu, OperationsOnDoublesHoldTheirValues) {
     }
 }
 
+// A sum or product and what its rounding took.
+struct Rounded {
+    double result, rest;
+};
+
+Rounded sum(double a, double b) {
+    const double s = a + b, of_b = s - a;
+    return {s, (a - (s - of_b)) + (b - of_b)};
+}
+
+Rounded product(double a, double b) { return {a * b, std::fma(a, b, -(a * b))}; }
+
+// The CPU's intervals, about as wide as a rounding, would not tell that one was forgotten.
+TEST_P(IntervalOnGpu, RoundingOfDoublesIsCounted) {
+    if (!context->info().has(4, 0)) GTEST_SKIP() << "no doubles";
+    struct Exact {
+        const char* text;
+        Rounded (*of)(double x, double y);
+    };
+    constexpr Exact all[]{{"x + y", [](double x, double y) { return sum(x, y); }},
+                          {"x - y", [](double x, double y) { return sum(x, -y); }},
+                          {"x*y", [](double x, double y) { return product(x, y); }},
+                          {"0.1*x", [](double x, double) { return product(0.1, x); }},
+                          {"x^2", [](double x, double) { return product(x, x); }}};
+    for (const auto& [text, of] : all) {
+        const formula::Field field = formula::make_field(text, {});
+        std::vector<DoubleBox> boxes(512);
+        for (DoubleBox& box : boxes) {
+            for (glm::dvec2& ends : box) {
+                ends = glm::dvec2(double(random.in(-4, 4)) + double(random.in(0, 1)) * 0x1p-26);
+            }
+        }
+        const auto bounds = double_bounds_on_gpu(field, {}, boxes);
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            const auto [r, rest] = of(boxes[k][0].x, boxes[k][1].x);
+            const glm::dvec2 b = bounds[k][0];
+            EXPECT_TRUE(b.x < r || (b.x == r && rest >= 0)) << text << ' ' << describe(boxes[k]);
+            EXPECT_TRUE(b.y > r || (b.y == r && rest <= 0)) << text << ' ' << describe(boxes[k]);
+        }
+    }
+}
+
 // Of points, where the width is that of rounding alone: what doubles are taken for.
 TEST_P(IntervalOnGpu, RationalOperationsOnDoublesAreDoubles) {
     if (!context->info().has(4, 0)) GTEST_SKIP() << "no doubles";
