@@ -1,6 +1,5 @@
 // One pass of the proofs of single rays.
-// 0: go on; 1: where a root may be hidden, with closer bounds; 2: all that is open, in doubles.
-uniform int start;
+uniform int start; // 0: go on; 1: what was given up, again
 
 layout(location = 0) out vec4 proof;
 
@@ -8,8 +7,8 @@ void main() {
     bool hit = load_ending(ivec2(pixel_centre)).hit;
     ProofRay ray = proof_ray(ray_to_prove());
     ProofState s = load_proof();
-    bool again = start == 1 ? s.outcome == PROOF_HIDDEN : start == 2 && s.outcome >= PROOF_HIDDEN;
-    if (again && s.settled > ray.t_near) s = resume_proof(s, ray);
+    bool again = start == 1 && s.outcome >= PROOF_HIDDEN && s.settled > ray.t_near;
+    if (again) s = resume_proof(s);
     // A query on this draw tells whether there was anything left to do.
     if (s.outcome != PROOF_UNFINISHED) discard;
     int turns = pieces_per_pass;

@@ -16,7 +16,7 @@ ProofState conclude(ProofState s, int outcome) {
 }
 
 // Goes on where a proof was given up.
-ProofState resume_proof(ProofState s, ProofRay ray) {
+ProofState resume_proof(ProofState s) {
     float piece = s.at_root ? 32.0 * tube.w : 4.0 * s.piece;
     s.piece = max(piece, shortest_piece);
     s.outcome = PROOF_UNFINISHED;

@@ -79,7 +79,7 @@ std::string summary(const ProofCounts& counts) {
 }
 
 Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
-               int first_unit, const gpu::Gate* gate, InDoubles in_doubles)
+               int first_unit, const gpu::Gate* gate, Again again)
     : block_pieces_(std::min(
           most_pieces_of_block,
           pieces_of_draw(cost_of_piece(shaders, scene, synthesis::block_proof_samples()),
@@ -91,8 +91,6 @@ Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, con
     , begin_(shaders.vertex, shaders.begin_proof, "beginning proofs")
     , natural_{gpu::Program(shaders.vertex, shaders.proof, "proof"),
                cost_of_piece(shaders, scene, samples_of(scene, synthesis::ProofBounds::natural))}
-    , sharp_{gpu::Program(shaders.vertex, shaders.sharp_proof, "sharp proof"),
-             cost_of_piece(shaders, scene, samples_of(scene, synthesis::ProofBounds::by_gradient))}
     , ending_(attachment_of(shaders, synthesis::Channel::ending))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
@@ -103,15 +101,16 @@ Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, con
     for (const gpu::Target* target : {&kept_, &going_on_}) gate_.serve(*target);
     for_each_program([&](const gpu::Program& program) { bind_samplers(program); });
     for (const gpu::Program* program : {&close_, &keep_}) bind_samplers(*program);
-    if (!in_doubles.wanted) return;
-    const formula::Cost piece =
-        cost_of_piece(shaders, scene, samples_of(scene, synthesis::ProofBounds::in_doubles));
-    make_in_doubles_ = [this, &shaders, piece, connect = std::move(in_doubles.connect)] {
-        std::optional<Pass> made;
-        if (!can_trust_doubles(first_unit_)) return made;
-        made = Pass{gpu::Program(shaders.vertex, shaders.double_proof, "proof in doubles"), piece};
-        bind_samplers(made->program);
-        connect(made->program);
+    make_closer_ = [this, &shaders, &scene, again = std::move(again)] {
+        const bool in_doubles = again.in_doubles && can_trust_doubles(first_unit_);
+        const auto bounds =
+            in_doubles ? synthesis::ProofBounds::in_doubles : synthesis::ProofBounds::by_gradient;
+        Pass made{gpu::Program(shaders.vertex,
+                               in_doubles ? shaders.double_proof : shaders.sharp_proof,
+                               in_doubles ? "proof in doubles" : "sharp proof"),
+                  cost_of_piece(shaders, scene, samples_of(scene, bounds)), in_doubles};
+        bind_samplers(made.program);
+        again.connect(made.program);
         return made;
     };
 }
@@ -123,17 +122,20 @@ void Proofs::bind_samplers(const gpu::Program& program) const {
 }
 
 void Proofs::for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
-    for (const gpu::Program* program :
-         {&to_prove_, &blocks_, &begin_, &natural_.program, &sharp_.program}) {
+    for (const gpu::Program* program : {&to_prove_, &blocks_, &begin_, &natural_.program}) {
         visit(*program);
     }
-    if (in_doubles_) visit(in_doubles_->program);
+    if (closer_) visit(closer_->program);
 }
 
-void Proofs::set(const gpu::Program& program, const Thickness& thickness, int most_pieces) {
+void Proofs::set(const gpu::Program& program, const Thickness& thickness) {
     program.set("tube", thickness.tube);
     program.set("shortest_piece", thickness.shortest_piece);
     program.set("most_pieces", most_pieces);
+}
+
+void Proofs::set(const Pass& pass) const {
+    set(pass.program, pass.in_doubles ? of_doubles_ : of_floats_);
 }
 
 void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
@@ -151,13 +153,11 @@ void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int wi
     const double direction =
         16 * 0x1p-24 * (1 + (rays.parallel ? 0 : spread / glm::length(rays.axis)));
     const auto shortest = float(std::max(margin, footprint / 256));
-    const Thickness of_floats{glm::vec4(0.55 * margin, 3 * direction, margin, footprint / 8),
-                              shortest};
+    of_floats_ = {glm::vec4(0.55 * margin, 3 * direction, margin, footprint / 8), shortest};
     of_doubles_ = {glm::vec4(0.26 * margin, 1.01 * direction, margin, footprint / 8), shortest};
-    for (const gpu::Program* program : {&blocks_, &begin_, &natural_.program, &sharp_.program}) {
-        set(*program, of_floats, most_pieces);
-    }
-    if (in_doubles_) set(in_doubles_->program, of_doubles_, most_pieces_in_doubles);
+    for (const gpu::Program* program : {&blocks_, &begin_}) set(*program, of_floats_);
+    set(natural_);
+    if (closer_) set(*closer_);
 
     FrameBlock block = frame_block(scene, now, width, height, aim);
     const auto more = float(margin);
@@ -210,12 +210,12 @@ void Proofs::prove_rays(const Pass& pass, Start start, std::uint32_t rays) {
     }
 }
 
-const Proofs::Pass* Proofs::pass_in_doubles() {
-    if (make_in_doubles_) {
-        in_doubles_ = std::exchange(make_in_doubles_, {})();
-        if (in_doubles_) set(in_doubles_->program, of_doubles_, most_pieces_in_doubles);
+const Proofs::Pass& Proofs::closer() {
+    if (!closer_) {
+        closer_ = make_closer_();
+        set(*closer_);
     }
-    return in_doubles_ ? &*in_doubles_ : nullptr;
+    return *closer_;
 }
 
 void Proofs::bind_inputs(const gpu::Target& picture) const {
@@ -231,16 +231,14 @@ void Proofs::prove(const gpu::Target& picture, bool is_gated, const gpu::Rectang
     kept_.clear(0, glm::vec4(float(Proof::miss), 0, 0, 0));
     if (!is_gated) gate_.set([&] { draw(to_prove_); });
     begin();
-    const std::uint32_t rays = drawn_.passed();
-    prove_rays(natural_, Start::go_on, rays);
-    prove_rays(sharp_, Start::again, rays);
+    prove_rays(natural_, Start::go_on, drawn_.passed());
     const auto read = [&] { kept_.read(0, 0, 0, tile.width, tile.height, record); };
     read();
     const std::uint32_t open = count_open(record);
-    const Pass* in_doubles = open > 0 ? pass_in_doubles() : nullptr;
-    if (!in_doubles) return;
+    if (open == 0) return;
+    const Pass& again = closer();
     bind_inputs(picture);
-    prove_rays(*in_doubles, Start::in_doubles, open);
+    prove_rays(again, Start::again, open);
     read();
 }
 

@@ -1,11 +1,11 @@
 // Proves, pixel by pixel, that the march found the first root of a ray, or rightly found none.
 //
-// A pass after the march bounds F and dF/dt over pieces of the ray in float32 interval arithmetic
-// (shaders/proof/prove.glsl); what stays undecided is tried again with closer bounds. Each ray is
-// as thick as all that float32 may have made of it, see truth/tube.h: what is proved holds for the
-// ray that was drawn, on any driver. What is open then is resumed in doubles, where the driver's
-// can be trusted (doubles.h). A proved hit is a simple root, the ray's first, within an
-// eighth of a pixel's width of the place that was found.
+// Passes after the march bound F and dF/dt over pieces of rays in float32 interval arithmetic
+// (shaders/proof/prove.glsl), of blocks of rays first, then of single ones. What stays open is
+// tried again with closer bounds, in doubles where the driver's can be trusted (doubles.h). Each
+// ray is as thick as all that float32 may have made of it, see truth/tube.h: what is proved holds
+// for the ray that was drawn, on any driver. A proved hit is a simple root, the ray's first, within
+// an eighth of a pixel's width of the place that was found.
 #pragma once
 
 #include <array>
@@ -56,19 +56,17 @@ public:
     static constexpr int most_pieces = 128;
     // And those of a block, whose rays' own proofs go on.
     static constexpr int most_pieces_of_block = 24;
-    // And one in doubles.
-    static constexpr int most_pieces_in_doubles = 128;
-    // What proofs in doubles take: whether they are wanted, and what connects their program, which
-    // is made when float32 first leaves something open, to the field's values.
-    struct InDoubles {
-        bool wanted;
+    // What is tried again takes a program that is made when something first is: whether it may be
+    // in doubles, and what connects it to the field's values.
+    struct Again {
+        bool in_doubles;
         std::function<void(const gpu::Program&)> connect;
     };
-    // Takes texture units from `first_unit` on. `gate`: of the pixels that the picture's draw
-    // marched, which outlives it, or null. Throws std::length_error if the formula sums too
-    // many terms for a shader.
+    // Shaders, scene and gate outlive it. Takes texture units from `first_unit` on. `gate`: of the
+    // pixels that the picture's draw marched, or null. Throws std::length_error if the formula sums
+    // too many terms for a shader.
     Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
-           int first_unit, const gpu::Gate* gate, InDoubles in_doubles);
+           int first_unit, const gpu::Gate* gate, Again again);
 
     void for_each_program(const std::function<void(const gpu::Program&)>& visit) const;
 
@@ -84,22 +82,23 @@ public:
                unsigned binding, std::span<float> record);
 
 private:
-    enum class Start { go_on, again, in_doubles };
-    struct Pass {
-        gpu::Program program;
-        formula::Cost piece;
-    };
+    enum class Start { go_on, again };
     // How thick the rays are, and how short pieces get: uniforms of shaders/proof/.
     struct Thickness {
         glm::vec4 tube{0};
         float shortest_piece = 0;
     };
-    static void set(const gpu::Program& program, const Thickness& thickness, int most_pieces);
+    struct Pass {
+        gpu::Program program;
+        formula::Cost piece;
+        bool in_doubles = false;
+    };
+    static void set(const gpu::Program& program, const Thickness& thickness);
+    void set(const Pass& pass) const;
     void bind_samplers(const gpu::Program& program) const;
     void bind_inputs(const gpu::Target& picture) const;
-    // Tries again what is open; null where doubles can't be had or trusted. May change what is
-    // bound.
-    const Pass* pass_in_doubles();
+    // Tries again what is open. May change which textures are bound.
+    const Pass& closer();
     void draw(const gpu::Program& program, int width, int height) const;
     void draw(const gpu::Program& program) const;
     // Goes on with what is kept where the gate is open, and tells `drawn_` how many do.
@@ -111,10 +110,10 @@ private:
 
     int block_pieces_; // at most
     gpu::Program to_prove_, close_, keep_, blocks_, begin_;
-    Pass natural_, sharp_;
-    std::function<std::optional<Pass>()> make_in_doubles_; // empty once it was called
-    std::optional<Pass> in_doubles_;
-    Thickness of_doubles_;
+    Pass natural_;
+    std::function<Pass()> make_closer_;
+    std::optional<Pass> closer_;
+    Thickness of_floats_, of_doubles_;
     int ending_; // among the picture's attachments
     gpu::Target of_blocks_, kept_, going_on_;
     std::optional<gpu::Gate> own_gate_;

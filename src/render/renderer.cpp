@@ -87,8 +87,8 @@ struct Renderer::Parts {
             proofs.emplace(
                 shaders, scene, plan, beam_unit() + BeamPass::units,
                 whole ? &whole->gate() : nullptr,
-                Proofs::InDoubles{options.proofs_in_doubles && context.info().has(4, 0),
-                                  [this](const gpu::Program& program) { connect(program); }});
+                Proofs::Again{options.proofs_in_doubles && context.info().has(4, 0),
+                              [this](const gpu::Program& program) { connect(program); }});
         }
         for_each_program([&](const gpu::Program& program) { connect(program); });
     }
