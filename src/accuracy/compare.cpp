@@ -37,9 +37,10 @@ Fault judge(const truth::FirstRoot& root, bool hit, double t, double footprint) 
 // Whether what was proved of a pixel cannot be, by what is certain of its ray. A proof tells more
 // than judge() asks: its root is within an eighth of the pixel's width of where it was drawn, and
 // twice that is left to the rounding of positions.
-bool contradicts(render::Proof proof, Fault fault, const truth::FirstRoot& root, double t,
+bool contradicts(render::Proof proof, bool hit, Fault fault, const truth::FirstRoot& root, double t,
                  double footprint) {
     if (!render::is_proved(proof)) return false;
+    if ((proof == render::Proof::hit) != hit) return true; // of another ending than is drawn
     if (fault == Fault::undecided) return false;
     if (fault != Fault::none) return true;
     return proof == render::Proof::hit && root.answer == truth::Answer::hit &&
@@ -103,7 +104,7 @@ Errors compare(const scene::Scene& scene, const scene::SceneAt& now, const image
         if (proofs) {
             const auto proof = render::Proof(int(proofs->samples[pixel]));
             ++errors.proofs[std::size_t(proof)];
-            errors.contradicted += contradicts(proof, fault, root, t, tube.footprint);
+            errors.contradicted += contradicts(proof, hit, fault, root, t, tube.footprint);
         }
         if (!hit || fault != Fault::none || root.answer != truth::Answer::hit) continue;
 

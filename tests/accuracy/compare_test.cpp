@@ -28,6 +28,7 @@ struct Pixel {
     Verdict verdict = Verdict::miss;
     double x = 1;        // of the hit
     double normal_z = 0; // of a normal along x, tilted
+    std::optional<render::Proof> proof{};
 };
 
 Errors judged(const Pixel& pixel, const truth::FirstRoot& root) {
@@ -45,12 +46,31 @@ Errors judged(const Pixel& pixel, const truth::FirstRoot& root) {
     add("N.X", 1);
     add("N.Y", 0);
     add("N.Z", pixel.normal_z);
+    if (pixel.proof) add("proof", double(*pixel.proof));
     return compare(scene, now, frame, {1, 1, {root}, 0});
 }
 
 truth::FirstRoot hit_at(double t) { return {Answer::hit, false, float(t), float(t), 0, 0}; }
 const truth::FirstRoot miss{};
 const truth::FirstRoot unknown{Answer::undecided, false, 0, 0, 0, 0};
+
+TEST(Compare, AProofIsOfWhatIsDrawnAndCertain) {
+    using render::Proof;
+    const auto contradicted = [](Verdict drawn, Proof proof, const truth::FirstRoot& root) {
+        return judged({drawn, 1, 0, proof}, root).contradicted;
+    };
+    EXPECT_EQ(contradicted(Verdict::hit, Proof::hit, hit_at(-1)), 0);
+    EXPECT_EQ(contradicted(Verdict::miss, Proof::miss, miss), 0);
+    EXPECT_EQ(contradicted(Verdict::hit, Proof::miss, hit_at(-1)), 1);
+    EXPECT_EQ(contradicted(Verdict::hit, Proof::miss, miss), 1);
+    EXPECT_EQ(contradicted(Verdict::miss, Proof::hit, miss), 1);
+    EXPECT_EQ(contradicted(Verdict::miss, Proof::miss, hit_at(-1)), 1);
+    EXPECT_EQ(contradicted(Verdict::miss, Proof::miss, unknown), 0);
+    EXPECT_EQ(contradicted(Verdict::hit, Proof::hit, hit_at(1)), 1) << "far from the root";
+    for (const Proof open : {Proof::none, Proof::hidden, Proof::sign, Proof::budget}) {
+        EXPECT_EQ(contradicted(Verdict::hit, open, miss), 0);
+    }
+}
 
 TEST(Compare, AMissIsRightWhereNothingIs) {
     EXPECT_EQ(judged({Verdict::miss}, miss).faults[0], Fault::none);
