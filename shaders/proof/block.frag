@@ -49,7 +49,9 @@ void main() {
     float slope = 0.0;
     for (int k = 0; k < block_pieces && open; ++k) {
         float end = at_roots ? high : min(settled + piece, high);
-        bool inside = box_of(way, settled, end, x, y, z);
+        // All of it: where one ray enters the bounds, another's value is already told.
+        box_around(way, settled, end, x, y, z);
+        bool inside = meets_bounds(x, y, z);
         vec4 f = field_along_interval(x, y, z, dx, dy, dz);
         float h = (end - settled) * 1.000002;
         float fall = max(below ? f.w : -f.z, 0.0);

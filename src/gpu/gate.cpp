@@ -51,8 +51,8 @@ void Gate::attach_to(const Target& target) const {
         throw ResourceError(fmt::format("{}: incomplete ({:#06x})", what, status));
 }
 
-void Gate::set(const std::function<void()>& draw) const {
-    target_.bind();
+void Gate::set(const Target& bound, const std::function<void()>& draw) const {
+    bound.bind();
     const Testing always(GL_ALWAYS, true);
     const Colorless depth_alone;
     draw();

@@ -17,7 +17,8 @@ public:
     void serve(const Target& other) const;
 
     /// `draw` writes depth and no colour: 1 opens a pixel, 0 closes it.
-    void set(const std::function<void()>& draw) const;
+    void set(const std::function<void()>& draw) const { set(target_, draw); }
+    void set(const Target& bound, const std::function<void()>& draw) const;
     /// Closes pixels, of those that are open, which `draw` does not discard. It has no depth of its
     /// own: then it is not run where the gate is closed.
     void close(const Target& bound, const std::function<void()>& draw) const;

@@ -229,7 +229,7 @@ void Proofs::prove(const gpu::Target& picture, bool is_gated, const gpu::Rectang
     frame_.bind(binding);
     bind_inputs(picture);
     kept_.clear(0, glm::vec4(float(Proof::miss), 0, 0, 0));
-    if (!is_gated) gate_.set([&] { draw(to_prove_); });
+    if (!is_gated) gate_.set(kept_, [&] { draw(to_prove_); });
     begin();
     prove_rays(natural_, Start::go_on, drawn_.passed());
     const auto read = [&] { kept_.read(0, 0, 0, tile.width, tile.height, record); };

@@ -81,6 +81,33 @@ TEST_P(Certify, ASphereIsProvedAndIsWhereItIs) {
     EXPECT_GT(hits + misses, 0.995 * side * side);
 }
 
+// Tiles and passes, and blocks of rays that tiles cut, change no proof.
+TEST_P(Certify, AProofIsTheSameByAnyPlan) {
+    for (const char* method : {"hermite", "amp-sign"}) {
+        SCOPED_TRACE(method);
+        const scene::Scene scene = scene_of(fmt::format(R"(
+[surface]
+use = "cayley"
+[output]
+size = [61, 47]
+[isolation]
+certify = true
+method = "{}"
+)",
+                                                        method));
+        const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+        const auto drawn = [&](std::optional<render::MarchPlan> plan) {
+            render::Renderer renderer(*context, scene, {61, 47, channels(), plan});
+            return renderer.draw(now);
+        };
+        const Picture at_once = drawn({});
+        const Picture bit_by_bit = drawn(render::MarchPlan{32, 32, 3});
+        EXPECT_GT(bit_by_bit.passes, 8);
+        EXPECT_GT(count(at_once, Proof::hit), 500);
+        EXPECT_EQ(at_once.frame.find("proof")->samples, bit_by_bit.frame.find("proof")->samples);
+    }
+}
+
 // Where F only touches 0 nothing tells a root from none.
 TEST_P(Certify, ADoubleRootIsNeitherProvedNorDisproved) {
     const Picture once = draw_formula("x^2 + y^2 + z^2 - 1");
