@@ -1,4 +1,5 @@
-// Opens the gate for rays with something to prove. What stays closed are misses without a way to go.
+// Opens the gate for rays with something to prove. What stays closed are misses without a way to go:
+// beams proved it, or the ray is off the bounds by more than rounding can be.
 void main() {
     Ray ray = pixel_ray();
     enter_beam(ray);

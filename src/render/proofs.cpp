@@ -18,8 +18,15 @@ formula::Cost cost_of_piece(const synthesis::Shaders& shaders, const scene::Scen
                             const std::vector<synthesis::FieldFunction>& samples) {
     std::vector<int> counts;
     for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
-    const formula::Cost piece = synthesis::cost(*scene.surface.field, samples, counts);
-    if (1 + piece.iterations > loop_iterations_per_pass) {
+    return synthesis::cost(*scene.surface.field, samples, counts);
+}
+
+bool fits_a_shader(const formula::Cost& piece) {
+    return 1 + piece.iterations <= loop_iterations_per_pass;
+}
+
+formula::Cost cost_that_fits(const formula::Cost& piece) {
+    if (!fits_a_shader(piece)) {
         throw std::length_error(
             fmt::format("a proof bounds {:.0f} terms for every piece; a shader can sum {:.0f}: "
                         "draw fewer elements or without certify",
@@ -90,7 +97,8 @@ Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, con
     , blocks_(shaders.vertex, shaders.block_proof, "proofs of blocks")
     , begin_(shaders.vertex, shaders.begin_proof, "beginning proofs")
     , natural_{gpu::Program(shaders.vertex, shaders.proof, "proof"),
-               cost_of_piece(shaders, scene, samples_of(scene, synthesis::ProofBounds::natural))}
+               cost_that_fits(cost_of_piece(shaders, scene,
+                                            samples_of(scene, synthesis::ProofBounds::natural)))}
     , ending_(attachment_of(shaders, synthesis::Channel::ending))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
@@ -105,12 +113,15 @@ Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, con
         const bool in_doubles = again.in_doubles && can_trust_doubles(first_unit_);
         const auto bounds =
             in_doubles ? synthesis::ProofBounds::in_doubles : synthesis::ProofBounds::by_gradient;
-        Pass made{gpu::Program(shaders.vertex,
-                               in_doubles ? shaders.double_proof : shaders.sharp_proof,
-                               in_doubles ? "proof in doubles" : "sharp proof"),
-                  cost_of_piece(shaders, scene, samples_of(scene, bounds)), in_doubles};
-        bind_samplers(made.program);
-        again.connect(made.program);
+        const formula::Cost piece = cost_of_piece(shaders, scene, samples_of(scene, bounds));
+        std::optional<Pass> made;
+        if (!fits_a_shader(piece)) return made;
+        made = Pass{gpu::Program(shaders.vertex,
+                                 in_doubles ? shaders.double_proof : shaders.sharp_proof,
+                                 in_doubles ? "proof in doubles" : "sharp proof"),
+                    piece, in_doubles};
+        bind_samplers(made->program);
+        again.connect(made->program);
         return made;
     };
 }
@@ -210,12 +221,12 @@ void Proofs::prove_rays(const Pass& pass, Start start, std::uint32_t rays) {
     }
 }
 
-const Proofs::Pass& Proofs::closer() {
-    if (!closer_) {
-        closer_ = make_closer_();
-        set(*closer_);
+const Proofs::Pass* Proofs::closer() {
+    if (make_closer_) {
+        closer_ = std::exchange(make_closer_, {})();
+        if (closer_) set(*closer_);
     }
-    return *closer_;
+    return closer_ ? &*closer_ : nullptr;
 }
 
 void Proofs::bind_inputs(const gpu::Target& picture) const {
@@ -236,9 +247,10 @@ void Proofs::prove(const gpu::Target& picture, bool is_gated, const gpu::Rectang
     read();
     const std::uint32_t open = count_open(record);
     if (open == 0) return;
-    const Pass& again = closer();
+    const Pass* again = closer();
+    if (!again) return;
     bind_inputs(picture);
-    prove_rays(again, Start::again, open);
+    prove_rays(*again, Start::again, open);
     read();
 }
 

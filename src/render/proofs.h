@@ -97,8 +97,9 @@ private:
     void set(const Pass& pass) const;
     void bind_samplers(const gpu::Program& program) const;
     void bind_inputs(const gpu::Target& picture) const;
-    // Tries again what is open. May change which textures are bound.
-    const Pass& closer();
+    // Tries again what is open; null where its sums are too long for a shader. May change which
+    // textures are bound.
+    const Pass* closer();
     void draw(const gpu::Program& program, int width, int height) const;
     void draw(const gpu::Program& program) const;
     // Goes on with what is kept where the gate is open, and tells `drawn_` how many do.
@@ -111,7 +112,7 @@ private:
     int block_pieces_; // at most
     gpu::Program to_prove_, close_, keep_, blocks_, begin_;
     Pass natural_;
-    std::function<Pass()> make_closer_;
+    std::function<std::optional<Pass>()> make_closer_; // empty once it was called
     std::optional<Pass> closer_;
     Thickness of_floats_, of_doubles_;
     int ending_; // among the picture's attachments
