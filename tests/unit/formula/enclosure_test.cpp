@@ -387,5 +387,53 @@ TEST(Enclosure, BlocksGiveWhatSinglePointsGive) {
     }
 }
 
+// F, dF/dt and the gradient of dF/dt, against what is worked out by hand of x^3 y + 2 y z - z^2.
+TEST(Bend, OfAPolynomialIsItsSecondDerivatives) {
+    const auto program = bend_program(make_field("x^3*y + 2*y*z - z^2", test_vocabulary()));
+    ASSERT_TRUE(program);
+    Evaluator<Interval> evaluator(*program);
+    const Bindings<Interval> bindings = convert<Interval>(test_bindings());
+    Random random(1);
+    for (int again = 0; again < 100; ++again) {
+        Box box = random_box(random, 1.5);
+        const auto exact = [&](auto&& of) {
+            return of(mid(box[0]), mid(box[1]), mid(box[2]), mid(box[3]), mid(box[4]), mid(box[5]));
+        };
+        const std::array expected{
+            exact([](double x, double y, double z, double, double, double) {
+                return x * x * x * y + 2 * y * z - z * z;
+            }),
+            exact([](double x, double y, double z, double u, double v, double w) {
+                return 3 * x * x * y * u + (x * x * x + 2 * z) * v + (2 * y - 2 * z) * w;
+            }),
+            exact([](double x, double y, double, double u, double v, double) {
+                return 6 * x * y * u + 3 * x * x * v;
+            }),
+            exact([](double x, double, double, double u, double, double w) {
+                return 3 * x * x * u + 2 * w;
+            }),
+            exact(
+                [](double, double, double, double, double v, double w) { return 2 * v - 2 * w; })};
+        std::array<Interval, 5> found;
+        evaluator.point(bindings, box, found);
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            EXPECT_LE(found[k].lo, expected[k] + 1e-13) << k;
+            EXPECT_GE(found[k].hi, expected[k] - 1e-13) << k;
+        }
+        for (Interval& side : box) side = Interval(mid(side));
+        evaluator.point(bindings, box, found);
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            EXPECT_NEAR(found[k].lo, expected[k], 1e-12) << k;
+            EXPECT_NEAR(found[k].hi, expected[k], 1e-12) << k;
+        }
+    }
+}
+
+TEST(Bend, IsOfNoOtherField) {
+    for (const char* text : {"exp(x) + y", "1/x + y^2 + z", "sqrt(x) + y", "abs(x) + z^2"}) {
+        EXPECT_FALSE(bend_program(make_field(text, test_vocabulary()))) << text;
+    }
+}
+
 } // namespace
 } // namespace isomotion::formula
