@@ -74,8 +74,8 @@ public:
     void upload(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
                 const scene::Aim& aim);
 
-    // Proves the rays of a tile whose picture is drawn, record and endings among its attachments.
-    // Four floats a pixel, rows from the bottom: Proof, the t down to which the ray is settled, and
+    // Proves the rays of a tile whose picture is drawn, their endings among its attachments. Four
+    // floats a pixel, rows from the bottom: Proof, the t down to which the ray is settled, and
     // two more. `is_gated`: the gate is as the picture's draw left it. `binding` is that of the
     // block Frame, which is left changed.
     void prove(const gpu::Target& picture, bool is_gated, const gpu::Rectangle& tile,
