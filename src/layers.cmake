@@ -1,21 +1,34 @@
 # isomotion_library(<folder> [SOURCES ...] [LINKS ...] [PRIVATE_LINKS ...] [BUILD_LINKS ...])
 #
-# One static library for one folder of src/. A library sees the headers of the folders it links and
-# of no other: each folder is published through a link of its own under the build tree, so that
+# One static library for one folder of src/, "gpu" or "scene/reading". A library sees the headers of
+# the folders it links and of no other: the headers that lie in each folder itself, not those of
+# folders in it, are published through links under the build tree, so that
 # `#include "gpu/context.h"` does not compile in a folder that may not know gpu.
 #
 # BUILD_LINKS are libraries of headers alone, used in no header of ours: who links an installed
 # library of ours (src/package) needs them no more.
 function(isomotion_library folder)
-  cmake_parse_arguments(LIBRARY "" "" "SOURCES;LINKS;PRIVATE_LINKS;BUILD_LINKS" ${ARGN})
-  set(view ${CMAKE_BINARY_DIR}/include/${folder})
-  file(MAKE_DIRECTORY ${view})
-  file(CREATE_LINK ${CMAKE_SOURCE_DIR}/src/${folder} ${view}/${folder} SYMBOLIC)
+  cmake_parse_arguments(LIBRARY "" "" "SOURCES;LINKS;PRIVATE_LINKS;BUILD_LINKS;ROOMS" ${ARGN})
+  string(REPLACE "/" "_" name ${folder})
+  set(view ${CMAKE_BINARY_DIR}/include/${name})
+  file(REMOVE_RECURSE ${view})
+  foreach(room "" ${LIBRARY_ROOMS})
+    set(part ${folder})
+    if(room)
+      set(part ${folder}/${room})
+    endif()
+    file(MAKE_DIRECTORY ${view}/${part})
+    file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${part}/*.h)
+    foreach(header ${headers})
+      get_filename_component(leaf ${header} NAME)
+      file(CREATE_LINK ${header} ${view}/${part}/${leaf} SYMBOLIC)
+    endforeach()
+  endforeach()
 
-  set(target isomotion_${folder})
+  set(target isomotion_${name})
   add_library(${target} STATIC ${LIBRARY_SOURCES})
-  add_library(isomotion::${folder} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder})
+  add_library(isomotion::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${view}>)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${LIBRARY_LINKS} PRIVATE ${LIBRARY_PRIVATE_LINKS})

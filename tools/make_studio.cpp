@@ -10,8 +10,8 @@
 
 #include <glm/glm.hpp>
 
+#include "base/file.h"
 #include "image/encode.h"
-#include "image/file.h"
 
 namespace {
 
@@ -92,7 +92,7 @@ int main(int count, char** arguments) {
         return 2;
     }
     try {
-        isomotion::image::write_whole(
+        isomotion::base::write_whole(
             arguments[1],
             isomotion::image::encode(studio(), isomotion::image::format_of(arguments[1])));
     } catch (const std::exception& error) {

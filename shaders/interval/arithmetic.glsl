@@ -1,7 +1,7 @@
 // im_add, im_subtract, im_multiply, im_square, im_abs, im_select on intervals. Needs float32.glsl or
 // float64.glsl.
 //
-// An interval (lo, hi) is as in src/formula/interval.h: lo <= hi, lo < infinity, hi > -infinity, no
+// An interval (lo, hi) is as in src/formula/interval/interval.h: lo <= hi, lo < infinity, hi > -infinity, no
 // NaN, an infinite end is no bound, and 0 times an unbounded interval is 0. Ends are 0 or normal:
 // drivers may flush others to 0.
 //

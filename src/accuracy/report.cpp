@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "image/base64.h"
-#include "image/child_process.h"
+#include "base/base64.h"
+#include "base/child_process.h"
+#include "base/file.h"
 #include "image/encode.h"
-#include "image/file.h"
 
 namespace isomotion::accuracy {
 namespace fs = std::filesystem;
@@ -27,7 +27,7 @@ std::vector<bool> on_front(const Report& report) {
 }
 
 void write_text(const fs::path& file, const std::string& text) {
-    image::write_whole(file, std::as_bytes(std::span(text)));
+    base::write_whole(file, std::as_bytes(std::span(text)));
 }
 
 // White misses, grey hits; red missed, blue false hits, orange wrong roots, violet undecided.
@@ -91,9 +91,9 @@ void plot(const Report& report, const fs::path& folder) {
                           "set output '{1}.svg'\nplot {0}\n"
                           "set terminal pngcairo size 760,460\nset output '{1}.png'\nreplot\n",
                           curves, in_quotes((folder / "accuracy").string()));
-    const auto gnuplot = image::find_program("gnuplot");
+    const auto gnuplot = base::find_program("gnuplot");
     if (!gnuplot) throw PlotError("gnuplot could not plot the report; install it: gnuplot-nox");
-    image::ChildProcess plotting(*gnuplot, {});
+    base::ChildProcess plotting(*gnuplot, {});
     const bool plotted = plotting.feed(std::as_bytes(std::span(script))) && plotting.finish();
     if (!plotted || !fs::exists(folder / "accuracy.svg") || !fs::exists(folder / "accuracy.png")) {
         throw PlotError("gnuplot could not plot the report; install it: gnuplot-nox");
@@ -158,7 +158,7 @@ std::string page(const Report& report, const fs::path& folder,
         html +=
             fmt::format("<figure><img width=\"256\" src=\"data:image/png;base64,{}\"><figcaption>"
                         "{}</figcaption></figure>\n",
-                        image::base64(pictures[k]), label(report, k));
+                        base::base64(pictures[k]), label(report, k));
     }
     return html + "</html>\n";
 }
@@ -275,7 +275,7 @@ void write(const Report& report, const fs::path& folder) {
     std::vector<std::vector<std::byte>> pictures;
     for (std::size_t k = 0; k < report.measurements.size(); ++k) {
         pictures.push_back(wrong_picture(report, report.measurements[k].errors));
-        image::write_whole(folder / fmt::format("wrong-{:02}.png", k + 1), pictures.back());
+        base::write_whole(folder / fmt::format("wrong-{:02}.png", k + 1), pictures.back());
     }
     plot(report, folder);
     write_text(folder / "index.html", page(report, folder, pictures));

@@ -31,7 +31,7 @@ std::string json(const Report& report);
 
 // accuracy.csv, accuracy.json, wrong-NN.png for each setting, accuracy.svg and accuracy.png (wrong
 // pixels against time, by gnuplot) and index.html, which holds all of it. The folder is made.
-// Throws PlotError, image::FileError.
+// Throws PlotError, base::FileError.
 void write(const Report& report, const std::filesystem::path& folder);
 
 } // namespace isomotion::accuracy

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <optional>
 
-#include "image/file.h"
-#include "scene/fingerprint.h"
+#include "base/file.h"
+#include "base/fingerprint.h"
 
 namespace isomotion::accuracy {
 namespace fs = std::filesystem;
@@ -19,7 +19,7 @@ static_assert(std::is_trivially_copyable_v<truth::FirstRoot>);
 
 std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
                         const truth::Budget& budget) {
-    scene::Fingerprint print;
+    base::Fingerprint print;
     print.add(version).add(scene.surface.field->text);
     const auto add_values = [&](std::initializer_list<double> values) {
         print.add_values(std::span(values.begin(), values.size()));
@@ -46,7 +46,7 @@ std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, in
 // After the version: evaluations, then the roots, then the fingerprint of both.
 struct Contents {
     std::string bytes;
-    std::string sum() const { return scene::Fingerprint().add(bytes).text(); }
+    std::string sum() const { return base::Fingerprint().add(bytes).text(); }
 };
 
 std::optional<truth::Truth> read(const fs::path& file, int width, int height) {
@@ -75,8 +75,8 @@ void write(const fs::path& file, const truth::Truth& truth) {
     std::error_code ignored;
     fs::create_directories(file.parent_path(), ignored);
     try {
-        image::write_whole(file, std::as_bytes(std::span(text)));
-    } catch (const image::FileError&) {
+        base::write_whole(file, std::as_bytes(std::span(text)));
+    } catch (const base::FileError&) {
         // A disk that is full or read-only: certified again next time.
     }
 }

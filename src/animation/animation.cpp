@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "formula/lowering.h"
-#include "formula/parser.h"
+#include "formula/graph/lowering.h"
+#include "formula/graph/parser.h"
 
 namespace isomotion::animation {
 namespace {

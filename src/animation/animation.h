@@ -14,8 +14,8 @@
 
 #include "animation/element_samples.h"
 #include "animation/keys.h"
-#include "formula/evaluate.h"
-#include "formula/vocabulary.h"
+#include "formula/evaluate/evaluate.h"
+#include "formula/graph/vocabulary.h"
 
 namespace isomotion::animation {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "formula/evaluate.h"
+#include "formula/evaluate/evaluate.h"
 
 namespace isomotion::animation {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "formula/parser.h"
-#include "formula/substitute.h"
+#include "formula/graph/parser.h"
+#include "formula/graph/substitute.h"
 
 namespace isomotion::animation {
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "animation/animation.h"
-#include "formula/graph.h"
-#include "formula/interval.h"
+#include "formula/graph/graph.h"
+#include "formula/interval/interval.h"
 
 namespace isomotion::animation {
 

@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/child_process.h"
 #include "gpu/compute.h"
 #include "gpu/error.h"
 #include "gpu/program.h"
 #include "gpu/target.h"
-#include "image/child_process.h"
 #include "render/arithmetic.h"
 #include "render/stage.h"
 
@@ -80,7 +80,7 @@ Json failed(gpu::Backend backend, const std::string& reason) {
     return {{"name", gpu::name(backend)}, {"works", false}, {"reason", reason}};
 }
 
-std::string how_it_ended(const image::ChildProcess& child, bool in_time,
+std::string how_it_ended(const base::ChildProcess& child, bool in_time,
                          std::chrono::seconds longest) {
     if (!in_time)
         return fmt::format("no answer within {} s; the process was killed", longest.count());
@@ -131,16 +131,16 @@ std::vector<Json> examine_apart(const std::vector<gpu::Backend>& backends,
                                 std::chrono::seconds longest) {
     const auto program = std::filesystem::read_symlink("/proc/self/exe");
     const auto deadline = std::chrono::steady_clock::now() + longest;
-    std::vector<std::unique_ptr<image::ChildProcess>> children;
+    std::vector<std::unique_ptr<base::ChildProcess>> children;
     for (const gpu::Backend backend : backends) {
         const std::vector<std::string> words{"doctor", "--examine",
                                              std::string(gpu::name(backend))};
         children.push_back(
-            std::make_unique<image::ChildProcess>(program, words, image::Output::keep));
+            std::make_unique<base::ChildProcess>(program, words, base::Output::keep));
     }
     std::vector<Json> found;
     for (std::size_t k = 0; k < backends.size(); ++k) {
-        image::ChildProcess& child = *children[k];
+        base::ChildProcess& child = *children[k];
         const bool in_time = child.finish_by(deadline);
         const Json answer = child.succeeded() ? answer_of(child.output()) : Json();
         found.push_back(answer.is_object()

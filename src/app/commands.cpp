@@ -6,19 +6,19 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "base/file.h"
+#include "base/printable.h"
 #include "gpu/context.h"
 #include "gpu/error.h"
-#include "image/file.h"
 #include "image/frame.h"
 #include "image/movie.h"
 #include "scene/error.h"
-#include "scene/printable.h"
 
 namespace isomotion::app {
 namespace {
 
 int report(int code, const std::exception& error) {
-    fmt::print(stderr, "{}\n", scene::printable(error.what()));
+    fmt::print(stderr, "{}\n", base::printable(error.what()));
     return code;
 }
 
@@ -68,7 +68,7 @@ int run(int argc, char** argv) {
         return report(exit_usage, error);
     } catch (const gpu::Unavailable& error) {
         return report(exit_machine, error);
-    } catch (const image::FileError& error) {
+    } catch (const base::FileError& error) {
         return report(exit_machine, error);
     } catch (const image::MovieError& error) {
         return report(exit_machine, error);

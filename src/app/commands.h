@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/reach.h"
+#include "scene/reading/reach.h"
 
 namespace CLI {
 class App;

@@ -4,8 +4,8 @@
 #include "app/commands.h"
 #include "scene/data_folder.h"
 #include "scene/effect.h"
-#include "scene/load.h"
 #include "scene/method.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::app {
 namespace {

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "image/child_process.h"
-#include "image/file.h"
+#include "base/child_process.h"
+#include "base/file.h"
 #include "scene/data_folder.h"
 
 namespace isomotion::app {
@@ -38,7 +38,7 @@ Json disk() {
     if (const auto space = fs::space(folder, error); !error) found["free_bytes"] = space.available;
     const fs::path file = folder / fmt::format("isomotion-doctor-{}.txt", ::getpid());
     try {
-        image::write_whole(file, std::as_bytes(std::span(std::string_view("isomotion doctor\n"))));
+        base::write_whole(file, std::as_bytes(std::span(std::string_view("isomotion doctor\n"))));
         fs::remove(file);
         found["writable"] = true;
     } catch (const std::exception& refusal) {
@@ -49,14 +49,14 @@ Json disk() {
 }
 
 std::string told_by(const fs::path& program, const std::vector<std::string>& arguments) {
-    image::ChildProcess child(program, arguments, image::Output::keep);
+    base::ChildProcess child(program, arguments, base::Output::keep);
     child.finish_by(std::chrono::steady_clock::now() + 20s);
     return child.output();
 }
 
 // What image/movie.cpp asks of it, by the ending of a movie's name.
 Json ffmpeg() {
-    const auto program = image::find_program("ffmpeg");
+    const auto program = base::find_program("ffmpeg");
     if (!program) return {{"reason", "not found on PATH: no movies (Debian: ffmpeg)"}};
     try {
         const std::string version = told_by(*program, {"-hide_banner", "-version"});
@@ -76,7 +76,7 @@ Json ffmpeg() {
 }
 
 Json sbatch() {
-    const auto program = image::find_program("sbatch");
+    const auto program = base::find_program("sbatch");
     if (program) return {{"program", program->string()}};
     return {{"reason", "not found on PATH: no farm to send frames to"}};
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "scene/scene.h"
 #include "synthesis/channel.h"
 

@@ -14,13 +14,13 @@
 #include "app/render_arguments.h"
 #include "app/render_totals.h"
 #include "app/stop_on_signal.h"
-#include "image/file.h"
+#include "base/file.h"
+#include "base/fingerprint.h"
 #include "image/movie.h"
 #include "image/sequence.h"
 #include "render/exposure.h"
 #include "render/renderer.h"
-#include "scene/fingerprint.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "sequence/manifest.h"
 #include "sequence/recording.h"
 #include "sequence/standing.h"
@@ -35,7 +35,7 @@ void make_folder(const fs::path& file) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error && !fs::is_directory(folder)) {
-        throw image::FileError(folder, "the folder cannot be created", error.value());
+        throw base::FileError(folder, "the folder cannot be created", error.value());
     }
 }
 
@@ -269,7 +269,7 @@ private:
     // Pixels, file format and everything else that the file records.
     std::string file_fingerprint(const std::string& pixels, const std::string& machine,
                                  const image::Metadata& metadata) const {
-        scene::Fingerprint print;
+        base::Fingerprint print;
         print.add(pixels).add(machine).add(ISOMOTION_VERSION).add(std::to_string(int(format_)));
         for (const auto& entry : metadata) print.add(entry.name).add(image::to_text(entry.value));
         return print.text();

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "base/printable.h"
 #include "render/stage.h"
 #include "scene/effect.h"
-#include "scene/load.h"
-#include "scene/printable.h"
+#include "scene/reading/load.h"
 #include "scene/scene_at.h"
 #include "synthesis/assemble.h"
 
@@ -60,7 +60,7 @@ int show(const ShowArguments& arguments) {
     scene::at(scene, values); // values that have left their range are an error here too
     const scene::Isolation& isolation = scene.isolation;
     fmt::print("{}\n", scene.title);
-    fmt::print("formula   {}\n", scene::printable(scene.surface.field->text));
+    fmt::print("formula   {}\n", base::printable(scene.surface.field->text));
     fmt::print("timeline  {} frames at {} a second{}\n", scene.timeline.frames,
                animation::to_string(scene.timeline.fps), scene.timeline.loops ? ", a loop" : "");
     if (isolation.method == scene::Method::hermite) {

@@ -12,12 +12,12 @@
 #include "app/progress.h"
 #include "app/render_arguments.h"
 #include "app/stop_on_signal.h"
+#include "base/file.h"
 #include "farm/chunks.h"
 #include "farm/job.h"
 #include "farm/local.h"
 #include "farm/shell.h"
 #include "farm/slurm.h"
-#include "image/file.h"
 
 namespace isomotion::app {
 namespace fs = std::filesystem;
@@ -169,7 +169,7 @@ private:
         }
         const std::string text = farm::slurm_script(job_, chunks, all_frames(), slurm);
         fs::create_directories(slurm.script.parent_path());
-        image::write_whole(slurm.script, std::as_bytes(std::span(text)));
+        base::write_whole(slurm.script, std::as_bytes(std::span(text)));
         say("script: {}\n", slurm.script.string());
         const Words array = farm::sbatch_array(slurm, chunks.size());
         if (arguments_.dry_run) {

@@ -9,13 +9,13 @@
 #include "app/commands.h"
 #include "app/progress.h"
 #include "app/stop_on_signal.h"
+#include "base/base64.h"
+#include "base/file.h"
 #include "gpu/context.h"
 #include "gpu/error.h"
-#include "image/base64.h"
 #include "image/encode.h"
-#include "image/file.h"
 #include "render/renderer.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "topology/analyse.h"
 #include "topology/betti_csv.h"
 #include "topology/expectation.h"
@@ -76,10 +76,10 @@ void write_text(const std::string& file, const std::string& text) {
         std::error_code error;
         fs::create_directories(folder, error);
         if (error && !fs::is_directory(folder)) {
-            throw image::FileError(folder, "the folder cannot be created", error.value());
+            throw base::FileError(folder, "the folder cannot be created", error.value());
         }
     }
-    image::write_whole(file, std::as_bytes(std::span(text)));
+    base::write_whole(file, std::as_bytes(std::span(text)));
 }
 
 // Pictures of the frames that tell most; those before one that cannot be drawn.
@@ -101,7 +101,7 @@ std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& argument
             const auto values = scene.timeline.values(std::int64_t(whole), frames[k] - whole);
             const render::Picture picture = renderer.draw(scene::at(scene, values));
             const auto png = image::encode(picture.frame, image::Format::png8);
-            thumbnails.push_back({frames[k], "data:image/png;base64," + image::base64(png)});
+            thumbnails.push_back({frames[k], "data:image/png;base64," + base::base64(png)});
         }
     } catch (const gpu::Unavailable&) {
         fmt::print(stderr, "warning: no OpenGL here: {} has no pictures of the surface\n",

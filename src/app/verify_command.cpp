@@ -11,7 +11,7 @@
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/progress.h"
-#include "image/file.h"
+#include "base/file.h"
 #include "image/sequence.h"
 #include "sequence/manifest.h"
 #include "sequence/verification.h"
@@ -37,7 +37,7 @@ std::vector<fs::path> manifests_in(const fs::path& folder) {
             found.push_back(entry.path());
         }
     }
-    if (error) throw image::FileError(folder, "cannot be read", error.value());
+    if (error) throw base::FileError(folder, "cannot be read", error.value());
     std::ranges::sort(found);
     return found;
 }
@@ -50,14 +50,14 @@ std::vector<fs::path> manifests_of(const std::string& what) {
     if (fs::is_directory(path)) {
         auto found = manifests_in(path);
         if (!found.empty()) return found;
-        throw image::FileError(path, "has no sequence with a manifest, as render writes them",
-                               ENOENT);
+        throw base::FileError(path, "has no sequence with a manifest, as render writes them",
+                              ENOENT);
     }
     const auto name = image::SequenceName::parse(what);
     if (name.holds_many()) return {sequence::manifest_folder(name)};
     if (fs::path stem = path; is_manifest(stem += ".manifest")) return {stem};
-    throw image::FileError(path, "is neither a folder nor a sequence's name, as out/name.####.png",
-                           ENOENT);
+    throw base::FileError(path, "is neither a folder nor a sequence's name, as out/name.####.png",
+                          ENOENT);
 }
 
 void tell(const sequence::Verification& found) {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "animation/frame_range.h"
-#include "image/child_process.h"
+#include "base/child_process.h"
 #include "image/sequence.h"
 
 namespace isomotion::farm {
@@ -25,7 +25,7 @@ struct Task {
     int attempt; // from 1
 };
 
-image::ChildProcess start(Words words) {
+base::ChildProcess start(Words words) {
     words.push_back("--quiet"); // nobody reads its standard output
     return {words.front(), Words(words.begin() + 1, words.end())};
 }
@@ -49,7 +49,7 @@ public:
     }
 
     const Task task;
-    image::ChildProcess process;
+    base::ChildProcess process;
 
 private:
     const Chunk& frames_;
@@ -108,7 +108,7 @@ private:
     }
 
     void failed(const Worker& worker) {
-        const image::ChildProcess& process = worker.process;
+        const base::ChildProcess& process = worker.process;
         const int code = process.exit_status().value_or(code_of_machine);
         const bool last = worker.task.attempt >= workforce_.tries || code == code_of_usage;
         std::string text =
@@ -153,7 +153,7 @@ Ending render_locally(const Job& job, std::span<const Chunk> chunks, const Workf
 }
 
 Ending run_locally(const Words& words, const Watcher& watcher) {
-    image::ChildProcess process = start(words);
+    base::ChildProcess process = start(words);
     while (!process.ended()) {
         if (watcher.stop()) {
             process.terminate();

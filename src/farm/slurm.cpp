@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "animation/frame_range.h"
+#include "base/child_process.h"
 #include "farm/shell.h"
-#include "image/child_process.h"
 
 namespace isomotion::farm {
 namespace {
@@ -132,7 +132,7 @@ Words sbatch_joining(const Slurm& slurm, const std::string& array) {
 
 std::size_t largest_array() {
     std::size_t size = 1001; // MaxArraySize: the largest number of a task, and one more
-    if (!image::find_program("scontrol")) return size - 1;
+    if (!base::find_program("scontrol")) return size - 1;
     const std::string text = output_of("scontrol show config 2>/dev/null").text;
     constexpr std::string_view key = "MaxArraySize";
     if (const auto at = text.find(key); at != text.npos) {
@@ -145,7 +145,7 @@ std::size_t largest_array() {
 }
 
 std::string submit(const Words& sbatch) {
-    if (!image::find_program(sbatch.front())) {
+    if (!base::find_program(sbatch.front())) {
         throw SlurmError("sbatch is not on PATH: this machine submits to no Slurm; --engine print "
                          "writes the commands for any other farm, --engine local renders here");
     }

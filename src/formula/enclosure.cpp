@@ -1,7 +1,7 @@
 #include "formula/enclosure.h"
 
-#include "formula/degree.h"
-#include "formula/derivative.h"
+#include "formula/graph/degree.h"
+#include "formula/graph/derivative.h"
 
 namespace isomotion::formula {
 

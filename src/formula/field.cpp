@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "formula/derivative.h"
-#include "formula/lowering.h"
-#include "formula/parser.h"
+#include "formula/graph/derivative.h"
+#include "formula/graph/lowering.h"
+#include "formula/graph/parser.h"
 
 namespace isomotion::formula {
 namespace {

@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "formula/evaluate.h"
-#include "formula/glsl.h"
-#include "formula/kernel_calls.h"
-#include "formula/program.h"
-#include "formula/vocabulary.h"
+#include "formula/evaluate/evaluate.h"
+#include "formula/glsl/glsl.h"
+#include "formula/glsl/kernel_calls.h"
+#include "formula/graph/program.h"
+#include "formula/graph/vocabulary.h"
 
 namespace isomotion::formula {
 

@@ -1,7 +1,7 @@
 #include "formula/hessian.h"
 
-#include "formula/derivative.h"
-#include "formula/lowering.h"
+#include "formula/graph/derivative.h"
+#include "formula/graph/lowering.h"
 
 namespace isomotion::formula {
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "formula/glsl_interval.h"
-#include "formula/substitute.h"
+#include "formula/glsl/glsl_interval.h"
+#include "formula/graph/substitute.h"
 
 namespace isomotion::formula {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "formula/graph/lowering.h"
+#include "formula/graph/parser.h"
 #include "formula/hessian.h"
-#include "formula/lowering.h"
-#include "formula/parser.h"
 
 namespace isomotion::formula {
 namespace {

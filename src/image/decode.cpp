@@ -12,7 +12,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
-#include "image/file.h"
+#include "base/file.h"
 #include "image/image_attributes.h"
 #include "image/pixel_hash.h"
 #include "image/srgb.h"
@@ -50,7 +50,7 @@ class Picture {
 public:
     explicit Picture(const std::filesystem::path& file)
         : file_(file)
-        , bytes_(read_whole(file))
+        , bytes_(base::read_whole(file))
         , memory_(bytes_.data(), bytes_.size()) {
         if (is_png(bytes_) && !has_end_chunk(bytes_)) fail(file, "its end is missing");
         OIIO::ImageSpec wish;

@@ -9,12 +9,12 @@
 #include <string>
 #include <utility>
 
-#include <half.h>
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <half.h>
 
-#include "image/extension.h"
+#include "base/extension.h"
 #include "image/image_attributes.h"
 #include "image/pixel_hash.h"
 #include "image/srgb.h"
@@ -189,7 +189,7 @@ std::vector<std::byte> encode(const Frame& frame, Format format, PixelHash* hash
 } // namespace
 
 Format format_of(const std::filesystem::path& file, PngDepth depth) {
-    const std::string extension = lower_extension(file);
+    const std::string extension = base::lower_extension(file);
     if (extension == ".png") return depth == PngDepth::bits16 ? Format::png16 : Format::png8;
     if (extension == ".exr") return Format::exr;
     throw ImageError(fmt::format("{}: {}; a picture's name ends in .png or .exr", file.string(),

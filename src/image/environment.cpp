@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/file.h"
 #include "image/decode.h"
-#include "image/file.h"
 #include "image/srgb.h"
 
 namespace isomotion::image {
@@ -23,7 +23,7 @@ namespace {
 OIIO::ImageSpec read_header(const std::filesystem::path& file) {
     if (const auto input = OIIO::ImageInput::open(file.string())) return input->spec();
     const std::string reason = OIIO::geterror();
-    read_whole(file); // if the file system is to blame, it says so
+    base::read_whole(file); // if the file system is to blame, it says so
     fail(file, fmt::format("not a picture that can be read; give a latitude-longitude map as EXR, "
                            "HDR, TIFF, PNG or JPEG ({})",
                            reason));

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "image/child_process.h"
+#include "base/child_process.h"
+#include "base/extension.h"
+#include "base/partial_file.h"
 #include "image/decode.h"
-#include "image/extension.h"
-#include "image/partial_file.h"
 #include "image/srgb.h"
 
 namespace isomotion::image {
@@ -57,7 +57,7 @@ Words joined(std::initializer_list<Words> parts) {
 }
 
 Container container_of(const std::filesystem::path& movie) {
-    const std::string extension = lower_extension(movie);
+    const std::string extension = base::lower_extension(movie);
     if (extension == ".mp4") return {"mp4", true, 1000, joined({yuv420, threads, h264})};
     if (extension == ".webm") return {"webm", true, 1000, joined({yuv420, threads, vp9})};
     // Delays count hundredths of a second, and browsers play a delay of 1 at a tenth of the speed.
@@ -124,15 +124,16 @@ void write_movie(const std::filesystem::path& movie,
     const Container container = container_of(movie);
     check_rate(movie, container, frames_per_second);
     if (pictures.empty()) throw MovieError(movie.string() + ": a movie needs at least one picture");
-    const auto ffmpeg = find_program("ffmpeg");
+    const auto ffmpeg = base::find_program("ffmpeg");
     if (!ffmpeg) throw MovieError("ffmpeg is not on PATH: install it with apt-get install ffmpeg");
 
     Frame frame = decode(pictures.front());
     const Size size{frame.width, frame.height};
     const Size shown = container.even_size ? Size{to_even(size.width), to_even(size.height)} : size;
 
-    PartialFile partial(movie);
-    ChildProcess encoder(*ffmpeg, command(container, shown, frames_per_second, partial.path()));
+    base::PartialFile partial(movie);
+    base::ChildProcess encoder(*ffmpeg,
+                               command(container, shown, frames_per_second, partial.path()));
     bool fed = true;
     for (std::size_t i = 0; fed && i < pictures.size(); ++i) {
         if (i > 0) frame = decode(pictures[i]);

@@ -11,7 +11,7 @@ PixelHash::PixelHash(int width, int height)
 
 void PixelHash::add_channel(const std::string& name, std::span<const float> interleaved,
                             std::size_t first, std::size_t stride) {
-    ContentHash& hash = channels_[name];
+    base::ContentHash& hash = channels_[name];
     std::array<float, 1024> some;
     std::size_t count = 0;
     const auto flush = [&] { hash.add_values(std::span<const float>(some.data(), count)); };
@@ -26,7 +26,7 @@ void PixelHash::add_channel(const std::string& name, std::span<const float> inte
 }
 
 std::string PixelHash::text() const {
-    ContentHash whole;
+    base::ContentHash whole;
     whole.add_values(std::span<const std::int32_t>(size_));
     for (const auto& [name, hash] : channels_) whole.add(name).add(hash.text());
     return whole.text();

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "image/content_hash.h"
+#include "base/content_hash.h"
 
 namespace isomotion::image {
 
@@ -32,7 +32,7 @@ public:
 
 private:
     std::int32_t size_[2];
-    std::map<std::string, ContentHash> channels_;
+    std::map<std::string, base::ContentHash> channels_;
 };
 
 } // namespace isomotion::image

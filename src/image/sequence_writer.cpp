@@ -2,8 +2,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "image/content_hash.h"
-#include "image/file.h"
+#include "base/content_hash.h"
+#include "base/file.h"
 #include "image/sequence.h"
 
 namespace isomotion::image {
@@ -76,9 +76,9 @@ void SequenceWriter::write(Job job) {
     const std::filesystem::path file = name_.path(job.frame);
     const Encoded encoded = encode_with_hash(job.image, format_);
     job.image = {}; // its memory is free for the next frame while this one goes to the disk
-    write_whole(file, encoded.bytes);
+    base::write_whole(file, encoded.bytes);
     if (job.then) {
-        job.then({file, encoded.bytes.size(), content_hash(encoded.bytes), encoded.pixels});
+        job.then({file, encoded.bytes.size(), base::content_hash(encoded.bytes), encoded.pixels});
     }
     {
         const std::lock_guard lock(mutex_);

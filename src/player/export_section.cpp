@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "image/child_process.h"
+#include "base/child_process.h"
 #include "image/sequence.h"
 #include "player/landmarks.h"
 #include "player/overrides.h"
@@ -86,7 +86,7 @@ void ExportSection::show(const LiveScene& live, std::int64_t frame, glm::ivec2 s
         range_[1] = std::max(range_[0], range_[1]);
     }
     ImGui::Checkbox("16 samples a pixel", &smooth_);
-    static const bool has_ffmpeg = image::find_program("ffmpeg").has_value();
+    static const bool has_ffmpeg = base::find_program("ffmpeg").has_value();
     if (has_ffmpeg) ImGui::Checkbox("join them in a movie", &movie_);
     if (process_) {
         const int done = process_->done(), all = process_->frames();

@@ -7,8 +7,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "base/file.h"
+#include "base/fingerprint.h"
 #include "image/decode.h"
-#include "image/file.h"
 #include "player/landmarks.h"
 #include "player/memory.h"
 #include "player/theme.h"
@@ -16,8 +17,7 @@
 #include "player/watch.h"
 #include "scene/data_folder.h"
 #include "scene/error.h"
-#include "scene/fingerprint.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::player {
 namespace fs = std::filesystem;
@@ -25,17 +25,17 @@ namespace {
 
 constexpr int picture_side = 192;
 
-void add_file(scene::Fingerprint& print, const fs::path& file) {
+void add_file(base::Fingerprint& print, const fs::path& file) {
     try {
         print.add(file.string());
-        print.add(image::read_whole(file));
-    } catch (const image::FileError&) { // gone meanwhile
+        print.add(base::read_whole(file));
+    } catch (const base::FileError&) { // gone meanwhile
     }
 }
 
 // Of all that a gallery's pictures are made of beside their scenes.
 std::string foundation() {
-    scene::Fingerprint print;
+    base::Fingerprint print;
     for (const fs::path& file : shader_files()) add_file(print, file);
     for (const auto& name : scene::surface_names()) add_file(print, scene::surface_file(name));
     return print.text();
@@ -58,7 +58,7 @@ void Gallery::add(const std::string& scene, const fs::path& file, const std::str
         entry.title = file.stem().string();
     }
     if (const fs::path folder = cache_folder(); !folder.empty()) {
-        scene::Fingerprint print;
+        base::Fingerprint print;
         print.add(ground);
         add_file(print, file);
         entry.picture = folder / "thumbnails" / (print.text() + ".png");

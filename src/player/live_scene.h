@@ -8,7 +8,7 @@
 #include "player/marks.h"
 #include "player/session.h"
 #include "player/watch.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::player {
 

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "image/file.h"
-#include "scene/fingerprint.h"
+#include "base/file.h"
+#include "base/fingerprint.h"
 
 namespace isomotion::player {
 namespace fs = std::filesystem;
@@ -118,14 +118,14 @@ template<class Read> void read_json(const fs::path& file, const Warn& warn, Read
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return;
     try {
-        const auto bytes = image::read_whole(file);
+        const auto bytes = base::read_whole(file);
         const auto* begin = reinterpret_cast<const char*>(bytes.data());
         const json document = json::parse(begin, begin + bytes.size());
         if (integer(document.at("version"), 1, std::numeric_limits<int>::max()) > version) {
             throw std::invalid_argument("is of a newer version");
         }
         read(document);
-    } catch (const image::FileError& error) {
+    } catch (const base::FileError& error) {
         warn(error.what());
     } catch (const std::exception& error) { // of JSON, or of what it says
         warn(fmt::format("{}: is forgotten: {}", file.string(), error.what()));
@@ -138,7 +138,7 @@ void write_json(const fs::path& file, const Warn& warn, json document) {
     const std::string text = document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
     try {
         fs::create_directories(file.parent_path());
-        image::write_whole(file, std::as_bytes(std::span(text)));
+        base::write_whole(file, std::as_bytes(std::span(text)));
     } catch (const std::exception& error) {
         warn(fmt::format("not remembered: {}", error.what()));
     }
@@ -181,7 +181,7 @@ Memory::Memory(fs::path folder, Warn warn)
 
 fs::path Memory::file_of(const fs::path& scene) const {
     return folder_ / "scenes" /
-           (scene::Fingerprint().add(one_name(scene).native()).text() + ".json");
+           (base::Fingerprint().add(one_name(scene).native()).text() + ".json");
 }
 
 SceneMemory Memory::recall(const fs::path& scene) const {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "player/session.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::player {
 

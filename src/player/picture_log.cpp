@@ -4,13 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "image/file.h"
+#include "base/file.h"
 
 namespace isomotion::player {
 
 PictureLog::PictureLog(const std::filesystem::path& file)
     : file_(file.empty() ? nullptr : std::fopen(file.c_str(), "we"), std::fclose) {
-    if (!file.empty() && !file_) throw image::FileError(file, "cannot be written", errno);
+    if (!file.empty() && !file_) throw base::FileError(file, "cannot be written", errno);
     if (file_) note_landmarks();
 }
 

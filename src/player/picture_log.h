@@ -15,7 +15,7 @@ namespace isomotion::player {
 
 class PictureLog {
 public:
-    // An empty path writes nothing. Throws image::FileError.
+    // An empty path writes nothing. Throws base::FileError.
     explicit PictureLog(const std::filesystem::path& file);
 
     // After the picture was sent to the screen: where it is in the window, and whether a better one

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::player {
 

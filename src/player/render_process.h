@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "image/child_process.h"
+#include "base/child_process.h"
 #include "image/sequence.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::player {
 
@@ -50,7 +50,7 @@ private:
     int written_ = 0;
     std::filesystem::file_time_type begin_;
     bool cancelled_ = false;
-    image::ChildProcess process_;
+    base::ChildProcess process_;
 };
 
 // A scene's name as the beginning of a frame's: what would be a place for the frame's number is

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "image/child_process.h"
+#include "base/child_process.h"
 #include "player/live_scene.h"
 
 namespace isomotion::player {
@@ -20,7 +20,7 @@ public:
 private:
     void start(const LiveScene& scene);
 
-    std::optional<image::ChildProcess> process_;
+    std::optional<base::ChildProcess> process_;
     bool cancelled_ = false;
     std::string failure_;
 };

@@ -5,7 +5,7 @@
 #include <sys/stat.h>
 
 #include "scene/data_folder.h"
-#include "scene/named_file.h"
+#include "scene/reading/named_file.h"
 
 namespace isomotion::player {
 namespace fs = std::filesystem;

@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "formula/glsl.h"
+#include "formula/glsl/glsl.h"
 #include "gpu/context.h"
 #include "gpu/draw.h"
 #include "gpu/program.h"

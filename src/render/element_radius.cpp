@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "formula/evaluate.h"
+#include "formula/evaluate/evaluate.h"
 
 namespace isomotion::render {
 namespace {

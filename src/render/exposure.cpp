@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/fingerprint.h"
 #include "render/sample_pattern.h"
-#include "scene/fingerprint.h"
 
 namespace isomotion::render {
 namespace {
@@ -104,7 +104,7 @@ std::string fingerprint(const Renderer& renderer, const scene::Scene& scene, int
     const scene::SceneAt first = scene::at(scene, scene.timeline.values(frame));
     std::string of_first = renderer.fingerprint(first, {}, motion ? &*motion : nullptr);
     if (scene.output.samples == 1) return of_first;
-    scene::Fingerprint print;
+    base::Fingerprint print;
     print.add(of_first);
     for_each_picture(scene, frame, [&](const scene::SceneAt& now, const scene::Aim& aim) {
         print.add(renderer.fingerprint(now, aim));

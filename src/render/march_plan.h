@@ -7,7 +7,7 @@
 // stopped.
 #pragma once
 
-#include "formula/program.h"
+#include "formula/graph/program.h"
 
 namespace isomotion::render {
 

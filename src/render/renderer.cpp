@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/fingerprint.h"
 #include "gpu/draw.h"
 #include "gpu/program.h"
 #include "gpu/query.h"
@@ -26,7 +27,6 @@
 #include "render/secondary_rays.h"
 #include "render/velocity_pass.h"
 #include "render/whole_draw.h"
-#include "scene/fingerprint.h"
 #include "synthesis/effect_text.h"
 
 namespace isomotion::render {
@@ -126,7 +126,7 @@ struct Renderer::Parts {
         }
         environment.emplace(gpu::Format::rgba32f, map.width, map.height, map.texels);
         environment_print =
-            scene::Fingerprint().add_values(std::span<const float>(map.texels)).text();
+            base::Fingerprint().add_values(std::span<const float>(map.texels)).text();
         const int unit = unit_arrays + int(shaders.arrays.size()) + SecondaryRays::units;
         passes->shade.bind_sampler("environment_map", unit);
         environment->bind(unit);
@@ -627,7 +627,7 @@ Picture Renderer::take() {
 std::string Renderer::fingerprint(const scene::SceneAt& now, const scene::Aim& aim,
                                   const Motion* motion) const {
     Parts& p = *parts_;
-    scene::Fingerprint print;
+    base::Fingerprint print;
     const synthesis::Shaders& shaders = p.shaders;
     print.add(p.shaders_print);
     const auto add_field = [&](const scene::SceneAt& at) {

@@ -1,13 +1,13 @@
-// What a scene may hold at most, beside what its formulas may (formula/limits.h). Whoever writes a
-// scene by hand or by program stays far below; a scene from a stranger, or a slip of the pen, ends
-// in a SceneError and not in a full memory or a program that hangs.
+// What a scene may hold at most, beside what its formulas may (formula/graph/limits.h). Whoever
+// writes a scene by hand or by program stays far below; a scene from a stranger, or a slip of the
+// pen, ends in a SceneError and not in a full memory or a program that hangs.
 //
 // docs/scene-file.md lists them for users.
 #pragma once
 
 #include <cstddef>
 
-#include "formula/limits.h"
+#include "formula/graph/limits.h"
 
 namespace isomotion::scene::limits {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "formula/degree.h"
+#include "formula/graph/degree.h"
 
 namespace isomotion::scene {
 

@@ -3,13 +3,13 @@
 namespace isomotion::scene {
 namespace {
 
-void add_number(Fingerprint& print, double value) {
+void add_number(base::Fingerprint& print, double value) {
     print.add_values(std::span<const double>(&value, 1));
 }
 
 } // namespace
 
-void add(Fingerprint& print, const animation::TrackSource& source) {
+void add(base::Fingerprint& print, const animation::TrackSource& source) {
     print.add(std::to_string(source.index()));
     if (const auto* number = std::get_if<double>(&source)) add_number(print, *number);
     if (const auto* expression = std::get_if<animation::Expression>(&source)) {
@@ -24,7 +24,7 @@ void add(Fingerprint& print, const animation::TrackSource& source) {
     }
 }
 
-void add(Fingerprint& print, const animation::Array& array) {
+void add(base::Fingerprint& print, const animation::Array& array) {
     print.add(array.name);
     add_number(print, double(array.count));
     for (const animation::ArrayField& field : array.fields) {

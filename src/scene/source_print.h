@@ -2,11 +2,11 @@
 #pragma once
 
 #include "animation/animation.h"
-#include "scene/fingerprint.h"
+#include "base/fingerprint.h"
 
 namespace isomotion::scene {
 
-void add(Fingerprint& print, const animation::TrackSource& source);
-void add(Fingerprint& print, const animation::Array& array);
+void add(base::Fingerprint& print, const animation::TrackSource& source);
+void add(base::Fingerprint& print, const animation::Array& array);
 
 } // namespace isomotion::scene

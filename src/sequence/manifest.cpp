@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "image/extension.h"
-#include "image/file.h"
+#include "base/extension.h"
+#include "base/file.h"
 #include "sequence/record_json.h"
 
 namespace isomotion::sequence {
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string read_text(const fs::path& file) {
-    const std::vector<std::byte> bytes = image::read_whole(file);
+    const std::vector<std::byte> bytes = base::read_whole(file);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -22,7 +22,7 @@ std::string read_text(const fs::path& file) {
 
 fs::path manifest_folder(const image::SequenceName& name) {
     const std::string stem = name.stem();
-    const std::string extension = image::lower_extension(name.path(1));
+    const std::string extension = base::lower_extension(name.path(1));
     return name.folder() / fmt::format("{}{}.manifest", stem.empty() ? "frames" : stem,
                                        extension == ".png" ? "" : extension);
 }
@@ -46,8 +46,8 @@ std::optional<FrameRecord> find_record(const fs::path& manifest, int frame) {
     try {
         FrameRecord record = parse_frame_record(read_text(frame_file(manifest, frame)));
         if (record.frame == frame) return record;
-    } catch (const image::FileError&) { // there is none
-    } catch (const RecordError&) {      // or nothing that could be trusted
+    } catch (const base::FileError&) { // there is none
+    } catch (const RecordError&) {     // or nothing that could be trusted
     }
     return {};
 }

@@ -53,7 +53,7 @@ struct FrameRecord {
     int frame = 0;
     std::string file; // its last part
     std::uintmax_t bytes = 0;
-    std::string hash;        // image::content_hash() of the file
+    std::string hash;        // base::content_hash() of the file
     std::string pixels;      // image::pixel_hash() of it
     std::string fingerprint; // of all that decides the file
     Making making;

@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "image/file.h"
-#include "image/partial_file.h"
+#include "base/file.h"
+#include "base/partial_file.h"
 #include "sequence/manifest.h"
 #include "sequence/record_json.h"
 
@@ -33,24 +33,24 @@ void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directory(folder, error);
     if (error || !fs::is_directory(folder)) {
-        throw image::FileError(folder, "the folder cannot be created",
-                               error ? error.value() : ENOTDIR);
+        throw base::FileError(folder, "the folder cannot be created",
+                              error ? error.value() : ENOTDIR);
     }
 }
 
-image::FileDescriptor open_writers(const fs::path& manifest) {
+base::FileDescriptor open_writers(const fs::path& manifest) {
     const fs::path file = writers_file(manifest);
-    image::FileDescriptor writers(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-    if (!writers) throw image::FileError(file, "cannot be created", errno);
+    base::FileDescriptor writers(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    if (!writers) throw base::FileError(file, "cannot be created", errno);
     struct stat found = {};
     if (::fstat(writers.number(), &found) == 0 && found.st_size == 0) {
-        image::write_all(writers.number(), bytes_of(about_writers), file);
+        base::write_all(writers.number(), bytes_of(about_writers), file);
     }
     return writers;
 }
 
 // False if others hold a lock that stands against it.
-bool lock(const image::FileDescriptor& writers, int how) {
+bool lock(const base::FileDescriptor& writers, int how) {
     while (::flock(writers.number(), how | LOCK_NB) != 0) {
         if (errno == EINTR) continue;
         return errno != EWOULDBLOCK;
@@ -61,7 +61,7 @@ bool lock(const image::FileDescriptor& writers, int how) {
 std::optional<Sequence> sequence_there(const fs::path& manifest) {
     try {
         return read_sequence(manifest);
-    } catch (const image::FileError&) {
+    } catch (const base::FileError&) {
     } catch (const RecordError&) {
     }
     return {};
@@ -86,7 +86,7 @@ Recording::Recording(const image::SequenceName& name, const Sequence& sequence)
 
 void Recording::join(const Sequence& wanted) {
     // Of those who join at the same time, one after the other has this file.
-    image::PartialFile file(sequence_file(manifest_));
+    base::PartialFile file(sequence_file(manifest_));
     const std::optional<Sequence> there = sequence_there(manifest_);
     Sequence joined = there.value_or(wanted);
     const std::string other = difference(joined, wanted);
@@ -113,17 +113,17 @@ void Recording::expect_manifest() const {
                       ::stat(writers_file(manifest_).c_str(), &named) == 0 &&
                       joined.st_dev == named.st_dev && joined.st_ino == named.st_ino;
     if (!same) {
-        throw image::FileError(manifest_, "was removed or replaced while its frames were rendered",
-                               ENOENT);
+        throw base::FileError(manifest_, "was removed or replaced while its frames were rendered",
+                              ENOENT);
     }
 }
 
 void Recording::record(const FrameRecord& frame) const {
     expect_manifest();
-    image::PartialFile file(frame_file(manifest_, frame.frame));
+    base::PartialFile file(frame_file(manifest_, frame.frame));
     file.write(bytes_of(to_json(frame)));
     // A record that a power cut loses costs a frame to be rendered again, no more.
-    file.publish(image::Durability::at_ease);
+    file.publish(base::Durability::at_ease);
 }
 
 } // namespace isomotion::sequence

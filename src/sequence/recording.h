@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "image/file_descriptor.h"
+#include "base/file_descriptor.h"
 #include "image/sequence.h"
 #include "sequence/record.h"
 
@@ -42,7 +42,7 @@ private:
 
     std::filesystem::path manifest_;
     Making making_;
-    image::FileDescriptor writers_;
+    base::FileDescriptor writers_;
 };
 
 } // namespace isomotion::sequence

@@ -1,13 +1,13 @@
 #include "sequence/scene_fingerprint.h"
 
+#include "base/fingerprint.h"
 #include "scene/effect.h"
-#include "scene/fingerprint.h"
 #include "scene/source_print.h"
 
 namespace isomotion::sequence {
 namespace {
 
-using scene::Fingerprint;
+using base::Fingerprint;
 
 void add_numbers(Fingerprint& print, std::initializer_list<double> numbers) {
     print.add_values(std::span(numbers.begin(), numbers.size()));

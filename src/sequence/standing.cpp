@@ -1,7 +1,7 @@
 #include "sequence/standing.h"
 
-#include "image/content_hash.h"
-#include "image/file.h"
+#include "base/content_hash.h"
+#include "base/file.h"
 
 namespace isomotion::sequence {
 namespace fs = std::filesystem;
@@ -11,8 +11,8 @@ bool has_the_bytes(const fs::path& file, const FrameRecord& record) {
     std::error_code error;
     if (fs::file_size(file, error) != record.bytes || error) return false;
     try {
-        return image::content_hash(image::read_whole(file)) == record.hash;
-    } catch (const image::FileError&) {
+        return base::content_hash(base::read_whole(file)) == record.hash;
+    } catch (const base::FileError&) {
         return false;
     }
 }

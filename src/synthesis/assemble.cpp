@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/fingerprint.h"
 #include "formula/linear_sum.h"
-#include "scene/fingerprint.h"
 #include "scene/method_domain.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/bernstein_text.h"
@@ -395,7 +395,7 @@ Shaders assemble(const scene::Scene& scene, const std::vector<Channel>& channels
 }
 
 std::string fingerprint(const Shaders& shaders) {
-    scene::Fingerprint print;
+    base::Fingerprint print;
     for (const auto& level : shaders.beams) print.add(level.text);
     for (const std::string* text :
          {&shaders.march, &shaders.surface, &shaders.shadow, &shaders.mirror,

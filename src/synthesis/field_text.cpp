@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "formula/glsl_interval.h"
+#include "formula/glsl/glsl_interval.h"
 #include "synthesis/shader_files.h"
 
 namespace isomotion::synthesis {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "animation/rules.h"
-#include "formula/derivative.h"
+#include "formula/graph/derivative.h"
 
 namespace isomotion::topology {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "formula/evaluate.h"
-#include "formula/interval.h"
+#include "formula/evaluate/evaluate.h"
+#include "formula/interval/interval.h"
 #include "scene/scene.h"
 
 namespace isomotion::topology {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "formula/interval.h"
+#include "formula/interval/interval.h"
 #include "scene/scene.h"
 #include "topology/event.h"
 #include "topology/solid.h"

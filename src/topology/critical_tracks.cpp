@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/workers.h"
 #include "topology/krawczyk.h"
 #include "topology/seeds.h"
-#include "topology/workers.h"
 
 namespace isomotion::topology {
 namespace {
@@ -50,7 +50,7 @@ public:
         std::vector<std::optional<Critical>> found(from.size());
         const std::size_t batches = (from.size() + together - 1) / together;
         std::vector<std::int64_t> evaluations(batches, 0);
-        share(SharedLoop{batches, how_.threads, how_.stopped, {}}, [&] {
+        base::share(base::SharedLoop{batches, how_.threads, how_.stopped, {}}, [&] {
             return [&, numbers = Numbers(field_)](std::size_t k) mutable {
                 const auto batch =
                     from.subspan(k * together, std::min(together, from.size() - k * together));

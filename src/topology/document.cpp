@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include "formula/vocabulary.h"
+#include "formula/graph/vocabulary.h"
 
 namespace isomotion::topology {
 namespace {

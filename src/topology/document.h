@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "formula/interval.h"
+#include "formula/interval/interval.h"
 
 namespace isomotion::topology {
 

@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "formula/interval.h"
+#include "formula/interval/interval.h"
 
 namespace isomotion::topology {
 

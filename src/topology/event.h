@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formula/interval.h"
+#include "formula/interval/interval.h"
 #include "topology/betti.h"
 
 namespace isomotion::topology {

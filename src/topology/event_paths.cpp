@@ -4,10 +4,10 @@
 #include <map>
 #include <memory>
 
+#include "base/workers.h"
 #include "topology/field_moment.h"
 #include "topology/pass_graph.h"
 #include "topology/saddle_tracks.h"
-#include "topology/workers.h"
 
 namespace isomotion::topology {
 namespace {
@@ -114,12 +114,12 @@ std::vector<Sides> EventPaths::seek(std::span<const std::size_t> which, const Se
         is_followed |= is_asked;
     }
     const auto loop = [&](std::size_t count) {
-        return SharedLoop{count, how.threads, how.stopped, how.progress};
+        return base::SharedLoop{count, how.threads, how.stopped, how.progress};
     };
-    share(loop(to_follow.size()),
-          [&] { return [&](std::size_t k) { follow_saddles(to_follow[k], how.stopped); }; });
+    base::share(loop(to_follow.size()),
+                [&] { return [&](std::size_t k) { follow_saddles(to_follow[k], how.stopped); }; });
     std::vector<Sides> found(which.size(), Sides::unknown);
-    share(loop(which.size()), [&] {
+    base::share(loop(which.size()), [&] {
         return [&, fields = Fields{}](std::size_t k) mutable {
             found[k] = sides(fields, which[k], how.effort);
         };

@@ -5,8 +5,8 @@
 #include <optional>
 #include <set>
 
-#include "formula/derivative.h"
-#include "formula/substitute.h"
+#include "formula/graph/derivative.h"
+#include "formula/graph/substitute.h"
 
 namespace isomotion::topology {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "formula/field.h"
-#include "formula/interval.h"
+#include "formula/interval/interval.h"
 #include "topology/solid.h"
 
 namespace isomotion::topology {

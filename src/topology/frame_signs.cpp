@@ -4,8 +4,8 @@
 #include <memory>
 #include <thread>
 
+#include "base/workers.h"
 #include "topology/frame_field.h"
-#include "topology/workers.h"
 
 namespace isomotion::topology {
 namespace {
@@ -140,7 +140,7 @@ SignGrid frame_signs(const formula::Field& field, const formula::Bindings<double
                    std::size_t layer) { blocks->make(int(layer)); };
     };
     const int wanted = threads > 0 ? threads : int(std::thread::hardware_concurrency());
-    share({.count = std::size_t((side + whole - 1) / whole), .threads = wanted}, layers);
+    base::share({.count = std::size_t((side + whole - 1) / whole), .threads = wanted}, layers);
     return grid;
 }
 

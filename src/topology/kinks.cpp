@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-#include "formula/substitute.h"
+#include "formula/graph/substitute.h"
 
 namespace isomotion::topology {
 namespace {

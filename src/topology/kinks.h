@@ -1,7 +1,7 @@
 // Where slopes jump: second derivatives are enclosed by slopes of slopes only where none does.
 #pragma once
 
-#include "formula/graph.h"
+#include "formula/graph/graph.h"
 
 namespace isomotion::topology {
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "animation/rules.h"
-#include "formula/lowering.h"
-#include "formula/substitute.h"
+#include "formula/graph/lowering.h"
+#include "formula/graph/substitute.h"
 #include "topology/clock.h"
 
 namespace isomotion::topology {

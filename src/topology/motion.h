@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "formula/evaluate.h"
-#include "formula/interval.h"
+#include "formula/evaluate/evaluate.h"
+#include "formula/interval/interval.h"
 #include "scene/scene.h"
 #include "topology/solid.h"
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "formula/derivative.h"
-#include "formula/lowering.h"
-#include "formula/substitute.h"
+#include "formula/graph/derivative.h"
+#include "formula/graph/lowering.h"
+#include "formula/graph/substitute.h"
 #include "topology/kinks.h"
 
 namespace isomotion::topology {

@@ -15,9 +15,9 @@
 #include <span>
 #include <vector>
 
-#include "formula/evaluate.h"
-#include "formula/interval.h"
-#include "formula/program.h"
+#include "formula/evaluate/evaluate.h"
+#include "formula/graph/program.h"
+#include "formula/interval/interval.h"
 #include "topology/drift.h"
 #include "topology/motion.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "formula/derivative.h"
-#include "formula/lowering.h"
+#include "formula/graph/derivative.h"
+#include "formula/graph/lowering.h"
 
 namespace isomotion::topology {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "formula/evaluate.h"
-#include "formula/program.h"
+#include "formula/evaluate/evaluate.h"
+#include "formula/graph/program.h"
 #include "topology/space_point.h"
 
 namespace isomotion::topology {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <memory>
 
+#include "base/workers.h"
 #include "topology/critical_system.h"
-#include "topology/workers.h"
 
 namespace isomotion::topology {
 namespace {
@@ -489,7 +489,7 @@ Found search(const MovingField& field, const Searching& searching) {
                 parts[k] = Task(field, searching, enclosures, numbers).run(boxes[k]);
             };
     };
-    share({boxes.size(), searching.threads, searching.stopped, searching.progress}, seek);
+    base::share({boxes.size(), searching.threads, searching.stopped, searching.progress}, seek);
     Found all;
     for (Found& part : parts) {
         all.points.insert(all.points.end(), part.points.begin(), part.points.end());

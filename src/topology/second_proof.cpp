@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "ball/ball_program.h"
-#include "formula/derivative.h"
-#include "formula/substitute.h"
+#include "arb/ball_program.h"
+#include "base/workers.h"
+#include "formula/graph/derivative.h"
+#include "formula/graph/substitute.h"
 #include "topology/kinks.h"
 #include "topology/krawczyk.h"
-#include "topology/workers.h"
 
 namespace isomotion::topology {
 namespace {
@@ -334,7 +334,7 @@ void prove_again(Timeline& timeline, const SecondProof& proof, const Confirming&
             if (timeline.events[k].is_proved) answers[k] = proof.ask(timeline.events[k]);
         };
     };
-    share({.count = answers.size(), .threads = how.threads, .stopped = how.stopped}, ask);
+    base::share({.count = answers.size(), .threads = how.threads, .stopped = how.stopped}, ask);
     for (std::size_t k = 0; k < answers.size(); ++k) {
         Event& event = timeline.events[k];
         event.is_proved_again = answers[k] == SecondProof::Answer::holds;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/workers.h"
 #include "topology/critical_system.h"
 #include "topology/critical_tracks.h"
-#include "topology/workers.h"
 
 namespace isomotion::topology {
 namespace {
@@ -120,7 +120,8 @@ Found from_seeds(const MovingField& field, const Seeding& seeding) {
                       .threads = seeding.threads,
                       .stopped = seeding.stopped,
                       .progress = {}};
-    SharedLoop proving{.threads = seeding.threads, .stopped = seeding.stopped, .progress = {}};
+    base::SharedLoop proving{
+        .threads = seeding.threads, .stopped = seeding.stopped, .progress = {}};
     if (seeding.progress) {
         constexpr double tracks = 0.8;
         tracking.progress = [&](double part) { seeding.progress(tracks * part); };
@@ -136,7 +137,7 @@ Found from_seeds(const MovingField& field, const Seeding& seeding) {
                 points[k] = isolate(field, enclosures, numbers, about(field, once[k]));
             };
     };
-    share(proving, prove);
+    base::share(proving, prove);
     for (std::size_t k = 0; k < once.size(); ++k) {
         if (points[k]) {
             found.points.push_back(*points[k]);

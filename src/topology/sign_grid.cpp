@@ -5,7 +5,7 @@
 #include <cassert>
 #include <utility>
 
-#include "formula/clones.h"
+#include "formula/evaluate/clones.h"
 
 namespace isomotion::topology {
 namespace {

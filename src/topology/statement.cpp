@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "formula/vocabulary.h"
+#include "formula/graph/vocabulary.h"
 #include "topology/words.h"
 
 namespace isomotion::topology {

@@ -3,7 +3,7 @@
 #include <cctype>
 #include <set>
 
-#include "scene/fingerprint.h"
+#include "base/fingerprint.h"
 #include "scene/scene_at.h"
 #include "scene/source_print.h"
 
@@ -11,7 +11,7 @@ namespace isomotion::topology {
 namespace {
 
 using animation::Animation;
-using scene::Fingerprint;
+using base::Fingerprint;
 
 // Tracks that something in the formula's surface moves by, what their expressions name included.
 class Needed {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "animation/timeline.h"
-#include "formula/interval.h"
+#include "formula/interval/interval.h"
 #include "scene/scene.h"
 #include "topology/event.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "formula/substitute.h"
+#include "formula/graph/substitute.h"
 
 namespace isomotion::topology {
 namespace {

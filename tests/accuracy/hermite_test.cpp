@@ -4,7 +4,7 @@
 
 #include "accuracy/compare.h"
 #include "render/drawing.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::accuracy {
 namespace {

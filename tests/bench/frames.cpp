@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "topology/moving_frame.h"
 #include "topology/timeline_file.h"
 

@@ -28,7 +28,7 @@
 #include "machine.h"
 #include "render/renderer.h"
 #include "scene/data_folder.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace {
 

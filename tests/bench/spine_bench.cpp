@@ -18,7 +18,7 @@
 #include <unistd.h>
 
 #include "render/renderer.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace {
 

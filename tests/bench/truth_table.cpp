@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "truth/certify.h"
 
 namespace isomotion {

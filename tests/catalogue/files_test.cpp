@@ -3,7 +3,7 @@
 
 #include "recorded.h"
 #include "scene/data_folder.h"
-#include "scene/document.h"
+#include "scene/reading/document.h"
 #include "surface_file.h"
 
 namespace isomotion::catalogue {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "scene/data_folder.h"
-#include "scene/document.h"
+#include "scene/reading/document.h"
 #include "unit/synthesis/scenes.h"
 
 namespace isomotion::catalogue {

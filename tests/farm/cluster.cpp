@@ -16,7 +16,7 @@
 
 #include <fmt/format.h>
 
-#include "image/file_descriptor.h"
+#include "base/file_descriptor.h"
 #include "program.h"
 
 namespace isomotion::farm {
@@ -27,7 +27,7 @@ using namespace std::chrono_literals;
 
 // Debian has the daemons in /usr/sbin, which is not on everybody's PATH.
 std::optional<fs::path> found(const std::string& program) {
-    if (auto file = image::find_program(program)) return file;
+    if (auto file = base::find_program(program)) return file;
     const fs::path file = fs::path("/usr/sbin") / program;
     if (fs::exists(file)) return file;
     return std::nullopt;
@@ -36,9 +36,9 @@ std::optional<fs::path> found(const std::string& program) {
 // Ports of the loopback that nobody has, all held until all are known.
 template<std::size_t count> std::array<int, count> free_ports() {
     std::array<int, count> ports{};
-    std::array<image::FileDescriptor, count> sockets;
+    std::array<base::FileDescriptor, count> sockets;
     for (std::size_t k = 0; k < count; ++k) {
-        sockets[k] = image::FileDescriptor(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+        sockets[k] = base::FileDescriptor(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
         sockaddr_in address = {};
         address.sin_family = AF_INET;
         address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
@@ -116,7 +116,7 @@ Cluster::Daemon Cluster::start(const std::string& program,
                                std::vector<std::string> arguments) const {
     // They end with this process even if it is killed.
     arguments.insert(arguments.begin(), {"--pdeathsig", "KILL", found(program).value()});
-    return std::make_unique<image::ChildProcess>(found("setpriv").value(), arguments);
+    return std::make_unique<base::ChildProcess>(found("setpriv").value(), arguments);
 }
 
 void Cluster::write_configuration() const {

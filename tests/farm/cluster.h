@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "image/child_process.h"
+#include "base/child_process.h"
 #include "processes.h"
 
 namespace isomotion::farm {
@@ -47,7 +47,7 @@ public:
     void start_node(int node);
 
 private:
-    using Daemon = std::unique_ptr<image::ChildProcess>;
+    using Daemon = std::unique_ptr<base::ChildProcess>;
     Daemon start(const std::string& program, std::vector<std::string> arguments) const;
     void write_configuration() const;
     void wait_until_up();

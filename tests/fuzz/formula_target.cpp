@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
-#include "formula/degree.h"
-#include "formula/derivative.h"
 #include "formula/enclosure.h"
 #include "formula/field.h"
-#include "formula/glsl_interval.h"
+#include "formula/glsl/glsl_interval.h"
+#include "formula/graph/degree.h"
+#include "formula/graph/derivative.h"
+#include "formula/graph/lowering.h"
+#include "formula/graph/parser.h"
+#include "formula/graph/substitute.h"
 #include "formula/linear_sum.h"
-#include "formula/lowering.h"
-#include "formula/parser.h"
-#include "formula/substitute.h"
 #include "fuzz/generated_glsl.h"
 #include "fuzz/targets.h"
 

@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 
 #include "fuzz/generated_glsl.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "synthesis/assemble.h"
 
 namespace isomotion::synthesis {

@@ -1,7 +1,7 @@
 #include <exception>
 
 #include "fuzz/targets.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "scene/scene_at.h"
 #include "synthesis/assemble.h"
 
@@ -16,7 +16,7 @@ void scene(std::string_view text) {
         synthesis::assemble(scene, {synthesis::Channel::normal, synthesis::Channel::velocity});
         synthesis::assemble(scene, {}, synthesis::Stage::compute);
     } catch (const scene::SceneError& error) {
-        if (scene::printable(error.what()) != error.what()) {
+        if (base::printable(error.what()) != error.what()) {
             throw Violation("a message that commands a terminal");
         }
     } catch (const std::length_error&) {

@@ -1,6 +1,6 @@
 // How many pieces surfaces are in where their critical values say so, counted on a grid: no GL.
 #include "scene/data_folder.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "scene/scene_at.h"
 
 #include <cstdlib>

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "gallery/animations.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "scene/scene_at.h"
 
 namespace isomotion::scene {

@@ -5,11 +5,11 @@
 // its code for the one it runs on.
 #include <cstdlib>
 
+#include "base/file.h"
 #include "gallery/animations.h"
 #include "image/compare.h"
 #include "image/decode.h"
 #include "image/encode.h"
-#include "image/file.h"
 #include "render/drawing.h"
 
 namespace isomotion::render {
@@ -30,12 +30,12 @@ TEST_P(GalleryReference, PostersLookAsTheyDid) {
         drawn.channels.resize(4); // R G B A: what a PNG holds
         const auto file = folder / (name + ".png");
         if (std::getenv("ISOMOTION_BLESS")) {
-            image::write_whole(file, image::encode(drawn, image::Format::png8));
+            base::write_whole(file, image::encode(drawn, image::Format::png8));
         }
         ASSERT_TRUE(std::filesystem::exists(file));
         const auto shown = std::filesystem::temp_directory_path() /
                            ("isomotion-poster-" + std::to_string(getpid()) + ".png");
-        image::write_whole(shown, image::encode(drawn, image::Format::png8));
+        base::write_whole(shown, image::encode(drawn, image::Format::png8));
         // Both are 8 bits of sRGB, decoded to linear light: one step is at most 0.009.
         const image::Comparison difference =
             image::compare(image::decode(file), image::decode(shown), 0.02);

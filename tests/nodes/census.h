@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "nodes/singular_points.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion {
 

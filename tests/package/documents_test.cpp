@@ -5,7 +5,7 @@
 #include <iterator>
 #include <regex>
 
-#include "image/child_process.h"
+#include "base/child_process.h"
 
 namespace isomotion::package {
 namespace {
@@ -148,7 +148,7 @@ TEST_F(Documents, AreReadByWhomTheyAreFor) {
     };
     int read = 0;
     for (const Reader& reader : readers) {
-        const auto program = image::find_program(reader.program);
+        const auto program = base::find_program(reader.program);
         if (!program) continue;
         std::vector<std::string> words{*program};
         words.insert(words.end(), reader.options.begin(), reader.options.end());

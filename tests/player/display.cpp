@@ -4,20 +4,20 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "base/child_process.h"
 #include "cli/program.h"
-#include "image/child_process.h"
 
 namespace isomotion::player {
 
 std::optional<std::string> Display::missing() {
     for (const char* program : {"Xvfb", "xdotool"}) {
-        if (!image::find_program(program)) return program;
+        if (!base::find_program(program)) return program;
     }
     return std::nullopt;
 }
 
 bool Display::drive(std::vector<std::string> words) const {
-    words.insert(words.begin(), image::find_program("xdotool").value().string());
+    words.insert(words.begin(), base::find_program("xdotool").value().string());
     return cli::run(words, {.environment = {{"DISPLAY", name()}}}).code == 0;
 }
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/data_folder.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::render {
 namespace {

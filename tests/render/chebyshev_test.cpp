@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "formula/degree.h"
+#include "formula/graph/degree.h"
 
 namespace isomotion::render {
 namespace {

@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "render/renderer.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "unit/gpu/every_backend.h"
 
 namespace isomotion::render {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "synthesis/assemble.h"
 
 namespace isomotion::render {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "scene/load.h"
 #include "scene/method_domain.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::render {
 namespace {

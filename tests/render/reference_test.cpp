@@ -3,10 +3,10 @@
 //
 // Pixels on a silhouette may fall to either side on another processor: the software renderer makes
 // its code for the one it runs on.
+#include "base/file.h"
 #include "image/compare.h"
 #include "image/decode.h"
 #include "image/encode.h"
-#include "image/file.h"
 #include "render/drawing.h"
 
 #include <cstdlib>
@@ -35,13 +35,13 @@ TEST_P(Reference, GalleryFramesLookAsTheyDid) {
         image::Frame drawn = picture.frame;
         drawn.channels.resize(4); // R G B A: what a PNG holds
         if (std::getenv("ISOMOTION_BLESS")) {
-            image::write_whole(file, image::encode(drawn, image::Format::png8));
+            base::write_whole(file, image::encode(drawn, image::Format::png8));
         }
         // Both are 8 bits of sRGB, decoded to linear light: one step is at most 0.009.
         const image::Frame expected = image::decode(file);
         const auto shown = std::filesystem::temp_directory_path() /
                            ("isomotion-shown-" + std::to_string(getpid()) + ".png");
-        image::write_whole(shown, image::encode(drawn, image::Format::png8));
+        base::write_whole(shown, image::encode(drawn, image::Format::png8));
         const image::Comparison difference = image::compare(expected, image::decode(shown), 0.02);
         std::filesystem::remove(shown);
         ASSERT_TRUE(difference.same_size);

@@ -6,8 +6,8 @@
 
 #include "gpu/compute.h"
 #include "gpu/error.h"
-#include "scene/load.h"
 #include "scene/method_domain.h"
+#include "scene/reading/load.h"
 #include "synthesis/assemble.h"
 
 namespace isomotion::render {

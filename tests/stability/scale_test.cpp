@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "scene/data_folder.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::stability {
 namespace {

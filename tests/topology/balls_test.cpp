@@ -3,8 +3,8 @@
 // proved by, on random formulas that move and on animations of the repository.
 #include <cstdlib>
 
-#include "ball/ball_program.h"
-#include "formula/derivative.h"
+#include "arb/ball_program.h"
+#include "formula/graph/derivative.h"
 #include "moving.h"
 #include "topology/motion.h"
 #include "topology/moving_field.h"

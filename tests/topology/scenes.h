@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "scene/scene_at.h"
 #include "topology/frame_field.h"
 

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "unit/image/places.h"
 
 namespace isomotion::topology {

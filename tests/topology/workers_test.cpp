@@ -1,5 +1,5 @@
 // Loops shared by threads: each turn once, told in order, and what goes wrong is told.
-#include "topology/workers.h"
+#include "base/workers.h"
 
 #include <chrono>
 #include <numeric>
@@ -43,15 +43,15 @@ TEST(Workers, DoEachTurnOnce) {
     for (const int threads : {1, 2, 5, 200}) {
         std::vector<int> turns(100, 0);
         Listener listener;
-        share({.count = turns.size(),
-               .threads = threads,
-               .progress = [&](double part) { listener.hear("turns", part); }},
-              [&] { return [&](std::size_t k) { ++turns[k]; }; });
+        base::share({.count = turns.size(),
+                     .threads = threads,
+                     .progress = [&](double part) { listener.hear("turns", part); }},
+                    [&] { return [&](std::size_t k) { ++turns[k]; }; });
         EXPECT_EQ(turns, std::vector<int>(100, 1));
         EXPECT_EQ(listener.times(), 100);
         EXPECT_EQ(listener.part(), 1);
     }
-    share({}, [] { return [](std::size_t) { FAIL(); }; });
+    base::share({}, [] { return [](std::size_t) { FAIL(); }; });
 }
 
 TEST(Workers, ThrowWhatOneOfThemThrows) {
@@ -64,19 +64,19 @@ TEST(Workers, ThrowWhatOneOfThemThrows) {
                 if (k % 10 == 9) throw std::runtime_error("turn");
             };
         };
-        EXPECT_THROW(share({.count = 1000, .threads = threads}, worker), std::runtime_error);
+        EXPECT_THROW(base::share({.count = 1000, .threads = threads}, worker), std::runtime_error);
         EXPECT_LT(turns, 1000);
     }
     // Nor does a worker that cannot be made end the process.
     const auto none = [&]() -> std::function<void(std::size_t)> { throw std::bad_alloc(); };
-    EXPECT_THROW(share({.count = 3, .threads = 3}, none), std::bad_alloc);
+    EXPECT_THROW(base::share({.count = 3, .threads = 3}, none), std::bad_alloc);
 }
 
 TEST(Workers, StopWhenAsked) {
     std::atomic<int> turns{0};
     const auto stopped = [&] { return turns >= 5; };
-    share({.count = 1000, .threads = 2, .stopped = stopped},
-          [&] { return [&](std::size_t) { ++turns; }; });
+    base::share({.count = 1000, .threads = 2, .stopped = stopped},
+                [&] { return [&](std::size_t) { ++turns; }; });
     EXPECT_GE(turns, 5);
     EXPECT_LE(turns, 6);
 }

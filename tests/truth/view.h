@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "truth/certify.h"
 
 namespace isomotion::truth {

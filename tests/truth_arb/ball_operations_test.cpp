@@ -1,6 +1,6 @@
 // Every operation of the language in balls, against its meaning on doubles: at points, and a ball
 // against its members. Arguments reach past the ends of what has a value.
-#include "ball/ball_program.h"
+#include "arb/ball_program.h"
 
 #include "unit/formula/testing.h"
 

@@ -1,5 +1,5 @@
 // Doubles, intervals and balls agree on every field of the catalogue.
-#include "ball/ball_program.h"
+#include "arb/ball_program.h"
 
 #include "formula/enclosure.h"
 #include "scenes.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "catalogue/surface_file.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::truth_arb {
 

@@ -11,7 +11,7 @@
 
 #include <glm/glm.hpp>
 
-#include "ball/ball_program.h"
+#include "arb/ball_program.h"
 #include "formula/enclosure.h"
 
 namespace isomotion::truth_arb {

@@ -3,4 +3,4 @@
 
 #include "formula/enclosure.h"
 #include "formula/field.h"
-#include "formula/parser.h"
+#include "formula/graph/parser.h"

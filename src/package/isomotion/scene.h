@@ -2,6 +2,6 @@
 #pragma once
 
 #include "scene/data_folder.h"
-#include "scene/load.h"
 #include "scene/rays.h"
+#include "scene/reading/load.h"
 #include "scene/scene_at.h"

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "accuracy/truth_cache.h"
-#include "formula/program.h"
+#include "formula/graph/program.h"
 #include "synthesis/assemble.h"
 #include "truth/tube.h"
 

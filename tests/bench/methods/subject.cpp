@@ -9,7 +9,7 @@
 #include <toml++/toml.h>
 #include <unistd.h>
 
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::bench {
 namespace {

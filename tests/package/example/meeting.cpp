@@ -18,7 +18,7 @@ void draw(const scene::Scene& scene, const scene::SceneAt& now, const char* file
     render::Renderer renderer(*context, scene, options);
 
     const render::Picture picture = renderer.draw(now);
-    image::write_whole(file, image::encode(picture.frame, image::format_of(file)));
+    base::write_whole(file, image::encode(picture.frame, image::format_of(file)));
     std::cout << file << ": " << picture.verdicts[std::size_t(render::Verdict::hit)] << " of "
               << options.width * options.height << " rays hit\n";
 }

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formula/program.h"
+#include "formula/graph/program.h"
 
 namespace isomotion::animation {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "animation/animation.h"
-#include "formula/limits.h"
+#include "formula/graph/limits.h"
 #include "testing.h"
 
 namespace isomotion::animation {

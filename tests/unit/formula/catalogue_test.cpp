@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "central_difference.h"
-#include "formula/derivative.h"
+#include "formula/graph/derivative.h"
 
 namespace isomotion::formula {
 namespace {

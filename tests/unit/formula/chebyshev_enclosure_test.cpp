@@ -1,5 +1,5 @@
 // Ranges of T_n and its derivatives against MPFR.
-#include "formula/chebyshev_enclosure.h"
+#include "formula/interval/chebyshev_enclosure.h"
 
 #include <algorithm>
 
@@ -24,7 +24,8 @@ Interval near_unit(Random& random, int n) {
 // Where T_n is extreme, 200 bits are not enough to stay below 1.
 bool holds_all_but_rounding(Interval result, const Exact& value) {
     const Exact rounding = (apply(Op::abs, value) + Exact(1)) * Exact(0x1p-150);
-    return holds(result, value) || holds(result, value - rounding) || holds(result, value + rounding);
+    return holds(result, value) || holds(result, value - rounding) ||
+           holds(result, value + rounding);
 }
 
 TEST(ChebyshevEnclosure, EnclosesDerivatives) {

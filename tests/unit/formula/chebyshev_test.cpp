@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "formula/derivative.h"
 #include "formula/field.h"
-#include "formula/operations.h"
+#include "formula/graph/derivative.h"
+#include "formula/graph/operations.h"
 
 namespace isomotion::formula {
 namespace {

@@ -1,4 +1,4 @@
-#include "formula/degree.h"
+#include "formula/graph/degree.h"
 
 #include <gtest/gtest.h>
 

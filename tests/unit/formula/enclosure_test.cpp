@@ -8,7 +8,7 @@
 
 #include "catalogue.h"
 #include "exact.h"
-#include "formula/derivative.h"
+#include "formula/graph/derivative.h"
 
 namespace isomotion::formula {
 namespace {

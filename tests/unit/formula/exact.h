@@ -7,8 +7,8 @@
 #include <iosfwd>
 #include <utility>
 
-#include "formula/graph.h"
-#include "formula/interval.h"
+#include "formula/graph/graph.h"
+#include "formula/interval/interval.h"
 
 namespace isomotion::formula {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "formula/field.h"
-#include "formula/operations.h"
+#include "formula/graph/operations.h"
 
 namespace isomotion::formula {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "formula/field.h"
-#include "formula/glsl.h"
+#include "formula/glsl/glsl.h"
 #include "random_formula.h"
 
 namespace isomotion::formula {

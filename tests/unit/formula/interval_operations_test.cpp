@@ -1,5 +1,5 @@
 // Operations<Interval> against MPFR: enclosing, tight, and growing with their arguments.
-#include "formula/interval_operations.h"
+#include "formula/interval/interval_operations.h"
 
 #include <algorithm>
 #include <random>

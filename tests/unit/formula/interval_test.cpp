@@ -1,4 +1,4 @@
-#include "formula/interval.h"
+#include "formula/interval/interval.h"
 
 #include <bit>
 

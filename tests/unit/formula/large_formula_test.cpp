@@ -7,14 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "formula/degree.h"
-#include "formula/derivative.h"
 #include "formula/field.h"
-#include "formula/glsl_interval.h"
+#include "formula/glsl/glsl_interval.h"
+#include "formula/graph/degree.h"
+#include "formula/graph/derivative.h"
+#include "formula/graph/limits.h"
+#include "formula/graph/substitute.h"
 #include "formula/hessian.h"
-#include "formula/limits.h"
 #include "formula/linear_sum.h"
-#include "formula/substitute.h"
 
 namespace isomotion::formula {
 namespace {

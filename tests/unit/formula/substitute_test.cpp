@@ -1,7 +1,7 @@
 // Expressions with others in place of their parts: values are those of the composed functions.
-#include "formula/substitute.h"
+#include "formula/graph/substitute.h"
 
-#include "formula/derivative.h"
+#include "formula/graph/derivative.h"
 #include "random_formula.h"
 
 namespace isomotion::formula {

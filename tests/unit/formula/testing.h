@@ -9,9 +9,9 @@
 
 #include <gmock/gmock.h>
 
-#include "formula/evaluate.h"
-#include "formula/lowering.h"
-#include "formula/parser.h"
+#include "formula/evaluate/evaluate.h"
+#include "formula/graph/lowering.h"
+#include "formula/graph/parser.h"
 
 namespace isomotion::formula {
 

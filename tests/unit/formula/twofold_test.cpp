@@ -1,4 +1,4 @@
-#include "formula/twofold.h"
+#include "formula/interval/twofold.h"
 
 #include "exact.h"
 #include "testing.h"

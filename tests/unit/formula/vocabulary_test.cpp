@@ -1,4 +1,4 @@
-#include "formula/vocabulary.h"
+#include "formula/graph/vocabulary.h"
 
 #include <gtest/gtest.h>
 

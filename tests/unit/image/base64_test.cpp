@@ -1,11 +1,11 @@
-#include "image/base64.h"
+#include "base/base64.h"
 
 #include <gtest/gtest.h>
 
 namespace isomotion::image {
 namespace {
 
-std::string of(std::string_view text) { return base64(std::as_bytes(std::span(text))); }
+std::string of(std::string_view text) { return base::base64(std::as_bytes(std::span(text))); }
 
 // The test vectors of RFC 4648, section 10.
 TEST(Base64, EncodesTheVectorsOfItsStandard) {

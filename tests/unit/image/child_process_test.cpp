@@ -1,5 +1,5 @@
 // Programs that are run for what they say, and for as long as they may take.
-#include "image/child_process.h"
+#include "base/child_process.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,12 +10,12 @@ namespace {
 using namespace std::chrono_literals;
 using std::chrono::steady_clock;
 
-ChildProcess shell(const std::string& script) {
-    return ChildProcess("/bin/sh", {"-c", script}, Output::keep);
+base::ChildProcess shell(const std::string& script) {
+    return base::ChildProcess("/bin/sh", {"-c", script}, Output::keep);
 }
 
 TEST(ChildProcess, KeepsItsOutputApartFromItsErrors) {
-    ChildProcess child = shell("echo out; echo err >&2; echo more");
+    base::ChildProcess child = shell("echo out; echo err >&2; echo more");
     EXPECT_TRUE(child.finish());
     EXPECT_EQ(child.output(), "out\nmore\n");
     EXPECT_EQ(child.last_words(1), "err");
@@ -23,19 +23,19 @@ TEST(ChildProcess, KeepsItsOutputApartFromItsErrors) {
 
 // More than a pipe holds while nobody reads.
 TEST(ChildProcess, KeepsMuchOutput) {
-    ChildProcess child = shell("head -c 1000000 /dev/zero");
+    base::ChildProcess child = shell("head -c 1000000 /dev/zero");
     EXPECT_TRUE(child.finish());
     EXPECT_EQ(child.output().size(), 1'000'000u);
 }
 
 TEST(ChildProcess, DiscardedOutputIsEmpty) {
-    ChildProcess child("/bin/sh", {"-c", "echo out"});
+    base::ChildProcess child("/bin/sh", {"-c", "echo out"});
     EXPECT_TRUE(child.finish());
     EXPECT_EQ(child.output(), "");
 }
 
 TEST(ChildProcess, IsKilledAtItsDeadline) {
-    ChildProcess child = shell("echo before; exec sleep 1000");
+    base::ChildProcess child = shell("echo before; exec sleep 1000");
     while (child.output().empty()) {
     }
     EXPECT_FALSE(child.finish_by(steady_clock::now() + 10ms));
@@ -45,7 +45,7 @@ TEST(ChildProcess, IsKilledAtItsDeadline) {
 
 // Its end counts, not when it is asked for.
 TEST(ChildProcess, EndsByItselfBeforeADeadlineThatHasPassed) {
-    ChildProcess child = shell("kill -SEGV $$");
+    base::ChildProcess child = shell("kill -SEGV $$");
     while (!child.ended()) {
     }
     EXPECT_TRUE(child.finish_by(steady_clock::now() - 1s));

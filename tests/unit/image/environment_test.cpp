@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include "base/file.h"
 #include "image/encode.h"
-#include "image/file.h"
 #include "places.h"
 
 namespace isomotion::image {
@@ -22,7 +22,7 @@ class EnvironmentFile : public testing::Test {
 protected:
     std::filesystem::path write(const std::string& name, const Frame& frame,
                                 Format format = Format::exr) const {
-        write_whole(folder_ / name, encode(frame, format));
+        base::write_whole(folder_ / name, encode(frame, format));
         return folder_ / name;
     }
     std::filesystem::path write(const std::string& name, const std::string& bytes) const {
@@ -220,8 +220,8 @@ TEST_F(EnvironmentFile, MendingTellsHowMany) {
 }
 
 TEST_F(EnvironmentFile, MissingFilesAndFoldersAreTheFileSystems) {
-    EXPECT_THROW(read_environment(folder_ / "none.exr"), FileError);
-    EXPECT_THROW(read_environment(folder_.path()), FileError);
+    EXPECT_THROW(read_environment(folder_ / "none.exr"), base::FileError);
+    EXPECT_THROW(read_environment(folder_.path()), base::FileError);
 }
 
 TEST_F(EnvironmentFile, WhatIsNoPictureIsRefused) {
@@ -239,7 +239,7 @@ TEST_F(EnvironmentFile, WhatIsNoPictureIsRefused) {
 TEST_F(EnvironmentFile, EveryCutIsNoticed) {
     const std::vector<std::byte> whole = encode(plain(8, 4, 1, 2, 3), Format::exr);
     for (std::size_t size = 0; size < whole.size(); ++size) {
-        write_whole(folder_ / "a.exr", std::span(whole).first(size));
+        base::write_whole(folder_ / "a.exr", std::span(whole).first(size));
         EXPECT_THROW(read_environment(folder_ / "a.exr"), ImageError) << size;
     }
 }

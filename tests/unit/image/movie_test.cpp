@@ -4,8 +4,8 @@
 #include <memory>
 #include <random>
 
+#include "base/file.h"
 #include "image/encode.h"
-#include "image/file.h"
 #include "places.h"
 
 namespace isomotion::image {
@@ -28,8 +28,8 @@ protected:
         for (int i = 0; i < count; ++i) {
             const float light = float(i + 1) / float(count);
             pictures_.push_back(folder_ / ("p" + std::to_string(i) + ".png"));
-            write_whole(pictures_.back(),
-                        encode(plain(width, height, light, 0.2f, 0.0f), Format::png8));
+            base::write_whole(pictures_.back(),
+                              encode(plain(width, height, light, 0.2f, 0.0f), Format::png8));
         }
     }
     /// "width,height,rate,frames" as ffprobe sees them.
@@ -97,7 +97,7 @@ TEST_F(RealMovie, TheSmallestPictureWorks) {
 
 TEST_F(RealMovie, ColoursComeBack) {
     make_pictures(1, 64, 64);
-    write_whole(pictures_[0], encode(plain(64, 64, 0.8f, 0.3f, 0.05f), Format::png16));
+    base::write_whole(pictures_[0], encode(plain(64, 64, 0.8f, 0.3f, 0.05f), Format::png16));
     // 0.8, 0.3 and 0.05 as sRGB bytes
     const int expected[] = {231, 149, 63};
     for (const std::string name : {"m.mp4", "m.webm", "m.gif"}) {
@@ -114,9 +114,9 @@ TEST_F(RealMovie, SameBytesAgain) {
     make_pictures(5, 50, 40);
     for (const std::string name : {"m.mp4", "m.webm", "m.gif"}) {
         write_movie(folder_ / name, pictures_, {30, 1});
-        const auto before = read_whole(folder_ / name);
+        const auto before = base::read_whole(folder_ / name);
         write_movie(folder_ / name, pictures_, {30, 1});
-        EXPECT_EQ(read_whole(folder_ / name), before) << name;
+        EXPECT_EQ(base::read_whole(folder_ / name), before) << name;
     }
 }
 
@@ -134,7 +134,7 @@ TEST_F(RealMovie, AFullDiskIsReportedAndLeavesNothing) {
     for (Channel& channel : noise.channels)
         for (float& sample : channel.samples) sample = float(random() % 1000) / 1000.0f;
     pictures_.assign(5, folder_ / "noise.png");
-    write_whole(pictures_[0], encode(noise, Format::png8));
+    base::write_whole(pictures_[0], encode(noise, Format::png8));
 
     const TemporaryFolder small;
     const Disk disk(small, 0, "size=16k");
@@ -152,7 +152,7 @@ TEST_F(RealMovie, AFullDiskIsReportedAndLeavesNothing) {
 
 TEST_F(RealMovie, PicturesMustHaveOneSize) {
     make_pictures(2, 8, 8);
-    write_whole(pictures_[1], encode(plain(8, 9, 0, 0, 0), Format::png8));
+    base::write_whole(pictures_[1], encode(plain(8, 9, 0, 0, 0), Format::png8));
     EXPECT_NE(message("m.mp4").find("is 8 x 9, but the movie's first picture is 8 x 8"),
               std::string::npos);
     expect_nothing_made();
@@ -167,7 +167,7 @@ TEST_F(RealMovie, ABrokenPictureStopsIt) {
 
 TEST_F(RealMovie, AMissingFolderIsReported) {
     make_pictures(1, 8, 8);
-    EXPECT_THROW(write_movie(folder_ / "none/m.mp4", pictures_, {30, 1}), FileError);
+    EXPECT_THROW(write_movie(folder_ / "none/m.mp4", pictures_, {30, 1}), base::FileError);
 }
 
 TEST_F(Movie, UnknownExtensionListsTheKnownOnes) {

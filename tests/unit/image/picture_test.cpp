@@ -4,10 +4,10 @@
 #include <limits>
 #include <thread>
 
+#include "base/file.h"
 #include "image/compare.h"
 #include "image/decode.h"
 #include "image/encode.h"
-#include "image/file.h"
 #include "places.h"
 
 namespace isomotion::image {
@@ -50,7 +50,7 @@ class Picture : public testing::Test {
 protected:
     Frame there_and_back(const Frame& frame, Format format) {
         const auto file = folder_ / (format == Format::exr ? "a.exr" : "a.png");
-        write_whole(file, encode(frame, format));
+        base::write_whole(file, encode(frame, format));
         return decode(file);
     }
     void expect_close(const Frame& frame, Format format, double tolerance) {
@@ -248,7 +248,7 @@ TEST_F(Picture, EveryCutIsNoticed) {
                 .write(reinterpret_cast<const char*>(whole.data()), std::streamsize(size));
             EXPECT_THROW(read_metadata(file), ImageError) << size << " of " << whole.size();
         }
-        write_whole(file, whole);
+        base::write_whole(file, whole);
         EXPECT_NO_THROW(read_metadata(file));
     }
 }
@@ -256,7 +256,7 @@ TEST_F(Picture, EveryCutIsNoticed) {
 TEST_F(Picture, WhatIsNoPictureIsNotDecoded) {
     std::ofstream(folder_ / "a.png") << "this is text";
     EXPECT_THROW(decode(folder_ / "a.png"), ImageError);
-    EXPECT_THROW(decode(folder_ / "none.png"), FileError);
+    EXPECT_THROW(decode(folder_ / "none.png"), base::FileError);
 }
 
 } // namespace

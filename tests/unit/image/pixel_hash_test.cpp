@@ -6,9 +6,9 @@
 #include <random>
 #include <set>
 
+#include "base/file.h"
 #include "image/decode.h"
 #include "image/encode.h"
-#include "image/file.h"
 #include "places.h"
 
 namespace isomotion::image {
@@ -20,11 +20,11 @@ std::span<const std::byte> bytes_of(std::string_view text) {
 
 // As xxh128sum prints them.
 TEST(ContentHash, IsThatOfXxhash) {
-    EXPECT_EQ(content_hash({}), "99aa06d3014798d86001c324468d497f");
-    EXPECT_EQ(ContentHash().add(bytes_of("iso")).add(bytes_of("motion")).text(),
-              content_hash(bytes_of("isomotion")));
-    EXPECT_NE(ContentHash().add("iso").add("motion").text(),
-              ContentHash().add("isom").add("otion").text());
+    EXPECT_EQ(base::content_hash({}), "99aa06d3014798d86001c324468d497f");
+    EXPECT_EQ(base::ContentHash().add(bytes_of("iso")).add(bytes_of("motion")).text(),
+              base::content_hash(bytes_of("isomotion")));
+    EXPECT_NE(base::ContentHash().add("iso").add("motion").text(),
+              base::ContentHash().add("isom").add("otion").text());
 }
 
 /// Any bits at all: every NaN, infinities, values that lie between two halves.
@@ -72,7 +72,7 @@ TEST_F(PixelHashTest, OfWhatIsWrittenIsThatOfWhatIsRead) {
             const auto file = folder_ / (format == Format::exr ? "a.exr" : "a.png");
             const Encoded encoded = encode_with_hash(frame, format);
             EXPECT_EQ(encoded.bytes, encode(frame, format));
-            write_whole(file, encoded.bytes);
+            base::write_whole(file, encoded.bytes);
             EXPECT_EQ(pixel_hash(file), encoded.pixels) << name(format) << names.size();
         }
     }

@@ -6,9 +6,9 @@
 #include <latch>
 #include <random>
 
-#include "image/content_hash.h"
+#include "base/content_hash.h"
+#include "base/file.h"
 #include "image/decode.h"
-#include "image/file.h"
 #include "places.h"
 
 namespace isomotion::image {
@@ -121,7 +121,7 @@ TEST_F(Sequence, TellsWhatWasWritten) {
         const Written& file = all[std::size_t(frame - 1)];
         EXPECT_EQ(file.file, name().path(frame));
         EXPECT_EQ(file.bytes, std::filesystem::file_size(file.file));
-        EXPECT_EQ(file.hash, content_hash(read_whole(file.file)));
+        EXPECT_EQ(file.hash, base::content_hash(base::read_whole(file.file)));
         EXPECT_EQ(file.pixels, pixel_hash(file.file));
     }
     EXPECT_NE(all[0].pixels, all[1].pixels);
@@ -165,11 +165,11 @@ TEST_F(Sequence, FirstErrorStopsAndComesOut) {
     const auto submit_until_refused = [&] {
         for (int frame = 1; frame <= 1000; ++frame) writer.submit(frame, numbered(frame));
     };
-    EXPECT_THROW(submit_until_refused(), FileError);
+    EXPECT_THROW(submit_until_refused(), base::FileError);
     try {
         writer.finish();
         FAIL();
-    } catch (const FileError& error) {
+    } catch (const base::FileError& error) {
         EXPECT_EQ(error.code(), ENOENT);
         EXPECT_EQ(error.path(), folder_ / "none/a.0001.exr");
     }
@@ -194,7 +194,7 @@ TEST_F(Sequence, AFullDiskComesOutAndLeavesWholeFilesOnly) {
         for (int frame = 1; frame <= 100; ++frame) writer.submit(frame, noise);
         writer.finish();
         FAIL();
-    } catch (const FileError& error) {
+    } catch (const base::FileError& error) {
         EXPECT_EQ(error.code(), ENOSPC);
     }
     EXPECT_GT(writer.written(), 0u);

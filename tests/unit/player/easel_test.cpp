@@ -9,7 +9,7 @@
 
 #include "gpu/context.h"
 #include "player/orbit.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::player {
 namespace {

@@ -7,7 +7,7 @@
 #include "player/easel.h"
 #include "player/orbit.h"
 #include "player/overrides.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::player {
 namespace {

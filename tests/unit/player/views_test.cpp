@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "base/file.h"
 #include "image/decode.h"
 #include "image/encode.h"
-#include "image/file.h"
 #include "image/srgb.h"
 #include "unit/formula/testing.h"
 #include "unit/image/places.h"
@@ -53,7 +53,7 @@ template<class Call> std::string complaint(Call&& call) {
 // the coverage is 0 they are lost; shaded() has 0 there.
 std::vector<std::uint8_t> codes_in_png(const Frame& frame) {
     const image::TemporaryFolder folder;
-    image::write_whole(folder / "a.png", image::encode(frame, image::Format::png8));
+    base::write_whole(folder / "a.png", image::encode(frame, image::Format::png8));
     const Frame read = image::decode(folder / "a.png");
     const image::Channel* coverage = read.find("A");
     std::vector<std::uint8_t> codes;

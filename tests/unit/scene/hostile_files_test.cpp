@@ -5,8 +5,8 @@
 
 #include <sys/stat.h>
 
+#include "base/printable.h"
 #include "scene/limits.h"
-#include "scene/printable.h"
 
 namespace isomotion::scene {
 namespace {
@@ -153,10 +153,10 @@ TEST_F(Scenes, ArePrinted) {
           {"\xe2\x80\xae", "\uFFFD"},                                 // right to left from here on
           {"\xff\xc0\xaf\xe2\x82", "\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD"}, // no UTF-8
           {"\xed\xa0\x80", "\uFFFD\uFFFD\uFFFD"}}) {                  // half of a character
-        EXPECT_EQ(printable(text), shown);
-        EXPECT_EQ(is_one_printable_line(text), false);
+        EXPECT_EQ(base::printable(text), shown);
+        EXPECT_EQ(base::is_one_printable_line(text), false);
     }
-    EXPECT_TRUE(is_one_printable_line("ä, 形, 🎥"));
+    EXPECT_TRUE(base::is_one_printable_line("ä, 形, 🎥"));
 }
 
 // Whatever a scene calls things, what is said about it is text, and of one line but for a
@@ -169,7 +169,7 @@ TEST_F(Scenes, HaveMistakesThatAreTold) {
           ball_with(6, "formula = \"x + \\u009b\\r\""), ball_with(6, "use = \"\\u001b[2J\\n\"")}) {
         const std::string message = mistake(text);
         EXPECT_THAT(message, testing::StartsWith("scene.toml:")) << message;
-        EXPECT_EQ(printable(message), message);
+        EXPECT_EQ(base::printable(message), message);
         EXPECT_EQ(message.find("\n/etc"), message.npos) << message;
     }
 }

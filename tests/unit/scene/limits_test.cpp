@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/toml_depth.h"
+#include "base/toml_depth.h"
 
 namespace isomotion::scene {
 namespace {
@@ -182,12 +182,12 @@ TEST(TomlDepth, IsThatOfTheTree) {
           "a = '''\n[[[['' [[['''''\nb = 1",
           "a = \"\"\nb = \"\\\\\"\nc = [1.5, 2.5, 3.5, 4.5, 5.5]",
           "a = 1.5\nb = 1.5\nc = 1.5\nd = 1.5\n", "a = [1]\nb = [2]\n[c]\n[d]\n[[e]]\n[[e]]"}) {
-        EXPECT_EQ(first_line_nested_beyond(flat, 3), 0) << flat;
+        EXPECT_EQ(base::first_line_nested_beyond(flat, 3), 0) << flat;
     }
     for (const char* deep :
          {"\n\na = [[[[1]]]]", "\n''\na.b.c.d.e = 1", "\n\n[[a.b.c]]",
           "\n\"\"\"\"\"\"\"\"\n{a = [{b = [", "\n# '\n[[[[", "\n\"\\\"\"\n[[[["}) {
-        EXPECT_EQ(first_line_nested_beyond(deep, 3), 3) << deep;
+        EXPECT_EQ(base::first_line_nested_beyond(deep, 3), 3) << deep;
     }
 }
 

@@ -8,7 +8,7 @@
 
 #include <gmock/gmock.h>
 
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "scene/scene_at.h"
 
 namespace isomotion::scene {

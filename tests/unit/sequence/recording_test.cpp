@@ -133,9 +133,9 @@ TEST_F(RecordingTest, ADamagedManifestIsBegunAgain) {
 TEST_F(RecordingTest, AManifestThatIsRemovedOrReplacedIsNoticed) {
     const Recording recording(name(), some_sequence());
     fs::remove_all(manifest());
-    EXPECT_THROW(recording.record(write(1)), image::FileError);
+    EXPECT_THROW(recording.record(write(1)), base::FileError);
     const Recording other(name(), some_sequence());
-    EXPECT_THROW(recording.record(write(1)), image::FileError);
+    EXPECT_THROW(recording.record(write(1)), base::FileError);
     EXPECT_NO_THROW(other.record(write(1)));
 }
 
@@ -144,7 +144,7 @@ TEST_F(RecordingTest, AFileInTheManifestsPlaceIsNamed) {
     try {
         Recording(name(), some_sequence());
         FAIL();
-    } catch (const image::FileError& error) {
+    } catch (const base::FileError& error) {
         EXPECT_EQ(error.path(), manifest());
     }
     EXPECT_EQ(fs::file_size(manifest()), 4u);

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "image/content_hash.h"
+#include "base/content_hash.h"
+#include "base/file.h"
 #include "image/decode.h"
 #include "image/encode.h"
-#include "image/file.h"
 #include "sequence/manifest.h"
 #include "sequence/recording.h"
 #include "unit/image/places.h"
@@ -35,7 +35,7 @@ protected:
     FrameRecord write(int frame) const {
         const auto encoded = image::encode_with_hash(image::plain(4, 3, 0.1f * float(frame), 0, 0),
                                                      image::Format::png8);
-        image::write_whole(name().path(frame), encoded.bytes);
+        base::write_whole(name().path(frame), encoded.bytes);
         FrameRecord record;
         record.frame = frame;
         record.fingerprint = "print " + std::to_string(frame);
@@ -43,7 +43,7 @@ protected:
         record.verdicts = {7, 5, 0, 0, 0};
         record.evaluations = 100;
         record.drawing = 0.25;
-        add({name().path(frame), encoded.bytes.size(), image::content_hash(encoded.bytes),
+        add({name().path(frame), encoded.bytes.size(), base::content_hash(encoded.bytes),
              encoded.pixels},
             record);
         return record;

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/load.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::sequence {
 namespace {

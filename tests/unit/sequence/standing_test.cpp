@@ -21,18 +21,18 @@ protected:
 TEST_F(StandingTest, AWholeFileIsWhole) { EXPECT_EQ(of(record_), Standing::whole); }
 
 TEST_F(StandingTest, EveryChangedByteShows) {
-    const auto bytes = image::read_whole(file_);
+    const auto bytes = base::read_whole(file_);
     for (std::size_t k = 0; k < bytes.size(); ++k) {
         auto changed = bytes;
         changed[k] ^= std::byte{1};
-        image::write_whole(file_, changed);
+        base::write_whole(file_, changed);
         EXPECT_EQ(of(record_), Standing::changed) << k;
     }
     for (const std::size_t size : {std::size_t(0), std::size_t(1), bytes.size() - 1}) {
-        image::write_whole(file_, std::span(bytes).first(size));
+        base::write_whole(file_, std::span(bytes).first(size));
         EXPECT_EQ(of(record_), Standing::changed) << size;
     }
-    image::write_whole(file_, bytes);
+    base::write_whole(file_, bytes);
     EXPECT_EQ(of(record_), Standing::whole);
 }
 

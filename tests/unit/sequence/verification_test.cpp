@@ -74,7 +74,7 @@ TEST_F(VerificationTest, OtherPixelsThanRecorded) {
 }
 
 TEST_F(VerificationTest, WithoutAManifestThereIsNothingToVerify) {
-    EXPECT_THROW(verify(folder_ / "none.manifest"), image::FileError);
+    EXPECT_THROW(verify(folder_ / "none.manifest"), base::FileError);
 }
 
 } // namespace

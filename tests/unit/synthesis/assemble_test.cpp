@@ -1,7 +1,7 @@
 // What the assembled text depends on, and what it does not.
 #include <gmock/gmock.h>
 
-#include "formula/glsl.h"
+#include "formula/glsl/glsl.h"
 #include "scenes.h"
 #include "synthesis/shader_files.h"
 

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "formula/evaluate.h"
+#include "formula/evaluate/evaluate.h"
 
 namespace isomotion::synthesis {
 

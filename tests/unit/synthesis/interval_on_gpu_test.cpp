@@ -9,7 +9,7 @@
 
 #include "field_on_gpu.h"
 #include "formula/enclosure.h"
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "scene/scene_at.h"
 #include "scenes.h"
 #include "unit/gpu/every_backend.h"

@@ -15,7 +15,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/load.h"
+#include "scene/reading/load.h"
 #include "synthesis/assemble.h"
 
 namespace isomotion::synthesis {

@@ -1,0 +1,201 @@
+#include "base/child_process.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+#include <system_error>
+#include <thread>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <fmt/format.h>
+
+namespace isomotion::base {
+namespace {
+
+class SpawnActions {
+public:
+    SpawnActions() { ::posix_spawn_file_actions_init(&actions_); }
+    ~SpawnActions() { ::posix_spawn_file_actions_destroy(&actions_); }
+    SpawnActions(const SpawnActions&) = delete;
+    SpawnActions& operator=(const SpawnActions&) = delete;
+
+    void duplicate(const FileDescriptor& from, int to) {
+        ::posix_spawn_file_actions_adddup2(&actions_, from.number(), to);
+    }
+    void discard(int descriptor) {
+        ::posix_spawn_file_actions_addopen(&actions_, descriptor, "/dev/null", O_WRONLY, 0);
+    }
+    const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+private:
+    posix_spawn_file_actions_t actions_;
+};
+
+[[noreturn]] void fail(const char* attempt, int code) {
+    throw std::system_error(code, std::generic_category(), attempt);
+}
+
+FileDescriptor memory_file() {
+    FileDescriptor file(::memfd_create("messages", MFD_CLOEXEC));
+    if (!file) fail("memfd_create", errno);
+    return file;
+}
+
+// The last bytes of a file, at most so many.
+std::string end_of(const FileDescriptor& file, off_t most) {
+    struct stat found = {};
+    if (!file || ::fstat(file.number(), &found) != 0) return {};
+    std::string text(std::size_t(std::min(found.st_size, most)), '\0');
+    const ssize_t count =
+        ::pread(file.number(), text.data(), text.size(), std::max<off_t>(found.st_size - most, 0));
+    text.resize(std::size_t(std::max<ssize_t>(count, 0)));
+    return text;
+}
+
+bool is_executable(const std::filesystem::path& file) {
+    struct stat found = {};
+    return ::stat(file.c_str(), &found) == 0 && S_ISREG(found.st_mode) &&
+           ::access(file.c_str(), X_OK) == 0;
+}
+
+} // namespace
+
+std::optional<std::filesystem::path> find_program(const std::string& name) {
+    // Not posix_spawnp(), which looks in /usr/bin too when there is no PATH.
+    const char* variable = std::getenv("PATH");
+    std::string_view folders = variable ? variable : "";
+    while (!folders.empty()) {
+        const std::string_view folder = folders.substr(0, folders.find(':'));
+        folders.remove_prefix(std::min(folder.size() + 1, folders.size()));
+        if (folder.empty()) continue;
+        const std::filesystem::path file = std::filesystem::path(folder) / name;
+        if (is_executable(file)) return file;
+    }
+    return std::nullopt;
+}
+
+ChildProcess::ChildProcess(const std::filesystem::path& program,
+                           const std::vector<std::string>& arguments, Output output) {
+    // A socket instead of a pipe: only send() can be told not to raise SIGPIPE.
+    int ends[2];
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail("socketpair", errno);
+    input_ = FileDescriptor(ends[0]);
+    const FileDescriptor child_end(ends[1]);
+    // Its messages go to memory, which cannot fill up and block it as a pipe nobody reads would.
+    errors_ = memory_file();
+    if (output == Output::keep) output_ = memory_file();
+
+    SpawnActions actions;
+    actions.duplicate(child_end, STDIN_FILENO);
+    if (output == Output::keep) {
+        actions.duplicate(output_, STDOUT_FILENO);
+    } else {
+        actions.discard(STDOUT_FILENO);
+    }
+    actions.duplicate(errors_, STDERR_FILENO);
+
+    std::vector<std::string> words{program.string()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> vector;
+    vector.reserve(words.size() + 1);
+    for (std::string& word : words) vector.push_back(word.data());
+    vector.push_back(nullptr);
+    const int code =
+        ::posix_spawn(&id_, program.c_str(), actions.get(), nullptr, vector.data(), environ);
+    if (code != 0) {
+        id_ = -1;
+        fail(program.c_str(), code);
+    }
+}
+
+ChildProcess::~ChildProcess() {
+    if (id_ < 0) return;
+    ::kill(id_, SIGKILL);
+    finish();
+}
+
+bool ChildProcess::feed(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t sent = ::send(input_.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR) continue;
+        if (sent < 0) return false;
+        bytes = bytes.subspan(std::size_t(sent));
+    }
+    return true;
+}
+
+bool ChildProcess::finish() {
+    input_.close();
+    while (::waitpid(id_, &status_, 0) < 0 && errno == EINTR) {
+    }
+    id_ = -1;
+    return succeeded();
+}
+
+bool ChildProcess::finish_by(std::chrono::steady_clock::time_point deadline) {
+    using namespace std::chrono_literals;
+    input_.close();
+    while (!ended()) {
+        if (std::chrono::steady_clock::now() > deadline) {
+            ::kill(id_, SIGKILL);
+            finish();
+            return false;
+        }
+        std::this_thread::sleep_for(2ms);
+    }
+    return true;
+}
+
+bool ChildProcess::ended() {
+    if (id_ < 0) return true;
+    if (::waitpid(id_, &status_, WNOHANG) != id_) return false;
+    input_.close();
+    id_ = -1;
+    return true;
+}
+
+void ChildProcess::interrupt() {
+    if (id_ >= 0) ::kill(id_, SIGINT);
+}
+
+void ChildProcess::terminate() {
+    if (id_ >= 0) ::kill(id_, SIGTERM);
+}
+
+bool ChildProcess::succeeded() const { return WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
+
+std::optional<int> ChildProcess::exit_status() const {
+    if (!WIFEXITED(status_)) return std::nullopt;
+    return WEXITSTATUS(status_);
+}
+
+std::string ChildProcess::ending() const {
+    return WIFSIGNALED(status_) ? fmt::format("signal {}", WTERMSIG(status_))
+                                : fmt::format("exit status {}", WEXITSTATUS(status_));
+}
+
+std::string ChildProcess::output() const { return end_of(output_, 1 << 24); }
+
+std::string ChildProcess::last_words(std::size_t lines) const {
+    std::string text = end_of(errors_, 8192);
+    while (text.ends_with('\n')) text.pop_back();
+
+    std::size_t begin = text.size();
+    for (; lines > 0 && begin > 0; --lines) {
+        const std::size_t newline = text.rfind('\n', begin - 1);
+        begin = newline == std::string::npos ? 0 : newline;
+    }
+    text.erase(0, text[begin] == '\n' ? begin + 1 : begin);
+    return text;
+}
+
+} // namespace isomotion::base

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace isomotion::base {
+
+/// The file system refused. The message has the path, what was tried and the system's reason.
+class FileError : public std::runtime_error {
+public:
+    FileError(const std::filesystem::path& path, const std::string& attempt, int code);
+
+    const std::filesystem::path& path() const { return path_; }
+    /// The errno, such as ENOSPC.
+    int code() const { return code_; }
+
+private:
+    std::filesystem::path path_;
+    int code_;
+};
+
+/// Writes a file that is never seen half done: the bytes go to `.NAME.part.EXT` in the same folder,
+/// reach the disk and only then take the name. Nothing is left behind on an error; a killed run
+/// leaves at most that one hidden file, which the next run uses again. Two processes that write the
+/// same file take turns. A device or a pipe is written straight.
+void write_whole(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+std::vector<std::byte> read_whole(const std::filesystem::path& path);
+
+} // namespace isomotion::base

@@ -1,0 +1,25 @@
+#include "base/fingerprint.h"
+
+#include <fmt/format.h>
+
+namespace isomotion::base {
+
+Fingerprint& Fingerprint::add(std::span<const std::byte> bytes) {
+    constexpr auto prime = (static_cast<unsigned __int128>(0x1000000u) << 64) | 0x13bu;
+    // The length goes in too, so that parts can't run into one another.
+    for (std::uint64_t length = bytes.size(), k = 0; k < 8; ++k, length >>= 8) {
+        hash_ = (hash_ ^ (length & 0xFF)) * prime;
+    }
+    for (const std::byte byte : bytes) hash_ = (hash_ ^ static_cast<unsigned char>(byte)) * prime;
+    return *this;
+}
+
+Fingerprint& Fingerprint::add(std::string_view text) {
+    return add(std::as_bytes(std::span(text.data(), text.size())));
+}
+
+std::string Fingerprint::text() const {
+    return fmt::format("{:016x}{:016x}", std::uint64_t(hash_ >> 64), std::uint64_t(hash_));
+}
+
+} // namespace isomotion::base

@@ -1,0 +1,56 @@
+// A loop whose turns threads share.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace isomotion::base {
+
+struct SharedLoop {
+    std::size_t count = 0;
+    int threads = 1; // the caller's is one of them
+    // From any thread, before each turn; once true there are no more.
+    std::function<bool()> stopped{};
+    // Part of the turns that is done: never falls, called from one thread at a time.
+    std::function<void(double part)> progress{};
+};
+
+// Each thread makes a worker of its own, worker(k) for all k below the count. What one of them
+// throws ends the loop, and is thrown again once all threads have ended: the first of it.
+template<class MakeWorker> void share(const SharedLoop& loop, const MakeWorker& make_worker) {
+    std::atomic<std::size_t> next{0};
+    std::atomic<bool> ended{false};
+    std::mutex telling;
+    std::size_t done = 0;
+    std::exception_ptr thrown;
+    const auto work = [&] {
+        try {
+            auto worker = make_worker();
+            for (std::size_t k = next++; k < loop.count && !ended; k = next++) {
+                if (loop.stopped && loop.stopped()) break;
+                worker(k);
+                const std::lock_guard lock(telling);
+                ++done;
+                if (loop.progress) loop.progress(double(done) / double(loop.count));
+            }
+        } catch (...) {
+            const std::lock_guard lock(telling);
+            if (!thrown) thrown = std::current_exception();
+            ended = true;
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        for (int k = 1; k < loop.threads && std::size_t(k) < loop.count; ++k)
+            others.emplace_back(work);
+        work();
+    }
+    if (thrown) std::rethrow_exception(thrown);
+}
+
+} // namespace isomotion::base

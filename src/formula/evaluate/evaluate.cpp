@@ -1,0 +1,291 @@
+#include "formula/evaluate/evaluate.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <limits>
+#include <type_traits>
+
+#include "formula/evaluate/clones.h"
+#include "formula/graph/operations.h"
+#include "formula/interval/interval_operations.h"
+
+// Loops over lanes for wider registers too; the values are the same, for nothing is contracted.
+#define ISOMOTION_WIDER ISOMOTION_CLONES("avx2")
+
+namespace isomotion::formula {
+
+double random_unit(std::uint64_t seed, double i, double k) {
+    // splitmix64's finaliser over the three words; -0 and 0 are one argument.
+    std::uint64_t h = seed;
+    for (const double argument : {i, k}) {
+        h ^= std::bit_cast<std::uint64_t>(argument == 0 ? 0.0 : argument);
+        h += 0x9E3779B97F4A7C15u;
+        h = (h ^ (h >> 30)) * 0xBF58476D1CE4E5B9u;
+        h = (h ^ (h >> 27)) * 0x94D049BB133111EBu;
+        h ^= h >> 31;
+    }
+    return double(h >> 11) * 0x1p-53;
+}
+
+namespace {
+
+template<class T> constexpr bool is_interval = std::is_same_v<T, Interval>;
+
+// As in a shader: folded in double, a constant may be more than a float holds.
+template<class T> T constant(double value) {
+    if constexpr (is_interval<T>) {
+        return value;
+    } else {
+        return T(std::clamp(value, double(std::numeric_limits<T>::lowest()),
+                            double(std::numeric_limits<T>::max())));
+    }
+}
+
+template<class T> T random(std::uint64_t seed, T i, T k) {
+    if constexpr (is_interval<T>) {
+        return is_point(i) && is_point(k) ? Interval(random_unit(seed, i.lo, k.lo))
+                                          : Interval(0, 1);
+    } else {
+        return T(random_unit(seed, double(i), double(k)));
+    }
+}
+
+} // namespace
+
+template<class T>
+Evaluator<T>::Evaluator(const Program& program)
+    : program_(&program)
+    , registers_(std::size_t(program.registers) * Lanes<T>::parts * block) {
+    int inputs = 0, depth = 0, deepest = 0;
+    for (const Instruction& instruction : program.instructions) {
+        if (instruction.kind == Instruction::Kind::loop_begin) deepest = std::max(deepest, ++depth);
+        if (instruction.kind == Instruction::Kind::loop_end) --depth;
+        if (instruction.op == Op::input) inputs = std::max(inputs, instruction.index + 1);
+        if (instruction.op == Op::chebyshev) {
+            const std::pair which{instruction.index, instruction.second};
+            if (!chebyshev_.contains(which))
+                chebyshev_.emplace(which, ChebyshevEnclosure(which.first, which.second));
+        }
+    }
+    inputs_.resize(std::size_t(inputs) * block);
+    loops_.reserve(std::size_t(deepest));
+}
+
+template<class T> template<int Count> Lanes<T> Evaluator<T>::lanes(Register r) {
+    return {registers_.data() + std::size_t(r) * Lanes<T>::parts * Count, Count};
+}
+
+template<class T>
+void Evaluator<T>::point(const Bindings<T>& bindings, std::span<const T> inputs,
+                         std::span<T> outputs) {
+    run<1>(bindings, inputs);
+    for (std::size_t o = 0; o < outputs.size(); ++o) {
+        outputs[o] = lanes<1>(program_->outputs[o])[0];
+    }
+}
+
+template<class T>
+void Evaluator<T>::points(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
+                          std::span<const std::span<T>> outputs) {
+    const std::size_t total = inputs.empty() ? 0 : inputs[0].size();
+    for (std::size_t first = 0; first < total; first += block) {
+        const std::size_t count = std::min<std::size_t>(block, total - first);
+        if (count == 1) {
+            together<1>(bindings, inputs, outputs, first, count);
+        } else if (count <= few) {
+            together<few>(bindings, inputs, outputs, first, count);
+        } else {
+            together<block>(bindings, inputs, outputs, first, count);
+        }
+    }
+}
+
+template<class T>
+template<int Count>
+void Evaluator<T>::together(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
+                            std::span<const std::span<T>> outputs, std::size_t first,
+                            std::size_t count) {
+    for (std::size_t k = 0; k < inputs.size() && k * block < inputs_.size(); ++k) {
+        // Lanes past the end repeat the last point: no branch inside, nothing undefined.
+        for (std::size_t lane = 0; lane < Count; ++lane) {
+            inputs_[k * Count + lane] = inputs[k][first + std::min(lane, count - 1)];
+        }
+    }
+    run<Count>(bindings, inputs_);
+    for (std::size_t o = 0; o < outputs.size(); ++o) {
+        const Lanes<T> from = lanes<Count>(program_->outputs[o]);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            outputs[o][first + lane] = from[int(lane)];
+        }
+    }
+}
+
+template<class T>
+template<int Count>
+ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings, std::span<const T> inputs) {
+    using Do = Operations<T>;
+    const auto& code = program_->instructions;
+    loops_.clear();
+    for (std::size_t at = 0; at < code.size(); ++at) {
+        const Instruction& now = code[at];
+        if (now.kind == Instruction::Kind::loop_begin) {
+            if (bindings.arrays[std::size_t(now.index)].count > 0) {
+                loops_.push_back({at, now.index, 0});
+                continue;
+            }
+            for (int depth = 1; depth > 0;) { // an empty array: to the matching end
+                ++at;
+                if (code[at].kind == Instruction::Kind::loop_begin) ++depth;
+                if (code[at].kind == Instruction::Kind::loop_end) --depth;
+            }
+            continue;
+        }
+        if (now.kind == Instruction::Kind::loop_end) {
+            OpenLoop& loop = loops_.back();
+            if (++loop.element < bindings.arrays[std::size_t(loop.array)].count) {
+                at = loop.begin;
+            } else {
+                loops_.pop_back();
+            }
+            continue;
+        }
+        const Lanes<T> to = lanes<Count>(now.result);
+        const Lanes<T> a = lanes<Count>(now.kind == Instruction::Kind::accumulate || now.arity > 0
+                                            ? now.operands[0]
+                                            : now.result);
+        const Lanes<T> b = lanes<Count>(now.arity > 1 ? now.operands[1] : now.result);
+        const auto each = [&](auto&& value) {
+            for (int lane = 0; lane < Count; ++lane) to.set(lane, value(lane));
+        };
+        const auto all = [&](T value) {
+            for (int lane = 0; lane < Count; ++lane) to.set(lane, value);
+        };
+        if (now.kind == Instruction::Kind::zero) {
+            all(T(0));
+            continue;
+        }
+        if (now.kind == Instruction::Kind::accumulate) {
+            each([&](int l) { return Do::add(to[l], a[l]); });
+            continue;
+        }
+        switch (now.op) {
+        case Op::constant:
+            all(constant<T>(now.value));
+            break;
+        case Op::input:
+            each([&](int lane) { return inputs[std::size_t(now.index * Count + lane)]; });
+            break;
+        case Op::parameter:
+            all(bindings.parameters[std::size_t(now.index)]);
+            break;
+        case Op::element: {
+            const auto loop = std::find_if(loops_.begin(), loops_.end(),
+                                           [&](const OpenLoop& l) { return l.array == now.index; });
+            const auto& array = bindings.arrays[std::size_t(now.index)];
+            all(array.fields[std::size_t(now.second)][std::size_t(loop->element)]);
+            break;
+        }
+        case Op::negate:
+            each([&](int l) { return Do::negate(a[l]); });
+            break;
+        case Op::abs:
+            each([&](int l) { return Do::abs(a[l]); });
+            break;
+        case Op::sign:
+            each([&](int l) { return Do::sign(a[l]); });
+            break;
+        case Op::sqrt:
+            each([&](int l) { return Do::sqrt(a[l]); });
+            break;
+        case Op::exp:
+            each([&](int l) { return Do::exp(a[l]); });
+            break;
+        case Op::log:
+            each([&](int l) { return Do::log(a[l]); });
+            break;
+        case Op::sin:
+            each([&](int l) { return Do::sin(a[l]); });
+            break;
+        case Op::cos:
+            each([&](int l) { return Do::cos(a[l]); });
+            break;
+        case Op::tan:
+            each([&](int l) { return Do::tan(a[l]); });
+            break;
+        case Op::sinh:
+            each([&](int l) { return Do::sinh(a[l]); });
+            break;
+        case Op::cosh:
+            each([&](int l) { return Do::cosh(a[l]); });
+            break;
+        case Op::tanh:
+            each([&](int l) { return Do::tanh(a[l]); });
+            break;
+        case Op::asin:
+            each([&](int l) { return Do::asin(a[l]); });
+            break;
+        case Op::acos:
+            each([&](int l) { return Do::acos(a[l]); });
+            break;
+        case Op::atan:
+            each([&](int l) { return Do::atan(a[l]); });
+            break;
+        case Op::floor:
+            each([&](int l) { return Do::floor(a[l]); });
+            break;
+        case Op::add:
+            each([&](int l) { return Do::add(a[l], b[l]); });
+            break;
+        case Op::subtract:
+            each([&](int l) { return Do::subtract(a[l], b[l]); });
+            break;
+        case Op::multiply:
+            if constexpr (is_interval<T>) {
+                if (now.operands[0] == now.operands[1]) {
+                    each([&](int l) { return Do::square(a[l]); });
+                    break;
+                }
+            }
+            each([&](int l) { return Do::multiply(a[l], b[l]); });
+            break;
+        case Op::divide:
+            each([&](int l) { return Do::divide(a[l], b[l]); });
+            break;
+        case Op::min:
+            each([&](int l) { return Do::min(a[l], b[l]); });
+            break;
+        case Op::max:
+            each([&](int l) { return Do::max(a[l], b[l]); });
+            break;
+        case Op::power:
+            each([&](int l) { return Do::power(a[l], b[l]); });
+            break;
+        case Op::random:
+            each([&](int l) { return random(bindings.seed, a[l], b[l]); });
+            break;
+        case Op::select: {
+            const Lanes<T> c = lanes<Count>(now.operands[2]), d = lanes<Count>(now.operands[3]);
+            each([&](int l) { return Do::select(a[l], b[l], c[l], d[l]); });
+            break;
+        }
+        case Op::chebyshev:
+            if constexpr (is_interval<T>) {
+                const ChebyshevEnclosure& enclose = chebyshev_.at({now.index, now.second});
+                each([&](int l) { return enclose(a[l]); });
+            } else {
+                assert(!"lowered before scheduling");
+            }
+            break;
+        case Op::sum:
+            assert(!"turned into a loop");
+            break;
+        }
+    }
+}
+
+template class Evaluator<float>;
+template class Evaluator<double>;
+template class Evaluator<Interval>;
+
+} // namespace isomotion::formula

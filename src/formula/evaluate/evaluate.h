@@ -1,0 +1,90 @@
+// Runs a Program on the CPU for any number type with Operations<T>: one point, or a block of
+// points at a time (structure of arrays, vectorised by the compiler).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "formula/evaluate/lanes.h"
+#include "formula/graph/program.h"
+#include "formula/interval/chebyshev_enclosure.h"
+
+namespace isomotion::formula {
+
+template<class T> struct ArrayColumns {
+    int count = 0;
+    std::vector<std::vector<T>> fields; // [field][element]; unused fields may be empty
+
+    bool operator==(const ArrayColumns&) const = default;
+};
+
+// What a formula's names stand for, apart from its inputs.
+template<class T> struct Bindings {
+    std::vector<T> parameters;
+    std::vector<ArrayColumns<T>> arrays;
+    std::uint64_t seed = 0; // of random(i, k)
+
+    bool operator==(const Bindings&) const = default;
+};
+
+template<class To, class From> Bindings<To> convert(const Bindings<From>& from) {
+    Bindings<To> to;
+    to.parameters.assign(from.parameters.begin(), from.parameters.end());
+    to.seed = from.seed;
+    for (const auto& array : from.arrays) {
+        ArrayColumns<To> columns;
+        columns.count = array.count;
+        for (const auto& field : array.fields)
+            columns.fields.emplace_back(field.begin(), field.end());
+        to.arrays.push_back(std::move(columns));
+    }
+    return to;
+}
+
+// Holds the registers, so that evaluating allocates nothing. One evaluator a thread.
+// Instantiated for float, double and Interval. Programs for numbers are lowered; those for Interval
+// may hold chebyshev, and should (see enclosure.h).
+template<class T> class Evaluator {
+public:
+    static constexpr int block = 32; // points evaluated together
+    static constexpr int few = 8;    // or so many, where there are no more; a lone one by itself
+
+    explicit Evaluator(const Program& program);
+
+    // inputs[k] is the value of input k; writes one value an output.
+    void point(const Bindings<T>& bindings, std::span<const T> inputs, std::span<T> outputs);
+    // inputs[k][i] is input k of point i, any number of points; writes outputs[o][i].
+    void points(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
+                std::span<const std::span<T>> outputs);
+
+private:
+    // `count` points from `first` on, at most Count.
+    template<int Count>
+    void together(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
+                  std::span<const std::span<T>> outputs, std::size_t first, std::size_t count);
+    template<int Count> void run(const Bindings<T>& bindings, std::span<const T> inputs);
+    template<int Count> Lanes<T> lanes(Register r);
+
+    const Program* program_;
+    std::vector<typename Lanes<T>::Part> registers_;              // [register][part][lane]
+    std::vector<T> inputs_;                                       // [input][lane]
+    std::map<std::pair<int, int>, ChebyshevEnclosure> chebyshev_; // by degree and derivative
+    struct OpenLoop {
+        std::size_t begin;
+        int array;
+        int element;
+    };
+    std::vector<OpenLoop> loops_;
+};
+
+extern template class Evaluator<float>;
+extern template class Evaluator<double>;
+extern template class Evaluator<Interval>;
+
+// random(i, k) of animation expressions: a hash of the seed and both arguments, in [0, 1).
+double random_unit(std::uint64_t seed, double i, double k);
+
+} // namespace isomotion::formula

@@ -1,0 +1,39 @@
+// One register of an evaluator: its values at all points of a block, as they lie in memory.
+//
+// Numbers lie side by side. Of intervals the lower ends come first, then the upper ones: loops over
+// the lanes then vectorise for both.
+#pragma once
+
+#include "formula/interval/interval.h"
+
+namespace isomotion::formula {
+
+template<class T> struct Lanes {
+    using Part = T;
+    static constexpr int parts = 1; // Part of memory a value takes
+
+    Part* first;
+
+    Lanes(Part* memory, int)
+        : first(memory) {}
+    T operator[](int lane) const { return first[lane]; }
+    void set(int lane, T value) const { first[lane] = value; }
+};
+
+template<> struct Lanes<Interval> {
+    using Part = double;
+    static constexpr int parts = 2;
+
+    Part *low, *high;
+
+    Lanes(Part* memory, int lanes)
+        : low(memory)
+        , high(memory + lanes) {}
+    Interval operator[](int lane) const { return {low[lane], high[lane]}; }
+    void set(int lane, Interval value) const {
+        low[lane] = value.lo;
+        high[lane] = value.hi;
+    }
+};
+
+} // namespace isomotion::formula

@@ -1,0 +1,36 @@
+// Program -> GLSL.
+//
+// The text depends on the graph alone: values come through `parameters[]` (vec4s in a uniform
+// block) and, for arrays, through `vec4 array<k>_texel(int element, int texel)` and
+// `array<k>_count`, which the shader assembly declares. Functions of shaders/math/ are called by
+// their im_ names, see kernel_calls.h.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "formula/graph/program.h"
+
+namespace isomotion::formula {
+
+// Where the fields of each array lie: field `packed[array][slot]` is component slot%4 of texel
+// slot/4 of its element.
+using ArrayPacking = std::vector<std::vector<int>>;
+
+struct GlslSignature {
+    std::string head;                // "vec2 field_along(vec3 p, vec3 d)"
+    std::string result;              // "vec2": the type that takes the outputs in order
+    std::vector<std::string> inputs; // what input k is called: "p.x", "p.y", ...
+};
+
+std::string emit_glsl(const Program& program, const GlslSignature& signature,
+                      const ArrayPacking& packing);
+
+// A float literal that reads back to the nearest float of `value`.
+std::string glsl_literal(double value);
+// A double literal, which reads back to `value`, finite.
+std::string glsl_double_literal(double value);
+// "parameters[2].y" for index 9.
+std::string glsl_parameter(int index);
+
+} // namespace isomotion::formula

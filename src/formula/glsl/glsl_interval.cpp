@@ -1,0 +1,366 @@
+#include "formula/glsl/glsl_interval.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <regex>
+
+#include <fmt/format.h>
+
+#include "formula/glsl/array_texels.h"
+
+namespace isomotion::formula {
+namespace {
+
+// What is known of a register's values when the text is written.
+struct Known {
+    std::string text;
+    bool point = false;        // `text` is a number, else an interval
+    bool not_negative = false; // then no lower end is below 0 either
+    bool positive_constant = false;
+};
+
+using Floats = std::numeric_limits<float>;
+using Doubles = std::numeric_limits<double>;
+
+std::string float_text(float value) { return glsl_literal(double(value)); }
+
+// "dvec2" for "vec2".
+std::string on_doubles(const std::string& glsl) {
+    return std::regex_replace(glsl, std::regex(R"(\bvec(?=[24]\b))"), "dvec");
+}
+
+// A number; where it is none, or too large or small for those there are, what is around it.
+Known constant_on_doubles(double value) {
+    Known known;
+    known.not_negative = value >= 0;
+    known.positive_constant = value > 0;
+    const double size = std::abs(value);
+    if (std::isnan(value)) {
+        known.text = "IM_ENTIRE";
+    } else if (std::isinf(value)) {
+        known.text =
+            value > 0 ? "dvec2(IM_LARGEST, IM_INFINITY)" : "dvec2(-IM_INFINITY, -IM_LARGEST)";
+    } else if (size > 0 && size < Doubles::min()) {
+        known.text = value > 0 ? "dvec2(0.0, IM_SMALLEST)" : "dvec2(-IM_SMALLEST, 0.0)";
+        known.positive_constant = false;
+    } else {
+        known.text = glsl_double_literal(value);
+        known.point = true;
+    }
+    return known;
+}
+
+// The floats around a number.
+Known constant(double value) {
+    Known known;
+    known.not_negative = value >= 0;
+    known.positive_constant = value > 0;
+    const double size = std::abs(value);
+    if (std::isnan(value)) {
+        known.text = "IM_ENTIRE";
+    } else if (size > double(Floats::max())) {
+        known.text =
+            value > 0 ? "vec2(IM_LARGEST, IM_INFINITY)" : "vec2(-IM_INFINITY, -IM_LARGEST)";
+    } else if (size > 0 && size < double(Floats::min())) { // drivers may take it for 0
+        known.text = value > 0 ? "vec2(0.0, IM_SMALLEST)" : "vec2(-IM_SMALLEST, 0.0)";
+        known.positive_constant = false;
+    } else if (const auto near = float(value); double(near) == value) {
+        known.text = float_text(near);
+        known.point = true;
+    } else {
+        const float other = std::nextafter(near, double(near) < value ? HUGE_VALF : -HUGE_VALF);
+        known.text = fmt::format("vec2({}, {})", float_text(std::min(near, other)),
+                                 float_text(std::max(near, other)));
+    }
+    return known;
+}
+
+// The function of shaders/interval/ an operation calls, or empty for what arithmetic.glsl has or
+// GLSL does exactly.
+std::string_view kernel(Op op) {
+    switch (op) {
+    case Op::sqrt:
+    case Op::exp:
+    case Op::log:
+    case Op::sin:
+    case Op::cos:
+    case Op::tan:
+    case Op::sinh:
+    case Op::cosh:
+    case Op::tanh:
+    case Op::asin:
+    case Op::acos:
+    case Op::atan:
+    case Op::divide:
+    case Op::chebyshev:
+        return name(op);
+    case Op::power:
+        return "pow";
+    default:
+        return {};
+    }
+}
+
+// T_n^(k)(1), rounded up.
+float chebyshev_at_one(int n, int k) {
+    double product = 1;
+    for (int j = 0; j < k; ++j) product *= (double(n) * n - double(j) * j) / (2.0 * j + 1);
+    return float(std::min(product * 1.000001, double(Floats::max())));
+}
+
+class Writer {
+public:
+    Writer(const Program& program, const IntervalSignature& signature, const ArrayPacking& packing,
+           Numbers numbers)
+        : program_(program)
+        , signature_(signature)
+        , packing_(packing)
+        , doubles_(numbers == Numbers::doubles)
+        , type_(doubles_ ? "dvec2" : "vec2")
+        , known_(std::size_t(program.registers)) {}
+
+    std::string write() {
+        text_ = (doubles_ ? on_doubles(signature_.head) : signature_.head) + " {\n";
+        for (std::size_t at = 0; at < program_.instructions.size(); ++at) {
+            instruction(program_.instructions[at], at);
+        }
+        std::string outputs;
+        for (std::size_t o = 0; o < program_.outputs.size(); ++o) {
+            const std::string output = interval(program_.outputs[o]);
+            if (signature_.result.empty()) line("{} = {};", signature_.outputs.at(o), output);
+            outputs += (o == 0 ? "" : ", ") + output;
+        }
+        if (!signature_.result.empty())
+            line("return {}{}({});", doubles_ ? "d" : "", signature_.result, outputs);
+        return text_ + "}\n";
+    }
+
+private:
+    template<class... Args> void line(fmt::format_string<Args...> format, Args&&... args) {
+        text_.append(std::size_t(indent_) * 4, ' ');
+        text_ += fmt::format(format, std::forward<Args>(args)...) + "\n";
+    }
+
+    void instruction(const Instruction& now, std::size_t at) {
+        switch (now.kind) {
+        case Instruction::Kind::zero:
+            define(now.result, fmt::format("{}(0.0)", type_), true);
+            return;
+        case Instruction::Kind::loop_begin:
+            line("for (int e{0} = 0; e{0} < array{0}_count; ++e{0}) {{", now.index);
+            ++indent_;
+            for (const int texel : texels_read(program_, at, packing_)) {
+                line("vec4 a{0}_{1} = array{0}_texel(e{0}, {1});", now.index, texel);
+            }
+            return;
+        case Instruction::Kind::loop_end:
+            --indent_;
+            line("}}");
+            return;
+        case Instruction::Kind::accumulate: {
+            Known& sum = known(now.result);
+            sum.not_negative = known(now.operands[0]).not_negative;
+            line("{} = {};", sum.text,
+                 limited(fmt::format("im_add({}, {})", sum.text, interval(now.operands[0])),
+                         sum.not_negative));
+            return;
+        }
+        case Instruction::Kind::operation:
+            break;
+        }
+        switch (now.op) { // leaves need no statement: their text stands where they are used
+        case Op::constant:
+            known(now.result) = doubles_ ? constant_on_doubles(now.value) : constant(now.value);
+            return;
+        case Op::input:
+            known(now.result).text = signature_.inputs.at(std::size_t(now.index));
+            return;
+        case Op::parameter:
+            known(now.result) = {glsl_parameter(now.index), true};
+            return;
+        case Op::element:
+            known(now.result) = {element_text(now.index, now.second, packing_), true};
+            return;
+        default:
+            operation(now);
+        }
+    }
+
+    void operation(const Instruction& now) {
+        const Register a = now.operands[0], b = now.operands[1];
+        const bool a_positive = known(a).not_negative;
+        const bool b_positive = now.arity > 1 && known(b).not_negative;
+        switch (now.op) {
+        case Op::negate:
+            if (known(a).point) {
+                known(now.result) = {fmt::format("(-{})", known(a).text), true};
+            } else {
+                define(now.result, fmt::format("-{}.yx", known(a).text), false);
+            }
+            return;
+        case Op::abs:
+            return define(now.result, call("im_abs", a), true);
+        case Op::sign:
+        case Op::floor:
+            return define(now.result, call(name(now.op), a), a_positive);
+        case Op::add: {
+            const bool positive = a_positive && b_positive;
+            return define(now.result, limited(call("im_add", a, b), positive), positive);
+        }
+        case Op::subtract:
+            return define(now.result, call("im_subtract", a, b), false);
+        case Op::multiply:
+            return multiply(now.result, a, b);
+        case Op::divide:
+            // 0/0 would be the entire line.
+            return define(now.result, call("im_divide", a, b),
+                          known(a).positive_constant && b_positive);
+        case Op::min:
+            return define(now.result, call("min", a, b), a_positive && b_positive);
+        case Op::max:
+            return define(now.result, call("max", a, b), a_positive || b_positive);
+        case Op::power: {
+            const std::string exponent = known(b).point ? known(b).text : interval(b);
+            return define(now.result, fmt::format("im_pow({}, {})", interval(a), exponent),
+                          a_positive);
+        }
+        case Op::select: {
+            const Register then = now.operands[2], otherwise = now.operands[3];
+            return define(now.result,
+                          fmt::format("im_select({}, {}, {}, {})", interval(a), interval(b),
+                                      interval(then), interval(otherwise)),
+                          known(then).not_negative && known(otherwise).not_negative);
+        }
+        case Op::chebyshev:
+            if (now.second >= 2) {
+                const auto bound = float_text(chebyshev_at_one(now.index, now.second));
+                return define(now.result,
+                              fmt::format("im_chebyshev_steep({}, {})", bound, interval(a)), false);
+            }
+            return define(now.result,
+                          fmt::format("im_chebyshev{}({}, {})", now.second == 0 ? "" : "_slope",
+                                      now.index, interval(a)),
+                          false);
+        default: {
+            const std::string_view function = kernel(now.op);
+            assert(!function.empty());
+            const bool positive = now.op == Op::sqrt || now.op == Op::exp || now.op == Op::cosh;
+            return define(now.result, call(fmt::format("im_{}", function), a), positive);
+        }
+        }
+    }
+
+    void multiply(Register result, Register a, Register b) {
+        if (a == b) return define(result, call("im_square", a), true);
+        if (known(b).point) std::swap(a, b);
+        if (!known(b).not_negative && !known(a).point) std::swap(a, b);
+        const bool positive = known(a).not_negative && known(b).not_negative;
+        if (known(a).point) {
+            const bool up = known(a).positive_constant;
+            return define(result,
+                          limited(fmt::format("{}({}, {})", up ? "im_scale_up" : "im_scale",
+                                              known(a).text, interval(b)),
+                                  positive),
+                          positive);
+        }
+        define(result,
+               call(positive                ? "im_multiply_not_negative"
+                    : known(b).not_negative ? "im_multiply_by_not_negative"
+                                            : "im_multiply",
+                    a, b),
+               positive);
+    }
+
+    static std::string limited(const std::string& text, bool not_negative) {
+        return not_negative ? "im_not_negative(" + text + ")" : text;
+    }
+
+    template<class... Registers>
+    std::string call(std::string_view function, Registers... arguments) const {
+        std::string list;
+        for (const Register r : {arguments...}) list += (list.empty() ? "" : ", ") + interval(r);
+        return fmt::format("{}({})", function, list);
+    }
+
+    std::string interval(Register r) const {
+        const Known& known = known_[std::size_t(r)];
+        return known.point ? fmt::format("{}({})", type_, known.text) : known.text;
+    }
+
+    void define(Register r, const std::string& value, bool not_negative) {
+        known(r) = {fmt::format("v{}", r), false, not_negative};
+        line("{} v{} = {};", type_, r, value);
+    }
+
+    Known& known(Register r) { return known_[std::size_t(r)]; }
+
+    const Program& program_;
+    const IntervalSignature& signature_;
+    const ArrayPacking& packing_;
+    const bool doubles_;
+    const std::string_view type_; // of intervals
+    std::vector<Known> known_;
+    std::string text_;
+    int indent_ = 1;
+};
+
+} // namespace
+
+std::string emit_interval_glsl(const Program& program, const IntervalSignature& signature,
+                               const ArrayPacking& packing, Numbers numbers) {
+    return Writer(program, signature, packing, numbers).write();
+}
+
+std::set<std::string> interval_kernels_used(const Program& program) {
+    std::set<std::string> kernels;
+    for (const Instruction& now : program.instructions) {
+        if (now.kind != Instruction::Kind::operation) continue;
+        if (const std::string_view name = kernel(now.op); !name.empty()) kernels.emplace(name);
+    }
+    return kernels;
+}
+
+std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
+                                Numbers numbers) {
+    return emit_interval_glsl(
+        programs.value,
+        {"vec2 field_interval(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec2", {}}, packing,
+        numbers);
+}
+
+std::string glsl_along_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
+                                Numbers numbers) {
+    return emit_interval_glsl(
+        programs.along,
+        {"vec4 field_along_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz)",
+         {"x", "y", "z", "dx", "dy", "dz"},
+         "vec4",
+         {}},
+        packing, numbers);
+}
+
+std::string glsl_gradient_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
+                                   Numbers numbers) {
+    return emit_interval_glsl(programs.gradient,
+                              {"void field_gradient_interval(vec2 x, vec2 y, vec2 z, out vec2 gx, "
+                               "out vec2 gy, out vec2 gz)",
+                               {"x", "y", "z"},
+                               "",
+                               {"gx", "gy", "gz"}},
+                              packing, numbers);
+}
+
+std::string glsl_bend_interval(const Program& bend, const ArrayPacking& packing, Numbers numbers) {
+    return emit_interval_glsl(
+        bend,
+        {"void field_bend_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz, out vec2 f, "
+         "out vec2 slope, out vec2 bx, out vec2 by, out vec2 bz)",
+         {"x", "y", "z", "dx", "dy", "dz"},
+         "",
+         {"f", "slope", "bx", "by", "bz"}},
+        packing, numbers);
+}
+
+} // namespace isomotion::formula

@@ -1,0 +1,17 @@
+// The degree of an expression as a polynomial of the coordinates.
+#pragma once
+
+#include <optional>
+
+#include "formula/graph/graph.h"
+
+namespace isomotion::formula {
+
+// A degree of `root` in the inputs that no values of parameters and elements exceed; none where the
+// graph does not show a polynomial: quotients, powers with an exponent that is no whole number,
+// kinks and transcendental functions of an input. Terms that cancel each other still count, and
+// degrees above 2^20 are given as 2^20. Whole powers above 24 of inputs are none, as graphs clamp
+// their base.
+std::optional<int> degree(const Graph& graph, NodeId root);
+
+} // namespace isomotion::formula

@@ -1,0 +1,407 @@
+#include "formula/graph/graph.h"
+
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "formula/graph/operations.h"
+
+namespace isomotion::formula {
+namespace {
+
+using Fold = Operations<double>;
+
+double fold(Op op, double a) {
+    switch (op) {
+    case Op::negate:
+        return Fold::negate(a);
+    case Op::abs:
+        return Fold::abs(a);
+    case Op::sign:
+        return Fold::sign(a);
+    case Op::sqrt:
+        return Fold::sqrt(a);
+    case Op::exp:
+        return Fold::exp(a);
+    case Op::log:
+        return Fold::log(a);
+    case Op::sin:
+        return Fold::sin(a);
+    case Op::cos:
+        return Fold::cos(a);
+    case Op::tan:
+        return Fold::tan(a);
+    case Op::sinh:
+        return Fold::sinh(a);
+    case Op::cosh:
+        return Fold::cosh(a);
+    case Op::tanh:
+        return Fold::tanh(a);
+    case Op::asin:
+        return Fold::asin(a);
+    case Op::acos:
+        return Fold::acos(a);
+    case Op::atan:
+        return Fold::atan(a);
+    case Op::floor:
+        return Fold::floor(a);
+    default:
+        assert(!"not a unary operation");
+        return 0;
+    }
+}
+
+double fold(Op op, double a, double b) {
+    switch (op) {
+    case Op::add:
+        return Fold::add(a, b);
+    case Op::subtract:
+        return Fold::subtract(a, b);
+    case Op::multiply:
+        return Fold::multiply(a, b);
+    case Op::divide:
+        return Fold::divide(a, b);
+    case Op::min:
+        return Fold::min(a, b);
+    case Op::max:
+        return Fold::max(a, b);
+    case Op::power:
+        return Fold::power(a, b);
+    default:
+        assert(!"not a foldable binary operation");
+        return 0;
+    }
+}
+
+// a^n for n >= 1, by repeated squaring.
+NodeId product(Graph& g, NodeId a, int n) {
+    if (n == 1) return a;
+    const NodeId half = product(g, a, n / 2);
+    const NodeId square = g.multiply(half, half);
+    return n % 2 == 0 ? square : g.multiply(square, a);
+}
+
+Node leaf(Op op, int index = 0, int second = 0) {
+    Node node;
+    node.op = op;
+    node.index = index;
+    node.second = second;
+    return node;
+}
+
+} // namespace
+
+std::size_t Graph::Hash::operator()(const Node& node) const {
+    std::uint64_t h = std::uint64_t(node.op) * 0x9E3779B97F4A7C15u;
+    const auto mix = [&h](std::uint64_t v) {
+        h ^= v + 0x9E3779B97F4A7C15u + (h << 6) + (h >> 2);
+        h *= 0xBF58476D1CE4E5B9u;
+    };
+    mix(std::uint64_t(node.index));
+    mix(std::uint64_t(node.second));
+    mix(std::bit_cast<std::uint64_t>(node.value));
+    for (int k = 0; k < node.arity; ++k) mix(node.children[std::size_t(k)]);
+    return std::size_t(h);
+}
+
+NodeId Graph::intern(Node node) {
+    for (int k = 0; k < node.arity; ++k)
+        node.arrays |= nodes_[node.children[std::size_t(k)]].arrays;
+    if (node.op == Op::sum) node.arrays &= ~(1u << node.index);
+    if (node.op == Op::element) node.arrays = 1u << node.index;
+    const auto [it, inserted] = ids_.try_emplace(node, NodeId(nodes_.size()));
+    if (!inserted) return it->second;
+    if (nodes_.size() >= limits::graph_nodes) {
+        throw std::length_error(fmt::format(
+            "the formula is too large: with its derivatives it takes more than {} operations",
+            limits::graph_nodes));
+    }
+    nodes_.push_back(node);
+    return it->second;
+}
+
+NodeId Graph::constant(double value) {
+    Node node = leaf(Op::constant);
+    node.value = value == 0 ? 0 : value; // one zero: -0 and 0 would not compare equal as keys
+    if (std::isnan(value)) node.value = std::numeric_limits<double>::quiet_NaN();
+    return intern(node);
+}
+
+NodeId Graph::input(int index) { return intern(leaf(Op::input, index)); }
+NodeId Graph::parameter(int index) { return intern(leaf(Op::parameter, index)); }
+
+NodeId Graph::element(int array, int field) {
+    assert(array < max_arrays);
+    return intern(leaf(Op::element, array, field));
+}
+
+NodeId Graph::unary(Op op, NodeId a) {
+    const Node child = nodes_[a];
+    if (child.op == Op::constant) return constant(fold(op, child.value));
+    if (op == Op::negate) {
+        if (child.op == Op::negate) return child.children[0];
+        if (child.op == Op::subtract) return subtract(child.children[1], child.children[0]);
+        // A sign goes into a factor that is computed once, before the loop.
+        if (child.op == Op::multiply && is_outside(child.children[0], child.children[1])) {
+            return multiply(unary(Op::negate, child.children[0]), child.children[1]);
+        }
+    }
+    if (op == Op::abs && (child.op == Op::abs || child.op == Op::negate)) {
+        return unary(Op::abs, child.children[0]);
+    }
+    return make(op, a);
+}
+
+NodeId Graph::binary(Op op, NodeId a, NodeId b) {
+    if (is_constant(a) && is_constant(b) && op != Op::random) {
+        return constant(fold(op, nodes_[a].value, nodes_[b].value));
+    }
+    switch (op) {
+    case Op::add:
+        return add_simplified(a, b);
+    case Op::subtract:
+        return subtract_simplified(a, b);
+    case Op::multiply:
+        return multiply_simplified(a, b);
+    case Op::divide:
+        if (is_constant(a, 0)) return constant(0);
+        if (is_constant(b, 1)) return a;
+        break;
+    case Op::power:
+        if (is_constant(b)) {
+            const double n = nodes_[b].value;
+            if (n == std::floor(n) && std::abs(n) <= 256) return integer_power(a, int(n));
+            if (n == 0.5) return unary(Op::sqrt, a);
+        }
+        break;
+    case Op::min: // as written, since derivatives decide ties by order
+    case Op::max:
+        if (a == b) return a;
+        break;
+    default:
+        break;
+    }
+    return make(op, a, b);
+}
+
+NodeId Graph::add_simplified(NodeId a, NodeId b) {
+    if (is_constant(a, 0)) return b;
+    if (is_constant(b, 0)) return a;
+    if (a == b) return multiply(constant(2), a);
+    if (nodes_[b].op == Op::negate) return subtract(a, nodes_[b].children[0]);
+    if (nodes_[a].op == Op::negate) return subtract(b, nodes_[a].children[0]);
+    if (const auto factor = common_outside_factor(a, b)) {
+        return multiply(*factor, add(nodes_[a].children[1], nodes_[b].children[1]));
+    }
+    return make_commutative(Op::add, a, b);
+}
+
+NodeId Graph::subtract_simplified(NodeId a, NodeId b) {
+    if (is_constant(b, 0)) return a;
+    if (is_constant(a, 0)) return unary(Op::negate, b);
+    if (a == b) return constant(0);
+    if (nodes_[b].op == Op::negate) return add(a, nodes_[b].children[0]);
+    if (const auto factor = common_outside_factor(a, b)) {
+        return multiply(*factor, subtract(nodes_[a].children[1], nodes_[b].children[1]));
+    }
+    return make(Op::subtract, a, b);
+}
+
+NodeId Graph::multiply_simplified(NodeId a, NodeId b) {
+    if (is_constant(a, 0) || is_constant(b, 0)) return constant(0);
+    if (is_constant(a, 1)) return b;
+    if (is_constant(b, 1)) return a;
+    if (is_constant(a, -1)) return unary(Op::negate, b);
+    if (is_constant(b, -1)) return unary(Op::negate, a);
+    if (a == b && nodes_[a].op == Op::abs) {
+        return multiply(nodes_[a].children[0], nodes_[a].children[0]);
+    }
+    // Signs move outwards, where sums absorb them, but not out of what a loop computes once.
+    for (const auto& [signed_one, other] : {std::pair(a, b), std::pair(b, a)}) {
+        if (nodes_[signed_one].op == Op::negate && !is_outside(signed_one, other)) {
+            return unary(Op::negate, multiply(nodes_[signed_one].children[0], other));
+        }
+    }
+    // c1 * (c2 * x): derivatives pile up constant factors.
+    if (is_constant(b)) std::swap(a, b);
+    if (is_constant(a) && nodes_[b].op == Op::multiply && is_constant(nodes_[b].children[0])) {
+        const double factor = nodes_[a].value * nodes_[nodes_[b].children[0]].value;
+        if (std::isfinite(factor)) return multiply(constant(factor), nodes_[b].children[1]);
+    }
+    // What doesn't change with a loop's element moves out of the products that do, to be computed
+    // once or to leave the sum altogether: a * (c * y) is (a * c) * y or c * (a * y).
+    if (is_outside(b, a)) std::swap(a, b);
+    for (const auto& [product, other] : {std::pair(b, a), std::pair(a, b)}) {
+        if (nodes_[product].op != Op::multiply || is_outside(product, other)) continue;
+        const NodeId c = nodes_[product].children[0], y = nodes_[product].children[1];
+        if (!is_outside(c, y)) continue;
+        if (is_outside(other, y)) return multiply(multiply(other, c), y);
+        if (is_outside(c, other)) return multiply(c, multiply(other, y));
+    }
+    return make_commutative(Op::multiply, a, b);
+}
+
+bool Graph::is_outside(NodeId a, NodeId b) const {
+    const std::uint32_t outer = nodes_[a].arrays, inner = nodes_[b].arrays;
+    return outer != inner && (outer & ~inner) == 0;
+}
+
+std::optional<NodeId> Graph::common_outside_factor(NodeId a, NodeId b) const {
+    const Node &x = nodes_[a], &y = nodes_[b];
+    if (x.op != Op::multiply || y.op != Op::multiply) return std::nullopt;
+    if (x.children[0] != y.children[0]) return std::nullopt;
+    const bool outside =
+        is_outside(x.children[0], x.children[1]) && is_outside(y.children[0], y.children[1]);
+    return outside ? std::optional(x.children[0]) : std::nullopt;
+}
+
+NodeId Graph::make(Op op, NodeId a) {
+    Node node = leaf(op);
+    node.arity = 1;
+    node.children = {a};
+    return intern(node);
+}
+
+NodeId Graph::make(Op op, NodeId a, NodeId b) {
+    Node node = leaf(op);
+    node.arity = 2;
+    node.children = {a, b};
+    return intern(node);
+}
+
+NodeId Graph::make_commutative(Op op, NodeId a, NodeId b) {
+    const auto rank = [this](NodeId id) {
+        return std::tuple(!is_constant(id), std::popcount(nodes_[id].arrays), id);
+    };
+    return rank(b) < rank(a) ? make(op, b, a) : make(op, a, b);
+}
+
+NodeId Graph::select(NodeId a, NodeId b, NodeId then, NodeId otherwise) {
+    if (then == otherwise) return then;
+    if (is_constant(a) && is_constant(b)) {
+        return nodes_[a].value < nodes_[b].value ? then : otherwise;
+    }
+    Node node = leaf(Op::select);
+    node.arity = 4;
+    node.children = {a, b, then, otherwise};
+    return intern(node);
+}
+
+NodeId Graph::chebyshev(int degree, NodeId a, int derivative) {
+    assert(degree >= 0 && derivative >= 0);
+    if (derivative > degree) return constant(0);
+    if (degree == 0) return constant(1);
+    if (degree == 1) return derivative == 0 ? a : constant(1);
+    Node node = leaf(Op::chebyshev, degree, derivative);
+    node.arity = 1;
+    node.children = {a};
+    return intern(node);
+}
+
+NodeId Graph::sum(int array, NodeId body) {
+    if (is_constant(body, 0)) return body;
+    // Signs, and factors that are the same for every element, leave the sum.
+    const Node inner = nodes_[body];
+    const std::uint32_t bit = 1u << array;
+    if (inner.op == Op::negate) return unary(Op::negate, sum(array, inner.children[0]));
+    for (const std::size_t k : {0u, 1u}) {
+        const NodeId factor = inner.children[k], rest = inner.children[1 - k];
+        if (inner.op == Op::multiply && !(nodes_[factor].arrays & bit) &&
+            (nodes_[rest].arrays & bit)) {
+            return multiply(factor, sum(array, rest));
+        }
+    }
+    Node node = leaf(Op::sum, array);
+    node.arity = 1;
+    node.children = {body};
+    return intern(node);
+}
+
+NodeId Graph::integer_power(NodeId a, int n) {
+    if (n < 0) return divide(constant(1), integer_power(a, -n));
+    if (n == 0) return constant(1);
+    if (nodes_[a].op == Op::abs && n % 2 == 0) return integer_power(nodes_[a].children[0], n);
+    // High powers overflow float inside ordinary bounds (6^200); clamping the base keeps sums of
+    // them free of inf - inf. Low ones don't, and stay bare products that others can share.
+    constexpr int bare = 24;
+    if (n > bare) {
+        const NodeId reach = constant(std::pow(double(Operations<float>::saturation()), 1.0 / n));
+        const NodeId low = unary(Op::negate, reach);
+        a = binary(Op::max, low, binary(Op::min, reach, a));
+    }
+    return product(*this, a, n);
+}
+
+std::string_view name(Op op) {
+    switch (op) {
+    case Op::constant:
+        return "constant";
+    case Op::input:
+        return "input";
+    case Op::parameter:
+        return "parameter";
+    case Op::element:
+        return "element";
+    case Op::negate:
+        return "negate";
+    case Op::abs:
+        return "abs";
+    case Op::sign:
+        return "sign";
+    case Op::sqrt:
+        return "sqrt";
+    case Op::exp:
+        return "exp";
+    case Op::log:
+        return "log";
+    case Op::sin:
+        return "sin";
+    case Op::cos:
+        return "cos";
+    case Op::tan:
+        return "tan";
+    case Op::sinh:
+        return "sinh";
+    case Op::cosh:
+        return "cosh";
+    case Op::tanh:
+        return "tanh";
+    case Op::asin:
+        return "asin";
+    case Op::acos:
+        return "acos";
+    case Op::atan:
+        return "atan";
+    case Op::floor:
+        return "floor";
+    case Op::add:
+        return "add";
+    case Op::subtract:
+        return "subtract";
+    case Op::multiply:
+        return "multiply";
+    case Op::divide:
+        return "divide";
+    case Op::min:
+        return "min";
+    case Op::max:
+        return "max";
+    case Op::power:
+        return "power";
+    case Op::random:
+        return "random";
+    case Op::chebyshev:
+        return "chebyshev";
+    case Op::select:
+        return "select";
+    case Op::sum:
+        return "sum";
+    }
+    return "?";
+}
+
+} // namespace isomotion::formula

@@ -1,0 +1,128 @@
+// The expression graph: what a formula means, once, for every back end.
+//
+// Nodes are hash-consed: equal expressions are one node, so common subexpressions cost one
+// evaluation in GLSL and on the CPU alike. Constants are folded and trivial algebra (x*1, x+0, 0*x)
+// is simplified as nodes are made; factors that are the same for all elements of a sum leave it. A
+// graph only grows, up to limits::graph_nodes, beyond which what makes nodes throws
+// std::length_error; node ids are topologically ordered (children before parents).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "formula/graph/limits.h"
+
+namespace isomotion::formula {
+
+using NodeId = std::uint32_t;
+
+enum class Op : std::uint8_t {
+    constant,  // value
+    input,     // index: x, y, z and what else the vocabulary lists (ray direction, t, ...)
+    parameter, // index into the parameter values
+    element,   // field `second` of array `index` at the loop's current element
+    negate,
+    abs,
+    sign, // -1, 0, 1
+    sqrt,
+    exp,
+    log,
+    sin,
+    cos,
+    tan,
+    sinh,
+    cosh,
+    tanh,
+    asin,
+    acos,
+    atan,
+    floor,
+    add,
+    subtract,
+    multiply,
+    divide,
+    min,
+    max,
+    power,     // real exponent; integer powers are products
+    random,    // random(i, k) in [0, 1): CPU double only
+    chebyshev, // `second`-th derivative of T_index(a)
+    select,    // a < b ? c : d
+    sum,       // sum over the elements of array `index` of a
+};
+
+struct Node {
+    Op op = Op::constant;
+    std::uint8_t arity = 0;
+    int index = 0;
+    int second = 0;
+    double value = 0;
+    std::array<NodeId, 4> children{};
+    // Bit k set: the value changes with the current element of array k, so the node lives inside
+    // a loop over that array.
+    std::uint32_t arrays = 0;
+
+    bool operator==(const Node&) const = default;
+};
+
+class Graph {
+public:
+    const Node& operator[](NodeId id) const { return nodes_[id]; }
+    std::size_t size() const { return nodes_.size(); }
+
+    NodeId constant(double value);
+    NodeId input(int index);
+    NodeId parameter(int index);
+    NodeId element(int array, int field);
+
+    NodeId unary(Op op, NodeId a);
+    NodeId binary(Op op, NodeId a, NodeId b);
+    NodeId select(NodeId a, NodeId b, NodeId then, NodeId otherwise);
+    // The `derivative`-th derivative of the Chebyshev polynomial T_degree at a; degree >= 0.
+    NodeId chebyshev(int degree, NodeId a, int derivative = 0);
+    NodeId sum(int array, NodeId body);
+    // a^n by repeated squaring; x^2, x^4 and x^6 of one formula share their products.
+    NodeId integer_power(NodeId a, int n);
+
+    NodeId add(NodeId a, NodeId b) { return binary(Op::add, a, b); }
+    NodeId subtract(NodeId a, NodeId b) { return binary(Op::subtract, a, b); }
+    NodeId multiply(NodeId a, NodeId b) { return binary(Op::multiply, a, b); }
+    NodeId divide(NodeId a, NodeId b) { return binary(Op::divide, a, b); }
+
+    bool is_constant(NodeId id) const { return nodes_[id].op == Op::constant; }
+    bool is_constant(NodeId id, double value) const {
+        return is_constant(id) && nodes_[id].value == value;
+    }
+
+private:
+    NodeId intern(Node node);
+    NodeId make(Op op, NodeId a);
+    NodeId make(Op op, NodeId a, NodeId b);
+    // One order for commutative operations: constants first, then what loops compute once. x*y and
+    // y*x are one node.
+    NodeId make_commutative(Op op, NodeId a, NodeId b);
+
+    NodeId add_simplified(NodeId a, NodeId b);
+    NodeId subtract_simplified(NodeId a, NodeId b);
+    NodeId multiply_simplified(NodeId a, NodeId b);
+
+    // True if a is computed outside some loop that b is inside of, and inside no other.
+    bool is_outside(NodeId a, NodeId b) const;
+    // f, if a = f*x and b = f*y and f is outside the loops of x and of y.
+    std::optional<NodeId> common_outside_factor(NodeId a, NodeId b) const;
+
+    struct Hash {
+        std::size_t operator()(const Node& node) const;
+    };
+    std::vector<Node> nodes_;
+    std::unordered_map<Node, NodeId, Hash> ids_;
+};
+
+inline constexpr int max_arrays = limits::arrays;
+
+std::string_view name(Op op);
+
+} // namespace isomotion::formula

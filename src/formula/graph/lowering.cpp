@@ -1,0 +1,111 @@
+#include "formula/graph/lowering.h"
+
+#include <bit>
+#include <cmath>
+#include <unordered_map>
+
+#include "formula/graph/operations.h"
+
+namespace isomotion::formula {
+namespace {
+
+struct ChebyshevPair {
+    NodeId t; // T_n
+    NodeId u; // U_{n-1}
+};
+
+// n >= 1.
+ChebyshevPair chebyshev_pair(Graph& g, int n, NodeId x) {
+    const NodeId one = g.constant(1), two = g.constant(2);
+    const NodeId sine2 = g.multiply(g.subtract(one, x), g.add(one, x));
+    ChebyshevPair pair{x, one};
+    for (int bit = int(std::bit_floor(unsigned(n)) / 2); bit > 0; bit /= 2) {
+        pair = {g.subtract(g.multiply(two, g.multiply(pair.t, pair.t)), one),
+                g.multiply(two, g.multiply(pair.t, pair.u))};
+        if (n & bit) {
+            pair = {g.subtract(g.multiply(x, pair.t), g.multiply(sine2, pair.u)),
+                    g.add(g.multiply(x, pair.u), pair.t)};
+        }
+    }
+    return pair;
+}
+
+// The k-th derivative for k >= 2: 2^(k-1) (k-1)! n C^(k)_{n-k}(x), Gegenbauer by its recurrence.
+NodeId chebyshev_derivative(Graph& g, int n, int k, NodeId x) {
+    double factor = n;
+    for (int j = 1; j < k; ++j) factor *= 2.0 * j;
+    NodeId before = g.constant(1);
+    if (n == k) return g.constant(factor);
+    NodeId now = g.multiply(g.constant(2.0 * k), x);
+    for (int m = 2; m <= n - k; ++m) {
+        const NodeId ahead = g.multiply(g.constant(2.0 * (m + k - 1) / m), g.multiply(x, now));
+        const NodeId behind = g.multiply(g.constant(double(m + 2 * k - 2) / m), before);
+        before = now;
+        now = g.subtract(ahead, behind);
+    }
+    return g.multiply(g.constant(factor), now);
+}
+
+NodeId lower_chebyshev(Graph& g, int n, int k, NodeId a) {
+    // |T_n| grows like cosh(n acosh |x|); the k-th derivative is at most n^2k times larger. From
+    // degree 25 on that leaves float inside ordinary bounds (T_50(6) is 10^53).
+    NodeId x = a;
+    if (n > 24) {
+        const double limit = double(Operations<float>::saturation()) / std::pow(n, 4);
+        const NodeId reach = g.constant(std::cosh(std::acosh(limit) / n));
+        x = g.binary(Op::max, g.unary(Op::negate, reach), g.binary(Op::min, reach, a));
+    }
+    if (k >= 2) return chebyshev_derivative(g, n, k, x);
+    const ChebyshevPair pair = chebyshev_pair(g, n, x);
+    return k == 0 ? pair.t : g.multiply(g.constant(n), pair.u);
+}
+
+NodeId rebuild(Graph& g, const Node& node, const std::array<NodeId, 4>& children) {
+    switch (node.op) {
+    case Op::chebyshev:
+        return lower_chebyshev(g, node.index, node.second, children[0]);
+    case Op::sum:
+        return g.sum(node.index, children[0]);
+    case Op::select:
+        return g.select(children[0], children[1], children[2], children[3]);
+    default:
+        break;
+    }
+    return node.arity == 1 ? g.unary(node.op, children[0])
+                           : g.binary(node.op, children[0], children[1]);
+}
+
+} // namespace
+
+std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots) {
+    const std::size_t count = graph.size();
+    std::vector<bool> live(count, false);
+    for (const NodeId root : roots) live[root] = true;
+    for (NodeId id = NodeId(count); id-- > 0;) {
+        if (!live[id]) continue;
+        for (int k = 0; k < graph[id].arity; ++k) live[graph[id].children[std::size_t(k)]] = true;
+    }
+    std::vector<NodeId> lowered(count);
+    for (NodeId id = 0; id < count; ++id) {
+        lowered[id] = id;
+        if (!live[id] || graph[id].arity == 0) continue;
+        const Node node = graph[id]; // a copy: the graph grows below
+        std::array<NodeId, 4> children = node.children;
+        bool changed = node.op == Op::chebyshev;
+        for (int k = 0; k < node.arity; ++k) {
+            NodeId& child = children[std::size_t(k)];
+            changed = changed || lowered[child] != child;
+            child = lowered[child];
+        }
+        if (changed) lowered[id] = rebuild(graph, node, children);
+    }
+    std::vector<NodeId> result;
+    for (const NodeId root : roots) result.push_back(lowered[root]);
+    return result;
+}
+
+Program schedule_lowered(Graph& graph, NodeId root) {
+    return schedule(graph, lower(graph, std::array{root}));
+}
+
+} // namespace isomotion::formula

@@ -1,0 +1,511 @@
+#include "formula/graph/parser.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <numbers>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "formula/graph/limits.h"
+
+namespace isomotion::formula {
+namespace {
+
+struct Place {
+    int line = 1;
+    int column = 1;
+    std::string_view text_of_line;
+};
+
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+// The length of the first `count` UTF-8 characters.
+std::size_t bytes_of(std::string_view text, int count) {
+    std::size_t bytes = 0;
+    for (; bytes < text.size(); ++bytes) {
+        if (!continues_character(text[bytes]) && --count < 0) break;
+    }
+    return bytes;
+}
+
+Place locate(std::string_view text, std::size_t offset) {
+    Place place;
+    offset = std::min(offset, text.size());
+    std::size_t begin = 0;
+    for (std::size_t k = 0; k < offset; ++k) {
+        if (text[k] == '\n') {
+            ++place.line;
+            begin = k + 1;
+        }
+    }
+    // Columns count characters, not bytes: UTF-8 continuation bytes don't move the caret.
+    for (std::size_t k = begin; k < offset; ++k) {
+        if (!continues_character(text[k])) ++place.column;
+    }
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    place.text_of_line = text.substr(begin, end - begin);
+    return place;
+}
+
+std::string with_caret(std::string_view text, std::size_t offset, const std::string& message) {
+    // Long formulas are cut to a window around the place.
+    constexpr int before = 60, width = 96;
+    const Place place = locate(text, offset);
+    std::string_view line = place.text_of_line;
+    int column = place.column;
+    std::string lead;
+    if (column > before + 4) {
+        line.remove_prefix(bytes_of(line, column - before));
+        column = before;
+        lead = "...";
+    }
+    const std::size_t shown = bytes_of(line, width);
+    const std::string tail = line.size() > shown ? "..." : "";
+    line = line.substr(0, shown);
+    return fmt::format("{}\n    {}{}{}\n    {:>{}}", message, lead, line, tail, "^",
+                       int(lead.size()) + column);
+}
+
+const std::unordered_map<std::string_view, Op>& unary_functions() {
+    static const std::unordered_map<std::string_view, Op> functions{
+        {"abs", Op::abs},   {"sign", Op::sign}, {"sqrt", Op::sqrt},  {"exp", Op::exp},
+        {"log", Op::log},   {"sin", Op::sin},   {"cos", Op::cos},    {"tan", Op::tan},
+        {"sinh", Op::sinh}, {"cosh", Op::cosh}, {"tanh", Op::tanh},  {"asin", Op::asin},
+        {"acos", Op::acos}, {"atan", Op::atan}, {"floor", Op::floor}};
+    return functions;
+}
+
+const std::vector<std::string>& function_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all{"min", "max", "pow", "chebyshev", "sum", "random"};
+        for (const auto& [function, op] : unary_functions()) all.emplace_back(function);
+        return all;
+    }();
+    return names;
+}
+
+// On paper: evaluation forgives what rounding does to a radicand, a constant needs no forgiving.
+bool has_value(Op function, double at) {
+    switch (function) {
+    case Op::sqrt:
+        return at >= 0;
+    case Op::log:
+        return at > 0;
+    case Op::asin:
+    case Op::acos:
+        return std::abs(at) <= 1;
+    default:
+        return true;
+    }
+}
+
+bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
+bool is_name_part(char c) {
+    return is_name_start(c) || std::isdigit(static_cast<unsigned char>(c));
+}
+
+class Parser {
+public:
+    Parser(std::string_view text, const Vocabulary& vocabulary, Graph& graph)
+        : text_(text)
+        , vocabulary_(vocabulary)
+        , graph_(graph) {}
+
+    NodeId formula() {
+        if (text_.size() > limits::formula_bytes) {
+            fail(limits::formula_bytes, fmt::format("the formula has {} bytes; at most {} are read",
+                                                    text_.size(), limits::formula_bytes));
+        }
+        while (parse_definition()) {
+        }
+        const NodeId root = expression();
+        skip_space();
+        if (at_ < text_.size()) fail_unexpected();
+        return root;
+    }
+
+private:
+    // `name = expression ;` if one starts here.
+    bool parse_definition() {
+        skip_space();
+        const std::size_t begin = at_;
+        const std::string_view word = peek_name();
+        if (word.empty()) return false;
+        at_ += word.size();
+        skip_space();
+        if (peek() != '=') {
+            at_ = begin;
+            return false;
+        }
+        if (is_reserved(word)) {
+            fail(begin, fmt::format("'{}' already has a meaning (a formula is the left side of "
+                                    "F = 0, written without '= 0')",
+                                    word));
+        }
+        if (word.size() > limits::name_bytes) {
+            fail(begin, fmt::format("a name of {} characters; at most {} are read", word.size(),
+                                    limits::name_bytes));
+        }
+        ++at_;
+        const NodeId value = expression();
+        skip_space();
+        if (peek() != ';') {
+            fail(at_, fmt::format("expected ';' after the definition of '{}' (a formula is the "
+                                  "left side of F = 0, written without '= 0')",
+                                  word));
+        }
+        ++at_;
+        definitions_[std::string(word)] = value;
+        return true;
+    }
+
+    NodeId expression() {
+        const Depth depth(*this);
+        NodeId left = term();
+        while (true) {
+            skip_space();
+            const std::size_t place = at_;
+            if (accept('+')) {
+                left = checked(graph_.add(left, term()), place, out_of_range);
+            } else if (accept('-')) {
+                left = checked(graph_.subtract(left, term()), place, out_of_range);
+            } else {
+                return left;
+            }
+        }
+    }
+
+    NodeId term() {
+        NodeId left = factor();
+        while (true) {
+            skip_space();
+            const std::size_t place = at_;
+            if (accept('*')) {
+                if (peek() == '*') fail(at_ - 1, "powers are written with '^'");
+                left = checked(graph_.multiply(left, factor()), place, out_of_range);
+            } else if (accept('/')) {
+                const NodeId right = factor();
+                if (graph_.is_constant(right, 0)) fail(place, "division by zero");
+                left = graph_.divide(left, right);
+            } else {
+                return left;
+            }
+        }
+    }
+
+    NodeId factor() {
+        const Depth depth(*this);
+        if (graph_.size() > limits::formula_nodes) {
+            fail(at_, fmt::format("the formula is too large: it has more than {} operations, names "
+                                  "and numbers",
+                                  limits::formula_nodes));
+        }
+        skip_space();
+        if (accept('-')) return graph_.unary(Op::negate, factor());
+        if (accept('+')) return factor();
+        return power();
+    }
+
+    NodeId power() {
+        const NodeId base = primary();
+        skip_space();
+        const std::size_t place = at_;
+        if (!accept('^')) return base;
+        return raise(base, factor(), place);
+    }
+
+    NodeId raise(NodeId base, NodeId exponent, std::size_t place) {
+        if (graph_.is_constant(base, 0) && graph_.is_constant(exponent) &&
+            graph_[exponent].value < 0) {
+            fail(place, "division by zero: 0 to a negative power");
+        }
+        return checked(graph_.binary(Op::power, base, exponent), place,
+                       "a negative number has no real power with a fractional exponent");
+    }
+
+    NodeId primary() {
+        skip_space();
+        const std::size_t begin = at_;
+        if (at_ == text_.size()) fail(at_, "the formula ends where a value is expected");
+        if (accept('(')) {
+            const NodeId inside = expression();
+            expect(')', "to close the parenthesis");
+            return inside;
+        }
+        if (std::isdigit(static_cast<unsigned char>(peek())) || peek() == '.') return number();
+        if (peek() == ')') fail(at_, "expected a value before ')'");
+        const std::string_view word = peek_name();
+        if (word.empty()) fail_unexpected();
+        at_ += word.size();
+        skip_space();
+        if (peek() == '(') {
+            ++at_;
+            return call(word, begin);
+        }
+        return name(word, begin);
+    }
+
+    NodeId number() {
+        double value = 0;
+        const char* first = text_.data() + at_;
+        const auto [end, error] = std::from_chars(first, text_.data() + text_.size(), value);
+        if (error == std::errc::result_out_of_range) fail(at_, "this number is out of range");
+        if (error != std::errc{}) fail(at_, "this is not a number");
+        at_ += std::size_t(end - first);
+        if (is_name_start(peek())) {
+            fail(at_, fmt::format("expected an operator: write '{}*{}'",
+                                  std::string_view(first, std::size_t(end - first)), peek_name()));
+        }
+        return graph_.constant(value);
+    }
+
+    NodeId name(std::string_view word, std::size_t begin) {
+        // Innermost first: fields of the arrays being summed, definitions, then the vocabulary.
+        for (auto it = open_sums_.rbegin(); it != open_sums_.rend(); ++it) {
+            const auto& fields = vocabulary_.arrays[std::size_t(*it)].fields;
+            for (std::size_t f = 0; f < fields.size(); ++f) {
+                if (fields[f].name != word) continue;
+                if (fields[f].parameter) return graph_.parameter(*fields[f].parameter);
+                return graph_.element(*it, int(f));
+            }
+        }
+        if (const auto it = definitions_.find(word); it != definitions_.end()) return it->second;
+        for (std::size_t k = 0; k < vocabulary_.inputs.size(); ++k) {
+            if (vocabulary_.inputs[k] == word) return graph_.input(int(k));
+        }
+        for (std::size_t k = 0; k < vocabulary_.parameters.size(); ++k) {
+            if (vocabulary_.parameters[k] == word) return graph_.parameter(int(k));
+        }
+        if (word == "pi") return graph_.constant(std::numbers::pi);
+        fail_unknown(word, begin);
+    }
+
+    NodeId call(std::string_view function, std::size_t begin) {
+        if (function == "sum") return sum(begin);
+        if (function == "chebyshev") return chebyshev();
+        const std::size_t first_argument = at_;
+        const std::vector<NodeId> arguments = argument_list();
+        const auto need = [&](std::size_t count) {
+            if (arguments.size() == count) return;
+            fail(begin, fmt::format("{} takes {} argument{}, not {}", function, count,
+                                    count == 1 ? "" : "s", arguments.size()));
+        };
+        if (const auto it = unary_functions().find(function); it != unary_functions().end()) {
+            need(1);
+            if (graph_.is_constant(arguments[0]) &&
+                !has_value(it->second, graph_[arguments[0]].value)) {
+                fail(first_argument, fmt::format("{} is not defined here", function));
+            }
+            return checked(graph_.unary(it->second, arguments[0]), first_argument,
+                           fmt::format("{} is not defined here", function));
+        }
+        if (function == "pow") {
+            need(2);
+            return raise(arguments[0], arguments[1], begin);
+        }
+        if (function == "min" || function == "max") {
+            if (arguments.size() < 2) fail(begin, fmt::format("{} takes two or more", function));
+            NodeId result = arguments[0];
+            for (std::size_t k = 1; k < arguments.size(); ++k) {
+                result = graph_.binary(function == "min" ? Op::min : Op::max, result, arguments[k]);
+            }
+            return result;
+        }
+        if (function == "random" && vocabulary_.allows_random) {
+            need(2);
+            return graph_.binary(Op::random, arguments[0], arguments[1]);
+        }
+        if (function == "random") {
+            fail(begin, "random is for animation: give a parameter or an array field its value "
+                        "with random(i, k), not the formula");
+        }
+        const std::string near = nearest_name(function, function_names());
+        fail(begin, fmt::format("there is no function '{}'{}", function,
+                                near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+    }
+
+    std::vector<NodeId> argument_list() {
+        std::vector<NodeId> arguments;
+        skip_space();
+        if (accept(')')) return arguments;
+        do {
+            arguments.push_back(expression());
+            skip_space();
+        } while (accept(','));
+        expect(')', "to close the argument list");
+        return arguments;
+    }
+
+    NodeId chebyshev() {
+        skip_space();
+        const std::size_t place = at_;
+        const NodeId degree = expression();
+        const double n = graph_.is_constant(degree) ? graph_[degree].value : -1;
+        if (n < 0 || n != std::floor(n) || n > limits::chebyshev_degree) {
+            fail(place, fmt::format("the degree of chebyshev(n, x) must be a constant integer from "
+                                    "0 to {}",
+                                    limits::chebyshev_degree));
+        }
+        expect(',', "between the degree and the argument of chebyshev");
+        const NodeId argument = expression();
+        expect(')', "to close the argument list");
+        return graph_.chebyshev(int(n), argument);
+    }
+
+    NodeId sum(std::size_t begin) {
+        skip_space();
+        const std::size_t place = at_;
+        const std::string_view word = peek_name();
+        at_ += word.size();
+        int array = -1;
+        std::vector<std::string> known;
+        for (std::size_t k = 0; k < vocabulary_.arrays.size(); ++k) {
+            known.push_back(vocabulary_.arrays[k].name);
+            if (vocabulary_.arrays[k].name == word) array = int(k);
+        }
+        if (array < 0) {
+            const std::string near = nearest_name(word, known);
+            fail(place,
+                 known.empty()
+                     ? "sum needs an array, and the scene has none: add [arrays.name]"
+                     : fmt::format("sum(array, expression): there is no array '{}'{}", word,
+                                   near.empty() ? fmt::format("; known: {}", join(known))
+                                                : fmt::format("; did you mean '{}'?", near)));
+        }
+        for (const int open : open_sums_) {
+            if (open == array) {
+                fail(begin, fmt::format("a sum over '{}' inside a sum over '{}'", word, word));
+            }
+        }
+        expect(',', "between the array and the expression of sum");
+        open_sums_.push_back(array);
+        const NodeId body = expression();
+        open_sums_.pop_back();
+        expect(')', "to close the sum");
+        return graph_.sum(array, body);
+    }
+
+    // A constant that isn't finite has no literal in a shader.
+    NodeId checked(NodeId node, std::size_t place, std::string_view message) const {
+        if (!graph_.is_constant(node) || std::isfinite(graph_[node].value)) return node;
+        fail(place, std::string(message));
+    }
+    static constexpr std::string_view out_of_range =
+        "these constants lead beyond the range of numbers";
+
+    static std::string join(const std::vector<std::string>& words) {
+        return fmt::format("{}", fmt::join(words, ", "));
+    }
+
+    [[noreturn]] void fail_unknown(std::string_view word, std::size_t begin) const {
+        std::vector<std::string> known = vocabulary_.inputs;
+        // "camera.fov" is a parameter to the animation but no name in a formula.
+        std::copy_if(vocabulary_.parameters.begin(), vocabulary_.parameters.end(),
+                     std::back_inserter(known), is_identifier);
+        for (const int open : open_sums_) {
+            for (const auto& field : vocabulary_.arrays[std::size_t(open)].fields) {
+                known.push_back(field.name);
+            }
+        }
+        for (const auto& [defined, node] : definitions_) known.push_back(defined);
+        known.emplace_back("pi");
+        for (const auto& array : vocabulary_.arrays) {
+            for (const auto& field : array.fields) {
+                if (field.name == word) {
+                    fail(begin, fmt::format("'{}' is a field of the array '{}' and has a value "
+                                            "only inside sum({}, ...)",
+                                            word, array.name, array.name));
+                }
+            }
+        }
+        const std::string near = nearest_name(word, known);
+        const std::string hint = near.empty() ? fmt::format("; known: {}", join(known))
+                                              : fmt::format("; did you mean '{}'?", near);
+        fail(begin, fmt::format("unknown name '{}'{}", word, hint));
+    }
+
+    [[noreturn]] void fail_unexpected() const {
+        if (at_ == text_.size()) fail(at_, "the formula ends too early");
+        if (peek() == '=') {
+            fail(at_, "unexpected '=': a formula is the left side of F = 0, written without '= 0'");
+        }
+        const std::string_view word = peek_name();
+        if (!word.empty()) fail(at_, fmt::format("expected an operator before '{}'", word));
+        if (peek() == ')') fail(at_, "this ')' closes nothing");
+        std::size_t length = 1; // a whole UTF-8 character
+        while (at_ + length < text_.size() && continues_character(text_[at_ + length])) ++length;
+        fail(at_, fmt::format("unexpected '{}'", text_.substr(at_, length)));
+    }
+
+    [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
+        throw ParseError(text_, offset, message);
+    }
+
+    // The recursion of a hostile formula, "((((...", must end in an error and not in the stack.
+    struct Depth {
+        explicit Depth(Parser& parser)
+            : owner(parser) {
+            if (++owner.depth_ > limits::nesting) {
+                owner.fail(owner.at_, "the formula is nested too deeply");
+            }
+        }
+        ~Depth() { --owner.depth_; }
+        Depth(const Depth&) = delete;
+        Depth& operator=(const Depth&) = delete;
+        Parser& owner;
+    };
+
+    char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+    std::string_view peek_name() const {
+        if (!is_name_start(peek())) return {};
+        std::size_t end = at_ + 1;
+        while (end < text_.size() && is_name_part(text_[end])) ++end;
+        return text_.substr(at_, end - at_);
+    }
+    void skip_space() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
+    bool accept(char c) {
+        if (peek() != c) return false;
+        ++at_;
+        return true;
+    }
+    void expect(char c, std::string_view why) {
+        skip_space();
+        if (!accept(c)) fail(at_, fmt::format("expected '{}' {}", c, why));
+    }
+
+    std::string_view text_;
+    const Vocabulary& vocabulary_;
+    Graph& graph_;
+    std::size_t at_ = 0;
+    int depth_ = 0;
+    std::vector<int> open_sums_;
+    std::map<std::string, NodeId, std::less<>> definitions_;
+};
+
+} // namespace
+
+ParseError::ParseError(std::string_view text, std::size_t offset, const std::string& message)
+    : std::runtime_error(with_caret(text, offset, message))
+    , message_(message) {
+    const Place place = locate(text, offset);
+    line_ = place.line;
+    column_ = place.column;
+}
+
+NodeId parse(std::string_view text, const Vocabulary& vocabulary, Graph& graph) {
+    return Parser(text, vocabulary, graph).formula();
+}
+
+bool is_reserved(std::string_view name) {
+    if (name == "pi" || name == "x" || name == "y" || name == "z") return true;
+    for (const auto& function : function_names()) {
+        if (function == name) return true;
+    }
+    return false;
+}
+
+} // namespace isomotion::formula

@@ -1,0 +1,44 @@
+// Text -> expression graph.
+//
+//   formula    = { name '=' expression ';' } expression
+//   expression = term { ('+' | '-') term }
+//   term       = factor { ('*' | '/') factor }
+//   factor     = ('-' | '+') factor | power
+//   power      = primary [ '^' factor ]                 (right associative; -x^2 is -(x^2))
+//   primary    = number | name | name '(' arguments ')' | '(' expression ')'
+//
+// Functions: abs sign sqrt exp log sin cos tan sinh cosh tanh asin acos atan floor, min max (two or
+// more arguments), pow(a, b), chebyshev(n, a) with n a constant integer, sum(array, expression) in
+// which the array's fields are names. Constant: pi. `name = expression;` names a repeated part.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "formula/graph/graph.h"
+#include "formula/graph/vocabulary.h"
+
+namespace isomotion::formula {
+
+class ParseError : public std::runtime_error {
+public:
+    // `offset` is a byte offset into `text`. what() is the message followed by the line of the
+    // formula it happened on and a caret below the place.
+    ParseError(std::string_view text, std::size_t offset, const std::string& message);
+
+    const std::string& message() const { return message_; }
+    int line() const { return line_; }     // 1-based within the formula
+    int column() const { return column_; } // 1-based, in characters
+
+private:
+    std::string message_;
+    int line_ = 1;
+    int column_ = 1;
+};
+
+// Throws ParseError, also for expressions that cannot have a value: division by the constant 0, the
+// logarithm of a negative constant.
+NodeId parse(std::string_view text, const Vocabulary& vocabulary, Graph& graph);
+
+} // namespace isomotion::formula

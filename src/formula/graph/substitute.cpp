@@ -1,0 +1,65 @@
+#include "formula/graph/substitute.h"
+
+#include <unordered_map>
+
+namespace isomotion::formula {
+namespace {
+
+NodeId rebuild(Graph& to, const Node& node, const std::array<NodeId, 4>& children) {
+    switch (node.op) {
+    case Op::constant:
+        return to.constant(node.value);
+    case Op::input:
+        return to.input(node.index);
+    case Op::parameter:
+        return to.parameter(node.index);
+    case Op::element:
+        return to.element(node.index, node.second);
+    case Op::select:
+        return to.select(children[0], children[1], children[2], children[3]);
+    case Op::chebyshev:
+        return to.chebyshev(node.index, children[0], node.second);
+    case Op::sum:
+        return to.sum(node.index, children[0]);
+    default:
+        return node.arity == 1 ? to.unary(node.op, children[0])
+                               : to.binary(node.op, children[0], children[1]);
+    }
+}
+
+} // namespace
+
+std::vector<NodeId> nodes_below(const Graph& graph, std::span<const NodeId> roots) {
+    NodeId last = 0;
+    for (const NodeId root : roots) last = std::max(last, root);
+    std::vector<bool> live(std::size_t(last) + 1, false);
+    for (const NodeId root : roots) live[root] = true;
+    for (NodeId id = last + 1; id-- > 0;) {
+        if (!live[id]) continue;
+        const Node& node = graph[id];
+        for (int k = 0; k < node.arity; ++k) live[node.children[std::size_t(k)]] = true;
+    }
+    std::vector<NodeId> below;
+    for (NodeId id = 0; id <= last && !roots.empty(); ++id) {
+        if (live[id]) below.push_back(id);
+    }
+    return below;
+}
+
+std::vector<NodeId> substitute(Graph& to, const Graph& from, std::span<const NodeId> roots,
+                               const Replacement& replacement) {
+    std::unordered_map<NodeId, NodeId> stands_for;
+    for (const NodeId id : nodes_below(from, roots)) {
+        const Node node = from[id]; // a copy: the graph may grow
+        std::array<NodeId, 4> children{};
+        for (std::size_t k = 0; k < node.arity; ++k) {
+            children[k] = stands_for.at(node.children[k]);
+        }
+        stands_for[id] = replacement(to, node, rebuild(to, node, children));
+    }
+    std::vector<NodeId> result;
+    for (const NodeId root : roots) result.push_back(stands_for.at(root));
+    return result;
+}
+
+} // namespace isomotion::formula

@@ -1,0 +1,206 @@
+#include "scene/reading/arrays.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "scene/limits.h"
+#include "scene/reading/element_table.h"
+#include "scene/reading/named_file.h"
+#include "scene/reading/names.h"
+
+namespace isomotion::scene {
+namespace {
+
+animation::FieldSource read_field(const toml::node& node, const std::string& key) {
+    if (node.is_number()) return read_finite(node, key);
+    if (const auto text = node.value<std::string>()) return animation::Expression{*text};
+    if (const toml::array* list = node.as_array()) {
+        std::vector<double> values;
+        for (std::size_t k = 0; k < list->size(); ++k) {
+            values.push_back(read_finite(*list->get(k), fmt::format("{}[{}]", key, k)));
+        }
+        return values;
+    }
+    fail(node, key, "must be a number, an expression in t, i and n, or a list of numbers");
+}
+
+// One array as its tables write it, not yet understood.
+struct ArrayNodes {
+    const toml::node* place = nullptr;
+    const toml::node* count = nullptr;
+    const toml::table* data = nullptr; // the table that names a file
+    std::vector<std::string> order;    // of the fields
+    std::map<std::string, const toml::node*> fields;
+};
+
+bool is_of_the_file(const std::string& name) {
+    return name == "file" || name == "columns" || name == "interpolation" || name == "outside";
+}
+
+void gather(const toml::table& table, const std::string& key, ArrayNodes& nodes) {
+    nodes.place = &table;
+    if (table.contains("file")) {
+        nodes.data = &table;
+        nodes.count = nullptr;
+        std::erase_if(nodes.order, [&](const std::string& field) {
+            return nodes.fields.at(field)->is_array() && nodes.fields.erase(field);
+        });
+    }
+    for (const auto& [name_key, node] : table) {
+        const std::string name(name_key.str());
+        if (name == "count") {
+            nodes.count = &node;
+            continue;
+        }
+        if (nodes.data == &table && is_of_the_file(name)) continue;
+        check_name(name, node, key + "." + name);
+        if (!nodes.fields.count(name)) nodes.order.push_back(name);
+        nodes.fields[name] = &node;
+    }
+}
+
+int read_count(const toml::node& node, const std::string& key) {
+    const auto count = node.value_exact<std::int64_t>();
+    if (!count || *count < 0 || *count > limits::elements) {
+        fail(node, key, fmt::format("must be an integer from 0 to {}", limits::elements));
+    }
+    return int(*count);
+}
+
+TableReading read_data(const toml::table& table, const std::string& key, Reach reach) {
+    Section section(table, key);
+    TableReading reading;
+    const toml::node& file = *section.find("file");
+    reading.file =
+        named_file(file, key + ".file", std::array{beside(file, *section.text("file"))}, reach);
+    if (auto columns = section.section("columns")) {
+        for (const auto& [name, node] : columns->table()) {
+            const std::string field(name.str());
+            check_name(field, node, columns->dotted(field));
+            reading.columns[field] = *columns->text(field);
+        }
+    }
+    if (const auto text = section.text("interpolation")) {
+        if (*text != "linear" && *text != "hold") {
+            fail(*section.find("interpolation"), key + ".interpolation",
+                 fmt::format("must be linear or hold, not '{}'", *text));
+        }
+        if (*text == "hold") {
+            reading.interpolation = animation::ElementSamples::Interpolation::hold;
+        }
+    }
+    return reading;
+}
+
+// Frames beyond the data would show its ends, standing still.
+void check_times(const toml::table& table, const std::string& key, const TableReading& reading,
+                 const ElementTable& read, const animation::Timeline& timeline) {
+    Section section(table, key);
+    const auto outside = section.text("outside");
+    if (outside && *outside != "hold") {
+        fail(*section.find("outside"), key + ".outside",
+             fmt::format("must be hold: the first and the last elements stay, not '{}'", *outside));
+    }
+    const animation::ElementSamples& samples = *read.samples;
+    if (outside || samples.first_time() == samples.last_time()) return;
+    if (samples.first_time() > timeline.time(1)) {
+        throw SceneError(
+            fmt::format("{}:{}: begins at t = {}, after the scene's first frame; begin "
+                        "at 0, or give the array outside = \"hold\"",
+                        reading.file.string(), read.first_line, samples.first_time()));
+    }
+    if (samples.last_time() < timeline.time(timeline.frames)) {
+        throw SceneError(fmt::format("{}:{}: ends at t = {}, but frame {} of the scene is at t = "
+                                     "{}; lower time.frames, or give the array outside = \"hold\"",
+                                     reading.file.string(), read.last_line, samples.last_time(),
+                                     timeline.frames, timeline.time(timeline.frames)));
+    }
+}
+
+// The columns of a file become fields; a field that the scene writes itself goes before.
+void add_data(const ArrayNodes& nodes, const std::string& key, const animation::Timeline& timeline,
+              TrackTable& tracks, Reach reach, animation::Array& array) {
+    TableReading reading = read_data(*nodes.data, key, reach);
+    reading.most = nodes.count ? read_count(*nodes.count, key + ".count") : limits::elements;
+    const ElementTable table = read_element_table(reading, timeline);
+    check_times(*nodes.data, key, reading, table, timeline);
+    array.samples = table.samples;
+    array.count = nodes.count ? reading.most : table.samples->most();
+    for (std::size_t k = 0; k < table.fields.size(); ++k) {
+        const std::string& field = table.fields[k];
+        if (nodes.fields.count(field)) continue;
+        array.fields.push_back({field, animation::Column{k}});
+        tracks.place(array.name + "." + field, key + ".file", nodes.data->get("file"));
+    }
+}
+
+animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
+                            const animation::Timeline& timeline, TrackTable& tracks, Reach reach) {
+    animation::Array array;
+    array.name = name;
+    const std::string key = "arrays." + name;
+    if (nodes.data) {
+        add_data(nodes, key, timeline, tracks, reach, array);
+    } else {
+        if (!nodes.count) {
+            fail(*nodes.place, key,
+                 "needs count, the number of elements, or file, a table of them");
+        }
+        array.count = read_count(*nodes.count, key + ".count");
+    }
+    for (const std::string& field : nodes.order) {
+        const toml::node& node = *nodes.fields.at(field);
+        const std::string field_key = key + "." + field;
+        array.fields.push_back({field, read_field(node, field_key)});
+        tracks.place(name + "." + field, field_key, &node);
+        const auto* list = std::get_if<std::vector<double>>(&array.fields.back().source);
+        if (list && nodes.data) {
+            fail(node, field_key,
+                 "a list beside a file: put it into the file, as a column, or write an expression");
+        }
+        if (list && list->size() != std::size_t(array.count)) {
+            fail(node, field_key,
+                 fmt::format("has {} values for {} elements; give one for each", list->size(),
+                             array.count));
+        }
+    }
+    if (array.fields.size() > std::size_t(limits::fields)) {
+        fail(*nodes.place, key,
+             fmt::format("has {} fields; at most {} are possible", array.fields.size(),
+                         limits::fields));
+    }
+    return array;
+}
+
+} // namespace
+
+std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
+                                          const animation::Timeline& timeline, TrackTable& tracks,
+                                          Reach reach) {
+    std::vector<std::string> names;
+    std::map<std::string, ArrayNodes> nodes;
+    for (Section* from : {catalogue, &document}) {
+        auto section = from ? from->section("arrays") : std::nullopt;
+        if (!section) continue;
+        for (const auto& [name_key, node] : section->table()) {
+            const std::string name(name_key.str()), key = section->dotted(name);
+            check_name(name, node, key);
+            if (!node.is_table()) fail(node, key, fmt::format("must be a table: [{}]", key));
+            if (!nodes.count(name)) names.push_back(name);
+            gather(*node.as_table(), key, nodes[name]);
+        }
+    }
+    if (names.size() > std::size_t(formula::max_arrays)) {
+        fail(*nodes[names.back()].place, "arrays",
+             fmt::format("a scene has at most {} arrays", formula::max_arrays));
+    }
+    std::vector<animation::Array> arrays;
+    arrays.reserve(names.size());
+    for (const std::string& name : names) {
+        arrays.push_back(make_array(name, nodes[name], timeline, tracks, reach));
+    }
+    return arrays;
+}
+
+} // namespace isomotion::scene

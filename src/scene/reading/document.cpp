@@ -1,0 +1,222 @@
+#include "scene/reading/document.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/file_text.h"
+#include "base/toml_depth.h"
+#include "formula/graph/vocabulary.h"
+#include "scene/limits.h"
+
+namespace isomotion::scene {
+namespace {
+
+std::string position(const toml::source_region& region) {
+    // Values set by --set have no place in a file.
+    if (!region.path || region.begin.line == 0) return "--set";
+    return fmt::format("{}:{}", *region.path, region.begin.line);
+}
+
+animation::Ease read_ease(const toml::table& table, const std::string& key) {
+    const toml::node* node = table.get("ease");
+    if (!node) return animation::Ease::linear;
+    const auto text = node->value<std::string>();
+    for (std::size_t k = 0; text && k < std::size(animation::ease_names); ++k) {
+        if (*text == animation::ease_names[k]) return animation::Ease(k);
+    }
+    fail(*node, key + ".ease",
+         fmt::format("must be one of {}", fmt::join(animation::ease_names, ", ")));
+}
+
+// The list of `keys`, each [time, value]; `add` reads one value.
+template<class Add>
+animation::Ease read_keys(const toml::table& table, const std::string& key, Add&& add) {
+    for (const auto& [name, node] : table) {
+        if (name != "keys" && name != "ease") {
+            fail(node, key + "." + std::string(name.str()),
+                 "unknown key; keyframes are { keys = [[t, value], ...], ease = \"linear\" }");
+        }
+    }
+    const toml::node* node = table.get("keys");
+    const toml::array* list = node ? node->as_array() : nullptr;
+    if (!list || list->empty()) {
+        fail(table, key, "needs keys = [[t, value], ...], at least one");
+    }
+    if (list->size() > std::size_t(limits::keys)) {
+        fail(*list, key,
+             fmt::format("has {} keys; at most {} are possible", list->size(), limits::keys));
+    }
+    double before = 0;
+    for (std::size_t k = 0; k < list->size(); ++k) {
+        const toml::array* pair = list->get(k)->as_array();
+        const std::string name = fmt::format("{}.keys[{}]", key, k);
+        if (!pair || pair->size() != 2) fail(*list->get(k), name, "must be [time, value]");
+        const double time = read_finite(*pair->get(0), name);
+        if (k > 0 && time <= before) {
+            fail(*pair, name, fmt::format("times must ascend: {} comes after {}", time, before));
+        }
+        before = time;
+        add(time, *pair->get(1), name);
+    }
+    return read_ease(table, key);
+}
+
+} // namespace
+
+toml::table read_document(const std::filesystem::path& file) {
+    return parse_document(base::file_text(file, limits::scene_bytes), file);
+}
+
+toml::table parse_document(std::string_view text, const std::filesystem::path& file) {
+    if (const int line = base::first_line_nested_beyond(text, limits::nesting)) {
+        throw SceneError(
+            fmt::format("{}:{}: tables and lists are nested too deeply; {} deep are read",
+                        file.string(), line, limits::nesting));
+    }
+    try {
+        return toml::parse(text, file.string());
+    } catch (const toml::parse_error& error) {
+        throw SceneError(fmt::format("{}:{}: not valid TOML: {}", file.string(),
+                                     error.source().begin.line, error.description()));
+    }
+}
+
+void fail(const toml::node& at, const std::string& key, const std::string& message) {
+    throw SceneError(fmt::format("{}: {}: {}", position(at.source()), key, message));
+}
+
+double read_finite(const toml::node& node, const std::string& key) {
+    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+    if (!value) fail(node, key, "must be a number");
+    if (!std::isfinite(*value)) fail(node, key, "must be finite");
+    return *value;
+}
+
+animation::TrackSource read_track(const toml::node& node, const std::string& key) {
+    if (node.is_number()) return read_finite(node, key);
+    if (const auto text = node.value<std::string>()) return animation::Expression{*text};
+    if (const toml::table* table = node.as_table()) {
+        animation::Keys keys;
+        keys.ease = read_keys(*table, key, [&](double t, const toml::node& v, const auto& name) {
+            keys.keys.push_back({t, read_finite(v, name)});
+        });
+        return keys;
+    }
+    fail(node, key,
+         "must be a number, an expression in t (\"2 + sin(t)\"), or "
+         "{ keys = [[t, value], ...], ease = \"smooth\" }");
+}
+
+std::array<animation::TrackSource, 3> read_vector(const toml::node& node, const std::string& key) {
+    if (const toml::array* array = node.as_array()) {
+        if (array->size() != 3) fail(node, key, "must have three components: [x, y, z]");
+        std::array<animation::TrackSource, 3> tracks;
+        for (std::size_t k = 0; k < 3; ++k) {
+            tracks[k] = read_track(*array->get(k), fmt::format("{}.{}", key, "xyz"[k]));
+        }
+        return tracks;
+    }
+    if (const toml::table* table = node.as_table()) {
+        std::array<animation::Keys, 3> keys;
+        const auto ease =
+            read_keys(*table, key, [&](double t, const toml::node& v, const auto& at) {
+                const toml::array* triple = v.as_array();
+                if (!triple || triple->size() != 3) fail(v, at, "must be [time, [x, y, z]]");
+                for (std::size_t k = 0; k < 3; ++k) {
+                    keys[k].keys.push_back({t, read_finite(*triple->get(k), at)});
+                }
+            });
+        for (auto& track : keys) track.ease = ease;
+        return std::array<animation::TrackSource, 3>{keys[0], keys[1], keys[2]};
+    }
+    fail(node, key, "must be [x, y, z] or { keys = [[t, [x, y, z]], ...] }");
+}
+
+std::string Section::dotted(const std::string& name) const {
+    const bool bare = std::ranges::all_of(name, [](unsigned char c) {
+        return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
+               c == '_' || c == '-' || c >= 0x80;
+    });
+    // As TOML writes it: a line end in a key is no line end of the message.
+    const std::string key = bare ? name : fmt::format("{:?}", name);
+    return key_.empty() ? key : key_ + "." + key;
+}
+
+const toml::node* Section::find(const std::string& name) {
+    known_.insert(name);
+    return table_->get(name);
+}
+
+std::optional<Section> Section::section(const std::string& name) {
+    const toml::node* node = find(name);
+    if (!node) return std::nullopt;
+    if (!node->is_table())
+        fail(*node, dotted(name), fmt::format("must be a table: [{}]", dotted(name)));
+    return Section(*node->as_table(), dotted(name));
+}
+
+std::optional<std::string> Section::text(const std::string& name) {
+    const toml::node* node = find(name);
+    if (!node) return std::nullopt;
+    auto value = node->value_exact<std::string>();
+    if (!value) fail(*node, dotted(name), "must be a text in quotes");
+    return value;
+}
+
+std::optional<double> Section::number(const std::string& name, double least, double most) {
+    const toml::node* node = find(name);
+    if (!node) return std::nullopt;
+    const double value = read_finite(*node, dotted(name));
+    if (value < least || value > most) {
+        fail(*node, dotted(name), fmt::format("must be from {} to {}, not {}", least, most, value));
+    }
+    return value;
+}
+
+std::optional<int> Section::integer(const std::string& name, int least, int most) {
+    const toml::node* node = find(name);
+    if (!node) return std::nullopt;
+    const auto value = node->value_exact<std::int64_t>();
+    if (!value) fail(*node, dotted(name), "must be an integer");
+    if (*value < least || *value > most) {
+        fail(*node, dotted(name),
+             fmt::format("must be from {} to {}, not {}", least, most, *value));
+    }
+    return int(*value);
+}
+
+std::optional<bool> Section::boolean(const std::string& name) {
+    const toml::node* node = find(name);
+    if (!node) return std::nullopt;
+    const auto value = node->value_exact<bool>();
+    if (!value) fail(*node, dotted(name), "must be true or false");
+    return value;
+}
+
+std::optional<animation::TrackSource> Section::track(const std::string& name) {
+    const toml::node* node = find(name);
+    if (!node) return std::nullopt;
+    return read_track(*node, dotted(name));
+}
+
+std::optional<std::array<animation::TrackSource, 3>> Section::vector(const std::string& name) {
+    const toml::node* node = find(name);
+    if (!node) return std::nullopt;
+    return read_vector(*node, dotted(name));
+}
+
+void Section::refuse_rest() {
+    for (const auto& [name, node] : *table_) {
+        const std::string key(name.str());
+        if (known_.count(key)) continue;
+        const std::vector<std::string> known(known_.begin(), known_.end());
+        const std::string near = formula::nearest_name(key, known);
+        fail(node, dotted(key),
+             near.empty() ? fmt::format("unknown key; known here: {}", fmt::join(known, ", "))
+                          : fmt::format("unknown key; did you mean '{}'?", near));
+    }
+}
+
+} // namespace isomotion::scene

@@ -1,0 +1,303 @@
+#include "scene/reading/load.h"
+
+#include <fmt/format.h>
+
+#include "base/file_text.h"
+#include "base/printable.h"
+#include "scene/data_folder.h"
+#include "scene/limits.h"
+#include "scene/method_domain.h"
+#include "scene/reading/camera.h"
+#include "scene/reading/environment.h"
+#include "scene/reading/lights.h"
+#include "scene/reading/material.h"
+#include "scene/reading/space.h"
+#include "scene/reading/surface.h"
+#include "scene/thresholds.h"
+
+namespace isomotion::scene {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path locate(const std::string& scene) {
+    std::error_code ignored;
+    if (fs::exists(scene, ignored)) {
+        if (fs::is_directory(scene, ignored)) {
+            throw SceneError(scene + ": is a folder; name a scene file (.toml)");
+        }
+        return scene;
+    }
+    const bool looks_like_path =
+        scene.find('/') != scene.npos || fs::path(scene).extension() == ".toml";
+    if (looks_like_path) throw SceneError(scene + ": no such file");
+    fs::path installed = animation_file(scene);
+    if (fs::exists(installed)) return installed;
+    const auto known = animation_names();
+    const std::string near = formula::nearest_name(scene, known);
+    throw SceneError(
+        near.empty() ? fmt::format("{}: no such file, and no animation of this name; known: {}",
+                                   scene, fmt::join(known, ", "))
+                     : fmt::format("{}: no such file, and no animation of this name; did you mean "
+                                   "'{}'?",
+                                   scene, near));
+}
+
+// --set: the value goes into the document before it is read, so that it is checked like any other.
+void override_key(toml::table& document, const Override& setting) {
+    const std::size_t equals = setting.find('=');
+    if (equals == setting.npos || equals == 0 || equals + 1 == setting.size()) {
+        throw SceneError(fmt::format("--set {}: write name=value", setting));
+    }
+    std::string path = setting.substr(0, equals);
+    const std::string value = setting.substr(equals + 1);
+    toml::table parsed;
+    try { // as TOML, else as an expression or a name: m=2.5, m="2+t", m=2+t, camera.up=[0,1,0]
+        parsed = toml::parse("value = " + value);
+    } catch (const toml::parse_error&) {
+        parsed.insert("value", value);
+    }
+    // A whole camera instead of the scene's.
+    const bool is_camera = path == "camera" && parsed.get("value")->is_table();
+    if (!is_camera && path.find('.') == path.npos) path = "parameters." + path;
+    // parse() without a path leaves lines but no file; documents tell by that it was the command
+    // line.
+    toml::table* table = &document;
+    std::size_t begin = 0;
+    for (std::size_t dot = path.find('.'); dot != path.npos; dot = path.find('.', begin)) {
+        const std::string part = path.substr(begin, dot - begin);
+        toml::node* next = table->get(part);
+        if (!next) {
+            table->insert(part, toml::table{});
+            next = table->get(part);
+        }
+        if (!next->is_table()) {
+            throw SceneError(fmt::format("--set {}: '{}' is not a table", setting, part));
+        }
+        table = next->as_table();
+        begin = dot + 1;
+    }
+    table->insert_or_assign(path.substr(begin), *parsed.get("value"));
+}
+
+// It goes to terminals, windows and into pictures.
+std::string read_title(Section& document, const fs::path& file) {
+    const auto title = document.text("title");
+    if (!title) return base::printable(file.stem().string());
+    if (title->size() > limits::title_bytes || !base::is_one_printable_line(*title)) {
+        fail(*document.find("title"), "title",
+             fmt::format("must be one line of at most {} bytes, without control characters",
+                         limits::title_bytes));
+    }
+    return *title;
+}
+
+void read_time(Section& document, Scene& scene, std::uint64_t& seed) {
+    auto section = document.section("time");
+    if (!section) return;
+    if (const toml::node* fps = section->find("fps")) {
+        std::optional<animation::FrameRate> rate;
+        if (const auto text = fps->value_exact<std::string>()) {
+            rate = animation::parse_frame_rate(*text);
+        } else if (fps->is_number()) {
+            rate = animation::parse_frame_rate(fmt::format("{}", read_finite(*fps, "time.fps")));
+        }
+        if (!rate)
+            fail(*fps, "time.fps",
+                 "must be above 0: 30, 23.976 (up to nine decimals) or \"30000/1001\"");
+        scene.timeline.fps = *rate;
+    }
+    scene.timeline.frames = section->integer("frames", 1, limits::frames).value_or(1);
+    scene.timeline.loops = section->boolean("loop").value_or(false);
+    seed = std::uint64_t(section->integer("seed", 0, 2'147'483'647).value_or(0));
+    section->refuse_rest();
+}
+
+std::array<double, 3> read_still_color(const toml::node& node, const std::string& key,
+                                       const char* right) {
+    const toml::array* list = node.as_array();
+    if (!list || list->size() != 3) fail(node, key, right);
+    std::array<double, 3> color;
+    for (std::size_t k = 0; k < 3; ++k) color[k] = read_finite(*list->get(k), key);
+    return color;
+}
+
+SkyGradient read_gradient(Section section) {
+    const auto color = [&](const std::string& name) {
+        const toml::node* node = section.find(name);
+        if (!node) fail(section.table(), section.dotted(name), "is missing; give [r, g, b]");
+        return read_still_color(*node, section.dotted(name), "must be [r, g, b] (linear)");
+    };
+    const SkyGradient gradient{color("top"), color("bottom")};
+    section.refuse_rest();
+    return gradient;
+}
+
+void read_output(Section& document, Scene& scene) {
+    constexpr int most = limits::picture_side;
+    Output& output = scene.output;
+    output.background = {0.86, 0.86, 0.9};
+    // One picture shows no blur.
+    output.samples = scene.camera.shutter > 0 || scene.camera.aperture ? 16 : 1;
+    auto section = document.section("output");
+    if (!section) return;
+    if (const toml::node* node = section->find("size")) {
+        const toml::array* size = node->as_array();
+        const auto width =
+            size && size->size() == 2 ? size->get(0)->value_exact<std::int64_t>() : std::nullopt;
+        const auto height = width ? size->get(1)->value_exact<std::int64_t>() : std::nullopt;
+        if (!width || !height || *width < 1 || *height < 1 || *width > most || *height > most) {
+            fail(*node, "output.size",
+                 fmt::format("must be [width, height], integers from 1 to {}", most));
+        }
+        output.width = int(*width);
+        output.height = int(*height);
+    }
+    if (const toml::node* node = section->find("background")) {
+        if (node->value_exact<std::string>() == "transparent") {
+            output.transparent = true;
+            output.background = {0, 0, 0};
+        } else if (node->is_table()) {
+            output.gradient = read_gradient(*section->section("background"));
+        } else {
+            output.background =
+                read_still_color(*node, "output.background",
+                                 "must be [r, g, b] (linear), { top = [r, g, b], bottom = "
+                                 "[r, g, b] } or \"transparent\"");
+        }
+    }
+    output.samples = section->integer("samples", 1, limits::samples).value_or(output.samples);
+    output.poster = section->integer("poster", 1, scene.timeline.frames).value_or(1);
+    section->refuse_rest();
+}
+
+// The catalogue's settings first, the scene's own over them. False where no value was given.
+struct GivenThresholds {
+    bool step = false, near = false, far = false, horizon = false;
+    const toml::node* method = nullptr;
+};
+
+void read_isolation(Section& document, Isolation& isolation, GivenThresholds& given) {
+    auto section = document.section("isolation");
+    if (!section) return;
+    if (const auto text = section->text("method")) {
+        const auto method = parse_method(*text);
+        if (!method) {
+            std::vector<std::string> names;
+            for (const auto& entry : method_names) names.emplace_back(entry.name);
+            fail(*section->find("method"), "isolation.method",
+                 fmt::format("there is no method '{}'; known: {}", *text, fmt::join(names, ", ")));
+        }
+        isolation.method = *method;
+        given.method = section->find("method");
+    }
+    const auto set = [&](const char* name, double least, double& value, bool& known) {
+        if (const auto number = section->number(name, least, 1e30)) {
+            value = *number;
+            known = true;
+        }
+    };
+    set("step", 1e-30, isolation.step, given.step);
+    set("near", 0, isolation.near, given.near);
+    set("far", 0, isolation.far, given.far);
+    set("horizon", 0, isolation.horizon, given.horizon);
+    isolation.bisections =
+        section->integer("bisections", 0, limits::bisections).value_or(isolation.bisections);
+    if (const auto beam = section->boolean("beam")) isolation.beam = *beam;
+    isolation.certify = section->boolean("certify").value_or(isolation.certify);
+    isolation.safety = section->number("safety", 1, 1e6).value_or(isolation.safety);
+    isolation.limit = section->integer("limit", 1, limits::evaluations).value_or(isolation.limit);
+    section->refuse_rest();
+}
+
+// What would take minutes to read, or to be at one frame, is no scene but a slip of the pen.
+void check_work(const Scene& scene, const SurfaceParts& parts, const TrackTable& tracks) {
+    const animation::Animation& animation = scene.timeline.animation;
+    std::vector<int> counts;
+    for (const animation::Array& array : animation.arrays()) counts.push_back(array.count);
+    const formula::Cost point = formula::cost(parts.surface.field->gradient, counts);
+    if (point.operations > limits::operations_at_a_point) {
+        fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula",
+             fmt::format(
+                 "takes {:.3g} operations at one point, all elements of its sums counted; at "
+                 "most {:.3g} are possible: give its arrays fewer elements",
+                 point.operations, limits::operations_at_a_point));
+    }
+    for (std::size_t a = 0; a < animation.arrays().size(); ++a) {
+        const double operations = animation.operations(a);
+        if (operations <= limits::operations_of_a_frame) continue;
+        const animation::Array& array = animation.arrays()[a];
+        tracks.fail_at(array.name + "." + array.fields.front().name,
+                       fmt::format("the fields of '{}' take {:.3g} operations at each frame, all "
+                                   "elements counted; at most {:.3g} are possible: give it fewer "
+                                   "elements",
+                                   array.name, operations, limits::operations_of_a_frame));
+    }
+}
+
+} // namespace
+
+std::string title(const fs::path& file) {
+    const toml::table root = read_document(file);
+    Section document(root, "");
+    return read_title(document, file);
+}
+
+Scene load(const std::string& name, const std::vector<Override>& overrides, Reach reach) {
+    const fs::path file = locate(name);
+    return load_text(base::file_text(file, limits::scene_bytes), file, overrides, reach);
+}
+
+Scene load_text(std::string_view text, const fs::path& file, const std::vector<Override>& overrides,
+                Reach reach) {
+    Scene scene;
+    scene.file = file;
+    toml::table root = parse_document(text, file);
+    for (const Override& setting : overrides) override_key(root, setting);
+
+    Section document(root, "");
+    scene.title = read_title(document, scene.file);
+    TrackTable tracks;
+    std::uint64_t seed = 0;
+    read_time(document, scene, seed);
+    const auto parts = read_surface(document, scene.timeline, tracks, reach);
+    read_space(document, *parts, tracks);
+    scene.camera = read_camera(document, tracks);
+    read_lights(document, scene, tracks);
+    std::optional<PaintParts> painted;
+    scene.material = read_material(document, *parts, tracks, painted);
+    read_output(document, scene);
+    read_surroundings(document, scene, tracks);
+    scene.environment = read_environment(document, tracks, reach);
+    GivenThresholds given;
+    if (parts->catalogue) {
+        Section catalogue(*parts->catalogue, "");
+        read_isolation(catalogue, scene.isolation, given);
+    }
+    read_isolation(document, scene.isolation, given);
+    document.refuse_rest();
+
+    scene.timeline.animation = tracks.animate(parts->arrays, seed);
+    make_field(*parts);
+    if (const auto why = refusal(scene.isolation.method, *parts->surface.field); !why.empty()) {
+        fail(*given.method, "isolation.method", why);
+    }
+    if (painted) scene.material.paint = make_paint(*painted, *parts);
+    refuse_unused(*parts, painted ? scene.material.paint->value.get() : nullptr,
+                  scene.timeline.animation, tracks);
+    scene.surface = parts->surface;
+
+    // Settings are chosen once, at the first frame: every frame is marched alike.
+    check_work(scene, *parts, tracks);
+    const SceneAt first = at(scene, scene.timeline.values(1));
+    Isolation& isolation = scene.isolation;
+    if (!given.step) isolation.step = first.bounds.radius / 100;
+    if (!given.near || !given.far || !given.horizon) {
+        const Thresholds found = field_thresholds(*scene.surface.field, first, isolation.step);
+        if (!given.near) isolation.near = found.near;
+        if (!given.far) isolation.far = std::max(found.far, isolation.near);
+        if (!given.horizon) isolation.horizon = found.horizon;
+    }
+    return scene;
+}
+
+} // namespace isomotion::scene

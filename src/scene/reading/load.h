@@ -1,0 +1,31 @@
+// Scene file (TOML) -> Scene.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/error.h"
+#include "scene/reading/reach.h"
+#include "scene/scene.h"
+
+namespace isomotion::scene {
+
+// "name=value" of the command line: `name` is a parameter, or a dotted key of the scene file
+// ("camera.fov"); `value` a number or an expression. "camera={...}" is a whole camera in place of
+// the scene's.
+using Override = std::string;
+
+// `scene` is a path to a .toml file or the name of an animation of the gallery. Throws SceneError.
+Scene load(const std::string& scene, const std::vector<Override>& overrides = {},
+           Reach reach = Reach::own_folder);
+
+// The same of a scene's text, as if it were in `file`.
+Scene load_text(std::string_view text, const std::filesystem::path& file,
+                const std::vector<Override>& overrides = {}, Reach reach = Reach::own_folder);
+
+// What a scene or a surface of the catalogue calls itself.
+std::string title(const std::filesystem::path& file);
+
+} // namespace isomotion::scene

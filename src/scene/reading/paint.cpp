@@ -1,0 +1,60 @@
+#include "scene/reading/paint.h"
+
+#include <fmt/format.h>
+
+#include "formula/graph/parser.h"
+
+namespace isomotion::scene {
+namespace {
+
+ColorMap read_map(Section& section) {
+    const auto text = section.text("map");
+    if (!text) return ColorMap::blue_yellow;
+    if (const auto map = parse_color_map(*text)) return *map;
+    std::vector<std::string> names;
+    for (const auto& entry : color_map_names) names.emplace_back(entry.name);
+    const std::string near = formula::nearest_name(*text, names);
+    fail(*section.find("map"), section.dotted("map"),
+         near.empty()
+             ? fmt::format("there is no map '{}'; known: {}", *text, fmt::join(names, ", "))
+             : fmt::format("there is no map '{}'; did you mean '{}'?", *text, near));
+}
+
+} // namespace
+
+PaintParts read_paint(Section section, TrackTable& tracks) {
+    PaintParts parts;
+    parts.value_node = section.find("value");
+    if (!parts.value_node) {
+        fail(section.table(), section.dotted("value"),
+             fmt::format("is missing; give an expression of {} and the surface's parameters",
+                         fmt::join(formula::paint_names, ", ")));
+    }
+    parts.value = *section.text("value");
+    const std::string key = section.dotted("range");
+    const toml::node* range = section.find("range");
+    const toml::array* ends = range ? range->as_array() : nullptr;
+    if (!ends || ends->size() != 2) {
+        fail(range ? *range : section.table(), key,
+             fmt::format("{} [low, high], the values at the ends of the map",
+                         range ? "must be" : "is missing; give"));
+    }
+    parts.paint.low = tracks.add(key + ".low", read_track(*ends->get(0), key + ".low"), range);
+    parts.paint.high = tracks.add(key + ".high", read_track(*ends->get(1), key + ".high"), range);
+    parts.paint.map = read_map(section);
+    section.refuse_rest();
+    return parts;
+}
+
+Paint make_paint(const PaintParts& parts, const SurfaceParts& surface) {
+    Paint paint = parts.paint;
+    try {
+        paint.value = std::make_shared<formula::Paint>(
+            formula::make_paint(parts.value, surface.vocabulary, *surface.surface.field));
+    } catch (const formula::ParseError& error) {
+        fail(*parts.value_node, "material.paint.value", error.what());
+    }
+    return paint;
+}
+
+} // namespace isomotion::scene

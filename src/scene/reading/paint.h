@@ -1,0 +1,24 @@
+// The [material.paint] of a scene.
+#pragma once
+
+#include "scene/reading/document.h"
+#include "scene/reading/surface.h"
+#include "scene/reading/track_table.h"
+#include "scene/scene.h"
+
+namespace isomotion::scene {
+
+// What is read before the field is there.
+struct PaintParts {
+    Paint paint; // without its expression
+    std::string value;
+    const toml::node* value_node = nullptr;
+};
+
+// Adds the tracks of the range.
+PaintParts read_paint(Section section, TrackTable& tracks);
+
+// Parses the expression against the surface's names.
+Paint make_paint(const PaintParts& parts, const SurfaceParts& surface);
+
+} // namespace isomotion::scene

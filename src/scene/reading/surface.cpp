@@ -1,0 +1,242 @@
+#include "scene/reading/surface.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "formula/graph/parser.h"
+#include "scene/data_folder.h"
+#include "scene/limits.h"
+#include "scene/reading/arrays.h"
+#include "scene/reading/names.h"
+
+namespace isomotion::scene {
+namespace {
+
+struct Parameter {
+    animation::TrackSource source;
+    const toml::node* node;
+    Range range;
+};
+
+// A surface file's parameter is { default = 6, min = 0.5, max = 20 }, or as in a scene, where it
+// keeps the surface's range.
+Parameter read_parameter(const toml::node& node, const std::string& key, const Range& known) {
+    const toml::table* table = node.as_table();
+    if (!table || table->contains("keys")) return {read_track(node, key), &node, known};
+    Section section(*table, key);
+    const toml::node* value = section.find("default");
+    if (!value) fail(node, key, "needs a default, or keys = [[t, value], ...]");
+    Range range = known;
+    range.least = section.number("min", -1e30, 1e30).value_or(range.least);
+    range.most = section.number("max", -1e30, 1e30).value_or(range.most);
+    section.refuse_rest();
+    if (range.least > range.most) {
+        fail(node, key, fmt::format("min = {} is above max = {}", range.least, range.most));
+    }
+    if (value->is_number() && !range.contains(*value->value<double>())) {
+        fail(*value, section.dotted("default"),
+             fmt::format("must be from min = {} to max = {}", range.least, range.most));
+    }
+    return {read_track(*value, section.dotted("default")), &node, range};
+}
+
+// Parameters in the order of first mention: the catalogue's, then the scene's own.
+void read_parameters(Section& document, SurfaceParts& parts, TrackTable& tracks) {
+    std::map<std::string, Parameter> found;
+    const auto read = [&](Section& from) {
+        auto section = from.section("parameters");
+        if (!section) return;
+        // toml++ keeps tables sorted by key: the order is the same for every run.
+        for (const auto& [name_key, node] : section->table()) {
+            const std::string name(name_key.str());
+            check_name(name, node, section->dotted(name));
+            if (!found.count(name)) parts.parameters.push_back(name);
+            found[name] = read_parameter(node, section->dotted(name), found[name].range);
+            if (parts.parameters.size() > std::size_t(limits::parameters)) {
+                fail(node, section->dotted(name),
+                     fmt::format("is one too many: a scene has at most {} parameters",
+                                 limits::parameters));
+            }
+        }
+    };
+    if (parts.catalogue) {
+        Section catalogue(*parts.catalogue, "");
+        read(catalogue);
+    }
+    read(document);
+    for (const std::string& name : parts.parameters) {
+        tracks.add(name, found[name].source, found[name].node);
+        tracks.place(name, "parameters." + name, found[name].node);
+        parts.surface.ranges.push_back(found[name].range);
+    }
+}
+
+// Of a field that stands alone.
+animation::TrackSource as_track(const animation::FieldSource& source) {
+    if (const auto* number = std::get_if<double>(&source)) return *number;
+    return std::get<animation::Expression>(source);
+}
+
+// Fields with one value for all elements become parameters: read once, not once an element.
+void make_vocabulary(SurfaceParts& parts, TrackTable& tracks) {
+    parts.vocabulary.parameters = parts.parameters;
+    for (const animation::Array& array : parts.arrays) {
+        formula::ArrayName names{array.name, {}};
+        for (std::size_t f = 0; f < array.fields.size(); ++f) {
+            const animation::ArrayField& field = array.fields[f];
+            formula::FieldName name{field.name, {}};
+            if (animation::stands_alone(array, f)) {
+                const std::string track = array.name + "." + field.name;
+                name.parameter = tracks.add(track, as_track(field.source), nullptr);
+                parts.vocabulary.parameters.push_back(track);
+            }
+            names.fields.push_back(name);
+        }
+        parts.vocabulary.arrays.push_back(names);
+    }
+    parts.surface.parameters = tracks.size();
+    if (tracks.size() > limits::parameters) {
+        tracks.fail_at(parts.vocabulary.parameters.back(),
+                       fmt::format("is one too many: parameters, and fields with one value for all "
+                                   "elements, are at most {} together",
+                                   limits::parameters));
+    }
+}
+
+toml::table read_catalogue(const toml::node& use, const std::string& name) {
+    const auto file = surface_file(name);
+    // A name, and no way to somewhere else.
+    std::error_code ignored;
+    if (name.find_first_of(std::string_view("/\0", 2)) != name.npos ||
+        !std::filesystem::exists(file, ignored)) {
+        const auto known = surface_names();
+        const std::string near = formula::nearest_name(name, known);
+        fail(use, "surface.use",
+             near.empty()
+                 ? fmt::format("there is no surface '{}'; known: {}", name, fmt::join(known, ", "))
+                 : fmt::format("there is no surface '{}'; did you mean '{}'?", name, near));
+    }
+    return read_document(file);
+}
+
+// A field that neither the formula nor a sibling names is a slip of the pen, as with parameters:
+// "weigth = 2" would leave the catalogue's weight as it was. `used` is that of the vocabulary's
+// parameters. An array that the formula leaves out altogether is no slip.
+void refuse_unused_fields(const SurfaceParts& parts, const std::vector<bool>& used,
+                          const animation::Animation& animation, const TrackTable& tracks) {
+    const formula::Graph& graph = parts.surface.field->graph;
+    for (std::size_t a = 0; a < parts.arrays.size(); ++a) {
+        const animation::Array& array = parts.arrays[a];
+        std::vector<bool> in_formula(array.fields.size(), false);
+        for (formula::NodeId id = 0; id < graph.size(); ++id) {
+            const formula::Node& node = graph[id];
+            if (node.op == formula::Op::element && std::size_t(node.index) == a)
+                in_formula[std::size_t(node.second)] = true;
+        }
+        std::vector<std::string> names;
+        for (std::size_t f = 0; f < array.fields.size(); ++f) {
+            const auto& parameter = parts.vocabulary.arrays[a].fields[f].parameter;
+            if (parameter && used[std::size_t(*parameter)]) in_formula[f] = true;
+            names.push_back(array.fields[f].name);
+        }
+        if (std::none_of(in_formula.begin(), in_formula.end(), [](bool in) { return in; }))
+            continue;
+        for (std::size_t f = 0; f < array.fields.size(); ++f) {
+            if (in_formula[f] || animation.is_referenced(a, f)) continue;
+            // Simulations write more columns than a formula reads.
+            if (std::holds_alternative<animation::Column>(array.fields[f].source)) continue;
+            std::vector<std::string> others = names;
+            others.erase(others.begin() + std::ptrdiff_t(f));
+            const std::string near = formula::nearest_name(names[f], others);
+            tracks.fail_at(array.name + "." + names[f],
+                           near.empty()
+                               ? "neither the formula nor another field uses this field"
+                               : fmt::format("nothing uses this field; did you mean '{}'?", near));
+        }
+    }
+}
+
+} // namespace
+
+std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
+                                           TrackTable& tracks, Reach reach) {
+    auto parts = std::make_unique<SurfaceParts>();
+    auto section = document.section("surface");
+    if (!section) {
+        fail(document.table(), "surface",
+             "is missing; give formula = \"...\" and bounds, or use = \"name\" of the catalogue");
+    }
+    const toml::node* use = section->find("use");
+    const toml::node* formula = section->find("formula");
+    if (use && formula)
+        fail(*formula, "surface.formula", "the surface has `use` already; keep one");
+    if (use) {
+        parts->surface.name = *section->text("use");
+        parts->catalogue = read_catalogue(*use, parts->surface.name);
+        Section catalogue(*parts->catalogue, "");
+        for (const char* known :
+             {"title", "source", "bounds", "parameters", "arrays", "isolation", "material"}) {
+            catalogue.find(known);
+        }
+        parts->formula_node = catalogue.find("formula");
+        if (!parts->formula_node) fail(*parts->catalogue, "formula", "is missing");
+        parts->formula = *catalogue.text("formula");
+        catalogue.refuse_rest();
+    } else if (formula) {
+        parts->formula_node = formula;
+        parts->formula = *section->text("formula");
+    } else {
+        fail(section->table(), "surface",
+             "needs formula = \"...\", or use = \"name\" of the catalogue");
+    }
+    for (const char* later : {"bounds", "placement"}) section->find(later);
+    section->refuse_rest();
+    read_parameters(document, *parts, tracks);
+    if (parts->catalogue) {
+        Section catalogue(*parts->catalogue, "");
+        parts->arrays = read_arrays(&catalogue, document, timeline, tracks, reach);
+    } else {
+        parts->arrays = read_arrays(nullptr, document, timeline, tracks, reach);
+    }
+    make_vocabulary(*parts, tracks);
+    return parts;
+}
+
+void make_field(SurfaceParts& parts) {
+    try {
+        parts.surface.field =
+            std::make_shared<formula::Field>(formula::make_field(parts.formula, parts.vocabulary));
+    } catch (const formula::ParseError& error) {
+        fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula", error.what());
+    } catch (const std::length_error& error) {
+        fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula", error.what());
+    }
+}
+
+void refuse_unused(const SurfaceParts& parts, const formula::Paint* paint,
+                   const animation::Animation& animation, const TrackTable& tracks) {
+    std::vector<bool> used(parts.vocabulary.parameters.size(), false);
+    const auto mark = [&](const formula::Graph& graph) {
+        for (formula::NodeId id = 0; id < graph.size(); ++id) {
+            const formula::Node& node = graph[id];
+            if (node.op == formula::Op::parameter) used[std::size_t(node.index)] = true;
+        }
+    };
+    mark(parts.surface.field->graph);
+    if (paint) mark(paint->graph);
+    refuse_unused_fields(parts, used, animation, tracks);
+    // A parameter that neither the formula nor an expression names is a slip of the pen.
+    for (std::size_t k = 0; k < parts.parameters.size(); ++k) {
+        if (used[k] || animation.is_referenced(int(k))) continue;
+        std::vector<std::string> others = parts.parameters;
+        others.erase(others.begin() + std::ptrdiff_t(k));
+        const std::string near = formula::nearest_name(parts.parameters[k], others);
+        tracks.fail_at(parts.parameters[k],
+                       near.empty()
+                           ? "neither the formula nor an expression uses this parameter"
+                           : fmt::format("nothing uses this parameter; did you mean '{}'?", near));
+    }
+}
+
+} // namespace isomotion::scene

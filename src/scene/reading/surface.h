@@ -1,0 +1,33 @@
+// The [surface], [parameters] and [arrays] of a scene, with what a catalogue surface brings along.
+#pragma once
+
+#include "scene/reading/document.h"
+#include "scene/reading/reach.h"
+#include "scene/reading/track_table.h"
+#include "scene/scene.h"
+
+namespace isomotion::scene {
+
+struct SurfaceParts {
+    Surface surface; // the field is made later, when uniform fields have their tracks
+    std::string formula;
+    const toml::node* formula_node = nullptr;
+    std::vector<std::string> parameters;
+    std::vector<animation::Array> arrays;
+    formula::Vocabulary vocabulary;
+    std::optional<toml::table> catalogue; // the catalogue's file, kept for places and [isolation]
+};
+
+// Reads the three sections and adds their tracks: parameters first, then fields that have one value
+// for all elements.
+std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
+                                           TrackTable& tracks, Reach reach);
+
+// Parses the formula.
+void make_field(SurfaceParts& parts);
+
+// Refuses parameters and fields that nothing uses; `paint` may be null.
+void refuse_unused(const SurfaceParts& parts, const formula::Paint* paint,
+                   const animation::Animation& animation, const TrackTable& tracks);
+
+} // namespace isomotion::scene

@@ -1,0 +1,39 @@
+// Collects every moving number of a scene as a named track, with its place in the file for errors.
+#pragma once
+
+#include <map>
+
+#include "scene/reading/document.h"
+#include "scene/scene.h"
+
+namespace isomotion::scene {
+
+class TrackTable {
+public:
+    // `at` may be null for defaults; a place remembered before stays then.
+    TrackId add(const std::string& name, animation::TrackSource source, const toml::node* at);
+    Vec3Track add(const std::string& name, const std::array<animation::TrackSource, 3>& source,
+                  const toml::node* at);
+    Vec3Track add(const std::string& name, double x, double y, double z) {
+        return add(name, std::array<animation::TrackSource, 3>{x, y, z}, nullptr);
+    }
+    // Remembers where `name` ("blobs.cx") is defined.
+    void place(const std::string& name, const std::string& key, const toml::node* at);
+
+    int size() const { return int(tracks_.size()); }
+    const std::vector<animation::Track>& tracks() const { return tracks_; }
+
+    // Builds the animation; an error in an expression is reported at its place.
+    animation::Animation animate(std::vector<animation::Array> arrays, std::uint64_t seed) const;
+    [[noreturn]] void fail_at(const std::string& name, const std::string& message) const;
+
+private:
+    struct Place {
+        std::string key;
+        const toml::node* node = nullptr;
+    };
+    std::vector<animation::Track> tracks_;
+    std::map<std::string, Place> places_;
+};
+
+} // namespace isomotion::scene
