@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 using std::chrono::steady_clock;
 
 base::ChildProcess shell(const std::string& script) {
-    return base::ChildProcess("/bin/sh", {"-c", script}, Output::keep);
+    return base::ChildProcess("/bin/sh", {"-c", script}, base::Output::keep);
 }
 
 TEST(ChildProcess, KeepsItsOutputApartFromItsErrors) {
