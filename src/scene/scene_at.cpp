@@ -26,7 +26,10 @@ public:
             fmt::format("{}: {} at t = {}: {}", scene_.file.string(), name, values_.time, message));
     }
     [[noreturn]] void fail(TrackId track, const std::string& message) const {
-        fail(scene_.timeline.animation.tracks()[std::size_t(track)].name, message);
+        fail(name(track), message);
+    }
+    const std::string& name(TrackId track) const {
+        return scene_.timeline.animation.tracks()[std::size_t(track)].name;
     }
 
     // What is no number would end in an empty picture, or in the blame of something else.
@@ -159,7 +162,8 @@ public:
         const glm::dvec2 ends(number(paint.low), number(paint.high));
         // As floats: that is what a shader divides by the difference of.
         if (float(ends.x) == float(ends.y)) {
-            fail("material.paint.range",
+            const std::string& low = name(paint.low);
+            fail(low.substr(0, low.rfind('.')),
                  fmt::format("the two ends must differ, and both are {}", ends.x));
         }
         return ends;
@@ -206,7 +210,7 @@ public:
 
     OcclusionAt occlusion(const Occlusion& from, double size) const {
         OcclusionAt to;
-        to.reach = from.reach ? positive(*from.reach, "the reach") : 0.2 * size;
+        to.reach = from.reach ? positive(*from.reach, "the radius") : 0.2 * size;
         to.strength = within(from.strength, 1);
         return to;
     }

@@ -116,7 +116,7 @@ TEST(Measure, PlacementChangesNoError) {
 [surface]
 formula = "x^4 + y^4 + z^4 - x^2 - y^2 - z^2 + 0.3"
 bounds = { sphere = 1.6 }
-placement = { rotate = [20, 30, 40] }
+transform = { rotate = [20, 30, 40] }
 [camera]
 position = [4, 2, 1.5]
 target = [0, 0, 0]
@@ -125,7 +125,7 @@ target = [0, 0, 0]
 [surface]
 formula = "x^4 + y^4 + z^4 - x^2 - y^2 - z^2 + 0.3"
 bounds = { sphere = 1.6 }
-placement = { rotate = [20, 30, 40], translate = [1e6, -1e6, 1e6], scale = 1000 }
+transform = { rotate = [20, 30, 40], translate = [1e6, -1e6, 1e6], scale = 1000 }
 [camera]
 position = [1004e3, -998e3, 1001.5e3]
 target = [1e6, -1e6, 1e6]

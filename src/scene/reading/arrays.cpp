@@ -35,7 +35,8 @@ struct ArrayNodes {
 };
 
 bool is_of_the_file(const std::string& name) {
-    return name == "file" || name == "columns" || name == "interpolation" || name == "outside";
+    return name == "file" || name == "columns" || name == "interpolation" ||
+           name == "extrapolate" || name == "outside";
 }
 
 void gather(const toml::table& table, const std::string& key, ArrayNodes& nodes) {
@@ -97,24 +98,26 @@ TableReading read_data(const toml::table& table, const std::string& key, Reach r
 void check_times(const toml::table& table, const std::string& key, const TableReading& reading,
                  const ElementTable& read, const animation::Timeline& timeline) {
     Section section(table, key);
-    const auto outside = section.text("outside");
-    if (outside && *outside != "hold") {
-        fail(*section.find("outside"), key + ".outside",
-             fmt::format("must be hold: the first and the last elements stay, not '{}'", *outside));
+    const auto extrapolate = section.text("extrapolate");
+    if (extrapolate && *extrapolate != "hold") {
+        fail(*section.find("extrapolate"), section.dotted("extrapolate"),
+             fmt::format("must be hold: the first and the last elements stay, not '{}'",
+                         *extrapolate));
     }
     const animation::ElementSamples& samples = *read.samples;
-    if (outside || samples.first_time() == samples.last_time()) return;
+    if (extrapolate || samples.first_time() == samples.last_time()) return;
     if (samples.first_time() > timeline.time(1)) {
         throw SceneError(
             fmt::format("{}:{}: begins at t = {}, after the scene's first frame; begin "
-                        "at 0, or give the array outside = \"hold\"",
+                        "at 0, or give the array extrapolate = \"hold\"",
                         reading.file.string(), read.first_line, samples.first_time()));
     }
     if (samples.last_time() < timeline.time(timeline.frames)) {
-        throw SceneError(fmt::format("{}:{}: ends at t = {}, but frame {} of the scene is at t = "
-                                     "{}; lower time.frames, or give the array outside = \"hold\"",
-                                     reading.file.string(), read.last_line, samples.last_time(),
-                                     timeline.frames, timeline.time(timeline.frames)));
+        throw SceneError(
+            fmt::format("{}:{}: ends at t = {}, but frame {} of the scene is at t = "
+                        "{}; lower time.frames, or give the array extrapolate = \"hold\"",
+                        reading.file.string(), read.last_line, samples.last_time(), timeline.frames,
+                        timeline.time(timeline.frames)));
     }
 }
 

@@ -1,4 +1,4 @@
-// The [material.paint] of a scene.
+// The [material.colormap] of a scene.
 #pragma once
 
 #include "scene/reading/document.h"
@@ -13,6 +13,7 @@ struct PaintParts {
     Paint paint; // without its expression
     std::string value;
     const toml::node* value_node = nullptr;
+    std::string value_key; // for messages
 };
 
 // Adds the tracks of the range.

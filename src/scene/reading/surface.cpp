@@ -190,7 +190,7 @@ std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::T
         fail(section->table(), "surface",
              "needs formula = \"...\", or use = \"name\" of the catalogue");
     }
-    for (const char* later : {"bounds", "placement"}) section->find(later);
+    for (const char* later : {"bounds", "transform"}) section->find(later);
     section->refuse_rest();
     read_parameters(document, *parts, tracks);
     if (parts->catalogue) {

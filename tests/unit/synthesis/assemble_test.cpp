@@ -53,7 +53,7 @@ seed = 7
 [surface]
 formula = "sum(blobs, w*exp(-k*((x-cx)^2 + (y-cy)^2 + z^2))) - a*b"
 bounds = { sphere = "3 + t", centre = [1, 2, 3] }
-placement = { translate = [5, 0, "t"], rotate = [0, 30, 0], scale = 1000 }
+transform = { translate = [5, 0, "t"], rotate = [0, 30, 0], scale = 1000 }
 [parameters]
 a = { keys = [[0, 0.0], [2, 3.1]], ease = "smooth" }
 b = -1e-20
@@ -269,7 +269,7 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     const Shaders of_long = assemble(scene_of(surface_text(long_formula())));
     used.insert(of_long.files.begin(), of_long.files.end());
     const Shaders of_sides =
-        assemble(scene_of(surface_text("x") + "[material]\ninside = [1, 1, 1]\n"));
+        assemble(scene_of(surface_text("x") + "[material]\nback_color = [1, 1, 1]\n"));
     used.insert(of_sides.files.begin(), of_sides.files.end());
     for (const auto& paint : every_paint) {
         const Shaders painted = assemble(scene_of(surface_text("x") + paint));
@@ -336,7 +336,7 @@ TEST_F(Assemble, NoFormulaTextBreaksTheShader) {
 TEST_F(Assemble, TwoSidesOnlyWhereTheSceneTellsThemApart) {
     const std::string one = std::string(one_set_of_values);
     const Shaders plain = assemble(scene_of(one));
-    const Shaders sided = assemble(scene_of(one + "inside = [0, 0, 1]\n"));
+    const Shaders sided = assemble(scene_of(one + "back_color = [0, 0, 1]\n"));
     EXPECT_EQ(plain.march, sided.march);
     EXPECT_THAT(plain.shade, Not(HasSubstr("inside_color")));
     EXPECT_THAT(plain.files, Not(testing::Contains("shade/two_sided.glsl")));
@@ -367,7 +367,7 @@ TEST_F(Assemble, PaintOnlyWhereTheSceneHasIt) {
 TEST_F(Assemble, PaintAndFieldShareKernels) {
     for (const std::string& formula : {std::string("exp(x) + sin(y)"), long_formula()}) {
         const Shaders painted =
-            assemble(scene_of(surface_text(formula) + "[material.paint]\nrange = [0, 1]\n"
+            assemble(scene_of(surface_text(formula) + "[material.colormap]\nrange = [0, 1]\n"
                                                       "value = 'exp(nz)*mean_curvature*sin(x)'\n"));
         EXPECT_EQ(occurrences(painted.shade, "// shaders/math/exp.glsl"), 1);
         EXPECT_EQ(occurrences(painted.shade, "// shaders/math/trig.glsl"), 1);
