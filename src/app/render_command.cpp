@@ -126,7 +126,7 @@ private:
     // --max-wrong: the cheapest setting that is right enough, measured on up to three of the frames
     // in a smaller picture. False if there is none.
     bool choose_setting(gpu::Context& context) {
-        accuracy::Measuring measuring;
+        accuracy::MeasureOptions measuring;
         measuring.frames = {frames_.front()};
         for (const int frame : {frames_[frames_.size() / 2], frames_.back()}) {
             if (frame != measuring.frames.back()) measuring.frames.push_back(frame);

@@ -1,5 +1,5 @@
-// The effects that a scene may call for. Each is code of its own: what a scene does not name is
-// neither compiled nor run.
+// The effects that a scene may call for. Each is code of its own: effects that a scene does not
+// name are neither compiled nor run.
 #pragma once
 
 #include <string_view>
@@ -56,7 +56,7 @@ inline constexpr EffectName effect_names[] = {
 
 std::string_view name(Effect effect);
 
-// What a scene calls for, in the order above.
+// The effects that a scene calls for, in the order above.
 std::vector<Effect> effects(const Scene& scene);
 
 // The scene as if it did not call for the effect.

@@ -32,7 +32,7 @@ public:
         return scene_.timeline.animation.tracks()[std::size_t(track)].name;
     }
 
-    // What is no number would end in an empty picture, or in the blame of something else.
+    // A NaN would end in an empty picture, or in the blame of something else.
     void check_range() const {
         const auto& tracks = scene_.timeline.animation.tracks();
         for (std::size_t k = 0; k < values_.tracks.size(); ++k) {
@@ -141,7 +141,7 @@ public:
                 fail(*from.height, fmt::format("the height must be above 0, not {}", to.height));
             }
         } else if (from.position || from.distance) {
-            // As large as a perspective camera there would show what is at the target.
+            // The height that a perspective camera there shows at the target.
             to.height = 2 * glm::length(to.position - to.target) * slope;
         } else {
             to.height = 2 * reach / std::min(aspect, 1.0);
@@ -160,7 +160,7 @@ public:
 
     glm::dvec2 range(const Paint& paint) const {
         const glm::dvec2 ends(number(paint.low), number(paint.high));
-        // As floats: that is what a shader divides by the difference of.
+        // As floats: a shader divides by their difference.
         if (float(ends.x) == float(ends.y)) {
             const std::string& low = name(paint.low);
             fail(low.substr(0, low.rfind('.')),
@@ -269,7 +269,7 @@ private:
                std::sin(e) * pole;
     }
 
-    // From above the viewer's right shoulder.
+    // The direction to a light above the viewer's right shoulder.
     static glm::dvec3 shoulder(const CameraAt& camera) {
         const glm::dvec3 back = glm::normalize(camera.position - camera.target);
         glm::dvec3 right = glm::cross(camera.up, back);

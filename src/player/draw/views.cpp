@@ -50,6 +50,11 @@ Rgb mixed(const Rgb& from, const Rgb& to, double part) {
     return rgb;
 }
 
+struct Extent {
+    double least = 0, most = 0;
+};
+
+// Widens the extent to the finite depths.
 void include(std::optional<Extent>& extent, const float* depths, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         const double z = double(depths[i]);
@@ -120,15 +125,10 @@ Raster shaded(const Frame& frame) {
     return raster;
 }
 
-std::optional<Extent> depth_extent(const Frame& frame) {
-    std::optional<Extent> extent;
-    include(extent, samples(frame, "Z"), area(frame));
-    return extent;
-}
-
-Raster depth(const Frame& frame, std::optional<Extent> extent) {
+Raster depth(const Frame& frame) {
     const float* depths = samples(frame, "Z");
-    if (!extent) extent = depth_extent(frame);
+    std::optional<Extent> extent;
+    include(extent, depths, area(frame));
     const double range = extent ? extent->most - extent->least : 0;
     const double per_unit = range > 0 ? (255 - far_grey) / range : 0;
     return raster_of(frame, [&](std::size_t i) {

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "image/frame.h"
@@ -35,18 +34,10 @@ inline constexpr Rgb nothing{20, 20, 28}, no_number{255, 0, 255};
 // The picture: byte for byte what image::encode writes to an 8-bit PNG (opaque without A).
 Raster shaded(const image::Frame& frame);
 
-// The range that a view spreads over its colours.
-struct Extent {
-    double least = 0, most = 0;
-
-    bool operator==(const Extent&) const = default;
-};
-// The extent of the finite depths; none without any.
-std::optional<Extent> depth_extent(const image::Frame& frame);
-// Grey, white at `least` and darker down to far_grey at `most`; without an extent the frame's own.
-// All at one depth is white.
+// Grey: white at the least finite depth, darker down to far_grey at the largest. White where all
+// depths are equal.
 inline constexpr std::uint8_t far_grey = 56;
-Raster depth(const image::Frame& frame, std::optional<Extent> extent = {});
+Raster depth(const image::Frame& frame);
 
 // World x, y, z from -1 to 1 as red, green, blue from 0 to 255.
 Raster normals(const image::Frame& frame);

@@ -154,7 +154,7 @@ std::string Section::dotted(const std::string& given) const {
         return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
                c == '_' || c == '-' || c >= 0x80;
     });
-    // As TOML writes it: a line end in a key is no line end of the message.
+    // Written as in TOML, so that a line end in a key does not break the message.
     const std::string key = bare ? name : fmt::format("{:?}", name);
     return key_.empty() ? key : key_ + "." + key;
 }

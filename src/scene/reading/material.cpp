@@ -11,7 +11,7 @@ namespace {
 
 using Model = Material::Model;
 
-// A moving number of a model, and what it is when the scene gives none.
+// An animated value of a model, and its default.
 struct Gloss {
     Model model;
     const char* name;

@@ -8,7 +8,7 @@
 
 namespace isomotion::scene {
 
-// What is read before the field is there.
+// The section as it is read before the field exists.
 struct PaintParts {
     Paint paint; // without its expression
     std::string value;
@@ -16,7 +16,7 @@ struct PaintParts {
     std::string value_key; // for messages
 };
 
-// Adds the tracks of the range.
+// Reads the section and adds the tracks of the range.
 PaintParts read_paint(Section section, TrackTable& tracks);
 
 // Parses the expression against the surface's names.

@@ -113,17 +113,12 @@ TEST(ShadedView, HasEveryCodeThereIs) {
 
 TEST(DepthView, IsWhiteNearAndDarkFar) {
     const Frame frame = row("Z", {4, infinity, 2, nan, 3, -infinity});
-    EXPECT_EQ(depth_extent(frame), (Extent{2, 4}));
     EXPECT_EQ(colours(depth(frame)),
               (std::vector<Rgb>{grey(far_grey), nothing, grey(255), no_number,
                                 grey((255 + far_grey + 1) / 2), nothing}));
-    // With an extent of its own, the same depth has the same grey in every frame.
-    EXPECT_EQ(colours(depth(row("Z", {2, 4, 6, 9}), Extent{4, 6})),
-              (std::vector<Rgb>{grey(255), grey(255), grey(far_grey), grey(far_grey)}));
 }
 
 TEST(DepthView, NeedsNoHits) {
-    EXPECT_EQ(depth_extent(row("Z", {infinity, nan})), std::nullopt);
     EXPECT_EQ(colours(depth(row("Z", {infinity, nan}))), (std::vector<Rgb>{nothing, no_number}));
     EXPECT_EQ(colours(depth(row("Z", {5, 5, infinity}))),
               (std::vector<Rgb>{grey(255), grey(255), nothing}));

@@ -1,4 +1,4 @@
-// Sliders, held against scenes whose files say the same.
+// Sliders, compared with scenes whose files say the same.
 #include "player/model/controls.h"
 
 #include <cmath>

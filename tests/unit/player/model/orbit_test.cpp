@@ -74,7 +74,7 @@ void expect_rest_unchanged(const CameraAt& before, const CameraAt& after) {
     }
 }
 
-// What every motion is held against: cameras and drags of all kinds.
+// Every motion is tested on these: cameras and drags of all kinds.
 template<class Check> void for_many(Check&& check) {
     for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
         SCOPED_TRACE(seed);

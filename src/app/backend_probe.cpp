@@ -1,4 +1,4 @@
-#include "app/back_end_examination.h"
+#include "app/backend_probe.h"
 
 #include <cmath>
 #include <cstdio>
@@ -103,7 +103,7 @@ Json answer_of(const std::string& output) {
 
 } // namespace
 
-Json examine_here(gpu::Backend backend) {
+Json probe_here(gpu::Backend backend) {
     try {
         const auto context = gpu::Context::create(backend);
         const gpu::ContextInfo& info = context->info();
@@ -127,14 +127,13 @@ Json examine_here(gpu::Backend backend) {
     }
 }
 
-std::vector<Json> examine_apart(const std::vector<gpu::Backend>& backends,
-                                std::chrono::seconds longest) {
+std::vector<Json> probe_apart(const std::vector<gpu::Backend>& backends,
+                              std::chrono::seconds longest) {
     const auto program = std::filesystem::read_symlink("/proc/self/exe");
     const auto deadline = std::chrono::steady_clock::now() + longest;
     std::vector<std::unique_ptr<base::ChildProcess>> children;
     for (const gpu::Backend backend : backends) {
-        const std::vector<std::string> words{"doctor", "--examine",
-                                             std::string(gpu::name(backend))};
+        const std::vector<std::string> words{"doctor", "--probe", std::string(gpu::name(backend))};
         children.push_back(
             std::make_unique<base::ChildProcess>(program, words, base::Output::keep));
     }
