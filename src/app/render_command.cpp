@@ -212,10 +212,10 @@ private:
     };
 
     void add_frame(Drawn& drawn, int frame, const std::string& machine) {
-        Wanted wanted{frame, scene_.timeline.values(frame), {}, {}};
-        const scene::SceneAt now = scene::at(scene_, wanted.values);
-        const std::string pixels = render::fingerprint(drawn.renderer, scene_, frame);
-        wanted.metadata = frame_metadata(scene_, now, wanted.values, frame, "");
+        const render::FrameInputs inputs = drawn.renderer.prepare(scene_, frame);
+        const std::string& pixels = inputs.fingerprint;
+        Wanted wanted{frame, inputs.values, {}, {}};
+        wanted.metadata = frame_metadata(scene_, inputs.now, wanted.values, frame, "");
         wanted.print = file_fingerprint(pixels, machine, wanted.metadata);
         wanted.metadata.back().value = wanted.print;
         if (arguments_.resume && is_finished(frame, wanted.print)) return;
@@ -226,12 +226,12 @@ private:
             if (!drawn.waiting.empty()) return drawn.waiting.push_back(std::move(wanted));
             return write(wanted, drawn);
         }
-        const bool on_its_way = render::ask(drawn.renderer, scene_, frame);
+        const bool on_its_way = render::ask(drawn.renderer, inputs);
         finish(drawn); // while this one is drawn
         drawn.pixels = pixels;
         drawn.waiting.push_back(std::move(wanted));
         if (on_its_way) return;
-        drawn.picture = render::expose(drawn.renderer, scene_, frame);
+        drawn.picture = render::expose(drawn.renderer, inputs);
         release(drawn);
     }
 

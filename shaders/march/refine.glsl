@@ -4,7 +4,7 @@
 
 // The shortest piece at t: a part of the pixel, and no fewer floats than 4.
 float finest_at(float t) {
-    return max(refinement.z, 4.76837158e-7 * abs(t));
+    return max(limits.z, 4.76837158e-7 * abs(t));
 }
 
 // There is no root before t, where F has the sign of f: a piece of this length is next.
@@ -15,7 +15,7 @@ RayState move_on(RayState s, Ray ray, float t, float f, float length) {
     s.f_low.x = f;
     s.high = min(t + max(length, finest_at(t)), ray.t_far);
     if (t >= ray.t_far) return finish(s, VERDICT_MISS);
-    bool gives_up = s.evaluations >= int(refinement.y) || !(s.high > s.low);
+    bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);
     return gives_up ? finish(s, VERDICT_STEP_LIMIT) : s;
 }
 
@@ -46,7 +46,7 @@ RayState touches_at(RayState s, float t, Bounds bounds) {
 // The piece is to be shorter.
 RayState cut(RayState s, float length) {
     s.high = s.low + length;
-    bool gives_up = s.evaluations >= int(refinement.y) || !(s.high > s.low);
+    bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);
     return gives_up ? finish(s, VERDICT_STEP_LIMIT) : s;
 }
 
@@ -61,7 +61,7 @@ RayState isolated(RayState s, float low, float high, float guess) {
 }
 
 // Newton's step where it stays between the ends, and every fourth time half of the interval.
-RayState close_in(RayState s, float t, float f, float slope) {
+RayState refine(RayState s, float t, float f, float slope) {
     if (im_is_nan(f)) return finish(s, VERDICT_NAN);
     if ((f < 0.0) == (s.f_low.x < 0.0)) s.low = t;
     else s.high = t;

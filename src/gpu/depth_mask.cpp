@@ -1,4 +1,4 @@
-#include "gpu/gate.h"
+#include "gpu/depth_mask.h"
 
 #include "gpu/error.h"
 
@@ -31,15 +31,15 @@ public:
 
 } // namespace
 
-Gate::Gate(const Target& target)
+DepthMask::DepthMask(const Target& target)
     : target_(target)
     , depth_(Format::depth16, target.width(), target.height()) {
     attach_to(target);
 }
 
-void Gate::serve(const Target& other) const { attach_to(other); }
+void DepthMask::serve(const Target& other) const { attach_to(other); }
 
-void Gate::attach_to(const Target& target) const {
+void DepthMask::attach_to(const Target& target) const {
     forget_errors();
     glBindFramebuffer(GL_FRAMEBUFFER, target.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
@@ -51,23 +51,23 @@ void Gate::attach_to(const Target& target) const {
         throw ResourceError(fmt::format("{}: incomplete ({:#06x})", what, status));
 }
 
-void Gate::set(const Target& bound, const std::function<void()>& draw) const {
+void DepthMask::set(const Target& bound, const std::function<void()>& draw) const {
     bound.bind();
     const Testing always(GL_ALWAYS, true);
     const Colorless depth_alone;
     draw();
 }
 
-void Gate::close(const Target& bound, const std::function<void()>& draw) const {
+void DepthMask::remove(const Target& bound, const std::function<void()>& draw) const {
     bound.bind();
-    const Testing open(GL_LESS, true);
+    const Testing masked(GL_LESS, true);
     const Colorless depth_alone;
     draw();
 }
 
-void Gate::through(const Target& into, const std::function<void()>& draw) const {
+void DepthMask::apply(const Target& into, const std::function<void()>& draw) const {
     into.bind();
-    const Testing open(GL_LESS, false);
+    const Testing masked(GL_LESS, false);
     draw();
 }
 
