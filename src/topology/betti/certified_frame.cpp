@@ -28,13 +28,9 @@ formula::Bindings<Interval> one_of(formula::Bindings<Interval> bindings) {
     return bindings;
 }
 
-FrameField::Near one_of(FrameField::Near near) {
-    for (auto& elements : near) {
-        for (auto& column : elements.columns) {
-            for (Interval& value : column) value = mid(value);
-        }
-    }
-    return near;
+Elements one_of(Elements elements) {
+    elements.bindings = one_of(std::move(elements.bindings));
+    return elements;
 }
 
 // A box of the octree: cell (x, y, z) of the 2^depth in each direction.
@@ -147,7 +143,7 @@ public:
     CertifiedFrame certify();
 
 private:
-    using Near = std::shared_ptr<const FrameField::Near>;
+    using Near = std::shared_ptr<const Elements>;
     struct Crossed { // a leaf with agreeing gradients
         Cell cell;
         std::array<Interval, 3> gradient;
@@ -170,7 +166,7 @@ private:
 
     FrameField& field_;
     FrameField& one_;
-    const FrameField::Near all_of_one_;
+    const Elements all_of_one_;
     const Places& places_;
     FrameLimits limits_;
     int boxes_ = 0;
@@ -181,7 +177,7 @@ private:
 };
 
 CertifiedFrame Octree::certify() {
-    divide(Cell{}, std::make_shared<const FrameField::Near>(field_.everything()));
+    divide(Cell{}, std::make_shared<const Elements>(field_.everything()));
     CertifiedFrame frame;
     frame.depth = depth_;
     frame.boxes = boxes_;
@@ -239,12 +235,11 @@ void Octree::divide(const Cell& cell, const Near& near) {
     }
     if (open == 0) return;
     field_.tighten(*near, std::span(evaluated).first(open), std::span(g).first(open));
-    // The elements near each are known until the field is asked again.
     std::vector<std::pair<Cell, Near>> undecided;
     for (std::size_t k = 0; k < open && !failure_; ++k) {
         if (settle(cells[k], boxes[k], g[k], near)) continue;
         undecided.emplace_back(
-            cells[k], std::make_shared<const FrameField::Near>(field_.nearer(*near, int(k))));
+            cells[k], std::make_shared<const Elements>(field_.nearer(*near, evaluated[k])));
     }
     for (const auto& [child, of_child] : undecided) {
         if (!may_go_on(child)) return;
@@ -301,7 +296,7 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
         at[v] = leaf.cell.at[v] * cubes + j;
         return at;
     };
-    const FrameField::Near near = one_of(*leaf.near);
+    const Elements near = one_of(*leaf.near);
     std::vector<std::array<int, 2>> open;
     std::vector<SpaceBox> points;
     std::vector<Interval> values;

@@ -122,7 +122,7 @@ private:
 
     formula::Evaluator<double> evaluator_;
     FrameField enclosures_;
-    FrameField::Near everything_;
+    Elements everything_;
     const formula::Bindings<double>& bindings_;
     const scene::BoundsAt& bounds_;
     Side solid_;

@@ -37,7 +37,7 @@ private:
 
     template<class T, class Evaluate>
     void by_part(std::span<const SpaceBox> boxes, std::span<T> out, Evaluate&& evaluate) {
-        std::map<const FrameField::Near*, std::vector<std::size_t>> which_are_in;
+        std::map<const Elements*, std::vector<std::size_t>> which_are_in;
         for (std::size_t k = 0; k < boxes.size(); ++k) which_are_in[&near(boxes[k])].push_back(k);
         std::vector<SpaceBox> some;
         std::vector<T> of_some;
@@ -62,8 +62,8 @@ private:
     }
 
     // Of the smallest part that holds the box.
-    const FrameField::Near& near(const SpaceBox& box) {
-        if (everything_.empty()) return everything_;
+    const Elements& near(const SpaceBox& box) {
+        if (everything_.rest.empty()) return everything_; // nothing to leave out
         for (int depth = deepest; depth > 0; --depth) {
             Place place{depth};
             double size = 0;
@@ -83,23 +83,20 @@ private:
         }
         return everything_;
     }
-    const FrameField::Near& near(const Place& place) {
+    const Elements& near(const Place& place) {
         if (place[0] == 0) return everything_;
         if (const auto known = near_.find(place); known != near_.end()) return known->second;
         const auto half = [](int index) { return index >> 1; }; // also of -1
-        const FrameField::Near& whole =
+        const Elements& whole =
             near({place[0] - 1, half(place[1]), half(place[2]), half(place[3])});
         const SpaceBox part = box_of(place);
-        ValueAndGradient g;
-        field_->over(whole, {&part, 1}, {&g, 1});
-        field_->tighten(whole, {&part, 1}, {&g, 1});
-        return near_.emplace(place, field_->nearer(whole, 0)).first->second;
+        return near_.emplace(place, field_->nearer(whole, part)).first->second;
     }
 
     std::shared_ptr<FrameField> field_;
-    const FrameField::Near everything_;
+    const Elements everything_;
     SpaceBox whole_;
-    std::map<Place, FrameField::Near> near_;
+    std::map<Place, Elements> near_;
 };
 
 } // namespace

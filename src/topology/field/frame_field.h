@@ -2,16 +2,13 @@
 //
 // G is F where the solid is {F < 0}, else -F. Slopes are generalized (formula/enclosure.h): a
 // gradient encloses all difference quotients between points of the box, also across kinks. In a
-// small box most elements of a sum are far away and hardly change; what these add is enclosed once,
-// for a box, and holds for all boxes in it.
+// small box most elements of a sum are far away and hardly change: those are left out.
 #pragma once
 
-#include <array>
-#include <memory>
 #include <span>
 #include <vector>
 
-#include "formula/interval/interval.h"
+#include "topology/field/box_field.h"
 #include "topology/field/space_box.h"
 #include "topology/field/space_formula.h"
 
@@ -21,74 +18,44 @@ namespace isomotion::topology {
 class FrameField {
 public:
     explicit FrameField(const SpaceFormula& formula);
+    FrameField(const FrameField&) = delete; // the evaluator refers to the programs
+    FrameField& operator=(const FrameField&) = delete;
 
     // Other values for the same names.
-    void bind(formula::Bindings<formula::Interval> bindings) { bindings_ = std::move(bindings); }
+    void bind(formula::Bindings<formula::Interval> bindings) {
+        evaluator_.bind(std::move(bindings));
+    }
 
-    // Of one sum, in a box.
-    struct Elements {
-        std::vector<std::vector<formula::Interval>> columns; // of the fields that the sum reads
-        int count = 0;
-        std::array<formula::Interval, 10> others{}; // what those left out add, with derivatives
-    };
-    using Near = std::vector<Elements>; // one for each sum
+    const Elements& everything() const { return evaluator_.all(); }
 
-    Near everything() const;
-
-    // Over boxes where `near` holds.
-    void over(const Near& near, std::span<const SpaceBox> boxes, std::span<ValueAndGradient> out);
-    // The same by Taylor's formula about the middle, to second order: tighter in small boxes.
-    // Leaves `out` as it is where the formula has kinks.
-    void tighten(const Near& near, std::span<const SpaceBox> boxes,
+    // Over boxes that `near` holds for.
+    void over(const Elements& near, std::span<const SpaceBox> boxes,
+              std::span<ValueAndGradient> out);
+    // Narrows these by Taylor's formula about the middle, to second order: tighter in small boxes.
+    // Leaves `out` as it is where a box has a kink.
+    void tighten(const Elements& near, std::span<const SpaceBox> boxes,
                  std::span<ValueAndGradient> out);
-    void values(const Near& near, std::span<const SpaceBox> boxes,
+    void values(const Elements& near, std::span<const SpaceBox> boxes,
                 std::span<formula::Interval> out);
 
-    // Second derivatives; without bounds where the formula has kinks.
-    SpaceHessian hessian(const Near& near, const SpaceBox& box);
+    // Second derivatives; without bounds where the box has a kink.
+    SpaceHessian hessian(const Elements& near, const SpaceBox& box);
 
-    // Without the elements that hardly change in the k-th box of the last call of tighten(), which
-    // was given this `near`.
-    Near nearer(const Near& near, int k) const;
+    // Without the elements that hardly change in the box.
+    Elements nearer(const Elements& near, const SpaceBox& box);
 
 private:
-    // A program with its outputs over many points.
-    struct Runner {
-        formula::Program program;
-        formula::Evaluator<formula::Interval> evaluator;
-        std::vector<std::vector<formula::Interval>> outputs;
-
-        explicit Runner(formula::Program of)
-            : program(std::move(of))
-            , evaluator(program)
-            , outputs(program.outputs.size()) {}
-        void run(const formula::Bindings<formula::Interval>& bindings,
-                 std::span<const std::vector<formula::Interval>> inputs);
-    };
-    // By order: value; and gradient; and the six second derivatives. Inputs x y z and, of a term,
-    // its element's fields; of the whole, each sum with all its derivatives.
-    using ByOrder = std::array<std::unique_ptr<Runner>, 3>;
-    struct Sum {
-        int array;
-        std::vector<int> fields;
-        ByOrder term;
-    };
-    static ByOrder by_order(formula::Graph& graph, formula::NodeId root, bool inputs_move);
-
-    // Of a box of the last run of order 2: no kink.
-    bool is_smooth_in(std::size_t box) const;
-    // G and its derivatives over the boxes are then in the outputs of `whole_`.
-    void run(const Near& near, std::span<const SpaceBox> boxes, int order);
+    void load(std::span<const SpaceBox> boxes);
     formula::Interval of_solid(formula::Interval f) const {
         return solid_ == Side::negative ? f : -f;
     }
 
-    formula::Bindings<formula::Interval> bindings_;
     Side solid_;
-    std::vector<Sum> sums_;
-    ByOrder whole_;
-    bool is_bent_ = true; // second derivatives are enclosed where no kink is
-    std::vector<std::vector<formula::Interval>> inputs_, term_inputs_;
+    BoxField field_;
+    BoxEvaluator evaluator_;
+    std::vector<Box> boxes_;
+    std::vector<Jet<formula::Interval>> jets_, at_middles_;
+    std::vector<formula::Interval> values_;
 };
 
 } // namespace isomotion::topology

@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "formula/evaluate/evaluate.h"
-#include "formula/graph/program.h"
+#include "topology/field/point_evaluator.h"
 #include "topology/field/space_formula.h"
 #include "topology/field/space_point.h"
 
@@ -33,10 +32,8 @@ public:
 private:
     double sign_of_solid_, sign_ = 1;
     formula::Program program_;
-    formula::Evaluator<double> evaluator_;
+    PointEvaluator evaluator_;
     formula::Bindings<double> bindings_;
-    std::array<std::vector<double>, 3> inputs_;
-    std::array<std::vector<double>, 10> outputs_;
 };
 
 } // namespace isomotion::topology

@@ -6,10 +6,8 @@
 
 #include "arb/ball_program.h"
 #include "base/workers.h"
-#include "formula/graph/derivative.h"
 #include "formula/graph/substitute.h"
-#include "topology/field/kinks.h"
-#include "topology/search/krawczyk.h"
+#include "topology/search/critical_system.h"
 
 namespace isomotion::topology {
 namespace {
@@ -55,11 +53,14 @@ Values values(const formula::Program& jet, const formula::Bindings<double>& bind
     for (std::size_t k = 0; k < n; ++k) inputs[unknowns[k]] = at[k];
     Balls outputs(jet.outputs.size());
     ball::BallProgram(jet).evaluate(bindings, inputs, outputs, precision);
-    Values all{Balls(outputs.begin(), outputs.begin() + std::ptrdiff_t(n)), Rows{n}};
-    // Outputs: F, its n slopes, then n second derivatives for each of the n - 1 free axes.
-    for (std::size_t k = 0; k < n; ++k) all.jacobian.at(0, k) = outputs[1 + k];
-    for (std::size_t i = 1; i < n; ++i) {
-        for (std::size_t k = 0; k < n; ++k) all.jacobian.at(i, k) = outputs[1 + i * n + k];
+    Jet<Ball> f;
+    unpack(f, n, n - 1, [&](std::size_t k) { return outputs[k]; });
+    Values all{Balls(n), Rows{n}};
+    const auto residual_at = residual(f, n);
+    const auto rows = topology::jacobian(f, n);
+    for (std::size_t i = 0; i < n; ++i) {
+        all.residual[i] = residual_at[i];
+        for (std::size_t k = 0; k < n; ++k) all.jacobian.at(i, k) = rows[i][k];
     }
     return all;
 }
@@ -207,19 +208,8 @@ ArbVerifier::System ArbVerifier::system(const Motion& motion, const Stratum& str
                                     node.op == formula::Op::input && node.index < clock_input;
                                 return is_axis ? stands_for[std::size_t(node.index)] : rebuilt;
                             })[0];
-    const auto slope = [&](NodeId of, std::size_t by) {
-        std::vector<NodeId> direction(4, g.constant(0));
-        direction[by] = g.constant(1);
-        return formula::differentiate_inputs(g, of, direction, formula::Slopes::generalized);
-    };
-    const NodeId kink = kinks(g, field);
-    std::vector<NodeId> outputs{field};
-    for (const std::size_t by : made.unknowns) outputs.push_back(slope(field, by));
-    for (std::size_t i = 0; i + 1 < made.unknowns.size(); ++i) {
-        for (const std::size_t by : made.unknowns)
-            outputs.push_back(g.add(slope(outputs[1 + i], by), kink));
-    }
-    made.jet = formula::schedule(g, outputs);
+    made.jet =
+        formula::schedule(g, jet_over_boxes(g, field, made.unknowns, made.unknowns.size() - 1));
     return made;
 }
 

@@ -39,7 +39,7 @@ private:
         formula::Interval clock;
         std::vector<std::size_t> unknowns; // of x, y, z, time
         formula::Program walls;            // low and high along x, y, z
-        formula::Program jet;              // inputs x, y, z, time; F, slopes, second ones by rows
+        formula::Program jet;              // inputs x, y, z, time
         const formula::Bindings<double>* bindings;
     };
     static System system(const Motion& motion, const Stratum& stratum);

@@ -147,11 +147,11 @@ private:
 
         frame_.bind(timed_.bindings(around[3]));
         const SpaceBox place{around[0], around[1], around[2]};
-        const FrameField::Near all = frame_.everything();
+        const Elements all = frame_.everything();
         std::vector<ValueAndGradient> whole(1);
         frame_.over(all, {&place, 1}, whole);
         frame_.tighten(all, {&place, 1}, whole);
-        const FrameField::Near nearer = frame_.nearer(all, 0);
+        const Elements nearer = frame_.nearer(all, place);
         std::vector<ValueAndGradient> over(boxes.size());
         std::vector<Interval> values(boxes.size());
         frame_.values(nearer, places, values);
