@@ -1,4 +1,4 @@
-#include "sequence/record_json.h"
+#include "sequence/manifest_json.h"
 
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 namespace isomotion::sequence {
 namespace {
 
-TEST(RecordJson, GivesBackWhatWasPutIn) {
+TEST(ManifestJson, GivesBackWhatWasPutIn) {
     const Sequence sequence = some_sequence({1, 2, 3, 7, 9, 11, 4000});
     const Sequence back = parse_sequence(to_json(sequence));
     EXPECT_EQ(difference(sequence, back), "");
@@ -34,7 +34,7 @@ TEST(RecordJson, GivesBackWhatWasPutIn) {
     EXPECT_EQ(again.evaluations, record.evaluations);
 }
 
-TEST(RecordJson, KeepsNamesThatNeedCare) {
+TEST(ManifestJson, KeepsNamesThatNeedCare) {
     Sequence sequence = some_sequence();
     for (const std::string title : {"a \"b\" \\ c\n", "h\u00e9llo", "\xff not UTF-8", ""}) {
         sequence.title = title;
@@ -43,22 +43,22 @@ TEST(RecordJson, KeepsNamesThatNeedCare) {
     }
 }
 
-TEST(RecordJson, AValueThatIsNoneStaysNone) {
+TEST(ManifestJson, AValueThatIsNoneStaysNone) {
     FrameRecord record;
     record.parameters = {{"a", std::numeric_limits<double>::quiet_NaN()}};
     EXPECT_TRUE(std::isnan(parse_frame_record(to_json(record)).parameters[0].second));
 }
 
 // A record that a crash cut off, or that somebody edited, is none; it never ends the program.
-TEST(RecordJson, WhatIsCutOffOrDamagedIsRefused) {
+TEST(ManifestJson, WhatIsCutOffOrDamagedIsRefused) {
     const std::string whole = to_json(some_sequence()), frame = to_json(FrameRecord{});
     for (std::size_t length = 0; length + 2 < whole.size(); ++length) {
-        EXPECT_THROW(parse_sequence(whole.substr(0, length)), RecordError) << length;
+        EXPECT_THROW(parse_sequence(whole.substr(0, length)), ManifestError) << length;
     }
-    EXPECT_THROW(parse_sequence(frame), RecordError);
-    EXPECT_THROW(parse_frame_record(whole), RecordError);
+    EXPECT_THROW(parse_sequence(frame), ManifestError);
+    EXPECT_THROW(parse_frame_record(whole), ManifestError);
     for (const char* text : {"", "[]", "3", "null", "{}", R"({"format": 3})"}) {
-        EXPECT_THROW(parse_sequence(text), RecordError) << text;
+        EXPECT_THROW(parse_sequence(text), ManifestError) << text;
     }
     const unsigned seed = std::random_device{}();
     SCOPED_TRACE(seed);
@@ -68,7 +68,7 @@ TEST(RecordJson, WhatIsCutOffOrDamagedIsRefused) {
         damaged[random() % damaged.size()] = char(random() % 256);
         try {
             parse_frame_record(damaged);
-        } catch (const RecordError&) {
+        } catch (const ManifestError&) {
         }
     }
 }

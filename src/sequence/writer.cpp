@@ -1,33 +1,28 @@
-#include <algorithm>
+#include "sequence/writer.h"
+
 #include <stdexcept>
 #include <utility>
 
 #include "base/content_hash.h"
 #include "base/file.h"
-#include "image/sequence.h"
 
-namespace isomotion::image {
+namespace isomotion::sequence {
 
-SequenceWriter::SequenceWriter(SequenceName name, Format format, SequenceOptions options)
+SequenceWriter::SequenceWriter(SequenceName name, image::Format format)
     : name_(std::move(name))
     , format_(format)
-    , options_(std::move(options)) {
-    for (int i = 0; i < std::max(options_.threads, 1); ++i)
-        workers_.emplace_back([this] { work(); });
-}
+    , worker_([this] { work(); }) {}
 
 SequenceWriter::~SequenceWriter() {
     cancel();
     join();
 }
 
-bool SequenceWriter::submit(int frame, Frame image, std::function<void(const Written&)> then) {
+bool SequenceWriter::submit(int frame, image::Frame image,
+                            std::function<void(const WrittenFile&)> then) {
     std::unique_lock lock(mutex_);
     name_.check_holds(submitted_ + 1);
-    changed_.wait(lock, [this] {
-        return state_ != State::open ||
-               waiting_.size() < std::max<std::size_t>(options_.capacity, 1);
-    });
+    changed_.wait(lock, [this] { return state_ != State::open || waiting_.size() < most_waiting; });
     if (error_) std::rethrow_exception(error_);
     if (state_ == State::finishing)
         throw std::logic_error("a frame was submitted to a sequence that is finished");
@@ -50,11 +45,6 @@ void SequenceWriter::finish() {
 
 void SequenceWriter::cancel() { stop(nullptr); }
 
-std::size_t SequenceWriter::written() const {
-    const std::lock_guard lock(mutex_);
-    return written_;
-}
-
 void SequenceWriter::work() {
     for (;;) {
         std::unique_lock lock(mutex_);
@@ -72,21 +62,13 @@ void SequenceWriter::work() {
     }
 }
 
-void SequenceWriter::write(Job job) {
+void SequenceWriter::write(Job job) const {
     const std::filesystem::path file = name_.path(job.frame);
-    const Encoded encoded = encode_with_hash(job.image, format_);
+    const image::Encoded encoded = image::encode_with_hash(job.image, format_);
     job.image = {}; // its memory is free for the next frame while this one goes to the disk
     base::write_whole(file, encoded.bytes);
-    if (job.then) {
-        job.then({file, encoded.bytes.size(), base::content_hash(encoded.bytes), encoded.pixels});
-    }
-    {
-        const std::lock_guard lock(mutex_);
-        ++written_;
-    }
-    if (!options_.on_written) return;
-    const std::lock_guard lock(reporting_);
-    options_.on_written(job.frame, file);
+    if (!job.then) return;
+    job.then({file, encoded.bytes.size(), base::content_hash(encoded.bytes), encoded.pixels});
 }
 
 void SequenceWriter::stop(std::exception_ptr error) {
@@ -98,8 +80,7 @@ void SequenceWriter::stop(std::exception_ptr error) {
 }
 
 void SequenceWriter::join() {
-    for (std::jthread& worker : workers_)
-        if (worker.joinable()) worker.join();
+    if (worker_.joinable()) worker_.join();
 }
 
-} // namespace isomotion::image
+} // namespace isomotion::sequence

@@ -1,4 +1,4 @@
-#include "sequence/recording.h"
+#include "sequence/manifest_writer.h"
 
 #include <atomic>
 #include <latch>
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 TEST(ManifestFolder, StandsBesideTheFrames) {
     const auto folder = [](const char* name) {
-        return manifest_folder(image::SequenceName::parse(name)).string();
+        return manifest_folder(SequenceName::parse(name)).string();
     };
     EXPECT_EQ(folder("out/blob.####.png"), "out/blob.manifest");
     EXPECT_EQ(folder("out/blob.%04d.png"), "out/blob.manifest");
@@ -30,8 +30,8 @@ TEST(ManifestFolder, StandsBesideTheFrames) {
 using RecordingTest = Recorded;
 
 TEST_F(RecordingTest, UnitesWhatIsAskedFor) {
-    Recording(name(), some_sequence({1, 2, 3}));
-    Recording(name(), some_sequence({3, 4, 10}));
+    ManifestWriter(name(), some_sequence({1, 2, 3}));
+    ManifestWriter(name(), some_sequence({3, 4, 10}));
     EXPECT_EQ(read_sequence(manifest()).asked, (std::vector{1, 2, 3, 4, 10}));
 }
 
@@ -40,7 +40,7 @@ TEST_F(RecordingTest, ManyWhoJoinAtOnceLoseNothing) {
     std::vector<std::jthread> all;
     for (int k = 0; k < many; ++k) {
         all.emplace_back([this, k] {
-            Recording recording(name(), some_sequence({k + 1, 100 + k}));
+            ManifestWriter recording(name(), some_sequence({k + 1, 100 + k}));
             recording.record(write(k + 1));
         });
     }
@@ -55,24 +55,24 @@ TEST_F(RecordingTest, ManyWhoJoinAtOnceLoseNothing) {
 
 TEST_F(RecordingTest, AnotherSequenceIsRefusedWhileSomebodyIsAtWork) {
     Sequence other = some_sequence({5});
-    other.shape.width = 64;
+    other.format.width = 64;
     {
-        const Recording at_work(name(), some_sequence());
+        const ManifestWriter at_work(name(), some_sequence());
         const std::string before = sequence_file(manifest()).string();
         try {
-            Recording(name(), other);
+            ManifestWriter(name(), other);
             FAIL();
-        } catch (const Clash& clash) {
+        } catch (const ConflictError& clash) {
             EXPECT_NE(std::string(clash.what()).find("size 4x3, not 64x3"), std::string::npos)
                 << clash.what();
         }
         EXPECT_EQ(read_sequence(manifest()).asked, (std::vector{1, 2, 3}));
-        EXPECT_NO_THROW(Recording(name(), some_sequence({7})));
+        EXPECT_NO_THROW(ManifestWriter(name(), some_sequence({7})));
     }
     // Alone it takes the place of the one before.
-    Recording(name(), other);
+    ManifestWriter(name(), other);
     EXPECT_EQ(read_sequence(manifest()).asked, std::vector{5});
-    EXPECT_EQ(read_sequence(manifest()).shape.width, 64);
+    EXPECT_EQ(read_sequence(manifest()).format.width, 64);
 }
 
 // Of many who want different things at once one kind has its way, and all others are told.
@@ -83,12 +83,12 @@ TEST_F(RecordingTest, OfManyDifferentOnesOneWins) {
     for (int k = 0; k < 16; ++k) {
         all.emplace_back([&, k] {
             Sequence mine = some_sequence();
-            mine.making.scene = "scene " + std::to_string(k % 4);
-            std::optional<Recording> recording;
+            mine.provenance.scene = "scene " + std::to_string(k % 4);
+            std::optional<ManifestWriter> recording;
             try {
                 recording.emplace(name(), mine);
                 ++joined;
-            } catch (const Clash&) {
+            } catch (const ConflictError&) {
                 ++refused;
             }
             all_tried.arrive_and_wait(); // at work until all have tried
@@ -108,33 +108,33 @@ TEST_F(RecordingTest, EveryDifferenceTells) {
     EXPECT_EQ(told([](Sequence&) {}), "");
     EXPECT_EQ(told([](Sequence& s) { s.backend = "osmesa"; }), "");
     EXPECT_EQ(told([](Sequence& s) { s.asked = {9}; }), "");
-    EXPECT_NE(told([](Sequence& s) { s.shape.pattern = "a.##.png"; }), "");
-    EXPECT_NE(told([](Sequence& s) { s.shape.height = 1; }), "");
-    EXPECT_NE(told([](Sequence& s) { s.shape.format = "exr"; }), "");
-    EXPECT_NE(told([](Sequence& s) { s.shape.channels = {"R"}; }), "");
-    EXPECT_NE(told([](Sequence& s) { s.shape.fps = "30"; }), "");
+    EXPECT_NE(told([](Sequence& s) { s.format.pattern = "a.##.png"; }), "");
+    EXPECT_NE(told([](Sequence& s) { s.format.height = 1; }), "");
+    EXPECT_NE(told([](Sequence& s) { s.format.encoding = "exr"; }), "");
+    EXPECT_NE(told([](Sequence& s) { s.format.channels = {"R"}; }), "");
+    EXPECT_NE(told([](Sequence& s) { s.format.fps = "30"; }), "");
     EXPECT_NE(told([](Sequence& s) { s.title = "Globe"; }), "");
-    EXPECT_NE(told([](Sequence& s) { s.making.scene = "x"; }), "");
-    EXPECT_NE(told([](Sequence& s) { s.making.shaders = "x"; }), "");
-    EXPECT_NE(told([](Sequence& s) { s.making.version = "x"; }), "");
-    EXPECT_NE(told([](Sequence& s) { s.making.renderer = "x"; }), "");
-    EXPECT_NE(told([](Sequence& s) { s.making.stage = "x"; }), "");
+    EXPECT_NE(told([](Sequence& s) { s.provenance.scene = "x"; }), "");
+    EXPECT_NE(told([](Sequence& s) { s.provenance.shaders = "x"; }), "");
+    EXPECT_NE(told([](Sequence& s) { s.provenance.version = "x"; }), "");
+    EXPECT_NE(told([](Sequence& s) { s.provenance.renderer = "x"; }), "");
+    EXPECT_NE(told([](Sequence& s) { s.provenance.stage = "x"; }), "");
 }
 
 TEST_F(RecordingTest, ADamagedManifestIsBegunAgain) {
-    { const Recording first(name(), some_sequence()); }
+    { const ManifestWriter first(name(), some_sequence()); }
     for (const char* text : {"", "{", "{}", "\xff"}) {
         std::ofstream(sequence_file(manifest())) << text;
-        Recording(name(), some_sequence({2}));
+        ManifestWriter(name(), some_sequence({2}));
         EXPECT_EQ(read_sequence(manifest()).asked, std::vector{2});
     }
 }
 
 TEST_F(RecordingTest, AManifestThatIsRemovedOrReplacedIsNoticed) {
-    const Recording recording(name(), some_sequence());
+    const ManifestWriter recording(name(), some_sequence());
     fs::remove_all(manifest());
     EXPECT_THROW(recording.record(write(1)), base::FileError);
-    const Recording other(name(), some_sequence());
+    const ManifestWriter other(name(), some_sequence());
     EXPECT_THROW(recording.record(write(1)), base::FileError);
     EXPECT_NO_THROW(other.record(write(1)));
 }
@@ -142,7 +142,7 @@ TEST_F(RecordingTest, AManifestThatIsRemovedOrReplacedIsNoticed) {
 TEST_F(RecordingTest, AFileInTheManifestsPlaceIsNamed) {
     std::ofstream(manifest()) << "mine";
     try {
-        Recording(name(), some_sequence());
+        ManifestWriter(name(), some_sequence());
         FAIL();
     } catch (const base::FileError& error) {
         EXPECT_EQ(error.path(), manifest());

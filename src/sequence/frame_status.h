@@ -10,20 +10,20 @@
 
 namespace isomotion::sequence {
 
-enum class Standing {
+enum class FrameStatus {
     whole,
     missing,
     changed, // since it was recorded: cut off, or other bytes
     stale,   // recorded with another fingerprint
     foreign, // nobody recorded it
 };
-inline constexpr std::array standing_names{"whole", "missing", "truncated or changed",
-                                           "of other settings", "foreign"};
+inline constexpr std::array status_names{"whole", "missing", "truncated or changed",
+                                         "of other settings", "foreign"};
 
-constexpr std::string_view name(Standing standing) { return standing_names[std::size_t(standing)]; }
+constexpr std::string_view name(FrameStatus status) { return status_names[std::size_t(status)]; }
 
 // By its record and the hash of its bytes; neither dates nor what the file says of itself count.
-Standing standing(const std::filesystem::path& file, const std::optional<FrameRecord>& record,
-                  std::string_view fingerprint);
+FrameStatus frame_status(const std::filesystem::path& file,
+                         const std::optional<FrameRecord>& record, std::string_view fingerprint);
 
 } // namespace isomotion::sequence

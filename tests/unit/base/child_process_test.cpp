@@ -4,18 +4,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace isomotion::image {
+namespace isomotion::base {
 namespace {
 
 using namespace std::chrono_literals;
 using std::chrono::steady_clock;
 
-base::ChildProcess shell(const std::string& script) {
-    return base::ChildProcess("/bin/sh", {"-c", script}, base::Output::keep);
+ChildProcess shell(const std::string& script) {
+    return ChildProcess("/bin/sh", {"-c", script}, Output::keep);
 }
 
 TEST(ChildProcess, KeepsItsOutputApartFromItsErrors) {
-    base::ChildProcess child = shell("echo out; echo err >&2; echo more");
+    ChildProcess child = shell("echo out; echo err >&2; echo more");
     EXPECT_TRUE(child.finish());
     EXPECT_EQ(child.output(), "out\nmore\n");
     EXPECT_EQ(child.last_words(1), "err");
@@ -23,19 +23,19 @@ TEST(ChildProcess, KeepsItsOutputApartFromItsErrors) {
 
 // More than a pipe holds while nobody reads.
 TEST(ChildProcess, KeepsMuchOutput) {
-    base::ChildProcess child = shell("head -c 1000000 /dev/zero");
+    ChildProcess child = shell("head -c 1000000 /dev/zero");
     EXPECT_TRUE(child.finish());
     EXPECT_EQ(child.output().size(), 1'000'000u);
 }
 
 TEST(ChildProcess, DiscardedOutputIsEmpty) {
-    base::ChildProcess child("/bin/sh", {"-c", "echo out"});
+    ChildProcess child("/bin/sh", {"-c", "echo out"});
     EXPECT_TRUE(child.finish());
     EXPECT_EQ(child.output(), "");
 }
 
 TEST(ChildProcess, IsKilledAtItsDeadline) {
-    base::ChildProcess child = shell("echo before; exec sleep 1000");
+    ChildProcess child = shell("echo before; exec sleep 1000");
     while (child.output().empty()) {
     }
     EXPECT_FALSE(child.finish_by(steady_clock::now() + 10ms));
@@ -45,7 +45,7 @@ TEST(ChildProcess, IsKilledAtItsDeadline) {
 
 // Its end counts, not when it is asked for.
 TEST(ChildProcess, EndsByItselfBeforeADeadlineThatHasPassed) {
-    base::ChildProcess child = shell("kill -SEGV $$");
+    ChildProcess child = shell("kill -SEGV $$");
     while (!child.ended()) {
     }
     EXPECT_TRUE(child.finish_by(steady_clock::now() - 1s));
@@ -54,4 +54,4 @@ TEST(ChildProcess, EndsByItselfBeforeADeadlineThatHasPassed) {
 }
 
 } // namespace
-} // namespace isomotion::image
+} // namespace isomotion::base

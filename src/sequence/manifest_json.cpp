@@ -1,4 +1,4 @@
-#include "sequence/record_json.h"
+#include "sequence/manifest_json.h"
 
 #include <cmath>
 #include <limits>
@@ -20,15 +20,15 @@ std::string text_of(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Json json(const Making& making) {
-    return {{"scene", making.scene},
-            {"shaders", making.shaders},
-            {"version", making.version},
-            {"renderer", making.renderer},
-            {"stage", making.stage}};
+Json json(const Provenance& provenance) {
+    return {{"scene", provenance.scene},
+            {"shaders", provenance.shaders},
+            {"version", provenance.version},
+            {"renderer", provenance.renderer},
+            {"stage", provenance.stage}};
 }
 
-Making making_of(const Json& from) {
+Provenance provenance_of(const Json& from) {
     return {from.at("scene"), from.at("shaders"), from.at("version"), from.at("renderer"),
             from.at("stage")};
 }
@@ -54,7 +54,7 @@ double number(const Json& from) {
 void expect_format(const Json& from, std::string_view wanted) {
     const std::string found = from.at("format");
     if (found != wanted)
-        throw RecordError(fmt::format("has format \"{}\", not \"{}\"", found, wanted));
+        throw ManifestError(fmt::format("has format \"{}\", not \"{}\"", found, wanted));
 }
 
 template<class Read> auto parsed(std::string_view text, std::string_view format, Read&& read) {
@@ -63,27 +63,27 @@ template<class Read> auto parsed(std::string_view text, std::string_view format,
         expect_format(json, format);
         return read(json);
     } catch (const Json::exception& error) {
-        throw RecordError(fmt::format("is no manifest: {}", error.what()));
+        throw ManifestError(fmt::format("is no manifest: {}", error.what()));
     } catch (const std::invalid_argument& error) {
-        throw RecordError(fmt::format("is no manifest: {}", error.what()));
+        throw ManifestError(fmt::format("is no manifest: {}", error.what()));
     }
 }
 
 } // namespace
 
 std::string to_json(const Sequence& sequence) {
-    const Shape& shape = sequence.shape;
+    const SequenceFormat& format = sequence.format;
     return text_of({{"format", sequence_format},
                     {"title", sequence.title},
                     {"scene file", sequence.scene_file},
-                    {"files", shape.pattern},
+                    {"files", format.pattern},
                     {"frames", animation::frame_range(sequence.asked)},
-                    {"fps", shape.fps},
-                    {"size", Json::array({shape.width, shape.height})},
-                    {"encoding", shape.format},
-                    {"channels", shape.channels},
+                    {"fps", format.fps},
+                    {"size", Json::array({format.width, format.height})},
+                    {"encoding", format.encoding},
+                    {"channels", format.channels},
                     {"backend", sequence.backend},
-                    {"made by", json(sequence.making)}});
+                    {"made by", json(sequence.provenance)}});
 }
 
 Sequence parse_sequence(std::string_view text) {
@@ -92,14 +92,14 @@ Sequence parse_sequence(std::string_view text) {
         sequence.title = from.at("title");
         sequence.scene_file = from.at("scene file");
         sequence.backend = from.at("backend");
-        sequence.making = making_of(from.at("made by"));
-        Shape& shape = sequence.shape;
-        shape.pattern = from.at("files");
-        shape.width = from.at("size").at(0);
-        shape.height = from.at("size").at(1);
-        shape.format = from.at("encoding");
-        shape.channels = from.at("channels").get<std::vector<std::string>>();
-        shape.fps = from.at("fps");
+        sequence.provenance = provenance_of(from.at("made by"));
+        SequenceFormat& format = sequence.format;
+        format.pattern = from.at("files");
+        format.width = from.at("size").at(0);
+        format.height = from.at("size").at(1);
+        format.encoding = from.at("encoding");
+        format.channels = from.at("channels").get<std::vector<std::string>>();
+        format.fps = from.at("fps");
         const std::string frames = from.at("frames");
         if (!frames.empty()) sequence.asked = animation::parse_frame_range(frames);
         return sequence;
@@ -122,7 +122,7 @@ std::string to_json(const FrameRecord& record) {
              {"rays", named(record.verdicts, render::verdict_names)},
              {"evaluations", record.evaluations},
              {"drawing seconds", record.drawing},
-             {"made by", json(record.making)}};
+             {"made by", json(record.provenance)}};
     if (record.proofs) all["proofs"] = named(*record.proofs, render::proof_names);
     return text_of(all);
 }
@@ -144,7 +144,7 @@ FrameRecord parse_frame_record(std::string_view text) {
             counts_of<decltype(record.verdicts)>(from.at("rays"), render::verdict_names);
         record.evaluations = from.at("evaluations");
         record.drawing = number(from.at("drawing seconds"));
-        record.making = making_of(from.at("made by"));
+        record.provenance = provenance_of(from.at("made by"));
         if (const auto proofs = from.find("proofs"); proofs != from.end()) {
             record.proofs = counts_of<render::ProofCounts>(*proofs, render::proof_names);
         }

@@ -10,7 +10,7 @@
 namespace isomotion::sequence {
 
 // Text that is no manifest, or of another format.
-class RecordError : public std::runtime_error {
+class ManifestError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
@@ -19,7 +19,7 @@ public:
 std::string to_json(const Sequence& sequence);
 std::string to_json(const FrameRecord& record);
 
-// Throw RecordError.
+// Throw ManifestError.
 Sequence parse_sequence(std::string_view text);
 FrameRecord parse_frame_record(std::string_view text);
 

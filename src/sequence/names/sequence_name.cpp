@@ -1,20 +1,23 @@
+#include "sequence/names/sequence_name.h"
+
 #include <algorithm>
 #include <charconv>
 #include <regex>
 
 #include <fmt/format.h>
 
-#include "image/sequence.h"
+#include "base/input_error.h"
 
-namespace isomotion::image {
+namespace isomotion::sequence {
 
 SequenceName SequenceName::parse(std::string_view text) {
     const std::filesystem::path whole(text);
     const std::string file = whole.filename().string();
     if (file.empty() || file == "." || file == "..")
-        throw ImageError(fmt::format("{}: names a folder; a file's name belongs here, such as "
-                                     "frame.####.exr",
-                                     text));
+        throw base::InputError(
+            fmt::format("{}: names a folder; a file's name belongs here, such as "
+                        "frame.####.exr",
+                        text));
 
     SequenceName name;
     name.folder_ = whole.parent_path();
@@ -31,9 +34,10 @@ SequenceName SequenceName::parse(std::string_view text) {
                    : (*match)[1].matched       ? std::stoi((*match)[1])
                                                : 1;
     if (++match != std::sregex_iterator())
-        throw ImageError(fmt::format("{}: has two places for the frame's number; one run of # or "
-                                     "one %04d is right",
-                                     text));
+        throw base::InputError(
+            fmt::format("{}: has two places for the frame's number; one run of # or "
+                        "one %04d is right",
+                        text));
     return name;
 }
 
@@ -70,10 +74,10 @@ std::string SequenceName::stem() const {
 void SequenceName::check_holds(std::size_t frames) const {
     if (frames < 2 || has_place_) return;
     const std::filesystem::path file(before_);
-    throw ImageError(fmt::format("{}: names one file for {} frames; put #### where their number "
-                                 "goes, as in {}.####{}",
-                                 (folder_ / file).string(), frames, file.stem().string(),
-                                 file.extension().string()));
+    throw base::InputError(fmt::format(
+        "{}: names one file for {} frames; put #### where their number "
+        "goes, as in {}.####{}",
+        (folder_ / file).string(), frames, file.stem().string(), file.extension().string()));
 }
 
-} // namespace isomotion::image
+} // namespace isomotion::sequence

@@ -1,4 +1,4 @@
-#include "sequence/recording.h"
+#include "sequence/manifest_writer.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -14,7 +14,7 @@
 #include "base/file.h"
 #include "base/partial_file.h"
 #include "sequence/manifest.h"
-#include "sequence/record_json.h"
+#include "sequence/manifest_json.h"
 
 namespace isomotion::sequence {
 namespace fs = std::filesystem;
@@ -62,7 +62,7 @@ std::optional<Sequence> sequence_there(const fs::path& manifest) {
     try {
         return read_sequence(manifest);
     } catch (const base::FileError&) {
-    } catch (const RecordError&) {
+    } catch (const ManifestError&) {
     }
     return {};
 }
@@ -76,26 +76,25 @@ std::vector<int> united(std::vector<int> frames, const std::vector<int>& more) {
 
 } // namespace
 
-Recording::Recording(const image::SequenceName& name, const Sequence& sequence)
-    : manifest_(manifest_folder(name))
-    , making_(sequence.making) {
-    make_folder(manifest_);
-    writers_ = open_writers(manifest_);
+ManifestWriter::ManifestWriter(const SequenceName& name, const Sequence& sequence)
+    : folder_(manifest_folder(name)) {
+    make_folder(folder_);
+    writers_ = open_writers(folder_);
     join(parse_sequence(to_json(sequence))); // names as a file gives them back
 }
 
-void Recording::join(const Sequence& wanted) {
+void ManifestWriter::join(const Sequence& wanted) {
     // Of those who join at the same time, one after the other has this file.
-    base::PartialFile file(sequence_file(manifest_));
-    const std::optional<Sequence> there = sequence_there(manifest_);
+    base::PartialFile file(sequence_file(folder_));
+    const std::optional<Sequence> there = sequence_there(folder_);
     Sequence joined = there.value_or(wanted);
     const std::string other = difference(joined, wanted);
     if (!other.empty()) {
         if (!lock(writers_, LOCK_EX)) {
-            throw Clash(
+            throw ConflictError(
                 fmt::format("{}: somebody is rendering these frames from {}; wait for them, "
                             "or give these frames another name with -o",
-                            manifest_.string(), other));
+                            folder_.string(), other));
         }
         joined = wanted;
     }
@@ -107,20 +106,20 @@ void Recording::join(const Sequence& wanted) {
     file.publish();
 }
 
-void Recording::expect_manifest() const {
+void ManifestWriter::expect_manifest() const {
     struct stat joined = {}, named = {};
     const bool same = ::fstat(writers_.number(), &joined) == 0 &&
-                      ::stat(writers_file(manifest_).c_str(), &named) == 0 &&
+                      ::stat(writers_file(folder_).c_str(), &named) == 0 &&
                       joined.st_dev == named.st_dev && joined.st_ino == named.st_ino;
     if (!same) {
-        throw base::FileError(manifest_, "was removed or replaced while its frames were rendered",
+        throw base::FileError(folder_, "was removed or replaced while its frames were rendered",
                               ENOENT);
     }
 }
 
-void Recording::record(const FrameRecord& frame) const {
+void ManifestWriter::record(const FrameRecord& frame) const {
     expect_manifest();
-    base::PartialFile file(frame_file(manifest_, frame.frame));
+    base::PartialFile file(frame_file(folder_, frame.frame));
     file.write(bytes_of(to_json(frame)));
     // A record that a power cut loses costs a frame to be rendered again, no more.
     file.publish(base::Durability::at_ease);

@@ -1,4 +1,4 @@
-#include "image/movie.h"
+#include "sequence/movie.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -14,7 +14,7 @@
 #include "image/decode.h"
 #include "image/srgb.h"
 
-namespace isomotion::image {
+namespace isomotion::sequence {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -26,8 +26,8 @@ struct Container {
     Words encoding;
 };
 
-/// Left to itself, ffmpeg converts with the matrix of standard definition whatever the size, and
-/// players then show other colours for large movies. The tags say what was done.
+// Left to itself, ffmpeg converts with the matrix of standard definition whatever the size, and
+// players then show other colours for large movies. The tags say what was done.
 const std::string to_yuv420 = "scale=out_color_matrix=bt709:out_range=tv:"
                               "flags=bicubic+accurate_rnd+full_chroma_int+bitexact,"
                               "format=yuv420p";
@@ -38,8 +38,8 @@ const Words yuv420 = {
     // clang-format on
 };
 
-/// Encoders divide the work by their number of threads, and the bytes follow that division: a fixed
-/// number gives the same bytes whatever the number of cores.
+// Encoders divide the work by their number of threads, and the bytes follow that division: a fixed
+// number gives the same bytes whatever the number of cores.
 const Words threads = {"-threads", "4"};
 
 const Words h264 = {"-c:v", "libx264", "-crf", "16", "-movflags", "+faststart"};
@@ -65,12 +65,13 @@ Container container_of(const std::filesystem::path& movie) {
     throw MovieError(fmt::format("{}: a movie's name ends in .mp4, .webm or .gif", movie.string()));
 }
 
-void check_rate(const std::filesystem::path& movie, const Container& container, Rational rate) {
+void check_rate(const std::filesystem::path& movie, const Container& container,
+                image::Rational rate) {
     // In double: the product of two 64-bit integers may overflow.
     const double rounded = double(rate.numerator) / double(rate.denominator);
     if (rate.numerator < 1 || rate.denominator < 1 || rounded > container.most_frames_per_second)
         throw MovieError(fmt::format("{}: {} frames per second; {} takes more than 0 and up to {}",
-                                     movie.string(), to_text(rate), container.name,
+                                     movie.string(), image::to_text(rate), container.name,
                                      container.most_frames_per_second));
 }
 
@@ -83,9 +84,9 @@ struct Size {
 
 int to_even(int length) { return length + length % 2; }
 
-/// The picture as the screen's red, green and blue bytes, at a size that may exceed its own by one.
-std::vector<std::byte> screen_bytes(const Frame& frame, Size size) {
-    const ColourPlanes planes = colour_planes(frame);
+// The picture as the screen's red, green and blue bytes, at a size that may exceed its own by one.
+std::vector<std::byte> screen_bytes(const image::Frame& frame, Size size) {
+    const image::ColourPlanes planes = image::colour_planes(frame);
     std::vector<std::byte> bytes;
     bytes.reserve(3 * std::size_t(size.width) * std::size_t(size.height));
     for (int y = 0; y < size.height; ++y) {
@@ -94,18 +95,18 @@ std::vector<std::byte> screen_bytes(const Frame& frame, Size size) {
         for (int x = 0; x < size.width; ++x) {
             const std::size_t pixel = row + std::size_t(std::min(x, frame.width - 1));
             for (const float* plane : {planes.red, planes.green, planes.blue})
-                bytes.push_back(std::byte{srgb8().code(plane[pixel])});
+                bytes.push_back(std::byte{image::srgb8().code(plane[pixel])});
         }
     }
     return bytes;
 }
 
-Words command(const Container& container, Size size, Rational rate,
+Words command(const Container& container, Size size, image::Rational rate,
               const std::filesystem::path& file) {
     return joined({{"-hide_banner", "-nostats", "-loglevel", "error", "-y"},
                    {"-f", "rawvideo", "-pixel_format", "rgb24"},
                    {"-video_size", fmt::format("{}x{}", size.width, size.height)},
-                   {"-framerate", to_text(rate)},
+                   {"-framerate", image::to_text(rate)},
                    {"-i", "pipe:0"},
                    container.encoding,
                    {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"},
@@ -115,19 +116,20 @@ Words command(const Container& container, Size size, Rational rate,
 
 } // namespace
 
-void check_movie(const std::filesystem::path& movie, Rational frames_per_second) {
+void check_movie(const std::filesystem::path& movie, image::Rational frames_per_second) {
     check_rate(movie, container_of(movie), frames_per_second);
 }
 
 void write_movie(const std::filesystem::path& movie,
-                 std::span<const std::filesystem::path> pictures, Rational frames_per_second) {
+                 std::span<const std::filesystem::path> pictures,
+                 image::Rational frames_per_second) {
     const Container container = container_of(movie);
     check_rate(movie, container, frames_per_second);
     if (pictures.empty()) throw MovieError(movie.string() + ": a movie needs at least one picture");
     const auto ffmpeg = base::find_program("ffmpeg");
     if (!ffmpeg) throw MovieError("ffmpeg is not on PATH: install it with apt-get install ffmpeg");
 
-    Frame frame = decode(pictures.front());
+    image::Frame frame = image::decode(pictures.front());
     const Size size{frame.width, frame.height};
     const Size shown = container.even_size ? Size{to_even(size.width), to_even(size.height)} : size;
 
@@ -136,7 +138,7 @@ void write_movie(const std::filesystem::path& movie,
                                command(container, shown, frames_per_second, partial.path()));
     bool fed = true;
     for (std::size_t i = 0; fed && i < pictures.size(); ++i) {
-        if (i > 0) frame = decode(pictures[i]);
+        if (i > 0) frame = image::decode(pictures[i]);
         if (Size{frame.width, frame.height} != size)
             throw MovieError(fmt::format("{}: is {} x {}, but the movie's first picture is {} x {}",
                                          pictures[i].string(), frame.width, frame.height,
@@ -153,4 +155,4 @@ void write_movie(const std::filesystem::path& movie,
     partial.publish();
 }
 
-} // namespace isomotion::image
+} // namespace isomotion::sequence

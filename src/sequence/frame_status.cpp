@@ -1,4 +1,4 @@
-#include "sequence/standing.h"
+#include "sequence/frame_status.h"
 
 #include "base/content_hash.h"
 #include "base/file.h"
@@ -19,13 +19,13 @@ bool has_the_bytes(const fs::path& file, const FrameRecord& record) {
 
 } // namespace
 
-Standing standing(const fs::path& file, const std::optional<FrameRecord>& record,
-                  std::string_view fingerprint) {
+FrameStatus frame_status(const fs::path& file, const std::optional<FrameRecord>& record,
+                         std::string_view fingerprint) {
     std::error_code error;
-    if (!fs::exists(file, error)) return Standing::missing;
-    if (!record) return Standing::foreign;
-    if (record->fingerprint != fingerprint) return Standing::stale;
-    return has_the_bytes(file, *record) ? Standing::whole : Standing::changed;
+    if (!fs::exists(file, error)) return FrameStatus::missing;
+    if (!record) return FrameStatus::foreign;
+    if (record->fingerprint != fingerprint) return FrameStatus::stale;
+    return has_the_bytes(file, *record) ? FrameStatus::whole : FrameStatus::changed;
 }
 
 } // namespace isomotion::sequence

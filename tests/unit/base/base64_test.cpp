@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-namespace isomotion::image {
+namespace isomotion::base {
 namespace {
 
-std::string of(std::string_view text) { return base::base64(std::as_bytes(std::span(text))); }
+std::string of(std::string_view text) { return base64(std::as_bytes(std::span(text))); }
 
 // The test vectors of RFC 4648, section 10.
 TEST(Base64, EncodesTheVectorsOfItsStandard) {
@@ -20,4 +20,4 @@ TEST(Base64, EncodesTheVectorsOfItsStandard) {
 }
 
 } // namespace
-} // namespace isomotion::image
+} // namespace isomotion::base

@@ -6,9 +6,9 @@
 
 #include <sys/stat.h>
 
-#include "places.h"
+#include "unit/base/places.h"
 
-namespace isomotion::image {
+namespace isomotion::base {
 namespace {
 
 std::vector<std::byte> bytes(std::size_t size, int value = 7) {
@@ -17,8 +17,8 @@ std::vector<std::byte> bytes(std::size_t size, int value = 7) {
 
 int code_of_writing(const std::filesystem::path& path, std::size_t size) {
     try {
-        base::write_whole(path, bytes(size));
-    } catch (const base::FileError& error) {
+        write_whole(path, bytes(size));
+    } catch (const FileError& error) {
         EXPECT_NE(std::string(error.what()).find(path.string()), std::string::npos) << error.what();
         return error.code();
     }
@@ -28,8 +28,8 @@ int code_of_writing(const std::filesystem::path& path, std::size_t size) {
 TEST(WriteWhole, WritesAndReplaces) {
     const TemporaryFolder folder;
     for (const std::size_t size : {0u, 1u, 1000u, 3'000'000u, 5u}) {
-        base::write_whole(folder / "a.png", bytes(size));
-        EXPECT_EQ(base::read_whole(folder / "a.png"), bytes(size));
+        write_whole(folder / "a.png", bytes(size));
+        EXPECT_EQ(read_whole(folder / "a.png"), bytes(size));
         EXPECT_EQ(folder.names(), std::set<std::string>{"a.png"});
     }
 }
@@ -37,8 +37,8 @@ TEST(WriteWhole, WritesAndReplaces) {
 TEST(WriteWhole, ReusesWhatAKilledRunLeft) {
     const TemporaryFolder folder;
     std::ofstream(folder / ".a.0001.part.png") << "half of a longer picture";
-    base::write_whole(folder / "a.0001.png", bytes(3));
-    EXPECT_EQ(base::read_whole(folder / "a.0001.png"), bytes(3));
+    write_whole(folder / "a.0001.png", bytes(3));
+    EXPECT_EQ(read_whole(folder / "a.0001.png"), bytes(3));
     EXPECT_EQ(folder.names(), std::set<std::string>{"a.0001.png"});
 }
 
@@ -53,15 +53,15 @@ TEST(WriteWhole, FollowsNoLinkUnderTheHiddenName) {
 TEST(WriteWhole, WritersOfOneFileTakeTurns) {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder / "a.png";
-    base::write_whole(file, bytes(100'000, 1));
+    write_whole(file, bytes(100'000, 1));
     std::atomic<bool> done = false;
     std::vector<std::jthread> writers;
     for (int value = 1; value <= 3; ++value)
         writers.emplace_back([&file, &done, value] {
-            while (!done) base::write_whole(file, bytes(100'000u * unsigned(value), value));
+            while (!done) write_whole(file, bytes(100'000u * unsigned(value), value));
         });
     for (int i = 0; i < 200; ++i) {
-        const auto seen = base::read_whole(file);
+        const auto seen = read_whole(file);
         ASSERT_FALSE(seen.empty());
         ASSERT_EQ(seen, bytes(100'000u * unsigned(seen[0]), int(seen[0])));
     }
@@ -103,7 +103,7 @@ TEST(WriteWhole, LeavesNothingOnAFullDisk) {
     EXPECT_EQ(folder.names(), std::set<std::string>{});
     EXPECT_EQ(code_of_writing(folder / "a.png", 1'000), 0);
     EXPECT_EQ(code_of_writing(folder / "a.png", 200'000), ENOSPC);
-    EXPECT_EQ(base::read_whole(folder / "a.png"), bytes(1'000)) << "the file before is untouched";
+    EXPECT_EQ(read_whole(folder / "a.png"), bytes(1'000)) << "the file before is untouched";
 }
 
 TEST(WriteWhole, WritesDevicesStraight) {
@@ -118,13 +118,13 @@ TEST(WriteWhole, WritesDevicesStraight) {
 
 TEST(ReadWhole, ReportsWhatCannotBeRead) {
     const TemporaryFolder folder;
-    EXPECT_THROW(base::read_whole(folder / "none"), base::FileError);
-    EXPECT_THROW(base::read_whole(folder.path()), base::FileError);
+    EXPECT_THROW(read_whole(folder / "none"), FileError);
+    EXPECT_THROW(read_whole(folder.path()), FileError);
 }
 
 TEST(ReadWhole, ReadsFilesThatDoNotTellTheirSize) {
-    EXPECT_FALSE(base::read_whole("/proc/self/maps").empty());
+    EXPECT_FALSE(read_whole("/proc/self/maps").empty());
 }
 
 } // namespace
-} // namespace isomotion::image
+} // namespace isomotion::base

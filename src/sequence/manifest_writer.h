@@ -12,25 +12,24 @@
 #include <stdexcept>
 
 #include "base/file_descriptor.h"
-#include "image/sequence.h"
+#include "sequence/names/sequence_name.h"
 #include "sequence/record.h"
 
 namespace isomotion::sequence {
 
 // Others are rendering another sequence into these files; the message says what differs.
-class Clash : public std::invalid_argument {
+class ConflictError : public std::invalid_argument {
 public:
     using std::invalid_argument::invalid_argument;
 };
 
-class Recording {
+class ManifestWriter {
 public:
     // Joins the sequence of these files or begins it. The folder of the frames must be there.
-    // Throws FileError, Clash.
-    Recording(const image::SequenceName& name, const Sequence& sequence);
+    // Throws FileError, ConflictError.
+    ManifestWriter(const SequenceName& name, const Sequence& sequence);
 
-    const std::filesystem::path& manifest() const { return manifest_; }
-    const Making& making() const { return making_; }
+    const std::filesystem::path& folder() const { return folder_; }
 
     // The frame's file must be in its place. From any thread. Throws FileError, also if the
     // manifest is no longer the one that was joined: another sequence may have begun there.
@@ -40,8 +39,7 @@ private:
     void join(const Sequence& wanted);
     void expect_manifest() const;
 
-    std::filesystem::path manifest_;
-    Making making_;
+    std::filesystem::path folder_;
     base::FileDescriptor writers_;
 };
 

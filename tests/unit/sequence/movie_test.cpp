@@ -1,4 +1,4 @@
-#include "image/movie.h"
+#include "sequence/movie.h"
 
 #include <cstdio>
 #include <memory>
@@ -6,9 +6,9 @@
 
 #include "base/file.h"
 #include "image/encode.h"
-#include "places.h"
+#include "unit/image/places.h"
 
-namespace isomotion::image {
+namespace isomotion::sequence {
 namespace {
 
 /// What a command of the shell prints.
@@ -28,8 +28,9 @@ protected:
         for (int i = 0; i < count; ++i) {
             const float light = float(i + 1) / float(count);
             pictures_.push_back(folder_ / ("p" + std::to_string(i) + ".png"));
-            base::write_whole(pictures_.back(),
-                              encode(plain(width, height, light, 0.2f, 0.0f), Format::png8));
+            base::write_whole(
+                pictures_.back(),
+                image::encode(image::plain(width, height, light, 0.2f, 0.0f), image::Format::png8));
         }
     }
     /// "width,height,rate,frames" as ffprobe sees them.
@@ -42,7 +43,7 @@ protected:
         for (const std::string& name : folder_.names())
             EXPECT_TRUE(name.ends_with(".png") || name == "ffmpeg") << name;
     }
-    std::string message(const std::string& name, Rational rate = {30, 1}) {
+    std::string message(const std::string& name, image::Rational rate = {30, 1}) {
         try {
             write_movie(folder_ / name, pictures_, rate);
         } catch (const MovieError& error) {
@@ -56,7 +57,7 @@ protected:
         std::filesystem::permissions(folder_ / "ffmpeg", std::filesystem::perms::owner_all);
     }
 
-    TemporaryFolder folder_;
+    base::TemporaryFolder folder_;
     std::vector<std::filesystem::path> pictures_;
 };
 
@@ -97,7 +98,8 @@ TEST_F(RealMovie, TheSmallestPictureWorks) {
 
 TEST_F(RealMovie, ColoursComeBack) {
     make_pictures(1, 64, 64);
-    base::write_whole(pictures_[0], encode(plain(64, 64, 0.8f, 0.3f, 0.05f), Format::png16));
+    base::write_whole(pictures_[0],
+                      image::encode(image::plain(64, 64, 0.8f, 0.3f, 0.05f), image::Format::png16));
     // 0.8, 0.3 and 0.05 as sRGB bytes
     const int expected[] = {231, 149, 63};
     for (const std::string name : {"m.mp4", "m.webm", "m.gif"}) {
@@ -129,15 +131,15 @@ TEST_F(RealMovie, UnusualNamesAreNames) {
 }
 
 TEST_F(RealMovie, AFullDiskIsReportedAndLeavesNothing) {
-    Frame noise = plain(320, 240, 0, 0, 0);
+    image::Frame noise = image::plain(320, 240, 0, 0, 0);
     std::minstd_rand random;
-    for (Channel& channel : noise.channels)
+    for (image::Channel& channel : noise.channels)
         for (float& sample : channel.samples) sample = float(random() % 1000) / 1000.0f;
     pictures_.assign(5, folder_ / "noise.png");
-    base::write_whole(pictures_[0], encode(noise, Format::png8));
+    base::write_whole(pictures_[0], image::encode(noise, image::Format::png8));
 
-    const TemporaryFolder small;
-    const Disk disk(small, 0, "size=16k");
+    const base::TemporaryFolder small;
+    const base::Disk disk(small, 0, "size=16k");
     if (!disk) GTEST_SKIP() << "no right to mount a small disk";
     for (const std::string name : {"m.mp4", "m.webm", "m.gif"}) {
         try {
@@ -152,7 +154,8 @@ TEST_F(RealMovie, AFullDiskIsReportedAndLeavesNothing) {
 
 TEST_F(RealMovie, PicturesMustHaveOneSize) {
     make_pictures(2, 8, 8);
-    base::write_whole(pictures_[1], encode(plain(8, 9, 0, 0, 0), Format::png8));
+    base::write_whole(pictures_[1],
+                      image::encode(image::plain(8, 9, 0, 0, 0), image::Format::png8));
     EXPECT_NE(message("m.mp4").find("is 8 x 9, but the movie's first picture is 8 x 8"),
               std::string::npos);
     expect_nothing_made();
@@ -161,7 +164,7 @@ TEST_F(RealMovie, PicturesMustHaveOneSize) {
 TEST_F(RealMovie, ABrokenPictureStopsIt) {
     make_pictures(3, 8, 8);
     std::filesystem::resize_file(pictures_[2], 60);
-    EXPECT_THROW(write_movie(folder_ / "m.mp4", pictures_, {30, 1}), ImageError);
+    EXPECT_THROW(write_movie(folder_ / "m.mp4", pictures_, {30, 1}), image::ImageError);
     expect_nothing_made();
 }
 
@@ -178,7 +181,8 @@ TEST_F(Movie, UnknownExtensionListsTheKnownOnes) {
 
 TEST_F(Movie, RatesAndListsMustMakeSense) {
     make_pictures(1, 8, 8);
-    for (const Rational rate : {Rational{0, 1}, {-30, 1}, {30, 0}, {30, -1}, {2'000, 1}})
+    for (const image::Rational rate :
+         {image::Rational{0, 1}, {-30, 1}, {30, 0}, {30, -1}, {2'000, 1}})
         EXPECT_NE(message("m.mp4", rate).find("frames per second"), std::string::npos);
     EXPECT_NE(message("m.gif", {60, 1}).find("up to 50"), std::string::npos);
     pictures_.clear();
@@ -188,7 +192,7 @@ TEST_F(Movie, RatesAndListsMustMakeSense) {
 TEST_F(Movie, AMissingFfmpegIsNamed) {
     make_pictures(1, 8, 8);
     for (const std::string& path : {std::string(), folder_.path().string()}) {
-        const Environment environment("PATH", path);
+        const base::Environment environment("PATH", path);
         EXPECT_EQ(message("m.mp4"),
                   "ffmpeg is not on PATH: install it with apt-get install ffmpeg");
     }
@@ -198,7 +202,7 @@ TEST_F(Movie, AMissingFfmpegIsNamed) {
 TEST_F(Movie, AFailingFfmpegHasTheLastWord) {
     make_pictures(1, 8, 8);
     make_ffmpeg("cat >/dev/null; for i in 1 2 3 4 5 6 7; do echo line $i >&2; done; exit 3");
-    const Environment environment("PATH", folder_.path().string() + ":/usr/bin:/bin");
+    const base::Environment environment("PATH", folder_.path().string() + ":/usr/bin:/bin");
     const std::string text = message("m.mp4");
     EXPECT_NE(text.find("exit status 3"), std::string::npos) << text;
     EXPECT_TRUE(text.ends_with(": line 3\nline 4\nline 5\nline 6\nline 7")) << text;
@@ -209,11 +213,11 @@ TEST_F(Movie, AnFfmpegThatDiesDoesNotTakeUsWithIt) {
     make_pictures(3, 1024, 1024); // more than the socket holds
     for (const std::string script : {"exit 0", "exit 1", "kill -9 $$"}) {
         make_ffmpeg(script);
-        const Environment environment("PATH", folder_.path().string());
+        const base::Environment environment("PATH", folder_.path().string());
         EXPECT_NE(message("m.mp4").find("ffmpeg failed"), std::string::npos) << script;
         expect_nothing_made();
     }
 }
 
 } // namespace
-} // namespace isomotion::image
+} // namespace isomotion::sequence
