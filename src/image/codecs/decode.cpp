@@ -1,4 +1,4 @@
-#include "image/decode.h"
+#include "module.h"
 
 #include <algorithm>
 #include <array>
@@ -12,20 +12,20 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include "attributes.h"
 #include "base/file.h"
-#include "image/image_attributes.h"
 #include "image/pixel_hash.h"
 #include "image/srgb.h"
 
-namespace isomotion::image {
+namespace isomotion::image::oiio {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& reason) {
     throw ImageError(fmt::format("{}: not a whole picture: {}", file.string(), reason));
 }
 
-/// OpenImageIO stops reading a PNG at its last row, so that the chunks behind it may be missing.
-/// They are followed here to the end chunk.
+// OpenImageIO stops reading a PNG at its last row, so that the chunks behind it may be missing.
+// They are followed here to the end chunk.
 bool has_end_chunk(std::span<const std::byte> png) {
     constexpr std::size_t signature = 8, overhead = 12; // length, type and checksum of a chunk
     constexpr std::array end_type{std::byte{'I'}, std::byte{'E'}, std::byte{'N'}, std::byte{'D'}};
@@ -45,7 +45,7 @@ bool is_png(std::span<const std::byte> bytes) {
     return bytes.size() >= start.size() && std::ranges::equal(bytes.first(start.size()), start);
 }
 
-/// A file's first picture, opened; its rows are read in bands, interleaved.
+// A file's first picture, opened; its rows are read in bands, interleaved.
 class Picture {
 public:
     explicit Picture(const std::filesystem::path& file)
@@ -61,7 +61,7 @@ public:
 
     const OIIO::ImageSpec& spec() const { return input_->spec(); }
 
-    /// Calls take(begin, end, samples) for all rows from the top.
+    // Calls take(begin, end, samples) for all rows from the top.
     template<class Sample, class Take> void for_each_band(Take&& take) {
         const OIIO::ImageSpec& spec = input_->spec();
         const int at_once = spec.tile_width ? spec.tile_height : 128;
@@ -134,8 +134,6 @@ Frame decode(const std::filesystem::path& file) {
     return frame;
 }
 
-Metadata read_metadata(const std::filesystem::path& file) { return decode(file).metadata; }
-
 std::string pixel_hash(const std::filesystem::path& file) {
     Picture picture(file);
     const OIIO::ImageSpec spec = picture.spec();
@@ -155,4 +153,4 @@ std::string pixel_hash(const std::filesystem::path& file) {
     return hash.text();
 }
 
-} // namespace isomotion::image
+} // namespace isomotion::image::oiio

@@ -1,4 +1,4 @@
-#include "image/image_attributes.h"
+#include "attributes.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-namespace isomotion::image {
+namespace isomotion::image::oiio {
 namespace {
 
 constexpr std::size_t longest_png_keyword = 79;
@@ -23,7 +23,7 @@ void check_name(const std::string& name, std::size_t longest) {
         throw ImageError(fmt::format("metadata \"{}\": a name has 1 to {} bytes", name, longest));
 }
 
-/// Adds one value under a fixed name.
+// Adds one value under a fixed name.
 struct Adder {
     OIIO::ImageSpec& spec;
     const std::string& name;
@@ -47,7 +47,7 @@ struct Adder {
     }
 };
 
-/// The numbers of `[0.1, 2]`, or nothing if the text is anything else.
+// The numbers of `[0.1, 2]`, or nothing if the text is anything else.
 std::optional<std::vector<double>> parsed_list(std::string_view text) {
     if (text.size() < 2 || text.front() != '[' || text.back() != ']') return std::nullopt;
     text = text.substr(1, text.size() - 2);
@@ -120,4 +120,4 @@ Metadata entries_of(const OIIO::ImageSpec& spec) {
     return metadata;
 }
 
-} // namespace isomotion::image
+} // namespace isomotion::image::oiio

@@ -1,4 +1,4 @@
-#include "image/encode.h"
+#include "module.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,16 +14,15 @@
 #include <fmt/format.h>
 #include <half.h>
 
-#include "base/extension.h"
-#include "image/image_attributes.h"
+#include "attributes.h"
 #include "image/pixel_hash.h"
 #include "image/srgb.h"
 
-namespace isomotion::image {
+namespace isomotion::image::oiio {
 namespace {
 
-/// Takes what an encoder writes. OpenImageIO's writers do not report a full disk, so files are made
-/// in memory and the bytes are written by write_whole().
+// Takes what an encoder writes. OpenImageIO's writers do not report a full disk, so files are made
+// in memory and the bytes are written by write_whole().
 class ByteSink final : public OIIO::Filesystem::IOProxy {
 public:
     ByteSink()
@@ -49,7 +48,7 @@ private:
     std::vector<std::byte> bytes_;
 };
 
-/// One file being encoded, which takes its rows in order from the top.
+// One file being encoded, which takes its rows in order from the top.
 class Encoder {
 public:
     Encoder(const std::string& kind, const OIIO::ImageSpec& spec)
@@ -79,8 +78,8 @@ private:
     std::unique_ptr<OIIO::ImageOutput> output_; // after the sink, which it writes to until it ends
 };
 
-/// How many rows are interleaved at a time: enough to compress in parallel, few enough that a 16k
-/// frame does not need its size in memory again.
+// How many rows are interleaved at a time: enough to compress in parallel, few enough that a 16k
+// frame does not need its size in memory again.
 constexpr int rows_at_once = 128;
 
 template<class Pack> void write_in_bands(int height, const Pack& pack) {
@@ -132,7 +131,7 @@ bool is_colour(const std::string& name) {
     return name == "R" || name == "G" || name == "B" || name == "A";
 }
 
-/// The half that a file keeps for the value.
+// The half that a file keeps for the value.
 float to_half(float value) {
     constexpr float largest_half = 65504.0f;
     if (!std::isfinite(value)) return value;
@@ -173,8 +172,9 @@ std::vector<std::byte> encode_exr(const Frame& frame, PixelHash* hash) {
     return std::move(encoder).finish();
 }
 
+} // namespace
+
 std::vector<std::byte> encode(const Frame& frame, Format format, PixelHash* hash) {
-    check(frame);
     switch (format) {
     case Format::png8:
         return encode_png<std::uint8_t>(frame, hash);
@@ -186,25 +186,4 @@ std::vector<std::byte> encode(const Frame& frame, Format format, PixelHash* hash
     throw ImageError("encode: no such format");
 }
 
-} // namespace
-
-Format format_of(const std::filesystem::path& file, PngDepth depth) {
-    const std::string extension = base::lower_extension(file);
-    if (extension == ".png") return depth == PngDepth::bits16 ? Format::png16 : Format::png8;
-    if (extension == ".exr") return Format::exr;
-    throw ImageError(fmt::format("{}: {}; a picture's name ends in .png or .exr", file.string(),
-                                 extension.empty() ? "no extension says the format"
-                                                   : "unknown extension " + extension));
-}
-
-std::vector<std::byte> encode(const Frame& frame, Format format) {
-    return encode(frame, format, nullptr);
-}
-
-Encoded encode_with_hash(const Frame& frame, Format format) {
-    PixelHash hash(frame.width, frame.height);
-    std::vector<std::byte> bytes = encode(frame, format, &hash);
-    return {std::move(bytes), hash.text()};
-}
-
-} // namespace isomotion::image
+} // namespace isomotion::image::oiio
