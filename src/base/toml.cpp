@@ -1,6 +1,10 @@
-#include "base/toml_depth.h"
+#include "base/toml.h"
 
 #include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/input_error.h"
 
 namespace isomotion::base {
 namespace {
@@ -67,6 +71,20 @@ int first_line_nested_beyond(std::string_view text, int most) {
         at = end;
     }
     return 0;
+}
+
+toml::table parse_toml(std::string_view text, const std::string& file) {
+    if (const int line = first_line_nested_beyond(text, toml_nesting)) {
+        throw InputError(
+            fmt::format("{}:{}: tables and lists are nested too deeply; {} deep are read", file,
+                        line, toml_nesting));
+    }
+    try {
+        return toml::parse(text, file);
+    } catch (const toml::parse_error& error) {
+        throw InputError(fmt::format("{}:{}: not valid TOML: {}", file, error.source().begin.line,
+                                     error.description()));
+    }
 }
 
 } // namespace isomotion::base
