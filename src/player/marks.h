@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "topology/subject.h"
+#include "topology/timeline/timeline_header.h"
 
 namespace isomotion::player {
 
@@ -30,7 +30,7 @@ struct TopologyMarks {
 };
 // A timeline of another scene (by its fingerprint) is refused: its events are not this scene's. So
 // are they not when a parameter is released.
-TopologyMarks topology_marks(const scene::Scene& scene, const topology::Record& record,
+TopologyMarks topology_marks(const scene::Scene& scene, const topology::TimelineRecord& record,
                              const std::string& file);
 // Without such a file, nothing.
 TopologyMarks read_topology_marks(const scene::Scene& scene, const std::filesystem::path& file);
