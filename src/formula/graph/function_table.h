@@ -4,7 +4,7 @@
 // (operations.h, interval/interval_operations.h) and for balls (arb/ball_program.cpp), and its
 // kernel, if it has one, in shaders/math/ and shaders/interval/ (synthesis/shader_files.cpp tells
 // their files). Whatever is missing does not compile. A function that others can be put together to
-// needs none of this: it is a row of functions.cpp.
+// needs none of this: it is a row of functions.cpp, like smoothmin.
 //
 //   name      of the function, of its Op, of Operations<T>::name and of the kernel im_name
 //   shader    what computes it in shaders: see Shader in functions.h

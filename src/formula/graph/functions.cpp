@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "formula/graph/term.h"
 
 namespace isomotion::formula {
 namespace {
@@ -18,6 +19,24 @@ template<Op op> NodeId folded(Graph& g, Arguments arguments) {
     return result;
 }
 
+template<Term (*call)(Term, Term, Term)> NodeId of_three(Graph& g, Arguments arguments) {
+    return call({&g, arguments[0]}, {&g, arguments[1]}, {&g, arguments[2]}).node;
+}
+
+// min(a, b), less (k - |a - b|)^2 / 4k where a and b are less than k apart (Quilez 2013); for k <=
+// 0 min(a, b) itself. The blend is that without a kink where a = b: less than both a and b where
+// they are less than k apart, equal to the lesser where they are just k apart, and between them
+// beyond. So what comparisons decide, slopes and kinks, changes there alone. Bounds are never above
+// the minimum's; wide intervals lose no more than k / 2 below, narrow ones are at most twice too
+// wide.
+Term smoothmin(Term a, Term b, Term k) {
+    const Term one = k.number(1), width = max(k, k.number(0));
+    // 10^-30 keeps 0/0 off.
+    const Term apart = max(-one, min((b - a) / max(k, k.number(1e-30)), one));
+    const Term blend = 0.5 * (a + b) - 0.25 * (width * (1.0 + apart * apart));
+    return min(min(blend, a), b);
+}
+
 // clang-format off
 constexpr std::array table{
 #define ROW(name, shader, sign, domain, slope)                                                    \
@@ -27,6 +46,7 @@ constexpr std::array table{
 #undef ROW
     Function{"min", "a, b, ...", 2, true, folded<Op::min>, nullptr},
     Function{"max", "a, b, ...", 2, true, folded<Op::max>, nullptr},
+    Function{"smoothmin", "a, b, k", 3, false, of_three<smoothmin>, nullptr},
     // The parser's own: a power fails as ^ does; a degree and an array are no values.
     Function{"pow", "a, b", 2, false, nullptr, nullptr},
     Function{"chebyshev", "n, a", 2, false, nullptr, nullptr},
