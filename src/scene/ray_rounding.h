@@ -18,8 +18,9 @@
 //               perpendicular: 15.6 u + 9 u s, where s = S / depth and the depth is how far the
 //               plane of the anchors is from the eye, as |from_eye| is no less. A coordinate of
 //               what is aside is 1.37 times its largest coordinate before: 15.6 u + 12.3 u s.
-//   point     = anchor + t direction: those of the two, and u |t| + u |point| more; a point in the
-//               bounds is no farther from 0 than their centre and |t|.
+//   point     = anchor + t direction: those of the two, and u |t| + u |point| more; a point of the
+//               bounds is no farther from 0 than their centre and their radius, and the users'
+//               distances are no less than the radius.
 //
 // The model counts 16 u for each of origin, spread, 1 and s, which leaves room for terms of u^2 and
 // for depths that are rounded.
