@@ -4,6 +4,8 @@
 #include <cstring>
 #include <span>
 
+#include "scene/ray_rounding.h"
+
 namespace isomotion::render {
 namespace {
 
@@ -11,15 +13,6 @@ glm::vec4 wide(const glm::dvec3& v, double w = 0) { return glm::vec4(glm::dvec4(
 
 double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-// What float32 may add to a coordinate of a point that is no farther than `reach` from its ray's
-// anchor, as truth's tubes have it (truth/tube.h).
-double rounding(const scene::Rays& rays, const scene::SceneAt& now, double reach) {
-    const double spread = glm::length(rays.right) + glm::length(rays.up);
-    const double direction = rays.parallel ? 0 : spread / glm::length(rays.axis);
-    return 0x1p-24 * (16 * (largest(rays.origin) + spread) + reach * 18 * (1 + direction) +
-                      2 * largest(now.bounds.centre));
 }
 
 } // namespace
@@ -31,7 +24,8 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     const bool box = now.bounds.shape == scene::Bounds::Shape::box;
     // The bounds are closed: a root that lies on their very face is one, however its ray is
     // rounded. What is beyond by less than rounding is nobody's to tell.
-    const double face = rounding(rays, now, now.bounds.radius);
+    const double face =
+        scene::ray_rounding(rays, now.bounds, scene::Norm::length).at_depth(now.bounds.radius);
     FrameBlock block;
     block.ray_origin = wide(rays.origin);
     block.ray_axis = wide(rays.axis, rays.parallel ? 0 : 1);
@@ -65,13 +59,16 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const sce
     const glm::dvec3 forward = glm::normalize(glm::cross(rays.up, rays.right));
     const double depth = glm::dot(rays.axis, forward);
     const double middle = glm::dot(now.bounds.centre - rays.origin, forward) / depth;
-    // Of the picture's corner.
+    // No box around a part of the range reaches farther: rays are in the bounds within their radius
+    // of the plane.
     const double spread = glm::length(rays.right) + glm::length(rays.up);
     const double reach = now.bounds.radius + spread + largest(now.bounds.centre - rays.origin);
+    const double rounding =
+        scene::ray_rounding(rays, now.bounds, scene::Norm::length).at_depth(reach);
     const double half = 1.001 * now.bounds.radius / depth;
     const double pixel = 2 * glm::length(rays.up) / height;
     return glm::dvec4(rays.parallel ? middle - half : std::max(middle - half, -1.0), middle + half,
-                      0.5 * block * pixel / depth, 4 * rounding(rays, now, reach));
+                      0.5 * block * pixel / depth, beam_roundings * rounding);
 }
 
 std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,

@@ -25,9 +25,14 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
                        const scene::Aim& aim = {},
                        double element_radius = std::numeric_limits<double>::infinity());
 
+// How many times the rounding of a ray (scene/ray_rounding.h) its beam is thickened by: once for
+// the ray that is marched, once for the box's own arithmetic, which takes no more steps, and once
+// each for the ends of pieces, which rays turn into distances of their own, and for those of the
+// bounds.
+inline constexpr double beam_roundings = 4;
+
 // Uniform `beam` of shaders/march/beam.frag: the range of tau that the bounds may be in, the
-// shortest piece, and what float32 may add to a point of a ray, four times over. `block`: pixels
-// across a beam.
+// shortest piece, and `beam_roundings` times the rounding. `block`: pixels across a beam.
 glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const scene::Aim& aim,
                      int block);
 

@@ -2,27 +2,42 @@
 
 #include <algorithm>
 
+#include "scene/ray_rounding.h"
 #include "synthesis/proof_text.h"
 
 namespace isomotion::render {
+namespace {
+
+// How many times the rounding of points and directions (scene/ray_rounding.h) a proof's boxes are
+// wider than its own ray.
+struct Roundings {
+    double points, directions;
+};
+// The proof's ray in floats and the marched one are each within once the rounding of the exact one;
+// the ends of boxes and of directions are rounded, too.
+constexpr Roundings of_two_rays{2.2, 3};
+// A ray in doubles is the exact one but for 2^-40 of the rounding; the rest is for its boxes.
+constexpr Roundings of_one_ray{1.04, 1.01};
+
+} // namespace
 
 ProofRays proof_rays(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
                      const scene::Aim& aim) {
     const scene::Rays rays = scene::rays(now, width, height, aim);
     const double footprint = 2 * glm::length(rays.up) / height;
     ProofRays found;
-    // Of truth's tubes what a point may be off by, four times over: the rays here and those marched
-    // are each within once that of the exact one, which the rays in doubles are but for 2^-40 of
-    // it.
     found.beam = beam_range(now, width, height, aim, synthesis::proved_block);
-    const double margin = found.beam.w;
-    const double spread = glm::length(rays.right) + glm::length(rays.up);
-    const double direction =
-        16 * 0x1p-24 * (1 + (rays.parallel ? 0 : spread / glm::length(rays.axis)));
+    // The ends of a ray's part are off by what its beam's pieces are.
+    const double margin = found.beam.w, rounding = margin / beam_roundings;
+    const double direction = scene::ray_rounding(rays, now.bounds, scene::Norm::length).direction;
     const auto shortest = float(std::max(margin, footprint / 256));
-    found.of_floats = {glm::vec4(0.55 * margin, 3 * direction, margin, footprint / 8), shortest};
-    found.of_doubles = {glm::vec4(0.26 * margin, 1.01 * direction, margin, footprint / 8),
-                        shortest};
+    const auto thickness = [&](const Roundings& times) {
+        return RayThickness{
+            glm::vec4(times.points * rounding, times.directions * direction, margin, footprint / 8),
+            shortest};
+    };
+    found.of_floats = thickness(of_two_rays);
+    found.of_doubles = thickness(of_one_ray);
 
     found.frame = frame_block(scene, now, width, height, aim);
     const auto more = float(margin);

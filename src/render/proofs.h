@@ -3,9 +3,9 @@
 // Passes after the march bound F and dF/dt over pieces of rays in float32 interval arithmetic
 // (shaders/proof/prove.glsl), of blocks of rays first, then of single ones. What stays open is
 // tried again with closer bounds, in doubles where the driver's can be trusted (doubles.h). Each
-// ray is as thick as all that float32 may have made of it, see truth/tube.h: what is proved holds
-// for the ray that was drawn, on any driver. A proved hit is a simple root, the ray's first, within
-// an eighth of a pixel's width of the place that was found.
+// ray is as thick as all that float32 may have made of it, see scene/ray_rounding.h: what is proved
+// holds for the ray that was drawn, on any driver. A proved hit is a simple root, the ray's first,
+// within an eighth of a pixel's width of the place that was found.
 #pragma once
 
 #include <array>

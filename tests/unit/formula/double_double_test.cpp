@@ -1,4 +1,4 @@
-#include "formula/interval/twofold.h"
+#include "formula/interval/double_double.h"
 
 #include "exact.h"
 #include "testing.h"
@@ -6,10 +6,10 @@
 namespace isomotion::formula {
 namespace {
 
-Exact value_of(Twofold<double> a) { return Exact(a.hi) + Exact(a.lo); }
+Exact value_of(DoubleDouble<double> a) { return Exact(a.hi) + Exact(a.lo); }
 
 // How far a is from `exact`, as a part of its bound.
-testing::AssertionResult within_bound(Twofold<double> a, const Exact& exact) {
+testing::AssertionResult within_bound(DoubleDouble<double> a, const Exact& exact) {
     const Exact off = apply(Op::abs, value_of(a) - exact);
     if (!(Exact(a.error) < off)) return testing::AssertionSuccess();
     return testing::AssertionFailure() << "off by " << off << ", bound " << a.error;
@@ -21,7 +21,7 @@ public:
         : random_(seed) {}
 
     // Sizes from `least` to `most` powers of two; a low half that may be 0 or half an ulp.
-    Twofold<double> draw(double least, double most) {
+    DoubleDouble<double> draw(double least, double most) {
         const double hi = random_.in(-1, 1) * std::exp2(random_.in(least, most));
         const double ulp = std::nextafter(std::abs(hi), infinity) - std::abs(hi);
         const double lo = random_.below(4) == 0 ? 0 : random_.in(-0.5, 0.5) * ulp;
@@ -32,7 +32,7 @@ private:
     Random random_;
 };
 
-TEST(Twofold, SumsAndProductsKeepTheirBounds) {
+TEST(DoubleDouble, SumsAndProductsKeepTheirBounds) {
     constexpr std::uint64_t seed = 70;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Operands operands(seed);
@@ -53,7 +53,7 @@ TEST(Twofold, SumsAndProductsKeepTheirBounds) {
 }
 
 // What a and b stand for may be anywhere in their bounds, in their corners at the worst.
-TEST(Twofold, ErrorsAreInherited) {
+TEST(DoubleDouble, ErrorsAreInherited) {
     constexpr std::uint64_t seed = 71;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Operands operands(seed);
@@ -78,7 +78,7 @@ TEST(Twofold, ErrorsAreInherited) {
     }
 }
 
-TEST(Twofold, Underflow) {
+TEST(DoubleDouble, Underflow) {
     for (const double x : {1e-200, 1e-160, 0x1p-500, 0x1p-537, 0x1p-1022, smallest_positive}) {
         for (const double y : {1e-120, 1e-160, 0x1.1p-520, smallest_positive, 1.0}) {
             const auto a = exact_sum(x, x * 0x1p-54), b = exact_sum(y, -y * 0x1p-55);
@@ -88,7 +88,7 @@ TEST(Twofold, Underflow) {
     }
 }
 
-TEST(Twofold, EnclosuresAreTheDoublesBeside) {
+TEST(DoubleDouble, EnclosuresAreTheDoublesBeside) {
     const auto third = exact_sum(1.0 / 3, 0x1p-54 / 3);
     EXPECT_LE(enclosure(third).hi, std::nextafter(1.0 / 3, 1));
     EXPECT_GE(enclosure(third).lo, std::nextafter(1.0 / 3, 0));
@@ -100,15 +100,15 @@ TEST(Twofold, EnclosuresAreTheDoublesBeside) {
     EXPECT_EQ(sign({0, 0, 0}), 0);
 }
 
-TEST(Twofold, TwoAtOnceAreTwoAlone) {
+TEST(DoubleDouble, TwoAtOnceAreTwoAlone) {
     constexpr std::uint64_t seed = 72;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Operands operands(seed);
     for (int trial = 0; trial < 1000; ++trial) {
         const auto a = operands.draw(-9, 9), b = operands.draw(-9, 9);
         const auto c = operands.draw(-9, 9), d = operands.draw(-9, 9);
-        const auto both = [](const Twofold<double>& x, const Twofold<double>& y) {
-            return Twofold<Ends>{{x.hi, y.hi}, {x.lo, y.lo}, {x.error, y.error}};
+        const auto both = [](const DoubleDouble<double>& x, const DoubleDouble<double>& y) {
+            return DoubleDouble<Ends>{{x.hi, y.hi}, {x.lo, y.lo}, {x.error, y.error}};
         };
         const auto pair = both(a, b) * both(c, d) - twice(both(a, b));
         EXPECT_EQ(enclosure(one_of(pair, 0)), enclosure(a * c - twice(a)));
