@@ -59,7 +59,7 @@ const std::vector<Named> every_effect{
     {"[environment]\nmap = \"studio.exr\"\n", "effects/sky_environment.glsl", "environment_texel"},
     {"[output]\nbackground = { top = [1, 0, 0], bottom = [0, 0, 1] }\n",
      "effects/sky_gradient.glsl", "sky_bottom"},
-    {"[material.paint]\nvalue = \"nz\"\nrange = [-1, 1]\n", "effects/paint.glsl", "paint_range"},
+    {"[material.colormap]\nvalue = \"nz\"\nrange = [-1, 1]\n", "effects/paint.glsl", "paint_range"},
     {"[material]\nreflection = \"self\"\n", "effects/mirror_ray.glsl", "load_mirrored"},
 };
 

@@ -158,10 +158,10 @@ std::string scene_text(Random random, const Names& names) {
     if (random() % 2) text += "[[lights]]\ndirection = [1, 1, 1]\nshadow = true\n";
     if (random() % 2) text += "[material]\nmodel = \"ggx\"\nreflection = \"self\"\n";
     if (random() % 2) {
-        text += fmt::format("[material.paint]\nvalue = \"mean_curvature + {}\"\nrange = [-1, 1]\n",
-                            p[1]);
+        text += fmt::format(
+            "[material.colormap]\nvalue = \"mean_curvature + {}\"\nrange = [-1, 1]\n", p[1]);
     }
-    if (random() % 2) text += "[ground]\nheight = -3\n[occlusion]\nreach = 1\n";
+    if (random() % 2) text += "[ground]\nheight = -3\n[occlusion]\nradius = 1\n";
     return text;
 }
 

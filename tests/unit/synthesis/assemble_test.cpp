@@ -93,8 +93,8 @@ struct Called {
 const std::vector<Called> calls{
     {"", ""},
     {"reflection = 'self'\n", "[[lights]]\ndirection = [#, 1, 0]\nshadow = true\n"},
-    {"inside = [#, 0, 0]\n", "[fog]\ndensity = #\n[ground]\nheight = -#\n[occlusion]\n"},
-    {"", "[material.paint]\nvalue = 'nz'\nrange = [-#, 1]\n"}};
+    {"back_color = [#, 0, 0]\n", "[fog]\ndensity = #\n[ground]\nheight = -#\n[occlusion]\n"},
+    {"", "[material.colormap]\nvalue = 'nz'\nrange = [-#, 1]\n"}};
 
 scene::Scene called(std::string scene, const Called& more, const std::string& value) {
     const std::string head = "[material]\n";
@@ -313,7 +313,7 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     const Passes of_long = assemble(scene_of(surface_text(long_formula())));
     add(of_long);
     const Passes of_sides =
-        assemble(scene_of(surface_text("x") + "[material]\ninside = [1, 1, 1]\n"));
+        assemble(scene_of(surface_text("x") + "[material]\nback_color = [1, 1, 1]\n"));
     add(of_sides);
     for (const auto& paint : every_paint) {
         const Passes painted = assemble(scene_of(surface_text("x") + paint));
@@ -402,7 +402,7 @@ TEST_F(Assemble, NoFormulaTextBreaksTheShader) {
 TEST_F(Assemble, TwoSidesOnlyWhereTheSceneTellsThemApart) {
     const std::string one = std::string(one_set_of_values);
     const Passes plain = assemble(scene_of(one));
-    const Passes sided = assemble(scene_of(one + "inside = [0, 0, 1]\n"));
+    const Passes sided = assemble(scene_of(one + "back_color = [0, 0, 1]\n"));
     EXPECT_EQ(text_of(plain, Role::march), text_of(sided, Role::march));
     EXPECT_THAT(all_texts(plain), Not(HasSubstr("inside_color")));
     EXPECT_THAT(text_of(plain, Role::shade), Not(HasSubstr("inside_color")));
@@ -437,7 +437,7 @@ TEST_F(Assemble, PaintOnlyWhereTheSceneHasIt) {
 TEST_F(Assemble, PaintAndFieldShareKernels) {
     for (const std::string& formula : {std::string("exp(x) + sin(y)"), long_formula()}) {
         const Passes painted =
-            assemble(scene_of(surface_text(formula) + "[material.paint]\nrange = [0, 1]\n"
+            assemble(scene_of(surface_text(formula) + "[material.colormap]\nrange = [0, 1]\n"
                                                       "value = 'exp(nz)*mean_curvature*sin(x)'\n"));
         EXPECT_EQ(occurrences(text_of(painted, Role::shade), "// shaders/math/exp.glsl"), 1);
         EXPECT_EQ(occurrences(text_of(painted, Role::shade), "// shaders/math/trig.glsl"), 1);

@@ -55,8 +55,8 @@ inline const std::vector<Channel> every_channel{Channel::depth, Channel::normal,
 
 // Colours by a number, each with the files that another leaves out.
 inline const std::vector<std::string> every_paint{
-    "[material.paint]\nvalue = 'nz*t + evaluations'\nrange = [-1, 1]\n",
-    "[material.paint]\nvalue = 'exp(x) - mean_curvature'\nrange = ['t - 1', 1]\n"
+    "[material.colormap]\nvalue = 'nz*t + evaluations'\nrange = [-1, 1]\n",
+    "[material.colormap]\nvalue = 'exp(x) - mean_curvature'\nrange = ['t - 1', 1]\n"
     "map = 'blue-orange'\n"};
 
 // Effects, so that all files are called for.
