@@ -15,7 +15,6 @@ using formula::limits::name_bytes;
 
 inline constexpr std::size_t scene_bytes = 16 << 20;  // of a scene file or a surface's
 inline constexpr std::size_t table_bytes = 256 << 20; // of a table of elements
-inline constexpr int nesting = 32;                    // of tables and lists in one another
 inline constexpr std::size_t title_bytes = 1000;
 inline constexpr int frames = 10'000'000;
 inline constexpr int parameters = 1000; // fields with one value for all elements included

@@ -34,7 +34,7 @@ TEST(Settings, SweepMethodsAndSteps) {
         render::scene_of(render::sphere_scene, {"isolation.step=0.1", "isolation.bisections=7"});
     // Steps for the paper's three, safeties for cubics, the others as they are.
     const auto all = sweep(scene, {}, {});
-    EXPECT_EQ(all.size(), 3 * 6 + 4 + (std::size(scene::method_names) - 4));
+    EXPECT_EQ(all.size(), 3 * 6 + 4 + (std::size(scene::method_traits) - 4));
     EXPECT_EQ(name(all[0], scene.isolation), "marching step=0.4");
     EXPECT_EQ(name(all.back(), scene.isolation), "chebyshev");
     scene::Scene stepping = scene;

@@ -159,7 +159,7 @@ TEST(Shadow, OfSeveralLightsAddUp) {
         for (const std::string& light : lit) text += "[[lights]]\n" + light + "\nshadow = true\n";
         return scene_of(text);
     };
-    for (const auto& method : scene::method_names) {
+    for (const auto& method : scene::method_traits) {
         const std::string name(method.name);
         SCOPED_TRACE(name);
         const Picture all = draw(context(), torus(name.c_str(), lights));

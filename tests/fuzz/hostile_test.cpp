@@ -165,13 +165,12 @@ std::string scene_text(Random random, const Names& names) {
     return text;
 }
 
-std::vector<std::string> texts(const Shaders& shaders) {
-    std::vector<std::string> all{shaders.vertex,         shaders.shade_vertex, shaders.march,
-                                 shaders.active,         shaders.shade,        shaders.whole,
-                                 shaders.surface,        shaders.shadow,       shaders.mirror,
-                                 shaders.mirror_surface, shaders.motion,       shaders.proof,
-                                 shaders.sharp_proof,    shaders.block_proof,  shaders.begin_proof};
-    for (const BeamShader& beam : shaders.beams) all.push_back(beam.text);
+std::vector<std::string> texts(const Passes& passes) {
+    std::vector<std::string> all;
+    for (const Pass& pass : passes.list) {
+        all.push_back(pass.vertex);
+        all.push_back(pass.text);
+    }
     return all;
 }
 

@@ -4,7 +4,7 @@
 
 #include "player/model/memory.h"
 #include "scene/data_folder.h"
-#include "topology/subject.h"
+#include "topology/timeline/timeline_header.h"
 
 namespace isomotion::player {
 

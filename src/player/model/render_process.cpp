@@ -30,7 +30,7 @@ std::vector<std::string> render_words(const RenderOrder& order) {
 
 RenderProcess::RenderProcess(RenderOrder order)
     : order_(std::move(order))
-    , name_(image::SequenceName::parse(order_.output))
+    , name_(sequence::SequenceName::parse(order_.output))
     // File systems keep times more coarsely than clocks do.
     , begin_(fs::file_time_type::clock::now() - std::chrono::seconds(1))
     , process_("/proc/self/exe", render_words(order_)) {}

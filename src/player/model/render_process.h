@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/child_process.h"
-#include "image/sequence.h"
 #include "scene/reading/load.h"
+#include "sequence/names/sequence_name.h"
 
 namespace isomotion::player {
 
@@ -27,7 +27,7 @@ struct RenderOrder {
 
 class RenderProcess {
 public:
-    // Throws std::system_error if no process can be started, image::ImageError for an output that
+    // Throws std::system_error if no process can be started, base::InputError for an output that
     // names no files.
     explicit RenderProcess(RenderOrder order);
 
@@ -46,7 +46,7 @@ public:
 
 private:
     RenderOrder order_;
-    image::SequenceName name_;
+    sequence::SequenceName name_;
     int written_ = 0;
     std::filesystem::file_time_type begin_;
     bool cancelled_ = false;

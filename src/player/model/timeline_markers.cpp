@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "topology/document.h"
-#include "topology/timeline_file.h"
-#include "topology/words.h"
+#include "topology/timeline/document.h"
+#include "topology/timeline/timeline_file.h"
+#include "topology/timeline/words.h"
 
 namespace isomotion::player {
 namespace fs = std::filesystem;
@@ -66,9 +66,9 @@ std::vector<TimelineMarker> key_markers(const scene::Scene& scene) {
     return markers;
 }
 
-TopologyMarkers topology_markers(const scene::Scene& scene, const topology::Record& record,
+TopologyMarkers topology_markers(const scene::Scene& scene, const topology::TimelineRecord& record,
                                  const std::string& file) {
-    if (record.subject.fingerprint != topology::fingerprint(scene)) {
+    if (record.header.fingerprint != topology::fingerprint(scene)) {
         return {{},
                 fmt::format("{}: is of another scene than is shown: its formula, parameters or "
                             "bounds differ; isomotion topology {} -o {} makes it anew",

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "topology/subject.h"
+#include "topology/timeline/timeline_header.h"
 
 namespace isomotion::player {
 
@@ -27,7 +27,7 @@ struct TopologyMarkers {
     std::string refusal; // why a timeline was refused: another scene's, or broken; else empty
 };
 // Refuses the timeline of another scene, by its fingerprint.
-TopologyMarkers topology_markers(const scene::Scene& scene, const topology::Record& record,
+TopologyMarkers topology_markers(const scene::Scene& scene, const topology::TimelineRecord& record,
                                  const std::string& file);
 // No markers and no refusal where there is no such file.
 TopologyMarkers read_topology_markers(const scene::Scene& scene, const std::filesystem::path& file);

@@ -4,11 +4,11 @@
 #include <imgui.h>
 
 #include "base/child_process.h"
-#include "image/sequence.h"
 #include "player/model/render_settings.h"
 #include "player/ui/sections.h"
 #include "player/ui/theme.h"
 #include "player/ui/widget_rects.h"
+#include "sequence/names/sequence_name.h"
 
 namespace isomotion::player {
 
@@ -57,7 +57,7 @@ std::optional<std::string> ExportSection::attend() {
     told_ = process_->error();
     failed_ = !told_.empty();
     if (!failed_) {
-        const auto name = image::SequenceName::parse(order.output);
+        const auto name = sequence::SequenceName::parse(order.output);
         told_ = order.first == order.last ? name.path(order.first).string() : order.output;
         if (!order.movie.empty()) told_ += "\n" + order.movie;
     }

@@ -82,7 +82,7 @@ bool method_combo(const char* id, scene::Method& method, const scene::Scene& sce
                            ImGuiComboFlags_HeightLarge)) {
         return false;
     }
-    for (const auto& entry : scene::method_names) {
+    for (const auto& entry : scene::method_traits) {
         const std::string why = scene::refusal(entry.method, *scene.surface.field);
         const auto flags = why.empty() ? 0 : ImGuiSelectableFlags_Disabled;
         if (ImGui::Selectable(std::string(entry.name).c_str(), entry.method == method, flags)) {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/file_text.h"
-#include "base/toml_depth.h"
+#include "base/toml.h"
 #include "formula/graph/vocabulary.h"
 #include "scene/limits.h"
 #include "scene/renamed_keys.h"
@@ -71,17 +71,7 @@ toml::table read_document(const std::filesystem::path& file) {
 }
 
 toml::table parse_document(std::string_view text, const std::filesystem::path& file) {
-    if (const int line = base::first_line_nested_beyond(text, limits::nesting)) {
-        throw SceneError(
-            fmt::format("{}:{}: tables and lists are nested too deeply; {} deep are read",
-                        file.string(), line, limits::nesting));
-    }
-    try {
-        return toml::parse(text, file.string());
-    } catch (const toml::parse_error& error) {
-        throw SceneError(fmt::format("{}:{}: not valid TOML: {}", file.string(),
-                                     error.source().begin.line, error.description()));
-    }
+    return base::parse_toml(text, file.string());
 }
 
 void fail(const toml::node& at, const std::string& key, const std::string& message) {

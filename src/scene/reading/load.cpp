@@ -199,7 +199,7 @@ void read_isolation(Section& document, Isolation& isolation, GivenThresholds& gi
         const auto method = parse_method(*text);
         if (!method) {
             std::vector<std::string> names;
-            for (const auto& entry : method_names) names.emplace_back(entry.name);
+            for (const auto& entry : method_traits) names.emplace_back(entry.name);
             fail(*section->find("method"), "isolation.method",
                  fmt::format("there is no method '{}'; known: {}", *text, fmt::join(names, ", ")));
         }

@@ -200,7 +200,7 @@ TEST_F(Load, ParametersComeFirstAmongTheTracks) {
 }
 
 TEST_F(Load, EveryMethodByItsName) {
-    for (const MethodName& method : method_names) {
+    for (const MethodTraits& method : method_traits) {
         const std::string line = "[isolation]\nmethod = \"" + std::string(method.name) + "\"";
         EXPECT_EQ(loaded(ball_and(line)).isolation.method, method.method);
         EXPECT_EQ(name(method.method), method.name);

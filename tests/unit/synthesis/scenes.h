@@ -34,6 +34,18 @@ inline scene::Scene scene_of(const std::string& text) {
     return scene;
 }
 
+// The text of the pass with that role.
+inline const std::string& text_of(const Passes& passes, Role role, int level = 0) {
+    return passes.at(role, level).text;
+}
+
+// The texts of all shaders together.
+inline std::string all_texts(const Passes& passes) {
+    std::string all;
+    for (const Pass& pass : passes.list) all += pass.vertex + pass.text;
+    return all;
+}
+
 inline const std::vector<std::string> every_method{"marching", "amp-sign", "amp-taylor", "hermite",
                                                    "interval", "affine",   "sphere"};
 inline const std::vector<std::string> every_bounds{"{ sphere = 2 }",

@@ -11,7 +11,7 @@ TEST(StemOfFrames, HasNoPlaceForANumber) {
     for (const std::string name : {"a#b", "%d", "50%04d", "##_#", "take %3d #2"}) {
         const std::string stem = stem_of_frames(name);
         EXPECT_EQ(stem.size(), name.size());
-        const auto frames = image::SequenceName::parse("out/" + stem + ".####.png");
+        const auto frames = sequence::SequenceName::parse("out/" + stem + ".####.png");
         EXPECT_EQ(frames.path(7), "out/" + stem + ".0007.png");
     }
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "topology/timeline_file.h"
+#include "topology/timeline/timeline_file.h"
 #include "topology/timelines.h"
 #include "unit/scene/testing.h"
 
@@ -19,8 +19,8 @@ const std::string ball = "[time]\nfps = 10\nframes = 101\n[surface]\n"
 
 class Marks : public scene::Scenes {
 protected:
-    static topology::Record of(const scene::Scene& scene, topology::Record record) {
-        record.subject.fingerprint = topology::fingerprint(scene);
+    static topology::TimelineRecord of(const scene::Scene& scene, topology::TimelineRecord record) {
+        record.header.fingerprint = topology::fingerprint(scene);
         return record;
     }
 };
@@ -66,7 +66,7 @@ TEST_F(Marks, EventsAreMarkedWithTheirKindAndFrame) {
 
 TEST_F(Marks, WhatIsNotKnownSaysSo) {
     const scene::Scene scene = loaded(ball + "[parameters]\nradius = 1\n");
-    topology::Record record = of(scene, topology::story());
+    topology::TimelineRecord record = of(scene, topology::story());
     topology::Timeline& timeline = record.timeline;
     timeline.events[0].is_proved = false;
     timeline.events[1].kind = topology::Kind::unknown;
@@ -93,7 +93,7 @@ TEST_F(Marks, TimesBecomeTheScenesFrames) {
 
 TEST_F(Marks, ATimelineOfAnotherSceneIsRefused) {
     const scene::Scene scene = loaded(ball + "[parameters]\nradius = 1\n");
-    const topology::Record record = of(scene, topology::story());
+    const topology::TimelineRecord record = of(scene, topology::story());
     const auto is_refused = [&](const std::string& text) {
         const TopologyMarkers found = topology_markers(loaded(text), record, "a.json");
         EXPECT_EQ(found.refusal.empty(), !found.markers.empty());
