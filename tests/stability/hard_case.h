@@ -15,6 +15,10 @@
 
 namespace isomotion::stability {
 
+// A method that a case blinds may be wrong everywhere, but only by hits too soon: it misses no
+// root.
+inline constexpr double blind = 1e6;
+
 // The most pixels in a million that the method may get wrong.
 struct Bound {
     scene::Method method;
