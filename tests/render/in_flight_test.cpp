@@ -94,7 +94,7 @@ TEST_P(InFlight, PicturesOfSeveralTilesAreNotAskedForAhead) {
     scene.output.width = scene.output.height = 128;
     Renderer renderer = renderer_of(scene, MarchPlan{64, 64, 1000});
     EXPECT_EQ(renderer.most_in_flight(), 1);
-    EXPECT_FALSE(ask(renderer, scene, 1));
+    EXPECT_FALSE(ask(renderer, renderer.prepare(scene, 1)));
     EXPECT_EQ(renderer.in_flight(), 0);
     renderer.start(at(scene, 1));
     const Picture taken = renderer.take();
@@ -138,11 +138,11 @@ TEST_P(InFlight, NoneIsLeftWhereOneIsGivenUp) {
 TEST_P(InFlight, AFrameOfOnePictureIsAskedFor) {
     scene::Scene scene = scene_of("torus");
     Renderer renderer = renderer_of(scene);
-    ASSERT_TRUE(ask(renderer, scene, 3));
+    ASSERT_TRUE(ask(renderer, renderer.prepare(scene, 3)));
     const Picture taken = renderer.take();
     expect_same(taken, expose(renderer, scene, 3));
     scene.output.samples = 4;
-    EXPECT_FALSE(ask(renderer, scene, 3));
+    EXPECT_FALSE(ask(renderer, renderer.prepare(scene, 3)));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "formula/glsl/glsl.h"
 #include "scenes.h"
 #include "synthesis/shader_files.h"
+#include "synthesis/shader_text.h"
 
 namespace isomotion::synthesis {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "gpu/buffer.h"
 #include "synthesis/field_text.h"
+#include "synthesis/shader_text.h"
 #include "unit/gpu/every_backend.h"
 
 namespace isomotion::synthesis {
