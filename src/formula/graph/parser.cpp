@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/nearest_name.h"
 #include "formula/graph/limits.h"
 
 namespace isomotion::formula {
@@ -323,7 +324,7 @@ private:
             fail(begin, "random is for animation: give a parameter or an array field its value "
                         "with random(i, k), not the formula");
         }
-        const std::string near = nearest_name(function, function_names());
+        const std::string near = base::nearest_name(function, function_names());
         fail(begin, fmt::format("there is no function '{}'{}", function,
                                 near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
     }
@@ -368,7 +369,7 @@ private:
             if (vocabulary_.arrays[k].name == word) array = int(k);
         }
         if (array < 0) {
-            const std::string near = nearest_name(word, known);
+            const std::string near = base::nearest_name(word, known);
             fail(place,
                  known.empty()
                      ? "sum needs an array, and the scene has none: add [arrays.name]"
@@ -422,7 +423,7 @@ private:
                 }
             }
         }
-        const std::string near = nearest_name(word, known);
+        const std::string near = base::nearest_name(word, known);
         const std::string hint = near.empty() ? fmt::format("; known: {}", join(known))
                                               : fmt::format("; did you mean '{}'?", near);
         fail(begin, fmt::format("unknown name '{}'{}", word, hint));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/file_text.h"
+#include "base/nearest_name.h"
 #include "base/toml.h"
 #include "formula/graph/vocabulary.h"
 #include "scene/limits.h"
@@ -202,7 +203,7 @@ void Section::refuse_rest() {
         const std::string key(name.str());
         if (known_.count(key)) continue;
         const std::vector<std::string> known(known_.begin(), known_.end());
-        const std::string near = formula::nearest_name(key, known);
+        const std::string near = base::nearest_name(key, known);
         fail(node, dotted(key),
              near.empty() ? fmt::format("unknown key; known here: {}", fmt::join(known, ", "))
                           : fmt::format("unknown key; did you mean '{}'?", near));
