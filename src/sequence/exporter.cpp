@@ -33,6 +33,7 @@ image::Rational movie_rate(const scene::Scene& scene) {
 bool stopped(const ExportWatcher& watcher) { return watcher.stop && watcher.stop(); }
 
 void check_options(const scene::Scene& scene, const ExportOptions& options, image::Format format) {
+    if (options.frames.empty()) throw OptionError("frames: name at least one");
     if (format == image::Format::exr && options.bits != 8) {
         throw OptionError("bits is of a PNG; an EXR holds half floats");
     }

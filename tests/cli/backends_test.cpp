@@ -1,7 +1,7 @@
 // The back ends draw the same picture.
 #include "cli.h"
 
-#include "image/compare.h"
+#include "unit/image/compare.h"
 
 namespace isomotion::cli {
 namespace {
