@@ -1,11 +1,17 @@
 # Writes ctest's entries of a GoogleTest binary: one for each of its suites, since many a binary
 # takes longer to start than most tests. A suite given with a number of shards has as many entries.
+#
+# Entries of the quick suite run each test once, on the back end egl where it is parametrised by back
+# ends. What is EXHAUSTIVE, a suite or some tests of one ("Suite", "Suite.Test*"), what is not QUICK of a
+# suite of which some tests are ("Suite.Test*"), and the other back ends of suites that are not in
+# BACKENDS, have entries with the label `exhaustive`.
+#
 # All share the driver's cache of shaders but those that are UNCACHED; so tests on the back end glfw
 # have an entry of their own, which begins once EGL's, with the same driver, has ended.
 #
 #   cmake -D BINARY=... -D FOLDER=<where it runs> -D LSAN=<suppressions> -D CACHE=<folder>
-#         -D "SHARDS=Suite=3;..." -D "UNCACHED=Suite;..." -D LABEL=... -D TO=<the file to write>
-#         -P discover_suites.cmake
+#         -D "SHARDS=Suite=3;..." -D "UNCACHED=Suite;..." -D "EXHAUSTIVE=Suite;Suite.Test*;..."
+#         -D "QUICK=Suite.Test*;..." -D "BACKENDS=Suite;..." -D LABEL=... -D TO=<the file to write> -P discover_suites.cmake
 cmake_minimum_required(VERSION 3.25)
 
 execute_process(COMMAND ${BINARY} --gtest_list_tests
@@ -19,15 +25,11 @@ endif()
 string(REGEX REPLACE " *#[^\n]*" "" listed "${listed}")
 string(REGEX MATCHALL "[^\n]+" lines "${listed}")
 foreach(line IN LISTS lines)
-  if(line MATCHES "^  .*/glfw$")
-    list(APPEND on_glfw ${suite})
-  elseif(line MATCHES "^  ")
-    math(EXPR tests_of_${suite} "${tests_of_${suite}} + 1")
+  if(line MATCHES "^  (.*)$")
+    list(APPEND tests_of_${suite} ${CMAKE_MATCH_1})
   elseif(line MATCHES "^([A-Za-z0-9_/]+)\\.$")
     set(suite ${CMAKE_MATCH_1})
     list(APPEND suites ${suite})
-    set(tests_of_${suite} 0)
-    set(shards_of_${suite} 1)
   elseif(line MATCHES "\\.$")
     message(FATAL_ERROR "${BINARY}: a suite by the name of ${line}?")
   endif()
@@ -36,56 +38,132 @@ if(NOT suites)
   message(FATAL_ERROR "${BINARY} has no tests")
 endif()
 
+# select(<variable> <suite> <pattern>...): the suite's tests that one of the patterns matches.
+function(select variable suite)
+  set(selected "")
+  foreach(pattern IN LISTS ARGN)
+    string(REPLACE "*" ".*" expression "${pattern}")
+    set(of_pattern ${tests_of_${suite}})
+    list(FILTER of_pattern INCLUDE REGEX "^${expression}$")
+    list(APPEND selected ${of_pattern})
+  endforeach()
+  list(REMOVE_DUPLICATES selected)
+  set(${variable} ${selected} PARENT_SCOPE)
+endfunction()
+
+# A name that no test has any more would do nothing, in silence.
+function(expect_suite option suite)
+  if(NOT suite IN_LIST suites)
+    message(FATAL_ERROR "${option} ${suite}: ${BINARY} has no such suite")
+  endif()
+endfunction()
+
+foreach(suite IN LISTS UNCACHED BACKENDS)
+  expect_suite("UNCACHED or BACKENDS" ${suite})
+endforeach()
 foreach(given IN LISTS SHARDS)
   string(REGEX MATCH "^(.*)=([0-9]+)$" whole "${given}")
-  set(suite ${CMAKE_MATCH_1})
-  if(NOT suite IN_LIST suites OR CMAKE_MATCH_2 GREATER tests_of_${suite})
-    message(FATAL_ERROR "SHARDS ${given}: ${BINARY} has no suite of so many tests by this name")
-  endif()
-  set(shards_of_${suite} ${CMAKE_MATCH_2})
+  expect_suite(SHARDS ${CMAKE_MATCH_1})
+  set(shards_of_${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
 endforeach()
-
-foreach(suite IN LISTS UNCACHED)
-  if(NOT suite IN_LIST suites)
-    message(FATAL_ERROR "UNCACHED ${suite}: ${BINARY} has no such suite")
-  endif()
+foreach(option EXHAUSTIVE QUICK)
+  foreach(given IN LISTS ${option})
+    string(REGEX MATCH "^([^.]*)\\.?(.*)$" whole "${given}")
+    set(suite ${CMAKE_MATCH_1})
+    set(pattern ${CMAKE_MATCH_2})
+    expect_suite(${option} ${suite})
+    if(NOT pattern)
+      set(pattern "*")
+    endif()
+    select(tests ${suite} ${pattern})
+    if(NOT tests)
+      message(FATAL_ERROR "${option} ${given}: ${BINARY} has no such test")
+    endif()
+    list(APPEND ${option}_of_${suite} ${pattern})
+  endforeach()
 endforeach()
 
 set(text "")
-function(add_entry name filter environment)
+# add_entry(<name> <suite> <filter> <labels> <environment> [property value ...])
+function(add_entry name suite filter labels environment)
   string(JOIN " " more ${ARGN})
+  if(suite IN_LIST UNCACHED)
+    list(APPEND environment "MESA_SHADER_CACHE_DISABLE=true")
+  else()
+    list(APPEND environment "MESA_SHADER_CACHE_DISABLE=false" "MESA_SHADER_CACHE_DIR=${CACHE}")
+  endif()
   string(APPEND text
     "add_test([=[${name}]=] [=[${BINARY}]=] [=[--gtest_filter=${filter}]=])\n"
     "set_tests_properties([=[${name}]=] PROPERTIES WORKING_DIRECTORY [=[${FOLDER}]=]\n"
-    "  LABELS ${LABEL} TIMEOUT 600 SKIP_RETURN_CODE 77 FIXTURES_REQUIRED shader_cache ${more}\n"
+    "  LABELS [=[${labels}]=] TIMEOUT 600 SKIP_RETURN_CODE 77 FIXTURES_REQUIRED shader_cache ${more}\n"
     "  ENVIRONMENT [=[${environment}]=]\n"
     "  ENVIRONMENT_MODIFICATION [=[LSAN_OPTIONS=set:suppressions=${LSAN}]=])\n")
   set(text "${text}" PARENT_SCOPE)
+  list(APPEND entries ${name})
+  set(entries "${entries}" PARENT_SCOPE)
+endfunction()
+
+# filter_of(<variable> <suite> <test>...): GoogleTest's filter of these tests by name.
+function(filter_of variable suite)
+  list(TRANSFORM ARGN PREPEND "${suite}." OUTPUT_VARIABLE names)
+  list(JOIN names ":" names)
+  set(${variable} "${names}" PARENT_SCOPE)
 endfunction()
 
 foreach(suite IN LISTS suites)
-  set(environment "MESA_SHADER_CACHE_DISABLE=false;MESA_SHADER_CACHE_DIR=${CACHE}")
-  if(suite IN_LIST UNCACHED)
-    set(environment "MESA_SHADER_CACHE_DISABLE=true")
+  set(entries "")
+  select(on_osmesa ${suite} "*/osmesa")
+  select(on_glfw ${suite} "*/glfw")
+  set(quick ${tests_of_${suite}})
+  list(REMOVE_ITEM quick "" ${on_osmesa} ${on_glfw})
+  set(all ${quick})
+  if(QUICK_of_${suite})
+    select(quick ${suite} ${QUICK_of_${suite}})
+    list(REMOVE_ITEM quick "" ${on_osmesa} ${on_glfw})
   endif()
-  set(shards ${shards_of_${suite}})
-  set(others "")
-  foreach(shard RANGE 1 ${shards})
-    if(tests_of_${suite} EQUAL 0)
-      break() # all are on glfw
-    elseif(shards EQUAL 1)
-      add_entry(${suite} "${suite}.*-*/glfw" "${environment}")
-      list(APPEND others ${suite})
-    else()
-      math(EXPR index "${shard} - 1")
-      add_entry("${suite} ${shard} of ${shards}" "${suite}.*-*/glfw"
-                "${environment};GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}"
-                COST 100) # what takes long begins first
-      list(APPEND others "${suite} ${shard} of ${shards}")
+  select(long ${suite} ${EXHAUSTIVE_of_${suite}})
+  list(REMOVE_ITEM quick "" ${long})
+  set(long ${all})
+  list(REMOVE_ITEM long "" ${quick})
+
+  if(quick)
+    set(filter "${suite}.*-*/osmesa:*/glfw")
+    if(long)
+      filter_of(filter ${suite} ${quick})
     endif()
-  endforeach()
-  if(suite IN_LIST on_glfw)
-    add_entry("${suite} on glfw" "${suite}.*/glfw" "${environment}" DEPENDS "[=[${others}]=]")
+    set(shards 1)
+    if(DEFINED shards_of_${suite})
+      set(shards ${shards_of_${suite}})
+    endif()
+    list(LENGTH quick tests)
+    if(shards GREATER tests)
+      message(FATAL_ERROR "SHARDS ${suite}: ${BINARY} has no suite of so many tests by this name")
+    endif()
+    foreach(shard RANGE 1 ${shards})
+      if(shards EQUAL 1)
+        add_entry(${suite} ${suite} "${filter}" ${LABEL} "")
+      else()
+        math(EXPR index "${shard} - 1")
+        add_entry("${suite} ${shard} of ${shards}" ${suite} "${filter}" ${LABEL}
+                  "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}"
+                  COST 100) # what takes long begins first
+      endif()
+    endforeach()
+  endif()
+  if(long)
+    filter_of(filter ${suite} ${long})
+    add_entry("${suite} exhaustive" ${suite} "${filter}" "${LABEL};exhaustive" "")
+  endif()
+
+  set(labels ${LABEL})
+  if(NOT suite IN_LIST BACKENDS)
+    list(APPEND labels exhaustive)
+  endif()
+  if(on_osmesa)
+    add_entry("${suite} on osmesa" ${suite} "${suite}.*/osmesa" "${labels}" "")
+  endif()
+  if(on_glfw)
+    add_entry("${suite} on glfw" ${suite} "${suite}.*/glfw" "${labels}" "" DEPENDS "[=[${entries}]=]")
   endif()
 endforeach()
 file(WRITE ${TO} "${text}")

@@ -36,14 +36,43 @@ prepare_check() {
     prepare_packages $(sed -n "s/^$1 //p" tools/check-packages.txt)
 }
 
-# build <cmake options>: configures and builds build/release, showing the log only on failure.
-build() {
+# Reads what ninja says and shows how far it is: on a terminal in one line, else every tenth part.
+show_steps() {
+    shown=0 of=0
+    while IFS= read -r line; do
+        case $line in "["[0-9]*/[0-9]*"]"*) ;; *) continue ;; esac
+        step=${line#"["}
+        total=${step#*/} step=${step%%/*}
+        total=${total%%"]"*}
+        [ "$total" = "$of" ] || { shown=0 of=$total; }
+        if [ -t 1 ]; then
+            printf '\r  step %s of %s  ' "$step" "$total"
+        elif [ $((10 * step / total)) -gt $shown ]; then
+            shown=$((10 * step / total))
+            echo "  step $step of $total"
+        fi
+    done
+    [ ! -t 1 ] || [ "$of" = 0 ] || echo
+}
+
+# build_in <preset> <targets> <cmake options>: configures and builds build/<preset>, showing how far it is,
+# and the log (build/build.log) only on failure. No targets: all.
+build_in() {
+    preset=$1 targets=$2
+    shift 2
     mkdir -p build
-    echo "building (build/release, log in build/build.log)"
-    if ! { cmake --preset release "$@" && cmake --build --preset release; } >build/build.log 2>&1; then
+    echo "building (build/$preset, log in build/build.log)"
+    rm -f build/built
+    # shellcheck disable=SC2086 # a list of targets
+    { cmake --preset "$preset" "$@" && cmake --build --preset "$preset" ${targets:+--target $targets} &&
+        : >build/built; } 2>&1 | tee build/build.log | show_steps
+    if [ ! -e build/built ]; then
         cat build/build.log >&2
         exit 3
     fi
 }
+
+# build <cmake options>: all of build/release.
+build() { build_in release "" "$@"; }
 
 prepare_packages $(sed 's/#.*//' tools/packages.txt)

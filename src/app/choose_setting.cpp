@@ -13,7 +13,7 @@ namespace isomotion::app {
 std::optional<scene::Isolation> choose_setting(gpu::Context& context, const scene::Scene& scene,
                                                const std::vector<int>& frames,
                                                const SettingChoice& choice) {
-    accuracy::Measuring measuring;
+    accuracy::MeasureOptions measuring;
     measuring.frames = {frames.front()};
     for (const int frame : {frames[frames.size() / 2], frames.back()}) {
         if (frame != measuring.frames.back()) measuring.frames.push_back(frame);

@@ -41,7 +41,7 @@ std::string step_key(const std::string& text) {
 
 std::string known_methods() {
     std::vector<std::string_view> known;
-    for (const auto& entry : scene::method_names) known.push_back(entry.name);
+    for (const auto& entry : scene::method_traits) known.push_back(entry.name);
     return fmt::format("{}", fmt::join(known, ", "));
 }
 

@@ -210,7 +210,7 @@ void add_topology(CLI::App& app, Action& chosen) {
     command->add_option("--csv", a.csv, "file for Betti numbers, frame by frame: NAME.betti.csv");
     command->add_option("--plot", a.plot, "file for a picture of the timeline: NAME.svg");
     command->add_option("--check", a.check,
-                        "hold the timeline against this file: one written with -o, or claims in "
+                        "compare the timeline with this file: one written with -o, or claims in "
                         "JSON or TOML; exit code 1 if it differs, 2 if it could not be decided");
     command
         ->add_option("--dt", a.dt,

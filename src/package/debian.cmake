@@ -19,7 +19,7 @@ draws every frame on the GPU from the formula alone, so that the topology may
 change freely. Plays animations in a window, writes them as PNG, OpenEXR and
 movies, measures what accuracy costs in time, and proves when parts of a
 surface merge, split, open and close. Comes with a gallery.")
-# Opened while running, which dpkg-shlibdeps can't see: ways to OpenGL, and ffmpeg for movies.
+# Opened while running, which dpkg-shlibdeps can't see: OpenGL back ends, and ffmpeg for movies.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "libegl1, libgl1, libgl1-mesa-dri, libosmesa6, ffmpeg")
 # Labels of the window; plots of `isomotion accuracy -o`.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "fonts-dejavu-core, gnuplot-nox")

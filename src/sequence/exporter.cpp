@@ -16,7 +16,7 @@ namespace isomotion::sequence {
 namespace fs = std::filesystem;
 namespace {
 
-void make_folder(const fs::path& file) {
+void make_folder_of(const fs::path& file) {
     const fs::path folder = file.parent_path();
     if (folder.empty()) return;
     std::error_code error;
@@ -130,9 +130,10 @@ private:
     }
 
     void add(int frame) {
-        PendingFrame next{frame, scene_.timeline.values(frame), {}, {}};
-        const std::string pixels = render::fingerprint(renderer_, scene_, frame);
-        next.metadata = frame_metadata(scene_, scene::at(scene_, next.values), next.values, frame);
+        const render::FrameInputs inputs = renderer_.prepare(scene_, frame);
+        const std::string& pixels = inputs.fingerprint;
+        PendingFrame next{frame, inputs.values, {}, {}};
+        next.metadata = frame_metadata(scene_, inputs.now, next.values, frame);
         next.fingerprint =
             file_fingerprint(pixels, sequence_.provenance.renderer, format_, next.metadata);
         next.metadata.back().value = next.fingerprint;
@@ -144,12 +145,12 @@ private:
             if (!waiting_.empty()) return waiting_.push_back(std::move(next));
             return write(next);
         }
-        const bool on_its_way = render::ask(renderer_, scene_, frame);
+        const bool on_its_way = render::ask(renderer_, inputs);
         finish(); // while this one is drawn
         drawn_ = pixels;
         waiting_.push_back(std::move(next));
         if (on_its_way) return;
-        picture_drawn_ = render::expose(renderer_, scene_, frame);
+        picture_drawn_ = render::expose(renderer_, inputs);
         release();
     }
 
@@ -254,8 +255,8 @@ Exporter::Exporter(scene::Scene scene, ExportOptions options)
 }
 
 void Exporter::make_folders() const {
-    make_folder(name_.path(options_.frames.front()));
-    if (!options_.movie.empty()) make_folder(options_.movie);
+    make_folder_of(name_.path(options_.frames.front()));
+    if (!options_.movie.empty()) make_folder_of(options_.movie);
 }
 
 ExportTotals Exporter::export_frames(gpu::Context& context, const ExportWatcher& watcher) {

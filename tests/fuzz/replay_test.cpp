@@ -23,7 +23,12 @@ std::vector<Input> inputs() {
     std::vector<Input> all;
     const fs::path folder = ISOMOTION_SOURCE_DIR "/tests/fuzz";
     for (const char* from : {"corpus", "found"}) {
-        for (const auto& [name, target] : {std::pair("formula", &formula), {"scene", &scene}}) {
+        for (const auto& [name, target] : {std::pair("claims", &claims),
+                                           {"formula", &formula},
+                                           {"manifest", &manifest},
+                                           {"scene", &scene},
+                                           {"timeline", &timeline}}) {
+            if (!fs::exists(folder / from / name)) continue; // nothing was found yet
             for (const auto& entry : fs::directory_iterator(folder / from / name)) {
                 all.push_back({entry.path(), target});
             }

@@ -19,4 +19,13 @@ void formula(std::string_view text);
 // A scene file: TOML -> Scene -> values at some frames -> all shaders of it.
 void scene(std::string_view text);
 
+// A sequence's manifest and a frame's record: JSON -> record -> the same JSON.
+void manifest(std::string_view text);
+
+// A timeline of topology: JSON -> record -> JSON -> the same record.
+void timeline(std::string_view text);
+
+// What a person claims of a topology, in JSON or TOML: claims, checked against an empty record.
+void claims(std::string_view text);
+
 } // namespace isomotion::fuzz

@@ -128,6 +128,9 @@ void expect_bounds(const HardCase& a_case) {
         SCOPED_TRACE(std::string(scene::name(bound.method)));
         const Looked looked = look(a_case, bound.method);
         EXPECT_LE(looked.errors.wrong_ppm(), bound.wrong_ppm);
+        if (bound.wrong_ppm == blind) {
+            EXPECT_EQ(looked.errors.missed, 0);
+        }
         EXPECT_EQ(looked.errors.nan, 0);
         EXPECT_EQ(looked.errors.step_limit, 0);
         EXPECT_EQ(looked.crooked, 0);

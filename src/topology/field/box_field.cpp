@@ -16,9 +16,8 @@ using formula::Node;
 using formula::NodeId;
 using formula::Op;
 
-// The sums over the largest array whose sums hold no others; none where there is no such array.
-std::vector<NodeId> sums_to_cull(const Graph& graph, std::span<const NodeId> roots,
-                                 std::span<const int> counts) {
+// The sums over each array whose sums hold no others.
+std::map<int, std::vector<NodeId>> sums_to_cull(const Graph& graph, std::span<const NodeId> roots) {
     std::map<int, std::vector<NodeId>> sums;
     std::set<int> nested;
     for (const NodeId id : formula::nodes_below(graph, roots)) {
@@ -30,48 +29,40 @@ std::vector<NodeId> sums_to_cull(const Graph& graph, std::span<const NodeId> roo
         }
         if (graph[id].arrays != 0) nested.insert(graph[id].index);
     }
-    const std::vector<NodeId>* largest = nullptr;
-    int most = 0;
-    for (const auto& [array, found] : sums) {
-        if (nested.contains(array)) continue;
-        const int count = counts[std::size_t(array)];
-        if (largest && count <= most) continue;
-        largest = &found;
-        most = count;
-    }
-    return largest ? *largest : std::vector<NodeId>{};
+    std::erase_if(sums, [&](const auto& array) { return nested.contains(array.first); });
+    return sums;
 }
 
 } // namespace
 
-BoxField::BoxField(Graph graph, std::span<const NodeId> jet, Inputs inputs, std::size_t rows,
-                   std::span<const int> counts)
+BoxField::BoxField(Graph graph, std::span<const NodeId> jet, Inputs inputs, std::size_t rows)
     : inputs_(inputs)
     , rows_(rows) {
     const std::size_t first_order = 1 + inputs.unknowns;
-    std::vector<NodeId> roots(jet.begin(), jet.end());
-    const std::vector<NodeId> sums = sums_to_cull(graph, roots, counts);
-    if (!sums.empty()) {
-        culling_ = culling(graph, sums, graph[sums[0]].index, jet.first(first_order));
-        std::vector<Node> nodes;
-        nodes.reserve(sums.size());
-        for (const NodeId id : sums) nodes.push_back(graph[id]);
-        const auto with_rest = [&](Graph& g, const Node& node, NodeId rebuilt) {
-            const auto at = std::find(nodes.begin(), nodes.end(), node);
-            if (at == nodes.end()) return rebuilt;
-            return g.add(g.input(int(inputs_.count()) + int(at - nodes.begin())), rebuilt);
-        };
-        roots = formula::substitute(graph, graph, roots, with_rest);
+    std::vector<Node> sums;
+    for (const auto& [array, of_array] : sums_to_cull(graph, jet)) {
+        cullings_.push_back(culling(graph, of_array, jet.first(first_order)));
+        cullings_.back().first_sum = sums.size();
+        for (const NodeId id : of_array) sums.push_back(graph[id]);
     }
+    sums_ = sums.size();
+    const auto with_rest = [&](Graph& g, const Node& node, NodeId rebuilt) {
+        const auto at = std::find(sums.begin(), sums.end(), node);
+        if (at == sums.end()) return rebuilt;
+        return g.add(g.input(int(inputs_.count()) + int(at - sums.begin())), rebuilt);
+    };
+    const std::vector<NodeId> roots = sums.empty()
+                                          ? std::vector<NodeId>(jet.begin(), jet.end())
+                                          : formula::substitute(graph, graph, jet, with_rest);
     value_ = formula::schedule(graph, std::span(roots).first(1));
     gradient_ = formula::schedule(graph, std::span(roots).first(first_order));
     jet_ = formula::schedule(graph, roots);
 }
 
-BoxField::Culling BoxField::culling(Graph& graph, std::span<const NodeId> sums, int array,
+BoxField::Culling BoxField::culling(Graph& graph, std::span<const NodeId> sums,
                                     std::span<const NodeId> first_order) const {
     Culling made;
-    made.array = array;
+    made.array = graph[sums[0]].index;
     const std::vector<NodeId> below = formula::nodes_below(graph, first_order);
     std::vector<NodeId> bodies;
     bodies.reserve(sums.size());
@@ -93,12 +84,12 @@ BoxField::Culling BoxField::culling(Graph& graph, std::span<const NodeId> sums, 
 
 BoxEvaluator::BoxEvaluator(const BoxField& field, formula::Bindings<Interval> bindings)
     : field_(field)
-    , all_{std::move(bindings),
-           std::vector<Interval>(field.culling_.is_first_order.size(), Interval(0))}
+    , all_{std::move(bindings), std::vector<Interval>(field.sums_, Interval(0))}
     , value_(field.value_)
     , gradient_(field.gradient_)
-    , jet_(field.jet_)
-    , terms_(field.culling_.terms) {}
+    , jet_(field.jet_) {
+    for (const auto& culling : field.cullings_) terms_.emplace_back(culling.terms);
+}
 
 void BoxEvaluator::load(std::size_t lane, const Box& box) {
     const std::size_t n = field_.inputs_.unknowns;
@@ -165,80 +156,76 @@ Jet<Interval> BoxEvaluator::jet(const Box& box) {
     return one[0];
 }
 
-bool BoxEvaluator::run_terms(const Box& box, const Elements& from) {
-    const BoxField::Culling& culling = field_.culling_;
-    if (culling.array < 0) return false;
-    const formula::ArrayColumns<Interval>& columns =
-        from.bindings.arrays[std::size_t(culling.array)];
-    const auto count = std::size_t(columns.count);
-    if (count <= 1) return false;
+void BoxEvaluator::run_terms(std::size_t which, const Box& box, const Elements& from) {
+    const BoxField::Culling& culling = field_.cullings_[which];
+    const auto& columns = from.bindings.arrays[std::size_t(culling.array)];
     const std::size_t own = field_.inputs_.count();
     inputs_.resize(std::max(inputs_.size(), own + culling.fields.size()));
     for (std::size_t k = 0; k < own; ++k) inputs_[k].resize(1);
     load(0, box);
-    for (std::size_t k = 0; k < own; ++k) inputs_[k].assign(count, Interval(inputs_[k][0]));
+    for (std::size_t k = 0; k < own; ++k)
+        inputs_[k].assign(std::size_t(columns.count), Interval(inputs_[k][0]));
     for (std::size_t f = 0; f < culling.fields.size(); ++f)
         inputs_[own + f] = columns.fields[std::size_t(culling.fields[f])];
-    run(terms_, from, culling.is_first_order.size());
-    return true;
+    run(terms_[which], from, culling.is_first_order.size());
 }
 
-template<class Matters> Elements BoxEvaluator::kept(const Elements& from, Matters&& matters) const {
-    const auto array = std::size_t(field_.culling_.array);
-    const auto count = std::size_t(from.bindings.arrays[array].count);
+template<class Size, class Matters>
+Elements BoxEvaluator::cull(const Box& box, const Elements& from, Size&& size, Matters&& matters) {
     Elements kept = from;
-    formula::ArrayColumns<Interval>& to = kept.bindings.arrays[array];
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!matters(i)) {
-            for (std::size_t j = 0; j < kept.rest.size(); ++j)
-                kept.rest[j] = kept.rest[j] + outputs_[j][i];
-            continue;
+    for (std::size_t which = 0; which < terms_.size(); ++which) {
+        const BoxField::Culling& culling = field_.cullings_[which];
+        formula::ArrayColumns<Interval>& columns = kept.bindings.arrays[std::size_t(culling.array)];
+        const auto count = std::size_t(columns.count), sums = culling.is_first_order.size();
+        if (count <= 1) continue;
+        run_terms(which, box, from);
+        std::vector<double> sizes;
+        for (std::size_t j = 0; j < sums; ++j)
+            sizes.push_back(size(std::span<const Interval>(outputs_[j]).first(count)));
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            bool is_kept = false;
+            for (std::size_t j = 0; j < sums; ++j)
+                is_kept |= matters(outputs_[j][i], sizes[j], culling.is_first_order[j] != 0);
+            if (!is_kept) {
+                for (std::size_t j = 0; j < sums; ++j) {
+                    Interval& rest = kept.rest[culling.first_sum + j];
+                    rest = rest + outputs_[j][i];
+                }
+                continue;
+            }
+            for (auto& field : columns.fields) {
+                if (!field.empty()) field[next] = field[i];
+            }
+            ++next;
         }
-        for (auto& field : to.fields) {
-            if (!field.empty()) field[next] = field[i];
+        columns.count = int(next);
+        for (auto& field : columns.fields) {
+            if (!field.empty()) field.resize(next);
         }
-        ++next;
-    }
-    to.count = int(next);
-    for (auto& field : to.fields) {
-        if (!field.empty()) field.resize(next);
     }
     return kept;
 }
 
 Elements BoxEvaluator::near(const Box& box, const Elements& from, double negligible) {
-    if (!run_terms(box, from)) return from;
-    const std::size_t sums = from.rest.size(), count = outputs_[0].size();
-    std::vector<double> largest(sums, 0);
-    for (std::size_t j = 0; j < sums; ++j) {
-        for (std::size_t i = 0; i < count; ++i)
-            largest[j] = std::max(largest[j], magnitude(outputs_[j][i]));
-    }
-    return kept(from, [&](std::size_t i) {
-        bool matters = false;
-        for (std::size_t j = 0; j < sums; ++j) {
-            const double most = magnitude(outputs_[j][i]);
-            matters |= std::isinf(most) || !(most <= negligible * largest[j]);
-        }
-        return matters;
+    const auto largest = [](std::span<const Interval> terms) {
+        double most = 0;
+        for (const Interval& term : terms) most = std::max(most, magnitude(term));
+        return most;
+    };
+    return cull(box, from, largest, [&](const Interval& term, double most, bool) {
+        return std::isinf(magnitude(term)) || !(magnitude(term) <= negligible * most);
     });
 }
 
 Elements BoxEvaluator::changing(const Box& box, const Elements& from, double negligible) {
-    if (!run_terms(box, from)) return from;
-    const std::size_t sums = from.rest.size(), count = outputs_[0].size();
-    std::vector<double> size(sums, 0);
-    for (std::size_t j = 0; j < sums; ++j) {
-        for (std::size_t i = 0; i < count; ++i) size[j] += magnitude(outputs_[j][i]);
-    }
-    return kept(from, [&](std::size_t i) {
-        bool matters = false;
-        for (std::size_t j = 0; j < sums; ++j) {
-            if (!field_.culling_.is_first_order[j]) continue;
-            matters |= std::isinf(size[j]) || !(width(outputs_[j][i]) <= negligible * size[j]);
-        }
-        return matters;
+    const auto all = [](std::span<const Interval> terms) {
+        double sum = 0;
+        for (const Interval& term : terms) sum += magnitude(term);
+        return sum;
+    };
+    return cull(box, from, all, [&](const Interval& term, double size, bool is_first_order) {
+        return is_first_order && (std::isinf(size) || !(width(term) <= negligible * size));
     });
 }
 

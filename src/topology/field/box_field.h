@@ -28,10 +28,9 @@ public:
 
     BoxField() = default;
     // `jet` is that of jet_over_boxes(), with the first `rows` rows of second derivatives.
-    // Elements of the largest array may be left out whose sums hold no other sums; `counts` are of
-    // the arrays' elements.
+    // Elements may be left out of those arrays whose sums hold no other sums.
     BoxField(formula::Graph graph, std::span<const formula::NodeId> jet, Inputs inputs,
-             std::size_t rows, std::span<const int> counts);
+             std::size_t rows);
 
     std::size_t unknowns() const { return inputs_.unknowns; }
 
@@ -39,28 +38,24 @@ private:
     friend class BoxEvaluator;
 
     struct Culling {
-        int array = -1;          // whose elements are left out; -1: none
-        std::vector<int> fields; // of the array, that terms depend on
-        formula::Program terms;  // inputs: all of the field's, then fields; one element's part of
-                                 // each sum
+        int array = 0;             // whose elements are left out
+        std::vector<int> fields;   // of the array, that terms depend on
+        formula::Program terms;    // inputs: all of the field's, then fields; one element's part of
+                                   // each sum
+        std::size_t first_sum = 0; // position among the sums of all arrays
         std::vector<char> is_first_order; // of each sum: F or its gradient has it
     };
 
-    Culling culling(formula::Graph& graph, std::span<const formula::NodeId> sums, int array,
+    Culling culling(formula::Graph& graph, std::span<const formula::NodeId> sums,
                     std::span<const formula::NodeId> first_order) const;
 
     Inputs inputs_;
     std::size_t rows_ = 0;
-    Culling culling_;
+    std::vector<Culling> cullings_;
+    std::size_t sums_ = 0; // whose elements may be left out
     // Inputs: the field's, then what is added to each sum.
     formula::Program value_, gradient_, jet_;
 };
-
-template<class T> std::vector<int> counts_of(const formula::Bindings<T>& bindings) {
-    std::vector<int> counts;
-    for (const auto& array : bindings.arrays) counts.push_back(array.count);
-    return counts;
-}
 
 // The elements that matter, and what the others add to each sum.
 struct Elements {
@@ -100,15 +95,17 @@ private:
     void load(const Elements& elements, std::span<const Box> boxes);
     void run(formula::Evaluator<formula::Interval>& program, const Elements& elements,
              std::size_t outputs);
-    // The terms of each element over the box are then in the outputs; false if there is nothing to
-    // leave out.
-    bool run_terms(const Box& box, const Elements& from);
-    // After run_terms(): without the elements that `matters` is false for.
-    template<class Matters> Elements kept(const Elements& from, Matters&& matters) const;
+    // Without the elements of which no term matters: a term of a sum is compared with what `size`
+    // makes of all terms of that sum over the box.
+    template<class Size, class Matters>
+    Elements cull(const Box& box, const Elements& from, Size&& size, Matters&& matters);
+    // The terms of each element over the box are then in the outputs.
+    void run_terms(std::size_t culling, const Box& box, const Elements& from);
 
     const BoxField& field_;
     Elements all_;
-    formula::Evaluator<formula::Interval> value_, gradient_, jet_, terms_;
+    formula::Evaluator<formula::Interval> value_, gradient_, jet_;
+    std::vector<formula::Evaluator<formula::Interval>> terms_; // of each culling
     std::vector<std::vector<formula::Interval>> inputs_, outputs_;
 };
 

@@ -13,8 +13,7 @@ BoxField over_space(const SpaceFormula& formula) {
     formula::Graph graph = formula.graph;
     constexpr std::array<std::size_t, 3> axes{0, 1, 2};
     const std::vector<formula::NodeId> jet = jet_over_boxes(graph, formula.root, axes, axes.size());
-    return {
-        std::move(graph), jet, {.unknowns = axes.size()}, axes.size(), counts_of(formula.bindings)};
+    return {std::move(graph), jet, {.unknowns = axes.size()}, axes.size()};
 }
 
 } // namespace

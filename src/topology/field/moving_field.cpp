@@ -133,7 +133,7 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Com
     numbers_ = formula::schedule(lowered, formula::lower(lowered, jet));
 
     if (!drift.rests()) jet = between_ends(g, jet);
-    over_boxes_ = BoxField(g, jet, {n, !drift.rests()}, d, counts_of(bindings_));
+    over_boxes_ = BoxField(g, jet, {n, !drift.rests()}, d);
 
     std::vector<NodeId> conditions;
     for (std::size_t k = 0; k < d; ++k) {

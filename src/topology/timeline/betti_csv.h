@@ -1,4 +1,4 @@
-// NAME.betti.csv: what an independent program's frames can be held against.
+// NAME.betti.csv: a table that an independent program's frames can be compared with.
 #pragma once
 
 #include <string>

@@ -19,7 +19,7 @@ namespace {
 
 using formula::Interval;
 
-constexpr std::size_t most_bytes = 256 << 20;
+constexpr std::size_t most_claim_bytes = 256 << 20;
 
 struct NumberName {
     const char* name;
@@ -179,7 +179,7 @@ Claims parse_claims(std::string_view text, const std::string& file, animation::F
 }
 
 Expectation read_expectation(const std::filesystem::path& file, animation::FrameRate fps) {
-    const std::string text = base::file_text(file, most_bytes);
+    const std::string text = base::file_text(file, most_claim_bytes);
     if (file.extension() != ".toml") {
         const auto document = base::Document::from_json(text, file.string());
         if (document.table().find("format")) return parse_timeline(text, file.string());

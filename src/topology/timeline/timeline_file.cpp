@@ -20,7 +20,7 @@ using formula::Interval;
 using Json = nlohmann::ordered_json; // keys as they were added
 using Point = std::array<Interval, 3>;
 
-constexpr std::size_t most_bytes = 256 << 20;
+constexpr std::size_t most_timeline_bytes = 256 << 20;
 constexpr std::string_view shape_names[] = {"box", "sphere"}; // by scene::Bounds::Shape
 
 Json json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -351,7 +351,7 @@ TimelineRecord parse_timeline(std::string_view text, const std::string& file) {
 }
 
 TimelineRecord read_timeline(const std::filesystem::path& file) {
-    return parse_timeline(base::file_text(file, most_bytes), file.string());
+    return parse_timeline(base::file_text(file, most_timeline_bytes), file.string());
 }
 
 } // namespace isomotion::topology

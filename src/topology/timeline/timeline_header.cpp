@@ -83,9 +83,7 @@ std::string fingerprint(const scene::Scene& scene) {
     print.add(std::to_string(animation.seed())).add(std::to_string(scene.surface.parameters));
     print.add(std::to_string(int(bounds.shape)));
     for (const int id : needed.tracks()) {
-        const animation::Track& track = animation.tracks()[std::size_t(id)];
-        print.add(track.name);
-        scene::add(print, track.source);
+        scene::add(print, animation.tracks()[std::size_t(id)]);
     }
     for (const animation::Array& array : animation.arrays()) scene::add(print, array);
     return print.text();

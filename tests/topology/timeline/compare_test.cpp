@@ -1,4 +1,4 @@
-// Timelines held against one another. Every edit is found for what it is, and said once.
+// Compares timelines. Every edit is found for what it is, and said once.
 #include "topology/timeline/compare.h"
 
 #include <algorithm>

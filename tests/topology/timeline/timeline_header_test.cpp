@@ -58,7 +58,7 @@ TEST_F(SubjectOf, TheFingerprintKnowsNothingElse) {
     const std::string plain = fingerprint(load());
     for (const char* setting :
          {"camera.fov=20", "camera.position=[1,2,9]", "time.frames=99", "output.size=[9,9]",
-          "surface.placement={scale=2}", "isolation.step=0.01"}) {
+          "surface.transform={scale=2}", "isolation.step=0.01"}) {
         EXPECT_EQ(fingerprint(load({setting})), plain) << setting;
     }
 }

@@ -1,0 +1,28 @@
+#include "base/printable.h"
+#include "fuzz/targets.h"
+#include "sequence/manifest_json.h"
+
+namespace isomotion::fuzz {
+namespace {
+
+// What is read is written, and read again it is the same.
+template<class Parse> void read_and_write(std::string_view text, Parse parse) {
+    try {
+        const std::string written = sequence::to_json(parse(text));
+        if (sequence::to_json(parse(written)) != written)
+            throw Violation("read again, another record");
+    } catch (const sequence::ManifestError& error) {
+        if (base::printable(error.what()) != error.what()) {
+            throw Violation("a message that commands a terminal");
+        }
+    }
+}
+
+} // namespace
+
+void manifest(std::string_view text) {
+    read_and_write(text, sequence::parse_sequence);
+    read_and_write(text, sequence::parse_frame_record);
+}
+
+} // namespace isomotion::fuzz
