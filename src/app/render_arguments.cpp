@@ -11,6 +11,7 @@
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "scene/method.h"
+#include "synthesis/channel.h"
 
 namespace isomotion::app {
 namespace {
@@ -63,6 +64,28 @@ std::string output_of(const RenderArguments& arguments, const scene::Scene& scen
     return fmt::format("out/{}.####.png", scene.file.stem().string());
 }
 
+// In one order, whatever the user's: it decides shader text and fingerprint.
+std::vector<synthesis::Channel> parse_channels(const std::string& text) {
+    std::vector<synthesis::Channel> channels;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        const std::string part = text.substr(begin, comma - begin);
+        const auto channel = synthesis::parse_channel(part);
+        if (!channel) {
+            std::vector<std::string_view> known;
+            for (const auto& entry : synthesis::channel_names()) known.push_back(entry.name);
+            throw std::invalid_argument(fmt::format(
+                "--channels: there is no channel '{}'; known: {}", part, fmt::join(known, ", ")));
+        }
+        if (std::find(channels.begin(), channels.end(), *channel) == channels.end()) {
+            channels.push_back(*channel);
+        }
+        begin = comma + 1;
+    }
+    std::sort(channels.begin(), channels.end());
+    return channels;
+}
+
 } // namespace
 
 void add_sequence_options(CLI::App& command, RenderArguments& a) {
@@ -113,27 +136,6 @@ std::vector<scene::Override> overrides(const RenderArguments& arguments) {
     if (!arguments.step.empty()) all.push_back(step_key(arguments.step));
     if (!arguments.size.empty()) all.push_back(size_key(arguments.size));
     return all;
-}
-
-std::vector<synthesis::Channel> parse_channels(const std::string& text) {
-    std::vector<synthesis::Channel> channels;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        const std::string part = text.substr(begin, comma - begin);
-        const auto channel = synthesis::parse_channel(part);
-        if (!channel) {
-            std::vector<std::string_view> known;
-            for (const auto& entry : synthesis::channel_names()) known.push_back(entry.name);
-            throw std::invalid_argument(fmt::format(
-                "--channels: there is no channel '{}'; known: {}", part, fmt::join(known, ", ")));
-        }
-        if (std::find(channels.begin(), channels.end(), *channel) == channels.end()) {
-            channels.push_back(*channel);
-        }
-        begin = comma + 1;
-    }
-    std::sort(channels.begin(), channels.end());
-    return channels;
 }
 
 sequence::Exporter exporter_of(const RenderArguments& arguments) {

@@ -8,7 +8,6 @@
 #include "scene/reading/load.h"
 #include "scene/scene.h"
 #include "sequence/exporter.h"
-#include "synthesis/channel.h"
 
 namespace CLI {
 class App;
@@ -43,8 +42,5 @@ std::vector<scene::Override> overrides(const RenderArguments& arguments);
 // What renders the frames asked for, by default all of the scene, to out/SCENE.####.png if no other
 // output is named. Everything is refused that `render` would refuse before it draws.
 sequence::Exporter exporter_of(const RenderArguments& arguments);
-
-// In one order, whatever the user's: it decides shader text and fingerprint.
-std::vector<synthesis::Channel> parse_channels(const std::string& text);
 
 } // namespace isomotion::app

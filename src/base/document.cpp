@@ -173,6 +173,7 @@ DocumentTable DocumentNode::table() const { return DocumentTable(*this); }
 
 bool DocumentNode::is_null() const { return value_->is_null(); }
 bool DocumentNode::is_number() const { return value_->is_number(); }
+bool DocumentNode::is_list() const { return value_->is_array(); }
 bool DocumentNode::is_table() const { return value_->is_object(); }
 
 DocumentTable::DocumentTable(const DocumentNode& node)

@@ -55,6 +55,7 @@ public:
 
     bool is_null() const;
     bool is_number() const;
+    bool is_list() const;
     bool is_table() const;
 
 private:

@@ -16,7 +16,7 @@ namespace isomotion::sequence {
 namespace fs = std::filesystem;
 namespace {
 
-void make_folder(const fs::path& file) {
+void make_folder_of(const fs::path& file) {
     const fs::path folder = file.parent_path();
     if (folder.empty()) return;
     std::error_code error;
@@ -33,6 +33,7 @@ image::Rational movie_rate(const scene::Scene& scene) {
 bool stopped(const ExportWatcher& watcher) { return watcher.stop && watcher.stop(); }
 
 void check_options(const scene::Scene& scene, const ExportOptions& options, image::Format format) {
+    if (options.frames.empty()) throw OptionError("frames: name at least one");
     if (format == image::Format::exr && options.bits != 8) {
         throw OptionError("bits is of a PNG; an EXR holds half floats");
     }
@@ -254,8 +255,8 @@ Exporter::Exporter(scene::Scene scene, ExportOptions options)
 }
 
 void Exporter::make_folders() const {
-    make_folder(name_.path(options_.frames.front()));
-    if (!options_.movie.empty()) make_folder(options_.movie);
+    make_folder_of(name_.path(options_.frames.front()));
+    if (!options_.movie.empty()) make_folder_of(options_.movie);
 }
 
 ExportTotals Exporter::export_frames(gpu::Context& context, const ExportWatcher& watcher) {

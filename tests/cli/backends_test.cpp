@@ -4,8 +4,8 @@
 
 #include <map>
 
-#include "image/compare.h"
 #include "on_display.h"
+#include "unit/image/compare.h"
 
 namespace isomotion::cli {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/file.h"
 #include "gallery/animations.h"
-#include "image/compare.h"
+#include "unit/image/compare.h"
 #include "image/decode.h"
 #include "image/encode.h"
 #include "render/drawing.h"

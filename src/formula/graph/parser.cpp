@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/nearest_name.h"
 #include "formula/graph/functions.h"
 #include "formula/graph/limits.h"
 #include "formula/graph/utf8.h"
@@ -211,7 +212,7 @@ private:
         const std::vector<NodeId> arguments = argument_list();
         const Function* function = find_function(name);
         if (!function) {
-            const std::string near = nearest_name(name, function_names());
+            const std::string near = base::nearest_name(name, function_names());
             fail(begin, fmt::format("there is no function '{}'{}", name,
                                     near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
         }
@@ -281,7 +282,7 @@ private:
             if (vocabulary_.arrays[k].name == word) array = int(k);
         }
         if (array < 0) {
-            const std::string near = nearest_name(word, known);
+            const std::string near = base::nearest_name(word, known);
             fail(place,
                  known.empty()
                      ? "sum needs an array, and the scene has none: add [arrays.name]"
@@ -335,7 +336,7 @@ private:
                 }
             }
         }
-        const std::string near = nearest_name(word, known);
+        const std::string near = base::nearest_name(word, known);
         const std::string hint = near.empty() ? fmt::format("; known: {}", join(known))
                                               : fmt::format("; did you mean '{}'?", near);
         fail(begin, fmt::format("unknown name '{}'{}", word, hint));

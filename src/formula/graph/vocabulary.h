@@ -35,8 +35,4 @@ inline const std::vector<std::string> coordinate_names{"x", "y", "z"};
 bool is_reserved(std::string_view name);
 bool is_identifier(std::string_view name);
 
-// The candidate with the smallest edit distance to `word`, or empty if none is near enough to be a
-// slip of the finger.
-std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
-
 } // namespace isomotion::formula

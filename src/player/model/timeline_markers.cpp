@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "topology/timeline/document.h"
+#include "base/input_error.h"
 #include "topology/timeline/timeline_file.h"
 #include "topology/timeline/words.h"
 
@@ -101,7 +101,7 @@ TopologyMarkers read_topology_markers(const scene::Scene& scene, const fs::path&
     if (!fs::exists(file, ignored)) return {};
     try {
         return topology_markers(scene, topology::read_timeline(file), file.string());
-    } catch (const topology::DocumentError& error) {
+    } catch (const base::InputError& error) {
         return {{}, error.what()};
     }
 }

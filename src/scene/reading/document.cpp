@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/file_text.h"
+#include "base/nearest_name.h"
 #include "base/toml.h"
 #include "formula/graph/vocabulary.h"
 #include "scene/limits.h"
@@ -226,7 +227,7 @@ void Section::refuse_rest() {
     for (const auto& [name, node] : *table_) {
         const std::string key(name.str());
         if (known_.count(present(key))) continue;
-        const std::string near = formula::nearest_name(key, meant);
+        const std::string near = base::nearest_name(key, meant);
         fail(node, dotted(key),
              near.empty() ? fmt::format("unknown key; known here: {}", fmt::join(known, ", "))
                           : fmt::format("unknown key; did you mean '{}'?", present(near)));

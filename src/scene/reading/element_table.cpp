@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/file_text.h"
+#include "base/nearest_name.h"
 #include "formula/graph/vocabulary.h"
 #include "scene/error.h"
 #include "scene/limits.h"
@@ -124,7 +125,7 @@ private:
         for (const auto& [field, name] : options_.columns) {
             const auto from = column(name);
             if (!from) {
-                const std::string near = formula::nearest_name(name, names_);
+                const std::string near = base::nearest_name(name, names_);
                 fail(name, near.empty() ? fmt::format("there is no such column; the file has {}",
                                                       fmt::join(names_, ", "))
                                         : fmt::format("there is no such column; did you mean "

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/file_text.h"
+#include "base/nearest_name.h"
 #include "base/printable.h"
 #include "scene/data_folder.h"
 #include "scene/limits.h"
@@ -34,7 +35,7 @@ fs::path locate(const std::string& scene) {
     fs::path installed = animation_file(scene);
     if (fs::exists(installed)) return installed;
     const auto known = animation_names();
-    const std::string near = formula::nearest_name(scene, known);
+    const std::string near = base::nearest_name(scene, known);
     throw SceneError(
         near.empty() ? fmt::format("{}: no such file, and no animation of this name; known: {}",
                                    scene, fmt::join(known, ", "))

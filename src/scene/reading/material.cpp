@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/nearest_name.h"
 #include "formula/graph/vocabulary.h"
 
 namespace isomotion::scene {
@@ -54,7 +55,7 @@ Model read_model(Section& section) {
     if (const auto model = parse_model(*text)) return *model;
     std::vector<std::string> known;
     for (const auto& entry : model_names) known.emplace_back(entry.name);
-    const std::string near = formula::nearest_name(*text, known);
+    const std::string near = base::nearest_name(*text, known);
     fail(*section.find("model"), section.dotted("model"),
          fmt::format("there is no model '{}'; {}known: {}", *text,
                      near.empty() ? "" : fmt::format("did you mean '{}'? ", near),

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/nearest_name.h"
 #include "formula/graph/parser.h"
 
 namespace isomotion::scene {
@@ -13,7 +14,7 @@ ColorMap read_map(Section& section) {
     if (const auto map = parse_color_map(*text)) return *map;
     std::vector<std::string> names;
     for (const auto& entry : color_map_names) names.emplace_back(entry.name);
-    const std::string near = formula::nearest_name(*text, names);
+    const std::string near = base::nearest_name(*text, names);
     fail(*section.find("map"), section.dotted("map"),
          near.empty()
              ? fmt::format("there is no map '{}'; known: {}", *text, fmt::join(names, ", "))

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/nearest_name.h"
 #include "formula/graph/parser.h"
 #include "scene/data_folder.h"
 #include "scene/limits.h"
@@ -111,7 +112,7 @@ toml::table read_catalogue(const toml::node& use, const std::string& name) {
     if (name.find_first_of(std::string_view("/\0", 2)) != name.npos ||
         !std::filesystem::exists(file, ignored)) {
         const auto known = surface_names();
-        const std::string near = formula::nearest_name(name, known);
+        const std::string near = base::nearest_name(name, known);
         fail(use, "surface.use",
              near.empty()
                  ? fmt::format("there is no surface '{}'; known: {}", name, fmt::join(known, ", "))
@@ -148,7 +149,7 @@ void refuse_unused_fields(const SurfaceParts& parts, const std::vector<bool>& us
             if (std::holds_alternative<animation::Column>(array.fields[f].source)) continue;
             std::vector<std::string> others = names;
             others.erase(others.begin() + std::ptrdiff_t(f));
-            const std::string near = formula::nearest_name(names[f], others);
+            const std::string near = base::nearest_name(names[f], others);
             tracks.fail_at(array.name + "." + names[f],
                            near.empty()
                                ? "neither the formula nor another field uses this field"
@@ -231,7 +232,7 @@ void refuse_unused(const SurfaceParts& parts, const formula::Paint* paint,
         if (used[k] || animation.is_referenced(int(k))) continue;
         std::vector<std::string> others = parts.parameters;
         others.erase(others.begin() + std::ptrdiff_t(k));
-        const std::string near = formula::nearest_name(parts.parameters[k], others);
+        const std::string near = base::nearest_name(parts.parameters[k], others);
         tracks.fail_at(parts.parameters[k],
                        near.empty()
                            ? "neither the formula nor an expression uses this parameter"

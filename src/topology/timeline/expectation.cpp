@@ -6,10 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "base/document.h"
+#include "base/file_text.h"
+#include "base/input_error.h"
 #include "topology/timeline/compare.h"
-#include "topology/timeline/document.h"
 #include "topology/timeline/steps.h"
-#include "topology/timeline/text_file.h"
 #include "topology/timeline/timeline_file.h"
 #include "topology/timeline/words.h"
 
@@ -17,6 +18,8 @@ namespace isomotion::topology {
 namespace {
 
 using formula::Interval;
+
+constexpr std::size_t most_claim_bytes = 256 << 20;
 
 struct NumberName {
     const char* name;
@@ -46,15 +49,18 @@ std::optional<Interval> parse_frames(std::string_view text) {
     return Interval{*from, *to};
 }
 
-void read_betti(const JsonValue& node, const NumberName& which, std::vector<BettiClaim>& claims) {
-    JsonObject frames = node.object();
-    for (const JsonValue& each : frames.all()) {
+void read_betti(const base::DocumentNode& node, const NumberName& which,
+                std::vector<BettiClaim>& claims) {
+    base::DocumentTable frames = node.table();
+    std::vector<base::DocumentNode> all = frames.all();
+    std::ranges::sort(all, {}, &base::DocumentNode::key); // as of TOML
+    for (const base::DocumentNode& each : all) {
         const std::string key = frames.key_of(each);
         const auto when = parse_frames(key);
         if (!when) {
             each.fail(fmt::format("'{}' is no frame; write \"12\", \"40.5\" or \"5..9\"", key));
         }
-        if (each.is_object()) {
+        if (each.is_table()) {
             each.fail("TOML takes the dots for tables of tables; put the frame in quotes: "
                       "\"40.5\" = 2");
         }
@@ -62,18 +68,17 @@ void read_betti(const JsonValue& node, const NumberName& which, std::vector<Bett
     }
 }
 
-Claims read_claims(const Document& document, const std::string& file, animation::FrameRate fps) {
-    JsonObject root(JsonValue(document, file));
+Claims read_claims(const base::Document& document, const std::string& file,
+                   animation::FrameRate fps) {
+    base::DocumentTable root = document.table();
     Claims claims;
     for (const NumberName& which : number_names) {
         if (const auto node = root.find(which.name)) read_betti(*node, which, claims.betti);
     }
     if (const auto events = root.find("events")) {
-        for (const JsonValue& each : events->list()) {
+        for (const base::DocumentNode& each : events->list()) {
             try {
                 claims.events.push_back(parse_statement(each.text(), fps));
-            } catch (const DocumentError&) {
-                throw;
             } catch (const std::invalid_argument& error) {
                 each.fail(fmt::format("\"{}\": {}", each.text(), error.what()));
             }
@@ -81,9 +86,10 @@ Claims read_claims(const Document& document, const std::string& file, animation:
     }
     root.refuse_rest();
     if (claims.betti.empty() && claims.events.empty()) {
-        throw DocumentError(fmt::format("{}: claims nothing; write {{ \"components\": {{ \"1\": 2 "
-                                        "}}, \"events\": [\"merge at frame 12..13\"] }}",
-                                        file));
+        throw base::InputError(
+            fmt::format("{}: claims nothing; write {{ \"components\": {{ \"1\": 2 "
+                        "}}, \"events\": [\"merge at frame 12..13\"] }}",
+                        file));
     }
     return claims;
 }
@@ -167,16 +173,16 @@ Judgement judge(const BettiClaim& claim, const TimelineRecord& found, const Step
 
 Claims parse_claims(std::string_view text, const std::string& file, animation::FrameRate fps) {
     const bool is_toml = file.ends_with(".toml");
-    return read_claims(is_toml ? parse_toml(text, file) : parse_json(text, file), file, fps);
+    return read_claims(is_toml ? base::Document::from_toml(text, file)
+                               : base::Document::from_json(text, file),
+                       file, fps);
 }
 
 Expectation read_expectation(const std::filesystem::path& file, animation::FrameRate fps) {
-    const std::string text = read_text(file);
+    const std::string text = base::file_text(file, most_claim_bytes);
     if (file.extension() != ".toml") {
-        const nlohmann::json document = parse_json(text, file.string());
-        if (document.is_object() && document.contains("format")) {
-            return parse_timeline(text, file.string());
-        }
+        const auto document = base::Document::from_json(text, file.string());
+        if (document.table().find("format")) return parse_timeline(text, file.string());
     }
     return parse_claims(text, file.string(), fps);
 }

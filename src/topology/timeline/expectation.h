@@ -33,8 +33,8 @@ struct Claims {
 
 using Expectation = std::variant<TimelineRecord, Claims>;
 
-// Throws DocumentError: "expected.json: events[2]: there is no event 'mege'; did you mean 'merge'?"
-// Frames of a person's claims are at `fps`.
+// Throws base::InputError: "expected.json: events[2]: there is no event 'mege'; did you mean
+// 'merge'?" Frames of a person's claims are at `fps`.
 Expectation read_expectation(const std::filesystem::path& file, animation::FrameRate fps);
 Claims parse_claims(std::string_view text, const std::string& file, animation::FrameRate fps);
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/nearest_name.h"
 #include "formula/graph/vocabulary.h"
 #include "topology/timeline/words.h"
 
@@ -157,7 +158,7 @@ private:
         }
         const bool is_pair = one.starts_with("tunnel") || one.starts_with("void");
         const std::string wrong = is_pair ? two : one;
-        const std::string nearest = formula::nearest_name(wrong, candidates);
+        const std::string nearest = base::nearest_name(wrong, candidates);
         refuse(fmt::format("there is no event '{}'; {}", wrong,
                            nearest.empty() ? fmt::format("known: {}", known_kinds())
                                            : fmt::format("did you mean '{}'?", nearest)));

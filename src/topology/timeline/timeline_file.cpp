@@ -5,9 +5,12 @@
 #include <fstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
-#include "topology/timeline/document.h"
-#include "topology/timeline/text_file.h"
+#include "base/document.h"
+#include "base/file_text.h"
+#include "base/input_error.h"
 #include "topology/timeline/words.h"
 
 namespace isomotion::topology {
@@ -17,6 +20,7 @@ using formula::Interval;
 using Json = nlohmann::ordered_json; // keys as they were added
 using Point = std::array<Interval, 3>;
 
+constexpr std::size_t most_timeline_bytes = 256 << 20;
 constexpr std::string_view shape_names[] = {"box", "sphere"}; // by scene::Bounds::Shape
 
 Json json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -85,14 +89,27 @@ bool is_near(double written, double derived) {
     return std::abs(written - derived) <= 1e-6 * std::max(1.0, std::abs(derived));
 }
 
-Betti read_betti(const JsonValue& node) {
+// [lo, hi], null in place of an end for none on that side; a number for a point.
+Interval interval_of(const base::DocumentNode& node) {
+    if (node.is_number()) return node.number();
+    const auto ends = node.is_list() ? node.list() : std::vector<base::DocumentNode>();
+    if (ends.size() != 2) node.fail("must be [lo, hi], null in place of an end that there is not");
+    const Interval interval{ends[0].is_null() ? -formula::infinity : ends[0].number(),
+                            ends[1].is_null() ? formula::infinity : ends[1].number()};
+    if (is_empty(interval)) node.fail("must be [lo, hi] with lo not above hi");
+    return interval;
+}
+
+Betti read_betti(const base::DocumentNode& node) {
     const auto numbers = node.list(3);
-    const auto count = [](const JsonValue& number) { return number.integer(0, 1'000'000'000); };
+    const auto count = [](const base::DocumentNode& number) {
+        return number.integer(0, 1'000'000'000);
+    };
     return {count(numbers[0]), count(numbers[1]), count(numbers[2])};
 }
 
 // Of the solid; the surface's follow.
-Betti read_solid(JsonObject& object) {
+Betti read_solid(base::DocumentTable& object) {
     const Betti solid = read_betti(object.at("solid"));
     if (const auto surface = object.find("surface")) {
         const Betti follows = surface_of(solid);
@@ -104,20 +121,20 @@ Betti read_solid(JsonObject& object) {
     return solid;
 }
 
-std::optional<Betti> read_topology(const JsonValue& node) {
+std::optional<Betti> read_topology(const base::DocumentNode& node) {
     if (node.is_null()) return std::nullopt;
-    JsonObject object = node.object();
+    base::DocumentTable object = node.table();
     const Betti solid = read_solid(object);
     object.refuse_rest();
     return solid;
 }
 
-Point read_box(const JsonValue& node) {
+Point read_box(const base::DocumentNode& node) {
     const auto sides = node.list(3);
-    return {sides[0].interval(), sides[1].interval(), sides[2].interval()};
+    return {interval_of(sides[0]), interval_of(sides[1]), interval_of(sides[2])};
 }
 
-void check_frame(JsonObject& object, Interval time, animation::FrameRate fps) {
+void check_frame(base::DocumentTable& object, Interval time, animation::FrameRate fps) {
     const auto frame = object.find("frame");
     if (!frame) return;
     const double follows = frame_at(fps, mid(time));
@@ -128,7 +145,7 @@ void check_frame(JsonObject& object, Interval time, animation::FrameRate fps) {
     }
 }
 
-void check_point(JsonObject& object, const Point& where) {
+void check_point(base::DocumentTable& object, const Point& where) {
     if (const auto written = object.find("point")) {
         const auto numbers = written->list(3);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -148,21 +165,21 @@ void check_point(JsonObject& object, const Point& where) {
     }
 }
 
-Event read_event(const JsonValue& node, animation::FrameRate fps) {
-    JsonObject object = node.object();
+Event read_event(const base::DocumentNode& node, animation::FrameRate fps) {
+    base::DocumentTable object = node.table();
     Event event;
-    event.time = object.at("time").interval();
+    event.time = interval_of(object.at("time"));
     check_frame(object, event.time, fps);
     event.where = read_box(object.at("where"));
     check_point(object, event.where);
     event.stratum = object.at("stratum").integer(0, 3);
     event.index = object.at("index").integer(0, event.stratum);
-    const JsonValue direction = object.at("direction");
+    const base::DocumentNode direction = object.at("direction");
     if (direction.text() != "grows" && direction.text() != "shrinks") {
         direction.fail("must be \"grows\" or \"shrinks\"");
     }
     event.grows = direction.text() == "grows";
-    const JsonValue kind = object.at("kind");
+    const base::DocumentNode kind = object.at("kind");
     const auto known = parse_kind(kind.text());
     if (!known) {
         std::vector<std::string_view> names;
@@ -180,10 +197,10 @@ Event read_event(const JsonValue& node, animation::FrameRate fps) {
     return event;
 }
 
-Unresolved read_unresolved(const JsonValue& node, animation::FrameRate fps) {
-    JsonObject object = node.object();
+Unresolved read_unresolved(const base::DocumentNode& node, animation::FrameRate fps) {
+    base::DocumentTable object = node.table();
     Unresolved place;
-    place.time = object.at("time").interval();
+    place.time = interval_of(object.at("time"));
     check_frame(object, place.time, fps);
     place.where = read_box(object.at("where"));
     place.why = object.at("why").text();
@@ -195,10 +212,10 @@ Unresolved read_unresolved(const JsonValue& node, animation::FrameRate fps) {
 
 // What certainly comes before an earlier item of its list is out of order.
 template<class Item, class Read>
-std::vector<Item> read_ordered(const JsonValue& node, Read&& read) {
+std::vector<Item> read_ordered(const base::DocumentNode& node, Read&& read) {
     std::vector<Item> items;
     double latest = -formula::infinity;
-    for (const JsonValue& each : node.list()) {
+    for (const base::DocumentNode& each : node.list()) {
         items.push_back(read(each));
         if (items.back().time.hi < latest) {
             each.fail("comes before one above it; sort by time");
@@ -208,12 +225,12 @@ std::vector<Item> read_ordered(const JsonValue& node, Read&& read) {
     return items;
 }
 
-void read_format(JsonObject& root) {
-    const JsonValue format = root.at("format");
+void read_format(base::DocumentTable& root) {
+    const base::DocumentNode format = root.at("format");
     if (format.text() != timeline_format) {
         format.fail(fmt::format("is '{}'; a timeline's is '{}'", format.text(), timeline_format));
     }
-    const JsonValue version = root.at("version");
+    const base::DocumentNode version = root.at("version");
     if (const int found = version.integer(1, INT32_MAX); found != timeline_version) {
         version.fail(fmt::format("is {}, which this program cannot read; it reads {}: write the "
                                  "file anew with isomotion topology",
@@ -221,18 +238,18 @@ void read_format(JsonObject& root) {
     }
 }
 
-TimelineHeader read_header(JsonObject& root) {
+TimelineHeader read_header(base::DocumentTable& root) {
     TimelineHeader header;
-    JsonObject scene = root.at("scene").object();
+    base::DocumentTable scene = root.at("scene").table();
     header.title = scene.at("title").text();
     header.fingerprint = scene.at("fingerprint").text();
     scene.refuse_rest();
-    const JsonValue rate = root.at("frames_per_second");
+    const base::DocumentNode rate = root.at("frames_per_second");
     const auto fps = animation::parse_frame_rate(rate.text());
     if (!fps) rate.fail("must be a rate above 0: \"30\", \"30000/1001\"");
     header.fps = *fps;
-    JsonObject bounds = root.at("bounds").object();
-    const JsonValue shape = bounds.at("shape");
+    base::DocumentTable bounds = root.at("bounds").table();
+    const base::DocumentNode shape = bounds.at("shape");
     const auto known = std::ranges::find(shape_names, shape.text());
     if (known == std::end(shape_names)) shape.fail("must be \"box\" or \"sphere\"");
     header.shape = scene::Bounds::Shape(known - std::begin(shape_names));
@@ -243,9 +260,9 @@ TimelineHeader read_header(JsonObject& root) {
 }
 
 // One end of the range.
-void read_end(const JsonValue& node, std::optional<Betti>& solid, bool& is_proved) {
+void read_end(const base::DocumentNode& node, std::optional<Betti>& solid, bool& is_proved) {
     if (node.is_null()) return;
-    JsonObject object = node.object();
+    base::DocumentTable object = node.table();
     solid = read_solid(object);
     is_proved = object.at("proved").boolean();
     object.refuse_rest();
@@ -292,14 +309,14 @@ std::string to_json(const TimelineRecord& record) {
 }
 
 TimelineRecord parse_timeline(std::string_view text, const std::string& file) {
-    const nlohmann::json document = parse_json(text, file);
-    JsonObject root(JsonValue(document, file, ""));
+    const auto document = base::Document::from_json(text, file);
+    base::DocumentTable root = document.table();
     read_format(root);
     TimelineRecord record{read_header(root), {}};
     Timeline& timeline = record.timeline;
     const auto fps = record.header.fps;
-    const JsonValue time = root.at("time");
-    timeline.range = time.interval();
+    const base::DocumentNode time = root.at("time");
+    timeline.range = interval_of(time);
     if (!std::isfinite(timeline.range.lo) || !std::isfinite(timeline.range.hi)) {
         time.fail("must be [first, last] in seconds, both finite");
     }
@@ -313,13 +330,16 @@ TimelineRecord parse_timeline(std::string_view text, const std::string& file) {
         }
     }
     timeline.is_proved = root.at("none_missing").boolean();
-    for (const JsonValue& doubt : root.at("doubts").list()) timeline.doubts.push_back(doubt.text());
+    for (const base::DocumentNode& doubt : root.at("doubts").list())
+        timeline.doubts.push_back(doubt.text());
     read_end(root.at("start"), timeline.start, timeline.start_is_proved);
     read_end(root.at("end"), timeline.end, timeline.end_is_proved);
     timeline.events = read_ordered<Event>(
-        root.at("events"), [&](const JsonValue& node) { return read_event(node, fps); });
-    timeline.unresolved = read_ordered<Unresolved>(
-        root.at("unresolved"), [&](const JsonValue& node) { return read_unresolved(node, fps); });
+        root.at("events"), [&](const base::DocumentNode& node) { return read_event(node, fps); });
+    timeline.unresolved =
+        read_ordered<Unresolved>(root.at("unresolved"), [&](const base::DocumentNode& node) {
+            return read_unresolved(node, fps);
+        });
     if (const auto complete = root.find("complete")) {
         if (complete->boolean() != timeline.is_complete()) {
             complete->fail(fmt::format("contradicts the rest of the file, by which it is {}",
@@ -331,7 +351,7 @@ TimelineRecord parse_timeline(std::string_view text, const std::string& file) {
 }
 
 TimelineRecord read_timeline(const std::filesystem::path& file) {
-    return parse_timeline(read_text(file), file.string());
+    return parse_timeline(base::file_text(file, most_timeline_bytes), file.string());
 }
 
 } // namespace isomotion::topology

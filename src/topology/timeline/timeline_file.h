@@ -19,9 +19,9 @@ inline constexpr int timeline_version = 1;
 
 std::string to_json(const TimelineRecord& record);
 
-// read(to_json(record), ...) == record. `file` is for messages. Throws DocumentError.
+// read(to_json(record), ...) == record. `file` is for messages. Throws base::InputError.
 TimelineRecord parse_timeline(std::string_view text, const std::string& file);
-// Also throws DocumentError where there is no such file.
+// Also throws base::InputError where there is no such file.
 TimelineRecord read_timeline(const std::filesystem::path& file);
 
 } // namespace isomotion::topology

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "topology/timeline/document.h"
+#include "base/input_error.h"
 #include "topology/timeline/timeline_file.h"
 #include "topology/timelines.h"
 #include "unit/image/places.h"
@@ -27,7 +27,7 @@ Check of(const std::string& json, const TimelineRecord& found = story()) {
 std::string mistake(const std::string& text, const std::string& file = "e.json") {
     try {
         parse_claims(text, file, fps);
-    } catch (const DocumentError& error) {
+    } catch (const base::InputError& error) {
         return error.what();
     }
     return "no mistake";
@@ -179,9 +179,9 @@ TEST(Expectation, AFileIsATimelineOrClaims) {
     EXPECT_EQ(
         check(read_expectation(write("c.toml", "events = [\"split\"]"), fps), story()).outcome(),
         Outcome::differs);
-    EXPECT_THROW(read_expectation(folder / "none.json", fps), DocumentError);
+    EXPECT_THROW(read_expectation(folder / "none.json", fps), base::InputError);
     EXPECT_THROW(read_expectation(write("d.json", R"({"format": "x", "version": 1})"), fps),
-                 DocumentError);
+                 base::InputError);
 }
 
 TEST(Expectation, TheVerdictIsInWords) {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "topology/timeline/document.h"
+#include "base/input_error.h"
 #include "topology/timelines.h"
 
 namespace isomotion::topology {
@@ -19,7 +19,7 @@ using testing::StartsWith;
 std::string mistake(const std::string& text) {
     try {
         parse_timeline(text, "a.json");
-    } catch (const DocumentError& error) {
+    } catch (const base::InputError& error) {
         return error.what();
     }
     return "no mistake";
@@ -229,13 +229,13 @@ TEST(TimelineFile, AMissingFileIsTold) {
         {
             try {
                 read_timeline("/nowhere/a.json");
-            } catch (const DocumentError& error) {
+            } catch (const base::InputError& error) {
                 EXPECT_THAT(error.what(), StartsWith("/nowhere/a.json: no such file"));
                 throw;
             }
         },
-        DocumentError);
-    EXPECT_THROW(read_timeline("/"), DocumentError);
+        base::InputError);
+    EXPECT_THROW(read_timeline("/"), base::InputError);
 }
 
 // What was written for readers may be left out by those who write a file themselves.

@@ -1,4 +1,4 @@
-#include "image/compare.h"
+#include "unit/image/compare.h"
 
 #include <limits>
 

@@ -5,10 +5,10 @@
 #include <thread>
 
 #include "base/file.h"
-#include "image/compare.h"
 #include "image/decode.h"
 #include "image/encode.h"
 #include "places.h"
+#include "unit/image/compare.h"
 
 namespace isomotion::image {
 namespace {

@@ -1,20 +1,45 @@
-#include "image/compare.h"
+// Two pictures, channel by channel.
+#pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <string>
+#include <vector>
+
+#include "image/frame.h"
 
 namespace isomotion::image {
-namespace {
 
-double distance(float a, float b) {
+// How far two channels of one name are apart. Two NaNs are equal, and so are two infinities of one
+// sign; NaN or infinity against anything else is an infinite difference.
+struct ChannelDifference {
+    std::string name;
+    double largest = 0;
+    double mean = 0;                // over the samples whose difference is finite
+    std::size_t not_finite = 0;     // samples whose difference is infinite
+    std::size_t over_tolerance = 0; // samples further apart than the tolerance
+};
+
+struct Comparison {
+    bool same_size = false;
+    std::vector<std::string> only_in_first;  // names of channels
+    std::vector<std::string> only_in_second; // names of channels
+    std::vector<ChannelDifference> channels; // those in both; empty if the sizes differ
+
+    // Same size, same channels and no sample over the tolerance.
+    bool within_tolerance() const;
+};
+
+inline double distance(float a, float b) {
     if (a == b || (std::isnan(a) && std::isnan(b)))
         return 0; // the first holds for equal infinities
     if (!std::isfinite(a) || !std::isfinite(b)) return std::numeric_limits<double>::infinity();
     return std::abs(double(a) - double(b));
 }
 
-ChannelDifference difference(const Channel& first, const Channel& second, double tolerance) {
+inline ChannelDifference difference(const Channel& first, const Channel& second, double tolerance) {
     ChannelDifference result{first.name};
     double sum = 0;
     for (std::size_t i = 0; i < first.samples.size(); ++i) {
@@ -31,21 +56,19 @@ ChannelDifference difference(const Channel& first, const Channel& second, double
     return result;
 }
 
-std::vector<std::string> names_missing(const Frame& of, const Frame& in) {
+inline std::vector<std::string> names_missing(const Frame& of, const Frame& in) {
     std::vector<std::string> names;
     for (const Channel& channel : of.channels)
         if (!in.find(channel.name)) names.push_back(channel.name);
     return names;
 }
 
-} // namespace
-
-bool Comparison::within_tolerance() const {
+inline bool Comparison::within_tolerance() const {
     return same_size && only_in_first.empty() && only_in_second.empty() &&
            std::ranges::all_of(channels, [](const auto& c) { return c.over_tolerance == 0; });
 }
 
-Comparison compare(const Frame& first, const Frame& second, double tolerance) {
+inline Comparison compare(const Frame& first, const Frame& second, double tolerance = 0) {
     check(first);
     check(second);
     Comparison result;
