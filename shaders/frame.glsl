@@ -9,9 +9,9 @@ flat in vec4 ray_up;
 flat in vec4 bounds_min;
 flat in vec4 bounds_max;
 flat in vec4 picture;    // 2/width, 2/height; the tile's lower left pixel in the whole picture
-// Step, near, far, horizon of Eq. 2; or of cubics the longest step and how far rounding moves a
-// sample.
+// Step, near, far and horizon of Eq. 2.
 flat in vec4 thresholds;
-// Bisections, or of cubics the safety; most evaluations of a ray; the finest step or piece of
-// methods that cut them; the first piece.
-flat in vec4 refinement;
+// Bisections; most evaluations of a ray; the finest and the first piece of methods that bound F.
+flat in vec4 limits;
+// Of cubics: the safety, the longest step, how far rounding moves a sample, the finest step.
+flat in vec4 cubics;

@@ -2,12 +2,12 @@
 // cost software renderers nothing there; each vec4 of a block costs every pixel as much as several
 // operations.
 layout(std140) uniform Frame {
-    vec4 frame[9];
+    vec4 frame[10];
 };
 uniform ivec2 tile_origin; // the lower left pixel of the tile being drawn, in the whole picture
 
 flat out vec4 ray_origin, ray_axis, ray_right, ray_up, bounds_min, bounds_max, picture, thresholds,
-    refinement;
+    limits, cubics;
 
 #ifdef FLAT_SHADING
 layout(std140) uniform Shading { // shade/shading_flat.glsl
@@ -28,7 +28,8 @@ void main() {
     bounds_max = frame[5];
     picture = vec4(frame[6].xy, vec2(tile_origin));
     thresholds = frame[7];
-    refinement = frame[8];
+    limits = frame[8];
+    cubics = frame[9];
 #ifdef FLAT_SHADING
     material_color = flat_part[0];
     background = flat_part[1];

@@ -6,8 +6,8 @@
 // The pictures lie one above the other in the texture.
 uniform sampler2D light_beam_texture;
 #ifdef LISTS
-uniform sampler2D light_lists_texture;
-uniform sampler2D light_all_texture;
+uniform sampler2D light_beam_lists_texture;
+uniform sampler2D light_beam_all_texture;
 #endif
 // Of each light: across its picture and up, in pixels from the middle; w of the first, half of the
 // pixels, and of the second, how far from the place that has none of these the pictures are right.
@@ -43,8 +43,8 @@ void come_from_light(inout Ray ray, int k) {
     ray.t_near = max(ray.t_near, t.x);
     ray.t_far = part.x < part.y ? min(ray.t_far, t.y) : ray.t_near - 1.0;
 #ifdef LISTS
-    vec4 lists = texelFetch(light_lists_texture, texel, 0);
-    vec2 all = texelFetch(light_all_texture, texel, 0).xy;
+    vec4 lists = texelFetch(light_beam_lists_texture, texel, 0);
+    vec2 all = texelFetch(light_beam_all_texture, texel, 0).xy;
     beam_lists = BeamLists(lists.xy, lists.zw, all, t.z, t.w);
     enter_list(all);
 #endif

@@ -66,7 +66,7 @@ void march_pixel() {
             elements -= array0_count;
             if (elements <= 0) turns = 0;
 #endif
-            if (outcome == RAY_GOES_ON && s.evaluations >= int(refinement.y)) outcome = RAY_IS_FREE;
+            if (outcome == RAY_GOES_ON && s.evaluations >= int(limits.y)) outcome = RAY_IS_FREE;
         }
         if (outcome == RAY_GOES_ON) break; // in the next pass
         if (outcome == RAY_IS_HIDDEN) s.verdict += 1 << s.refinements;

@@ -35,8 +35,8 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     } else {
         s.low = t;
         s.f_low = f;
-        if (s.evaluations >= int(refinement.y)) return finish(s, VERDICT_STEP_LIMIT);
+        if (s.evaluations >= int(limits.y)) return finish(s, VERDICT_STEP_LIMIT);
         return step_on(s, ray);
     }
-    return s.refinements >= int(refinement.x) ? found(s, 0.5 * (s.low + s.high)) : s;
+    return s.refinements >= int(limits.x) ? found(s, 0.5 * (s.low + s.high)) : s;
 }

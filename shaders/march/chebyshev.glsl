@@ -104,5 +104,5 @@ RayState solve(RayState s, Ray ray) {
     s.f_low = vec2(upright * level, upright * slope / reach);
     s.taken = 0;
     s.phase = PHASE_REFINE;
-    return s.evaluations >= int(refinement.y) ? finish(s, VERDICT_STEP_LIMIT) : s;
+    return s.evaluations >= int(limits.y) ? finish(s, VERDICT_STEP_LIMIT) : s;
 }

@@ -20,8 +20,8 @@ float inverse_cubic(vec2 f0, vec2 f1, float h) {
 }
 
 RayState advance(RayState s, Ray ray, float t, vec2 f) {
-    float safety = refinement.x, finest = refinement.z,
-          longest = clamp(0.25 * (ray.t_far - ray.t_near), refinement.z, thresholds.x);
+    float safety = cubics.x, finest = cubics.w,
+          longest = clamp(0.25 * (ray.t_far - ray.t_near), finest, cubics.y);
     s.evaluations += 1;
     if (s.phase == PHASE_GRADIENT) return take_slope(s, f);
     bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
@@ -63,7 +63,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float least = upright * (f0 + y * (m0 + y * (c2 + (y - h) * c3)));
     float in_step = 4.0 * y * (h - y) * per_h * per_h;
     // How far rounding moves a sample; all that keeps a cubic off a double root where it is exact.
-    float rounding = thresholds.y;
+    float rounding = cubics.z;
     bool clear = least > error * in_step * in_step + 0.25 * rounding * max(abs(m0), abs(f.y));
     float middle = upright * (0.5 * (f0 + f.x) + 0.125 * h * (m0 - f.y));
 
@@ -103,6 +103,6 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     if (touches) return found(s, on_root ? t : cut);
     if (left) return finish(s, VERDICT_MISS);
     // A step below the spacing of floats would stand still.
-    bool stands = !(s.high > s.low) || s.evaluations >= int(refinement.y);
+    bool stands = !(s.high > s.low) || s.evaluations >= int(limits.y);
     return stands ? finish(s, VERDICT_STEP_LIMIT) : s;
 }

@@ -1,7 +1,7 @@
 // The names of frame.glsl where no vertex shader hands them on: each invocation reads the block
 // once, before its loop. The order is that of fullscreen.vert.
 layout(std140) uniform Frame {
-    vec4 frame[9];
+    vec4 frame[10];
 };
 uniform ivec2 tile_origin;
 
@@ -13,4 +13,5 @@ vec4 bounds_min = frame[4];
 vec4 bounds_max = frame[5];
 vec4 picture = vec4(frame[6].xy, vec2(tile_origin));
 vec4 thresholds = frame[7];
-vec4 refinement = frame[8];
+vec4 limits = frame[8];
+vec4 cubics = frame[9];

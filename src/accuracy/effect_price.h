@@ -1,4 +1,4 @@
-// What each effect that a scene calls for costs.
+// Measures what each effect that a scene calls for costs.
 #pragma once
 
 #include <vector>
@@ -11,12 +11,12 @@ namespace isomotion::accuracy {
 
 struct EffectPrice {
     scene::Effect effect;
-    double with = 0, without = 0; // ms a frame, medians
+    double with = 0, without = 0; // ms per frame, medians
     double price = 0;             // ms: the median of the differences of paired runs
 };
 
 // Draws a frame with all effects and without each of them in turn, `pairs` times, one right after
-// the other: what else the machine does then weighs on both.
+// the other, so that other load of the machine weighs on both.
 std::vector<EffectPrice> effect_prices(gpu::Context& context, const scene::Scene& scene, int frame,
                                        int width, int height, int pairs,
                                        render::StageChoice stage = render::StageChoice::fragment);

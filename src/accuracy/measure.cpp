@@ -20,7 +20,7 @@ scene::SceneAt picture_of(const scene::Scene& scene, int frame) {
 }
 
 Measurement measure_one(gpu::Context& context, const scene::Scene& scene, const Setting& setting,
-                        const std::vector<truth::Truth>& truths, const Measuring& how) {
+                        const std::vector<truth::Truth>& truths, const MeasureOptions& how) {
     Measurement found;
     found.setting = setting;
     const scene::Scene changed = apply(setting, scene);
@@ -63,7 +63,7 @@ double Measurement::evaluations_a_ray() const {
 }
 
 std::vector<Measurement> measure(gpu::Context& context, const scene::Scene& scene,
-                                 const std::vector<Setting>& settings, const Measuring& how) {
+                                 const std::vector<Setting>& settings, const MeasureOptions& how) {
     const auto tell = [&](const std::string& what, double part) {
         if (how.progress) how.progress(what, part);
     };
@@ -115,7 +115,8 @@ std::optional<std::size_t> cheapest(const std::vector<Measurement>& measurements
     return std::nullopt;
 }
 
-std::optional<std::size_t> rightest(const std::vector<Measurement>& measurements, double most_ms) {
+std::optional<std::size_t> most_accurate(const std::vector<Measurement>& measurements,
+                                         double most_ms) {
     std::optional<std::size_t> best;
     for (const std::size_t k : front(measurements)) {
         if (measurements[k].ms <= most_ms) best = k;

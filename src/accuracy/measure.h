@@ -1,4 +1,4 @@
-// What a setting costs and what it gets wrong.
+// Measures what a setting costs and how many pixels it gets wrong.
 #pragma once
 
 #include <filesystem>
@@ -14,9 +14,9 @@ namespace isomotion::accuracy {
 
 struct Measurement {
     Setting setting;
-    double ms = 0;          // of a frame: the median over frames and repetitions
+    double ms = 0;          // per frame: the median over frames and repetitions
     double spread = 0;      // their range over the median
-    double evaluations = 0; // of the field, a frame
+    double evaluations = 0; // of the field, per frame
     Errors errors;          // of all frames; the faults are those of the first
     std::int64_t pops = 0;  // see popping.h
 
@@ -24,7 +24,7 @@ struct Measurement {
     double ns_an_evaluation() const { return 1e6 * ms / evaluations; }
 };
 
-struct Measuring {
+struct MeasureOptions {
     std::vector<int> frames{1};
     int width = 0, height = 0;
     int repeat = 3;
@@ -35,15 +35,16 @@ struct Measuring {
 
 // Certifies the frames once, then draws them with every setting.
 std::vector<Measurement> measure(gpu::Context& context, const scene::Scene& scene,
-                                 const std::vector<Setting>& settings, const Measuring& how);
+                                 const std::vector<Setting>& settings, const MeasureOptions& how);
 
-// Those that no other beats in both time and wrong pixels, from the fastest to the rightest.
+// Those that no other beats in both time and wrong pixels, from the fastest to the most accurate.
 std::vector<std::size_t> front(const std::vector<Measurement>& measurements);
 
-// The cheapest of the front with at most so many wrong pixels in a million; the rightest that takes
-// at most so long a frame. Empty if there is none.
+// The cheapest of the front with at most so many wrong pixels in a million; the most accurate that
+// takes at most so long per frame. Empty if there is none.
 std::optional<std::size_t> cheapest(const std::vector<Measurement>& measurements,
                                     double most_wrong_ppm);
-std::optional<std::size_t> rightest(const std::vector<Measurement>& measurements, double most_ms);
+std::optional<std::size_t> most_accurate(const std::vector<Measurement>& measurements,
+                                         double most_ms);
 
 } // namespace isomotion::accuracy

@@ -1,4 +1,4 @@
-// Pixels that pop: hit or missed for one frame only, while truth stays what it is.
+// Counts pixels that pop: hit or missed for one frame only, while truth stays the same.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace isomotion::accuracy {
 
 class Popping {
 public:
-    // Neighbouring frames, in order.
+    // Call for neighbouring frames, in order.
     void add(const image::Frame& drawn, const truth::Truth& truth);
     std::int64_t count() const { return count_; }
 

@@ -75,7 +75,7 @@ void plot(const Report& report, const fs::path& folder) {
         script += "E\n";
     };
     int methods = 0;
-    for (const auto& entry : scene::method_names) {
+    for (const auto& entry : scene::method_traits) {
         std::vector<std::size_t> points;
         for (std::size_t k = 0; k < report.measurements.size(); ++k) {
             if (report.measurements[k].setting.method == entry.method) points.push_back(k);

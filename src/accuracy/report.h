@@ -18,19 +18,19 @@ struct Report {
     std::vector<Measurement> measurements;
 };
 
-// No program to plot with. The message says what to install.
+// Thrown without a program to plot with. The message says what to install.
 class PlotError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// For the terminal: a line a setting, the front marked.
+// For the terminal: one line per setting, with marks on the front.
 std::string table(const Report& report);
 
 std::string csv(const Report& report);
 std::string json(const Report& report);
 
 // accuracy.csv, accuracy.json, wrong-NN.png for each setting, accuracy.svg and accuracy.png (wrong
-// pixels against time, by gnuplot) and index.html, which holds all of it. The folder is made.
+// pixels against time, by gnuplot) and index.html, which holds all of it. Makes the folder.
 // Throws PlotError, base::FileError.
 void write(const Report& report, const std::filesystem::path& folder);
 

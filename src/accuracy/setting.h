@@ -1,4 +1,4 @@
-// What an accuracy sweep varies: the method and its settings.
+// The settings that an accuracy sweep varies.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ struct Setting {
     double step = 0;
     double thresholds = 1; // factor on the scene's near, far and horizon
     int bisections = 10;
-    double safety = 32; // of hermite, which has no use for the three above
+    double safety = 32; // of hermite, which ignores the three above
 };
 
-// "amp-sign step=0.015", and what departs from the scene's thresholds and bisections;
+// "amp-sign step=0.015", with thresholds and bisections where they differ from the scene's;
 // "hermite safety=32".
 std::string name(const Setting& setting, const scene::Isolation& scene);
 

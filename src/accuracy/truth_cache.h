@@ -1,5 +1,4 @@
-// Certified truth, remembered on disk: a sweep over many settings, or again another day, certifies
-// once.
+// Keeps certified truth on disk, so that sweeps over many settings certify once.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +10,9 @@ namespace isomotion::accuracy {
 // $XDG_CACHE_HOME/isomotion/truth, or ~/.cache/isomotion/truth; empty if neither is known.
 std::filesystem::path truth_cache_folder();
 
-// Truth from a file of `folder`, or certified and put there. The file's name is the fingerprint of
-// everything that truth depends on; a file that is damaged or cannot be written only costs the
-// time. An empty folder remembers nothing.
+// Reads the truth from a file of `folder`, or certifies it and writes the file. The file's name is
+// the fingerprint of everything that truth depends on. A file that is damaged or cannot be written
+// only costs time. With an empty `folder` nothing is kept.
 truth::Truth remembered_truth(const scene::Scene& scene, const scene::SceneAt& now, int width,
                               int height, const truth::Certifying& how,
                               const std::filesystem::path& folder);

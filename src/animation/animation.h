@@ -1,4 +1,4 @@
-// Everything of a scene that moves: named tracks and arrays of them, as pure functions of time.
+// Everything in a scene that moves: named tracks and arrays of them, as pure functions of time.
 //
 // A track is a number, an expression in t (which may name other tracks) or keys. An array has
 // `count` elements with fields; a field is an expression in t, the element's index i and the number
@@ -44,7 +44,7 @@ struct ArrayField {
 
 struct Array {
     std::string name;
-    int count = 0; // with samples the most there are: they say how many there are at a time
+    int count = 0; // with samples the largest count; they give the count at each time
     std::vector<ArrayField> fields;
     std::shared_ptr<const ElementSamples> samples{}; // null unless some field is a Column
 };
@@ -91,7 +91,7 @@ public:
         return compiled_arrays_[array].referenced[field];
     }
 
-    // What the values of an array take at one time, all elements counted.
+    // Operations that an array's values take at one time, all elements counted.
     double operations(std::size_t array) const;
 
 private:
@@ -116,7 +116,7 @@ private:
     std::vector<Track> tracks_;
     std::vector<Array> arrays_;
     std::uint64_t seed_ = 0;
-    // Tracks beyond this one ("camera.fov") have no name to be written in an expression.
+    // Tracks from this one on ("camera.fov") have names that expressions cannot say.
     std::size_t nameable_ = 0;
     std::vector<std::optional<Compiled>> compiled_; // of the tracks that are expressions
     std::vector<CompiledArray> compiled_arrays_;
@@ -124,8 +124,8 @@ private:
     std::vector<bool> referenced_;
 };
 
-// True if the field's source has a value without an element: a number, or an expression that names
-// neither i nor n nor a sibling field. All elements share that value.
+// Whether all elements share the field's value: its source is a number, or an expression that names
+// neither i nor n nor a sibling field.
 bool stands_alone(const Array& array, std::size_t field);
 
 } // namespace isomotion::animation

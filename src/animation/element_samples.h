@@ -1,8 +1,8 @@
-// The elements of an array at some times, as a simulation writes them, and in between.
+// The elements of an array at some times, as a simulation writes them, and between those times.
 //
-// Elements of neighbouring samples that are the same one move from the one place to the other; one
-// that has no successor stays where it was until the next sample, one that has no predecessor is
-// there from its sample on. So the number of elements changes at samples only.
+// An element that is in two neighbouring samples moves from one place to the other. One without a
+// successor stays where it was until the next sample; one without a predecessor appears at its
+// sample. So the number of elements changes at samples only.
 #pragma once
 
 #include <cstdint>
@@ -17,20 +17,20 @@ class ElementSamples {
 public:
     enum class Interpolation { linear, hold };
 
-    // What was read, row by row; each row is one element at one time.
+    // The table, row by row; each row is one element at one time.
     struct Rows {
         std::vector<double> times;      // of the samples, ascending, at least one
         std::vector<std::size_t> begin; // first row of each sample, and the end of the last
         std::vector<std::vector<double>> values; // [column][row]
-        // Tells elements apart, no two alike in one sample. Without any, the k-th element of a
-        // sample is the k-th of the next.
+        // Identify elements, unique within a sample. Without any, the k-th element of a sample is
+        // the k-th of the next.
         std::vector<std::int64_t> ids;
     };
 
     ElementSamples(Rows rows, Interpolation interpolation);
 
-    // Before the first sample and after the last, these. Elements come in the order of the sample
-    // at or before `time`; at a sample's own time its values are exact.
+    // Outside the samples, the first or the last one. Elements come in the order of the sample at
+    // or before `time`; at a sample's own time its values are exact.
     formula::ArrayColumns<double> at(double time) const;
 
     // How elements move between two neighbouring samples: from `begin` to `end`, in a straight
@@ -39,11 +39,11 @@ public:
         formula::ArrayColumns<double> begin, end; // one that stays has the same in both
         double begin_time = 0, end_time = 0;
     };
-    // Of the samples around `time`; before the first and after the last nothing moves.
+    // Between the samples around `time`; before the first and after the last nothing moves.
     Span span(double time) const;
 
     const std::vector<double>& times() const { return rows_.times; }
-    // Whether values jump at sample k: elements come, go or don't wait for it.
+    // Whether values jump at sample k: elements appear, disappear or are held until it.
     bool jumps(std::size_t k) const;
 
     int most() const; // elements at one time

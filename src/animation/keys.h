@@ -27,8 +27,8 @@ struct Keys {
     Ease ease = Ease::linear;
 
     double at(double time) const;
-    // Of the cubic at key k: the slope between its neighbours (Catmull-Rom), at the ends that of
-    // the one segment there is.
+    // The cubic's derivative at key k: the slope between its neighbours (Catmull-Rom); at the ends,
+    // that of the only segment.
     double velocity(std::size_t k) const;
 };
 

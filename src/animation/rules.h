@@ -1,5 +1,5 @@
-// How everything moves, as expressions of time that other expressions may be built upon: what is
-// needed to differentiate by time, and to enclose values over a span of it.
+// How everything moves, as expressions of time that other expressions can be built on: to
+// differentiate by time, and to enclose values over a span of time.
 //
 // Animation::at() gives values at one time; the rules here are the same functions of real numbers,
 // free of the rounding of at(). Between two neighbouring knots each track and field has one rule.
@@ -26,8 +26,9 @@ struct Parts {
     std::set<int> tracks, arrays;
 };
 
-// The times inside `range` at which a rule of these parts changes: of keys and of samples; and the
-// range's end, if values jump there, as at a jump's own time they are those after it. Ascending.
+// The times inside `range` at which a rule of these parts changes, ascending: times of keys and of
+// samples, and the range's end if values jump there, as at a jump's own time values are those
+// after.
 std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula::Interval range);
 
 // A track whose value another node gives: what depends on time through this track alone then
@@ -39,18 +40,18 @@ struct Driver {
 
 class Rules {
 public:
-    // Of the time around `within`, which lies between two knots; at a knot, of the time after it.
-    // Nodes are made in `graph`, where `time` stands for the time.
+    // Rules that hold around the time `within`, which lies between two knots; at a knot, after it.
+    // Makes nodes in `graph`, where `time` stands for the time.
     Rules(const Animation& animation, double within, formula::Graph& graph, formula::NodeId time,
           std::optional<Driver> driver = {});
 
     formula::NodeId track(int track);
-    // To be used inside a sum over the array.
+    // For use inside a sum over the array.
     formula::NodeId field(int array, int field);
-    // What the elements in the graph refer to. Behind an array's own fields come the index of each
-    // element and how far its samples move.
+    // The columns that elements in the graph refer to: an array's own fields, then the index of
+    // each element and how far its samples move.
     std::vector<formula::ArrayColumns<double>> columns() const;
-    // What the nodes made so far depend on.
+    // The parts that the nodes made so far depend on.
     const Parts& used() const { return used_; }
 
 private:

@@ -1,4 +1,4 @@
-// The one way from a frame's number to the values it shows.
+// The only way from a frame's number to the values that it shows.
 //
 // Playing, exporting, measuring and topology all call it: frame 812 alone equals frame 812 of the
 // whole sequence. Frames count from 1; frame f shows time (f - 1) / fps.

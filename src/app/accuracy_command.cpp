@@ -100,7 +100,7 @@ int price_effects(const AccuracyArguments& arguments) {
 
 accuracy::Report measured(const AccuracyArguments& arguments) {
     const scene::Scene scene = load(arguments);
-    accuracy::Measuring measuring;
+    accuracy::MeasureOptions measuring;
     measuring.frames = arguments.frames.empty() ? std::vector{scene.output.poster}
                                                 : animation::parse_frame_range(arguments.frames);
     for (const int frame : measuring.frames) scene::at(scene, scene.timeline.values(frame));
@@ -129,7 +129,7 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
     return report;
 }
 
-// The cheapest setting with few enough wrong pixels; the rightest that is fast enough.
+// The cheapest setting with few enough wrong pixels; the most accurate that is fast enough.
 int judge(const AccuracyArguments& arguments, const accuracy::Report& report) {
     const auto tell = [&](const char* what, std::size_t k) {
         const accuracy::Measurement& m = report.measurements[k];
@@ -147,7 +147,7 @@ int judge(const AccuracyArguments& arguments, const accuracy::Report& report) {
         }
     }
     if (arguments.budget_ms) {
-        if (const auto k = accuracy::rightest(report.measurements, *arguments.budget_ms)) {
+        if (const auto k = accuracy::most_accurate(report.measurements, *arguments.budget_ms)) {
             tell("most accurate", *k);
         } else {
             fmt::print(stderr, "no setting takes at most {:g} ms a frame\n", *arguments.budget_ms);

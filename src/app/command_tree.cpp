@@ -41,7 +41,7 @@ std::vector<std::string> known_choices(const std::string& command, const std::st
         }
         return choices;
     }
-    if (option == "--method" || option == "--methods") return names_of(scene::method_names);
+    if (option == "--method" || option == "--methods") return names_of(scene::method_traits);
     if (option == "--stage") return {"fragment", "compute", "auto"};
     if (option == "--channels") return names_of(synthesis::channel_names());
     if (option == "--certify" && command == "topology") return {"off", "fast", "full"};

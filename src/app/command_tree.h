@@ -1,5 +1,5 @@
-// The command line as plain values: what manual pages and shells' completions are written from, so
-// that they never tell of another command line than the one there is.
+// The command line as plain values. The manual page and the completions are written from it, so
+// that they always describe the command line that the program has.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct OptionText {
     std::vector<std::string> names; // "-o", "--output"; of a positional argument its name alone
     std::string value;              // "TEXT", "FLOAT"; empty: a flag
     std::string description;
-    std::vector<std::string> choices; // all that the value may be; empty where it is open
+    std::vector<std::string> choices; // all values there are; empty where any will do
     bool positional = false, required = false;
 };
 

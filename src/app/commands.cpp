@@ -11,8 +11,8 @@
 #include "gpu/context.h"
 #include "gpu/error.h"
 #include "image/frame.h"
-#include "image/movie.h"
 #include "scene/error.h"
+#include "sequence/movie.h"
 
 namespace isomotion::app {
 namespace {
@@ -70,7 +70,7 @@ int run(int argc, char** argv) {
         return report(exit_machine, error);
     } catch (const base::FileError& error) {
         return report(exit_machine, error);
-    } catch (const image::MovieError& error) {
+    } catch (const sequence::MovieError& error) {
         return report(exit_machine, error);
     } catch (const gpu::ResourceError& error) {
         return report(exit_machine, error);

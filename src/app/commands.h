@@ -24,7 +24,7 @@ enum ExitCode {
     exit_interrupted = 130, // Ctrl-C, as shells count it
 };
 
-// Each sets `chosen` to what is to be done when its command is the one given.
+// Each sets `chosen` to its action when its command is given.
 using Action = std::function<int()>;
 void add_render(CLI::App& app, Action& chosen);
 void add_submit(CLI::App& app, Action& chosen);

@@ -1,4 +1,4 @@
-// What bash, zsh and fish complete after `isomotion`, written from the command line itself.
+// Completions of `isomotion` for bash, zsh and fish, written from the command line itself.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace isomotion::app {
 
-// Scripts for the shells' completion folders. `scenes` are the names that an argument `scene` may
-// be besides a file.
+// Scripts for the shells' completion folders. `scenes`: names that an argument `scene` takes
+// besides files.
 std::string bash_completion(const CommandTree& tree, const std::vector<std::string>& scenes);
 std::string zsh_completion(const CommandTree& tree, const std::vector<std::string>& scenes);
 std::string fish_completion(const CommandTree& tree, const std::vector<std::string>& scenes);

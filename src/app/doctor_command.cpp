@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/back_end_examination.h"
+#include "app/backend_probe.h"
 #include "app/commands.h"
 #include "app/doctor_table.h"
 #include "app/machine_report.h"
@@ -15,7 +15,7 @@ namespace {
 struct DoctorArguments {
     bool json = false;
     int timeout = 120;
-    std::string examined; // by a process for its parent
+    std::string probed; // a back end: what a child process probes for its parent
 };
 
 // Text of drivers may be no UTF-8.
@@ -24,12 +24,12 @@ std::string dumped(const nlohmann::ordered_json& value, int indent) {
 }
 
 int doctor(const DoctorArguments& arguments) {
-    if (!arguments.examined.empty()) {
-        fmt::print("\n{}\n", dumped(examine_here(gpu::parse_backend(arguments.examined)), -1));
+    if (!arguments.probed.empty()) {
+        fmt::print("\n{}\n", dumped(probe_here(gpu::parse_backend(arguments.probed)), -1));
         return exit_done;
     }
-    const auto found = examine_apart({gpu::Backend::egl, gpu::Backend::osmesa, gpu::Backend::glfw},
-                                     std::chrono::seconds(arguments.timeout));
+    const auto found = probe_apart({gpu::Backend::egl, gpu::Backend::osmesa, gpu::Backend::glfw},
+                                   std::chrono::seconds(arguments.timeout));
     nlohmann::ordered_json report = {{"version", ISOMOTION_VERSION}};
     report.update(machine_report());
     report["backends"] = found;
@@ -48,13 +48,13 @@ void add_doctor(CLI::App& app, Action& chosen) {
     const auto arguments = std::make_shared<DoctorArguments>();
     CLI::App* command = app.add_subcommand(
         "doctor",
-        "which ways to OpenGL work here, what their arithmetic is, and what else there is");
+        "which OpenGL back ends work here, what their arithmetic is, and what else there is");
     command->add_flag("--json", arguments->json, "for other programs");
     command
         ->add_option("--timeout", arguments->timeout,
-                     "seconds after which a way to OpenGL counts as hanging (default: 120)")
+                     "seconds after which a back end counts as hanging (default: 120)")
         ->check(CLI::Range(1, 86'400));
-    command->add_option("--examine", arguments->examined)->group("");
+    command->add_option("--probe", arguments->probed)->group("");
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return doctor(*arguments); }; });
 }

@@ -67,7 +67,7 @@ std::string arithmetic(const Json& arithmetic) {
     return all;
 }
 
-// Of the first of the back ends with this arithmetic.
+// The name of the first back end with this arithmetic.
 std::string first_with(const Json& arithmetic, const Json& back_ends) {
     for (const Json& found : back_ends) {
         if (found.contains("arithmetic") && found["arithmetic"] == arithmetic) {

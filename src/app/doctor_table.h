@@ -1,4 +1,4 @@
-// What `isomotion doctor` found, for a terminal.
+// Prints the findings of `isomotion doctor` for a terminal.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace isomotion::app {
 
-// Of machine_report() with the back ends in "backends".
+// `report`: machine_report() with the back ends in "backends".
 std::string doctor_table(const nlohmann::ordered_json& report);
 
 } // namespace isomotion::app

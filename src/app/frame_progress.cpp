@@ -31,30 +31,24 @@ std::optional<std::string> long_frame(int frame, std::chrono::duration<double> p
                        frame, duration(all), 100 * part, duration(passed.count()));
 }
 
-void FrameProgress::begin(int done, int frame, std::string name) {
-    done_ = done;
-    frame_ = frame;
-    name_ = std::move(name);
-    picture_ = 0;
-    part_ = 0;
-    begin_ = shown_ = Clock::now();
-    progress_.show(done, name_);
-}
-
-void FrameProgress::at(double part) {
-    if (part < part_) ++picture_;
-    part_ = part;
-    const auto now = Clock::now();
-    const double whole = (picture_ + part) / pictures_;
+void FrameProgress::show(const sequence::ExportProgress& now) {
+    const auto time = Clock::now();
+    const std::string name = now.file.filename().string();
+    if (now.done != done_) {
+        done_ = now.done;
+        begin_ = shown_ = time;
+        progress_.show(done_, name);
+        return;
+    }
     if (!told_) {
-        if (const auto text = long_frame(frame_, now - begin_, whole)) {
+        if (const auto text = long_frame(now.frame, time - begin_, now.part)) {
             progress_.tell("warning: " + *text);
             told_ = true;
         }
     }
-    if (now - shown_ < shown_every) return;
-    shown_ = now;
-    progress_.show(done_, fmt::format("{}, {:.0f} % of it", name_, 100 * whole));
+    if (time - shown_ < shown_every) return;
+    shown_ = time;
+    progress_.show(done_, fmt::format("{}, {:.0f} % of it", name, 100 * now.part));
 }
 
 } // namespace isomotion::app

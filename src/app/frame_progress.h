@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/progress.h"
+#include "sequence/exporter.h"
 
 namespace isomotion::app {
 
@@ -15,25 +16,18 @@ std::optional<std::string> long_frame(int frame, std::chrono::duration<double> p
 
 class FrameProgress {
 public:
-    FrameProgress(Progress& progress, int pictures) // of a frame, whose mean it is
-        : progress_(progress)
-        , pictures_(pictures) {}
+    explicit FrameProgress(Progress& progress)
+        : progress_(progress) {}
 
-    // `done` frames are finished, and `frame` is the next, of this name.
-    void begin(int done, int frame, std::string name);
-    // Told by a renderer, picture by picture of the frame: so much of it is drawn. Says once a
-    // sequence how long its frames take, in a log as on a terminal.
-    void at(double part);
+    // Says once a sequence how long its frames take, in a log as on a terminal.
+    void show(const sequence::ExportProgress& now);
 
 private:
     using Clock = std::chrono::steady_clock;
 
     Progress& progress_;
-    int pictures_, picture_ = 0;
-    int done_ = 0, frame_ = 0;
-    std::string name_;
-    double part_ = 0; // of the picture
-    Clock::time_point begin_{}, shown_{};
+    int done_ = -1;
+    Clock::time_point begin_{}, shown_{}; // of the frame, and of what the line says
     bool told_ = false;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 int list(const std::string& what) {
     if (what == "methods") {
-        for (const auto& method : scene::method_names) {
+        for (const auto& method : scene::method_traits) {
             fmt::print("{:<12} {}\n", method.name, method.summary);
         }
         return exit_done;

@@ -30,7 +30,7 @@ Json files() {
     }
 }
 
-// As frames are written: under another name, brought to the disk and renamed.
+// Writes as frames are written: under another name, synced and renamed.
 Json disk() {
     const fs::path folder = fs::current_path();
     Json found = {{"folder", folder.string()}};

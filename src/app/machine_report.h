@@ -1,12 +1,12 @@
-// What the program needs of a machine beside OpenGL.
+// Reports what the program needs from a machine besides OpenGL.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace isomotion::app {
 
-// "files", "processors", "disk", "ffmpeg", "sbatch": an object each, with "reason" where something
-// is not as it should be. Writes a file in the current folder and removes it.
+// An object each for "files", "processors", "disk", "ffmpeg" and "sbatch", with "reason" where
+// something is wrong. Writes a file in the current folder and removes it.
 nlohmann::ordered_json machine_report();
 
 } // namespace isomotion::app

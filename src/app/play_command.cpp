@@ -3,7 +3,7 @@
 
 #include "app/commands.h"
 #include "player/player.h"
-#include "player/window.h"
+#include "player/ui/window.h"
 
 namespace isomotion::app {
 namespace {

@@ -40,7 +40,7 @@ std::string step_key(const std::string& text) {
 
 std::string known_methods() {
     std::vector<std::string_view> known;
-    for (const auto& entry : scene::method_names) known.push_back(entry.name);
+    for (const auto& entry : scene::method_traits) known.push_back(entry.name);
     return fmt::format("{}", fmt::join(known, ", "));
 }
 
@@ -50,6 +50,17 @@ std::string method_key(const std::string& text) {
             fmt::format("--method: there is no method '{}'; known: {}", text, known_methods()));
     }
     return fmt::format("isolation.method=\"{}\"", text);
+}
+
+std::vector<int> frames_of(const RenderArguments& arguments, const scene::Scene& scene) {
+    if (arguments.frames == "poster") return {scene.output.poster};
+    if (!arguments.frames.empty()) return animation::parse_frame_range(arguments.frames);
+    return animation::parse_frame_range(fmt::format("1-{}", scene.timeline.frames));
+}
+
+std::string output_of(const RenderArguments& arguments, const scene::Scene& scene) {
+    if (!arguments.output.empty()) return arguments.output;
+    return fmt::format("out/{}.####.png", scene.file.stem().string());
 }
 
 } // namespace
@@ -95,17 +106,6 @@ std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments
     };
 }
 
-std::vector<int> frames_of(const RenderArguments& arguments, const scene::Scene& scene) {
-    if (arguments.frames == "poster") return {scene.output.poster};
-    if (!arguments.frames.empty()) return animation::parse_frame_range(arguments.frames);
-    return animation::parse_frame_range(fmt::format("1-{}", scene.timeline.frames));
-}
-
-std::string output_of(const RenderArguments& arguments, const scene::Scene& scene) {
-    if (!arguments.output.empty()) return arguments.output;
-    return fmt::format("out/{}.####.png", scene.file.stem().string());
-}
-
 std::vector<scene::Override> overrides(const RenderArguments& arguments) {
     std::vector<scene::Override> all = arguments.settings;
     if (arguments.certify) all.emplace_back("isolation.certify=true");
@@ -134,6 +134,24 @@ std::vector<synthesis::Channel> parse_channels(const std::string& text) {
     }
     std::sort(channels.begin(), channels.end());
     return channels;
+}
+
+sequence::Exporter exporter_of(const RenderArguments& arguments) {
+    scene::Scene scene = scene::load(arguments.scene, overrides(arguments), arguments.reach);
+    gpu::parse_backend(arguments.backend);
+    sequence::ExportOptions options;
+    options.stage = render::parse_stage(arguments.stage);
+    options.channels = parse_channels(arguments.channels);
+    options.frames = frames_of(arguments, scene);
+    options.output = output_of(arguments, scene);
+    options.bits = arguments.bits;
+    options.resume = arguments.resume;
+    options.movie = arguments.movie;
+    try {
+        return {std::move(scene), std::move(options)};
+    } catch (const sequence::OptionError& error) {
+        throw std::invalid_argument(fmt::format("--{}", error.what()));
+    }
 }
 
 } // namespace isomotion::app

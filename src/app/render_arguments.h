@@ -7,6 +7,7 @@
 
 #include "scene/reading/load.h"
 #include "scene/scene.h"
+#include "sequence/exporter.h"
 #include "synthesis/channel.h"
 
 namespace CLI {
@@ -39,13 +40,9 @@ std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments
 // The scene's keys that the options set, --set first.
 std::vector<scene::Override> overrides(const RenderArguments& arguments);
 
-// The frames asked for, by default all of the scene.
-std::vector<int> frames_of(const RenderArguments& arguments, const scene::Scene& scene);
-// Where they go, by default out/SCENE.####.png.
-std::string output_of(const RenderArguments& arguments, const scene::Scene& scene);
-
-// Throws for everything that `render` would refuse before it draws (render_command.cpp).
-void check_render(const RenderArguments& arguments);
+// What renders the frames asked for, by default all of the scene, to out/SCENE.####.png if no other
+// output is named. Everything is refused that `render` would refuse before it draws.
+sequence::Exporter exporter_of(const RenderArguments& arguments);
 
 // In one order, whatever the user's: it decides shader text and fingerprint.
 std::vector<synthesis::Channel> parse_channels(const std::string& text);

@@ -18,6 +18,7 @@ struct ShowArguments {
     std::string scene;
     int frame = 1;
     bool shader = false;
+    std::string pass; // the one to print, or empty
     std::string stage = "fragment";
     std::vector<std::string> settings;
     scene::Reach reach = scene::Reach::own_folder;
@@ -46,14 +47,45 @@ synthesis::Stage stage_of(const ShowArguments& arguments) {
                                 "show one of fragment, compute");
 }
 
+// A pass under a heading, its stages one after the other.
+void print_pass(const synthesis::Pass& pass) {
+    fmt::print("// ===== pass '{}', {}\n", pass.name, synthesis::words(pass.when));
+    fmt::print("// files: {}\n", fmt::join(pass.files, " "));
+    if (!pass.vertex.empty()) fmt::print("// ----- vertex shader\n{}\n", pass.vertex);
+    fmt::print("// ----- {} shader\n{}\n", render::name(pass.stage), pass.text);
+}
+
+// What every frame runs, in order; then the names of what only some frames do.
+void print_passes(const synthesis::Passes& passes) {
+    for (const synthesis::Pass& pass : passes.list) {
+        if (!synthesis::is_exceptional(pass.when)) print_pass(pass);
+    }
+    for (const synthesis::Pass& pass : passes.list) {
+        if (!synthesis::is_exceptional(pass.when)) continue;
+        fmt::print("// not printed: pass '{}', {} (--pass '{}')\n", pass.name,
+                   synthesis::words(pass.when), pass.name);
+    }
+}
+
+const synthesis::Pass& pass_named(const synthesis::Passes& passes, const std::string& name) {
+    std::vector<std::string> names;
+    for (const synthesis::Pass& pass : passes.list) {
+        if (pass.name == name) return pass;
+        names.push_back(fmt::format("'{}'", pass.name));
+    }
+    throw std::invalid_argument(fmt::format("--pass '{}': the scene has no such pass; it has {}",
+                                            base::printable(name), fmt::join(names, ", ")));
+}
+
 int show(const ShowArguments& arguments) {
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
-    const synthesis::Shaders shaders = synthesis::assemble(scene, {}, stage_of(arguments));
+    const synthesis::Passes passes = synthesis::assemble(scene, {}, stage_of(arguments));
+    if (!arguments.pass.empty()) {
+        print_pass(pass_named(passes, arguments.pass));
+        return exit_done;
+    }
     if (arguments.shader) {
-        for (const std::string* text : {&shaders.march, &shaders.surface, &shaders.mirror,
-                                        &shaders.mirror_surface, &shaders.shadow, &shaders.shade}) {
-            if (!text->empty()) fmt::print("{}\n", *text);
-        }
+        print_passes(passes);
         return exit_done;
     }
     const animation::Values values = scene.timeline.values(arguments.frame);
@@ -72,7 +104,7 @@ int show(const ShowArguments& arguments) {
                    scene::name(isolation.method), isolation.step, isolation.near, isolation.far,
                    isolation.horizon, isolation.bisections);
     }
-    fmt::print("{}\n", synthesis::uses_beams(scene) ? ", beams" : "");
+    fmt::print("{}\n", !passes.beams.empty() ? ", beams" : "");
     fmt::print("frame     {} at t = {:g} s\n", arguments.frame, values.time);
     for (std::size_t k = 0; k < values.tracks.size(); ++k) {
         fmt::print("    {:<28} {:g}{}\n", scene.timeline.animation.tracks()[k].name,
@@ -86,8 +118,8 @@ int show(const ShowArguments& arguments) {
     for (const scene::Effect effect : scene::effects(scene)) called.push_back(scene::name(effect));
     fmt::print("effects   {}\n",
                called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
-    fmt::print("stage     {}\n", render::name(shaders.stage));
-    fmt::print("shaders   {}\n", fmt::join(shaders.files, " "));
+    fmt::print("stage     {}\n", render::name(passes.stage));
+    fmt::print("shaders   {}\n", fmt::join(passes.files(), " "));
     return exit_done;
 }
 
@@ -105,7 +137,9 @@ void add_show(CLI::App& app, Action& chosen) {
     add_allow_outside(*command, arguments->reach);
     command->add_option("--stage", arguments->stage,
                         "shaders that march the rays: fragment or compute");
-    command->add_flag("--shader", arguments->shader, "print the assembled GLSL");
+    command->add_flag("--shader", arguments->shader,
+                      "print the GLSL of every pass that frames run, in order");
+    command->add_option("--pass", arguments->pass, "print the GLSL of this pass alone");
     command->callback([arguments, &chosen] { chosen = [arguments] { return show(*arguments); }; });
 }
 

@@ -1,10 +1,10 @@
-// Ctrl-C as a wish instead of an end.
+// Turns Ctrl-C into a request to stop.
 #pragma once
 
 namespace isomotion::app {
 
 // While it lives, SIGINT and SIGTERM set a flag and do not end the process, so that only whole
-// files are left. A second one of the same kind ends it at once. One at a time.
+// files are left. A second signal of the same kind ends it at once. Make one at a time.
 class StopOnSignal {
 public:
     StopOnSignal();

@@ -62,13 +62,12 @@ public:
                 "--max-wrong: each chunk would choose for itself; let isomotion accuracy choose, "
                 "and give --method and --step");
         }
-        check_render(render);
-        const scene::Scene scene = scene::load(render.scene, overrides(render), render.reach);
-        frames_ = frames_of(render, scene);
+        const sequence::Exporter exporter = exporter_of(render);
+        frames_ = exporter.options().frames;
         job_.program = fs::read_symlink("/proc/self/exe");
         job_.folder = fs::current_path();
-        job_.scene = fs::absolute(scene.file);
-        job_.output = fs::absolute(output_of(render, scene));
+        job_.scene = fs::absolute(exporter.scene().file);
+        job_.output = fs::absolute(exporter.options().output);
         if (!render.movie.empty()) job_.movie = fs::absolute(render.movie);
         job_.options = words_of(arguments.picture);
         if (const char* data = std::getenv("ISOMOTION_DATA")) {

@@ -17,12 +17,12 @@
 #include "render/renderer.h"
 #include "scene/reading/load.h"
 #include "topology/analyse.h"
-#include "topology/betti_csv.h"
-#include "topology/expectation.h"
-#include "topology/plot.h"
-#include "topology/summary.h"
-#include "topology/telling.h"
-#include "topology/timeline_file.h"
+#include "topology/timeline/betti_csv.h"
+#include "topology/timeline/expectation.h"
+#include "topology/timeline/plot.h"
+#include "topology/timeline/representative_frames.h"
+#include "topology/timeline/summary.h"
+#include "topology/timeline/timeline_file.h"
 
 namespace isomotion::app {
 namespace fs = std::filesystem;
@@ -84,7 +84,7 @@ void write_text(const std::string& file, const std::string& text) {
 
 // Pictures of the frames that tell most; those before one that cannot be drawn.
 std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& arguments,
-                                               const topology::Record& record,
+                                               const topology::TimelineRecord& record,
                                                const StopOnSignal& stop) {
     std::vector<scene::Override> settings = arguments.settings;
     settings.push_back(fmt::format("output.size=[{0},{0}]", thumbnail_size));
@@ -93,7 +93,7 @@ std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& argument
         const scene::Scene scene = scene::load(arguments.scene, settings, arguments.reach);
         const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
         render::Renderer renderer(*context, scene, {thumbnail_size, thumbnail_size, {}, {}, {}});
-        const auto frames = topology::telling_frames(record, most_thumbnails);
+        const auto frames = topology::representative_frames(record, most_thumbnails);
         Progress progress("drawing", int(frames.size()), arguments.quiet);
         for (std::size_t k = 0; k < frames.size() && !stop.asked(); ++k) {
             progress.show(int(k));
@@ -114,7 +114,7 @@ std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& argument
 }
 
 // Each file whatever becomes of the others. What the first that fails throws is thrown at the end.
-void write_files(const TopologyArguments& arguments, const topology::Record& record,
+void write_files(const TopologyArguments& arguments, const topology::TimelineRecord& record,
                  const StopOnSignal& stop) {
     std::exception_ptr first;
     const auto write = [&](const std::string& file, const auto& text) {
@@ -132,9 +132,9 @@ void write_files(const TopologyArguments& arguments, const topology::Record& rec
     if (first) std::rethrow_exception(first);
 }
 
-topology::Record analysed(const TopologyArguments& arguments, const scene::Scene& scene,
-                          std::pair<int, int> frames, const StopOnSignal& stop) {
-    topology::Analysing how;
+topology::TimelineRecord analysed(const TopologyArguments& arguments, const scene::Scene& scene,
+                                  std::pair<int, int> frames, const StopOnSignal& stop) {
+    topology::AnalyseOptions how;
     how.certify = parse_certify(arguments.certify);
     how.first = frames.first;
     how.last = frames.second;
@@ -144,13 +144,13 @@ topology::Record analysed(const TopologyArguments& arguments, const scene::Scene
     };
     how.stop = [&] { return stop.asked(); };
     // A mistake in the last frame is told before minutes of searching.
-    const topology::Subject subject = topology::subject_of(
-        scene, {scene.timeline.time(how.first), scene.timeline.time(how.last)});
+    const topology::TimelineHeader subject =
+        topology::header_of(scene, {scene.timeline.time(how.first), scene.timeline.time(how.last)});
     return {subject, topology::analyse(scene, how)};
 }
 
 int judged(const TopologyArguments& arguments, const topology::Expectation& expectation,
-           const topology::Record& record) {
+           const topology::TimelineRecord& record) {
     const topology::Check check = topology::check(expectation, record, arguments.dt);
     const std::string text = topology::text(check, arguments.check);
     switch (check.outcome()) {
@@ -181,7 +181,7 @@ int topology_of(const TopologyArguments& arguments) {
         expectation = topology::read_expectation(arguments.check, scene.timeline.fps);
     }
     const StopOnSignal stop;
-    const topology::Record record = analysed(arguments, scene, frames, stop);
+    const topology::TimelineRecord record = analysed(arguments, scene, frames, stop);
     const bool is_whole = !stop.asked();
     if (!arguments.quiet) fmt::print("{}", topology::summary(record));
     // Judged first: no file that fails to be written keeps the judgement back.
@@ -210,7 +210,7 @@ void add_topology(CLI::App& app, Action& chosen) {
     command->add_option("--csv", a.csv, "file for Betti numbers, frame by frame: NAME.betti.csv");
     command->add_option("--plot", a.plot, "file for a picture of the timeline: NAME.svg");
     command->add_option("--check", a.check,
-                        "hold the timeline against this file: one written with -o, or claims in "
+                        "compare the timeline with this file: one written with -o, or claims in "
                         "JSON or TOML; exit code 1 if it differs, 2 if it could not be decided");
     command
         ->add_option("--dt", a.dt,

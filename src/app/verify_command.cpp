@@ -12,8 +12,8 @@
 #include "app/commands.h"
 #include "app/progress.h"
 #include "base/file.h"
-#include "image/sequence.h"
 #include "sequence/manifest.h"
+#include "sequence/names/sequence_name.h"
 #include "sequence/verification.h"
 
 namespace isomotion::app {
@@ -53,7 +53,7 @@ std::vector<fs::path> manifests_of(const std::string& what) {
         throw base::FileError(path, "has no sequence with a manifest, as render writes them",
                               ENOENT);
     }
-    const auto name = image::SequenceName::parse(what);
+    const auto name = sequence::SequenceName::parse(what);
     if (name.holds_many()) return {sequence::manifest_folder(name)};
     if (fs::path stem = path; is_manifest(stem += ".manifest")) return {stem};
     throw base::FileError(path, "is neither a folder nor a sequence's name, as out/name.####.png",
@@ -64,9 +64,9 @@ void tell(const sequence::Verification& found) {
     const sequence::Sequence& sequence = found.sequence;
     const std::size_t asked = sequence.asked.size();
     fmt::print("{}: {}, {} frame{}, {}x{}, {}\n",
-               (found.manifest.parent_path() / sequence.shape.pattern).string(), sequence.title,
-               asked, asked == 1 ? "" : "s", sequence.shape.width, sequence.shape.height,
-               sequence.making.renderer);
+               (found.manifest.parent_path() / sequence.format.pattern).string(), sequence.title,
+               asked, asked == 1 ? "" : "s", sequence.format.width, sequence.format.height,
+               sequence.provenance.renderer);
     const auto list = [](const std::string& what, const std::vector<int>& frames) {
         if (frames.empty()) return;
         fmt::print("  {}: {} ({})\n", what, frames.size(), animation::frame_range(frames));

@@ -25,16 +25,6 @@ void set_interval(Ball& to, Arf& low, Arf& high, slong precision) {
     arb_set_interval_arf(to.get(), low.get(), high.get(), precision);
 }
 
-void abs(Ball& to, const Ball& a, slong precision) {
-    if (!arb_contains_zero(a.get()) || arb_is_exact(a.get())) {
-        arb_abs(to.get(), a.get());
-        return;
-    }
-    Arf zero, high;
-    arb_get_abs_ubound_arf(high.get(), a.get(), precision);
-    set_interval(to, zero, high, precision);
-}
-
 // asin or acos, monotone, of the part of a inside [-1, 1]; beyond, of the end.
 void arc(Ball& to, const Ball& a, void (*function)(arb_t, const arb_t, slong), slong precision) {
     if (!a.is_finite()) {
@@ -53,6 +43,43 @@ void arc(Ball& to, const Ball& a, void (*function)(arb_t, const arb_t, slong), s
     }
     arb_union(to.get(), ends[0].get(), ends[1].get(), precision);
 }
+
+// Of one argument, by the names of their table (formula/graph/function_table.h).
+namespace functions {
+
+void abs(Ball& to, const Ball& a, slong precision) {
+    if (!arb_contains_zero(a.get()) || arb_is_exact(a.get())) {
+        arb_abs(to.get(), a.get());
+        return;
+    }
+    Arf zero, high;
+    arb_get_abs_ubound_arf(high.get(), a.get(), precision);
+    set_interval(to, zero, high, precision);
+}
+
+void sign(Ball& to, const Ball& a, slong) { arb_sgn(to.get(), a.get()); }
+
+void sqrt(Ball& to, const Ball& a, slong precision) {
+    if (arb_is_nonpositive(a.get())) {
+        arb_zero(to.get());
+    } else {
+        arb_sqrtpos(to.get(), a.get(), precision);
+    }
+}
+
+void asin(Ball& to, const Ball& a, slong precision) { arc(to, a, arb_asin, precision); }
+void acos(Ball& to, const Ball& a, slong precision) { arc(to, a, arb_acos, precision); }
+
+template<void (*function)(arb_t, const arb_t, slong)>
+void by_arb(Ball& to, const Ball& a, slong precision) {
+    function(to.get(), a.get(), precision);
+}
+constexpr auto exp = by_arb<arb_exp>, log = by_arb<arb_log>, sin = by_arb<arb_sin>,
+               cos = by_arb<arb_cos>, tan = by_arb<arb_tan>, sinh = by_arb<arb_sinh>,
+               cosh = by_arb<arb_cosh>, tanh = by_arb<arb_tanh>, atan = by_arb<arb_atan>,
+               floor = by_arb<arb_floor>;
+
+} // namespace functions
 
 void power(Ball& to, const Ball& a, const Ball& b, slong precision) {
     const bool integer = arb_is_int(b.get());
@@ -230,55 +257,12 @@ void BallProgram::operation(const Instruction& now, const formula::Bindings<doub
     case Op::negate:
         arb_neg(to, a);
         break;
-    case Op::abs:
-        abs(ball, operand(0), precision);
+#define ROW(name, ...)                                                                             \
+    case Op::name:                                                                                 \
+        functions::name(ball, operand(0), precision);                                              \
         break;
-    case Op::sign:
-        arb_sgn(to, a);
-        break;
-    case Op::sqrt:
-        if (arb_is_nonpositive(a)) {
-            arb_zero(to);
-        } else {
-            arb_sqrtpos(to, a, precision);
-        }
-        break;
-    case Op::exp:
-        arb_exp(to, a, precision);
-        break;
-    case Op::log:
-        arb_log(to, a, precision);
-        break;
-    case Op::sin:
-        arb_sin(to, a, precision);
-        break;
-    case Op::cos:
-        arb_cos(to, a, precision);
-        break;
-    case Op::tan:
-        arb_tan(to, a, precision);
-        break;
-    case Op::sinh:
-        arb_sinh(to, a, precision);
-        break;
-    case Op::cosh:
-        arb_cosh(to, a, precision);
-        break;
-    case Op::tanh:
-        arb_tanh(to, a, precision);
-        break;
-    case Op::asin:
-        arc(ball, operand(0), arb_asin, precision);
-        break;
-    case Op::acos:
-        arc(ball, operand(0), arb_acos, precision);
-        break;
-    case Op::atan:
-        arb_atan(to, a, precision);
-        break;
-    case Op::floor:
-        arb_floor(to, a, precision);
-        break;
+        ISOMOTION_FUNCTIONS(ROW)
+#undef ROW
     case Op::add:
         arb_add(to, a, b, precision);
         break;

@@ -42,7 +42,7 @@ std::string shell_line(const Job& job, const Words& words) {
 }
 
 std::string stem(const std::filesystem::path& output) {
-    static const std::regex place("#+|%(0[0-9]{1,2})?d"); // as image::SequenceName has it
+    static const std::regex place("#+|%(0[0-9]{1,2})?d"); // as sequence::SequenceName has it
     std::string name = std::regex_replace(output.stem().string(), place, "");
     name.resize(name.find_last_not_of("._- ") + 1);
     return name.empty() ? "frames" : name;

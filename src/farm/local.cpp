@@ -9,7 +9,7 @@
 
 #include "animation/frame_range.h"
 #include "base/child_process.h"
-#include "image/sequence.h"
+#include "sequence/names/sequence_name.h"
 
 namespace isomotion::farm {
 namespace {
@@ -39,7 +39,7 @@ public:
         , frames_(frames) {}
 
     // Its frames written so far, by their files; those that were there before count at the end.
-    int written(const image::SequenceName& name) {
+    int written(const sequence::SequenceName& name) {
         for (; written_ < int(frames_.size()); ++written_) {
             std::error_code error;
             const auto time = fs::last_write_time(name.path(frames_[std::size_t(written_)]), error);
@@ -66,7 +66,7 @@ public:
         , chunks_(chunks)
         , workforce_(workforce)
         , watcher_(watcher)
-        , name_(image::SequenceName::parse(job.output.string())) {
+        , name_(sequence::SequenceName::parse(job.output.string())) {
         for (std::size_t k = 0; k < chunks.size(); ++k) waiting_.push_back({k, 1});
     }
 
@@ -138,7 +138,7 @@ private:
     std::span<const Chunk> chunks_;
     const Workforce& workforce_;
     const Watcher& watcher_;
-    image::SequenceName name_;
+    sequence::SequenceName name_;
     std::deque<Task> waiting_;
     std::vector<std::unique_ptr<Worker>> working_;
     int done_ = 0; // frames of chunks that are done

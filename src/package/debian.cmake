@@ -19,7 +19,7 @@ draws every frame on the GPU from the formula alone, so that the topology may
 change freely. Plays animations in a window, writes them as PNG, OpenEXR and
 movies, measures what accuracy costs in time, and proves when parts of a
 surface merge, split, open and close. Comes with a gallery.")
-# Opened while running, which dpkg-shlibdeps can't see: ways to OpenGL, and ffmpeg for movies.
+# Opened while running, which dpkg-shlibdeps can't see: OpenGL back ends, and ffmpeg for movies.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "libegl1, libgl1, libgl1-mesa-dri, libosmesa6, ffmpeg")
 # Labels of the window; plots of `isomotion accuracy -o`.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "fonts-dejavu-core, gnuplot-nox")
@@ -33,5 +33,5 @@ OpenGL, certified first roots of rays and proved topology events: the
 libraries that isomotion is made of, their headers, and the configuration by
 which CMake's find_package(isomotion) finds them.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "isomotion (= ${PROJECT_VERSION}), libfmt-dev, libglm-dev, libtomlplusplus-dev, libflint-dev, libflint-arb-dev, libglfw3-dev, libopenimageio-dev, libimath-dev, libxxhash-dev, pkg-config")
+    "isomotion (= ${PROJECT_VERSION}), libfmt-dev, libglm-dev, libtomlplusplus-dev, libflint-dev, libflint-arb-dev, libglfw3-dev, libxxhash-dev, pkg-config")
 include(CPack)

@@ -7,21 +7,21 @@
 #include <imgui.h>
 
 #include "gpu/error.h"
-#include "player/camera_text.h"
-#include "player/draw_thread.h"
-#include "player/easel.h"
-#include "player/gallery.h"
-#include "player/live_scene.h"
-#include "player/memory.h"
-#include "player/notices.h"
-#include "player/orbit.h"
-#include "player/picture_area.h"
-#include "player/picture_log.h"
-#include "player/sections.h"
-#include "player/shortcuts.h"
-#include "player/topology_section.h"
-#include "player/transport.h"
-#include "player/window.h"
+#include "player/draw/draw_thread.h"
+#include "player/draw/frame_scheduler.h"
+#include "player/model/camera_text.h"
+#include "player/model/live_scene.h"
+#include "player/model/memory.h"
+#include "player/model/orbit.h"
+#include "player/ui/gallery.h"
+#include "player/ui/notices.h"
+#include "player/ui/picture_area.h"
+#include "player/ui/picture_log.h"
+#include "player/ui/sections.h"
+#include "player/ui/shortcuts.h"
+#include "player/ui/topology_section.h"
+#include "player/ui/transport.h"
+#include "player/ui/window.h"
 #include "scene/error.h"
 
 namespace isomotion::player {
@@ -51,15 +51,16 @@ void begin_pane(const char* name, ImVec2 corner, ImVec2 size, ImGuiWindowFlags f
 
 class Player {
 public:
-    // With a scene, or the gallery. A scene that was played before goes on where it was.
+    // Shows the scene, or the gallery without one. A scene that was played before goes on where it
+    // was.
     Player(std::unique_ptr<LiveScene> scene, const PlayOptions& options, PictureLog& log)
         : reach_(options.reach)
         , memory_(options.remembers ? state_folder() : std::filesystem::path())
         , log_(log)
         , window_("isomotion", place(scene.get()))
         , drawing_(open_drawing())
-        , thread_(*drawing_)
-        , easel_(thread_) {
+        , thread_(*drawing_, Window::wake)
+        , scheduler_(thread_) {
         if (scene) {
             take(std::move(scene));
         } else {
@@ -98,7 +99,7 @@ private:
         return std::nullopt;
     }
 
-    // Beside the window's, whose functions were loaded before; the thread makes it current.
+    // The draw thread's context. The window's comes first, as it loads GLFW's functions.
     std::unique_ptr<gpu::Context> open_drawing() {
         try {
             auto context = gpu::Context::create(gpu::Backend::glfw);
@@ -130,7 +131,7 @@ private:
             session.set(look);
         }
         memory_.add_opened(std::filesystem::absolute(scene_->file()));
-        easel_.begin_scene();
+        scheduler_.begin_scene();
         gallery_.close();
         notices_.load_error.clear();
         notices_.draw_error.clear();
@@ -160,7 +161,7 @@ private:
         memory_.remember(scene_->file(), {window_.place(), scene_->session.look().camera});
     }
 
-    // Whether the scene's picture is to be seen: else none is asked for.
+    // Whether the scene's picture is visible: else none is requested.
     bool is_seen() const { return scene_ && !gallery_.is_open() && !window_.hidden(); }
 
     // ----- what happens between frames
@@ -180,7 +181,7 @@ private:
         sooner(next_look_ - now());
         if (!is_seen()) return least;
         if (const auto at = next_change(scene_->session.playback, now())) sooner(*at - now());
-        if (const auto at = easel_.next_change()) sooner(*at - now());
+        if (const auto at = scheduler_.next_change()) sooner(*at - now());
         return least;
     }
 
@@ -202,7 +203,7 @@ private:
 
     void take_pictures() {
         if (auto shown = thread_.take_shown()) {
-            easel_.learn(*shown, display_);
+            scheduler_.learn(*shown, display_);
             const std::uint64_t number = shown->number;
             window_.make_current();
             area_.take(std::move(*shown));
@@ -210,7 +211,7 @@ private:
             if (number > failed_number_) notices_.draw_error.clear();
             new_picture_ = true;
         }
-        if (const auto given_up = thread_.take_given_up()) easel_.learn(*given_up);
+        if (const auto given_up = thread_.take_given_up()) scheduler_.learn(*given_up);
         if (auto failure = thread_.take_failure()) fail_to_draw(failure->text, failure->number);
     }
 
@@ -232,7 +233,7 @@ private:
         }
         if (!news.error.empty()) fail_to_load(news.error);
         if (news.shaders) thread_.forget_shaders();
-        if (news.scene || news.shaders) easel_.begin_scene();
+        if (news.scene || news.shaders) scheduler_.begin_scene();
     }
 
     void ask() {
@@ -241,9 +242,9 @@ private:
         session.playback = settled(session.playback, now());
         const bool rests = !area_.held() && !touched_;
         try {
-            easel_.ask(session, frame(), size_, now(), rests);
+            scheduler_.ask(session, frame(), size_, now(), rests);
         } catch (const scene::SceneError& error) {
-            fail_to_draw(error.what(), easel_.number());
+            fail_to_draw(error.what(), scheduler_.number());
         }
     }
 
@@ -332,7 +333,7 @@ private:
     // What is dragged is answered by the next picture: until it comes, drawing the widgets alone
     // would take its time from it.
     bool picture_will_do() const {
-        return (area_.held() || touched_) && !new_picture_ && easel_.awaits() && !compiling() &&
+        return (area_.held() || touched_) && !new_picture_ && scheduler_.awaits() && !compiling() &&
                now() - last_frame_ < widgets_every;
     }
     bool overdue() const { return skipped_ && now() - last_frame_ >= widgets_every; }
@@ -384,7 +385,7 @@ private:
             show_transport({0, area.y - bar}, {area.x, bar});
         }
         notices_.show(thread_.compiling_since());
-        log_.add(take_landmarks());
+        log_.add(take_widget_rects());
         touched_ = ImGui::IsAnyItemActive() && !area_.held();
         skipped_ = picture_will_do();
         if (skipped_) return window_.skip_frame();
@@ -394,7 +395,7 @@ private:
         display_ = last_frame_ - begin;
         if (std::exchange(new_picture_, false) && area_.shown()) {
             ++pictures_;
-            log_.add(*area_.shown(), area_.corner(), area_.size(), easel_.at_rest());
+            log_.add(*area_.shown(), area_.corner(), area_.size(), scheduler_.at_rest());
         }
     }
 
@@ -434,7 +435,7 @@ private:
         std::optional<Command> wish;
         view_section(look, session.scene(), area_.shown());
         if (const auto at = scene_now()) wish = camera_section(look, at->camera);
-        parameter_section(look, session, session.moved().timeline.values(frame()));
+        parameter_section(look, session, session.overridden().timeline.values(frame()));
         method_section(look, session.scene());
         reading_section(area_.shown(), size_);
         topology_.show(*scene_);
@@ -448,7 +449,7 @@ private:
         begin_pane("transport", corner, size, still_pane);
         Session& session = scene_->session;
         session.playback =
-            transport_.show(session.playback, session.scene().timeline, scene_->marks(), now());
+            transport_.show(session.playback, session.scene().timeline, scene_->markers(), now());
         reading_line(area_.shown());
         ImGui::End();
     }
@@ -460,7 +461,7 @@ private:
     Window window_;
     std::unique_ptr<gpu::Context> drawing_;
     DrawThread thread_;
-    Easel easel_;
+    FrameScheduler scheduler_;
     PictureArea area_;
     Transport transport_;
     TopologySection topology_;

@@ -13,15 +13,15 @@ namespace isomotion::player {
 struct PlayOptions {
     std::string scene; // a file or a name of the gallery; empty: the gallery
     std::vector<scene::Override> overrides;
-    scene::Reach reach = scene::Reach::own_folder; // of every scene opened
-    bool playing = true;                           // at once
+    scene::Reach reach = scene::Reach::own_folder; // for every scene opened
+    bool playing = true;                           // plays at once
     std::filesystem::path log; // a line of JSON for each picture shown; empty: none
-    bool remembers = true;     // places and cameras, from one day to the next
+    bool remembers = true;     // places and cameras, from run to run
 };
 
-// Opens the window and returns when it is closed. Throws NoWindow, and SceneError for the scene it
-// is started with; what goes wrong later is shown in the window. After a reset of the graphics
-// driver it goes on in a new window.
+// Opens the window and returns when it is closed. Throws NoWindow, and SceneError for the scene
+// given; shows later errors in the window. After a reset of the graphics driver it goes on in a new
+// window.
 void play(const PlayOptions& options);
 
 } // namespace isomotion::player

@@ -68,11 +68,10 @@ std::string question_shader() {
         main += fmt::format("    case {}: answer = {}; break;\n", k, questions[k].glsl);
     }
     main += "    }\n    answers = vec4(answer);\n}\n";
-    std::vector<std::string> files;
-    synthesis::ShaderText text(files);
+    synthesis::ShaderText text;
     text.file("probe/arithmetic.glsl");
     text.generated("questions", main);
-    return text.take();
+    return text.text();
 }
 
 enum class Unit { value, one };
@@ -136,8 +135,7 @@ std::vector<Arguments> arguments_of(const Sweep& sweep) {
 }
 
 std::string sweep_shader(const Sweep& sweep) {
-    std::vector<std::string> files;
-    synthesis::ShaderText text(files);
+    synthesis::ShaderText text;
     for (const std::string& file : synthesis::kernel_files({sweep.kernel})) text.file(file);
     text.generated("sweep", fmt::format("uniform sampler2D arguments;\n"
                                         "out vec4 results;\n"
@@ -148,7 +146,7 @@ std::string sweep_shader(const Sweep& sweep) {
                                         "    results = vec4({}, {}, 0.0, 0.0);\n"
                                         "}}\n",
                                         sweep.driver_call, sweep.own_call));
-    return text.take();
+    return text.text();
 }
 
 // The results, four numbers for each of the arguments.

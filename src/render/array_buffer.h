@@ -5,14 +5,16 @@
 #include <span>
 
 #include "gpu/buffer.h"
-#include "synthesis/assemble.h"
+#include "render/pass_table.h"
+#include "synthesis/field_text.h"
 
 namespace isomotion::render {
 
 class ArrayBuffer {
 public:
     // `lists`: further elements' places, for lists of those that matter in beams.
-    ArrayBuffer(const synthesis::ArrayStorage& storage, int lists) {
+    ArrayBuffer(const synthesis::ArrayStorage& storage, int lists)
+        : name_(storage.name) {
         const std::size_t texels =
             std::size_t(storage.capacity + lists) * std::size_t(storage.texels);
         if (storage.kind == synthesis::ArrayStorage::Kind::uniform_block) {
@@ -26,15 +28,16 @@ public:
         if (block_) block_->update(std::as_bytes(texels));
         if (buffer_) buffer_->update(texels);
     }
-    void bind(unsigned binding, int unit) const {
-        if (block_) block_->bind(binding);
-        if (buffer_) buffer_->bind(unit);
+    void bind(PassTable& table) const {
+        if (block_) table.bind(name_ + "_block", *block_);
+        if (buffer_) table.bind(name_, *buffer_);
     }
-    // As the buffer 0 that shaders write, and then for those that read it.
+    // Binds it as the buffer 0 that shaders write; and waits for them before others read it.
     void bind_for_lists() const { buffer_->bind_storage(0); }
     void wait_for_lists() const { buffer_->wait_for_storage(); }
 
 private:
+    std::string name_;
     std::optional<gpu::UniformBuffer> block_;
     std::optional<gpu::TextureBuffer> buffer_;
 };

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "render/blocks.h"
-
 namespace isomotion::render {
 namespace {
 
@@ -20,7 +18,7 @@ int blocks_in(const MarchPlan& tile, int block) {
 
 // Elements in one list of a level: what large blocks pass on, smaller ones go through. Where there
 // are few blocks there is room for more.
-int longest_list(const synthesis::BeamShader& level, const MarchPlan& tile, int capacity) {
+int longest_list(const synthesis::BeamLevel& level, const MarchPlan& tile, int capacity) {
     if (level.lists == synthesis::BeamLists::none) return 0;
     constexpr int room = 1 << 21; // of a level
     const int lists = blocks_in(tile, level.block) * lists_of_a_block(level);
@@ -28,12 +26,12 @@ int longest_list(const synthesis::BeamShader& level, const MarchPlan& tile, int 
 }
 
 // The part of the longest lists that a buffer of so many texels has room for behind `first`.
-double part_of_lists(const synthesis::Shaders& shaders, const MarchPlan& plan, int texels,
+double part_of_lists(const synthesis::Passes& passes, const MarchPlan& plan, int texels,
                      int first) {
-    if (!synthesis::has_lists(shaders)) return 0;
-    const auto& array = shaders.arrays[0];
+    if (!synthesis::has_lists(passes)) return 0;
+    const auto& array = passes.arrays[0];
     double wanted = 0;
-    for (const auto& level : shaders.beams) {
+    for (const auto& level : passes.beams) {
         wanted += double(blocks_in(plan, level.block)) * lists_of_a_block(level) *
                   longest_list(level, plan, array.capacity);
     }
@@ -42,85 +40,61 @@ double part_of_lists(const synthesis::Shaders& shaders, const MarchPlan& plan, i
 }
 
 // What fits into the loops of a beam's shader; with lists it is less where these are long.
-int evaluations_of_a_beam(const synthesis::Shaders& shaders, const formula::Field& field,
+int evaluations_of_a_beam(const synthesis::Passes& passes, const formula::Field& field,
                           synthesis::BeamLists lists) {
     // Where lists are made for smaller blocks, these walk the rest of the way at a smaller price.
     const double most = lists == synthesis::BeamLists::whole ? 8 : 64;
     std::vector<int> counts;
-    for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
+    for (const auto& array : passes.arrays) counts.push_back(array.capacity);
     const double sums = formula::cost(field.value, counts).iterations;
     const double fitting = 0.5 * loop_iterations_per_pass / (1 + sums);
-    return int(synthesis::has_lists(shaders) ? most : std::min(most, fitting));
+    return int(synthesis::has_lists(passes) ? most : std::min(most, fitting));
 }
 
 } // namespace
 
-BeamPass::BeamPass(const synthesis::Shaders& shaders, const scene::Scene& scene,
-                   const MarchPlan& plan, int texels, int unit)
-    : first_(shaders.arrays.empty() ? 0 : shaders.arrays[0].capacity)
-    , unit_(unit) {
-    const double part = part_of_lists(shaders, plan, texels, first_);
-    for (const synthesis::BeamShader& level : shaders.beams) {
-        const auto label = fmt::format("beam {}", level.block);
-        add_level(std::make_shared<gpu::Program>(shaders.vertex, level.text, label), shaders, level,
-                  plan, evaluations_of_a_beam(shaders, *scene.surface.field, level.lists), part);
+BeamPass::BeamPass(const synthesis::Passes& passes, const scene::Scene& scene,
+                   const MarchPlan& plan, int texels, int first_list) {
+    const double part = part_of_lists(passes, plan, texels, first_list);
+    const int elements = passes.arrays.empty() ? 0 : passes.arrays[0].capacity;
+    for (const synthesis::BeamLevel& level : passes.beams) {
+        const int block = level.block, side = block << level.square_bits;
+        const int length = int(part * longest_list(level, plan, elements));
+        levels_.push_back(
+            {gpu::Target(texels_of(plan.tile_width, side), texels_of(plan.tile_height, side),
+                         synthesis::has_lists(passes) ? 3 : 1),
+             block, level.square_bits,
+             evaluations_of_a_beam(passes, *scene.surface.field, level.lists),
+             glm::ivec3(first_list + listed_, length, blocks_in(plan.tile_width, block))});
+        listed_ += blocks_in(plan, block) * lists_of_a_block(level) * length;
     }
 }
 
-BeamPass::BeamPass(const BeamPass& others, const synthesis::Shaders& shaders, int width, int height,
-                   int texels)
-    : first_(others.first_ + others.listed_)
-    , unit_(others.unit_) {
-    const MarchPlan plan{width, height, 0};
-    const double part = part_of_lists(shaders, plan, texels, first_);
-    for (std::size_t k = 0; k < shaders.beams.size(); ++k) {
-        add_level(others.levels_[k].program, shaders, shaders.beams[k], plan,
-                  others.levels_[k].evaluations, part);
+void BeamPass::bind(const PassTable& table, const gpu::Target& results, const std::string& kind) {
+    const char* const parts[] = {"", "_lists", "_all"};
+    for (int k = 0; k < results.attachments(); ++k) {
+        table.bind(fmt::format("{}{}_texture", kind, parts[k]), results.texture(k));
     }
 }
 
-void BeamPass::add_level(std::shared_ptr<const gpu::Program> program,
-                         const synthesis::Shaders& shaders, const synthesis::BeamShader& level,
-                         const MarchPlan& plan, int evaluations, double part) {
-    const int elements = shaders.arrays.empty() ? 0 : shaders.arrays[0].capacity;
-    const int block = level.block, side = block << level.square_bits;
-    const int length = int(part * longest_list(level, plan, elements));
-    levels_.push_back(
-        {std::move(program),
-         gpu::Target(texels_of(plan.tile_width, side), texels_of(plan.tile_height, side),
-                     synthesis::has_lists(shaders) ? 3 : 1),
-         block, level.square_bits, evaluations,
-         glm::ivec3(first_ + listed_, length, blocks_in(plan.tile_width, block))});
-    listed_ += blocks_in(plan, block) * lists_of_a_block(level) * length;
+void BeamPass::bind(const PassTable& table, const std::string& kind) const {
+    bind(table, levels_.back().results, kind);
 }
 
-void BeamPass::for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
-    for (const Level& level : levels_) visit(*level.program);
-}
-
-void BeamPass::upload(const scene::SceneAt& now, int width, int height, const scene::Aim& aim,
-                      double around) const {
-    for (const Level& level : levels_) {
-        level.program->set("beam", beam_range(now, width, height, aim, level.block));
-        level.program->set("beam_evaluations", level.evaluations);
-        level.program->set("around_middles", float(around));
-    }
-}
-
-void BeamPass::Level::bind_results(int unit) const {
-    for (int k = 0; k < results.attachments(); ++k) results.texture(k).bind(unit + k);
-}
-
-void BeamPass::draw(const gpu::Rectangle& pixels, glm::ivec2 origin,
-                    const ArrayBuffer* array) const {
-    const Level* before = nullptr;
-    for (const Level& level : levels_) {
+void BeamPass::draw(PassTable& table, std::span<const glm::vec4> ranges,
+                    const gpu::Rectangle& pixels, glm::ivec2 origin, const ArrayBuffer* array,
+                    double around) const {
+    for (std::size_t k = 0; k < levels_.size(); ++k) {
+        const Level& level = levels_[k];
+        const gpu::Program& program = table.program(synthesis::Role::beams, int(k));
         if (array) array->bind_for_lists();
-        if (before) before->bind_results(unit_);
-        level.program->set("tile_origin", origin);
-        level.program->set("list", level.list);
+        if (k > 0) bind(table, levels_[k - 1].results, "beam");
+        program.set("beam", ranges[k]);
+        program.set("beam_evaluations", level.evaluations);
+        program.set("around_middles", float(around));
+        program.set("tile_origin", origin);
+        program.set("list", level.list);
         level.results.bind();
-        level.program->use();
         const int side = 1 << level.square_bits;
         const int left = pixels.x / level.block, low = pixels.y / level.block;
         const int right = left + blocks_in(pixels.width, level.block);
@@ -135,9 +109,8 @@ void BeamPass::draw(const gpu::Rectangle& pixels, glm::ivec2 origin,
             }
         }
         if (array) array->wait_for_lists();
-        before = &level;
     }
-    if (before) before->bind_results(unit_);
+    bind(table);
 }
 
 } // namespace isomotion::render

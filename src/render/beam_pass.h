@@ -4,68 +4,56 @@
 // and so do their lists of the array's elements that matter there.
 #pragma once
 
-#include <functional>
-#include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "gpu/draw.h"
-#include "gpu/program.h"
 #include "gpu/target.h"
 #include "render/array_buffer.h"
 #include "render/march_plan.h"
-#include "scene/rays.h"
-#include "scene/scene_at.h"
-#include "synthesis/assemble.h"
+#include "render/pass_table.h"
+#include "scene/scene.h"
+#include "synthesis/beam_text.h"
 
 namespace isomotion::render {
 
 class BeamPass {
 public:
-    // Of shaders that have beams, for tiles as planned. `texels`: the most a texture buffer may
-    // have. The parts of the rays that are left go to texture `unit`, their lists to the next two.
-    BeamPass(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
-             int texels, int unit);
-    // With the programs of other beams, for pictures of another size; lists behind theirs.
-    BeamPass(const BeamPass& others, const synthesis::Shaders& shaders, int width, int height,
-             int texels);
+    // For tiles as planned. Lists of elements follow the first `first_list` in the array's buffer,
+    // as far as its `texels` go.
+    BeamPass(const synthesis::Passes& passes, const scene::Scene& scene, const MarchPlan& plan,
+             int texels, int first_list);
 
-    // How many elements its lists hold, all together; they follow the array's own.
+    // The elements that its lists hold, all together.
     int listed() const { return listed_; }
-    void for_each_program(const std::function<void(const gpu::Program&)>& visit) const;
-    // For the draws to come. Rays are in their pixels' middles, or `around` them by so many pixels.
-    void upload(const scene::SceneAt& now, int width, int height, const scene::Aim& aim,
-                double around = 0) const;
-    // Draws the beams of these pixels, which are whole squares from the corner on, and binds the
-    // last level's. `origin` is what pixel (0, 0) is of the picture; `array` is null without lists.
-    void draw(const gpu::Rectangle& pixels, glm::ivec2 origin, const ArrayBuffer* array) const;
-    // Binds the last level's results elsewhere.
-    void bind(int unit) const { levels_.back().bind_results(unit); }
 
-    static constexpr int units = 3; // of textures
+    // Draws the beams of these pixels, which are whole squares from the corner on, and binds what
+    // the last level found. `ranges`: ViewInputs::beams. `origin` is what pixel (0, 0) is of the
+    // picture; `array` is null without lists. Rays are in their pixels' middles, or `around` them
+    // by so many pixels.
+    void draw(PassTable& table, std::span<const glm::vec4> ranges, const gpu::Rectangle& pixels,
+              glm::ivec2 origin, const ArrayBuffer* array, double around = 0) const;
+    // Binds that for passes that read it as `kind`_texture: "beam" or "light_beam".
+    void bind(const PassTable& table, const std::string& kind = "beam") const;
+
     // Pixels that the squares of every level are whole multiples of.
     static constexpr int square = 256;
 
 private:
     struct Level {
-        std::shared_ptr<const gpu::Program> program;
         gpu::Target results; // parts and lists
         int block, square_bits;
         int evaluations; // of one beam
-        // Of its lists: the first element in the array's buffer, the most of one block, which else
-        // takes the list that it comes from; blocks across.
+        // The first element of its lists in the array's buffer; the most in the list of a block,
+        // which else takes the list that it comes from; blocks across.
         glm::ivec3 list;
-
-        void bind_results(int unit) const;
     };
 
-    void add_level(std::shared_ptr<const gpu::Program> program, const synthesis::Shaders& shaders,
-                   const synthesis::BeamShader& level, const MarchPlan& plan, int evaluations,
-                   double part);
+    static void bind(const PassTable& table, const gpu::Target& results, const std::string& kind);
 
     std::vector<Level> levels_;
-    int first_ = 0; // of the lists' elements in the array's buffer
     int listed_ = 0;
-    int unit_;
     gpu::Fullscreen triangle_;
 };
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 #include <span>
+
+#include "scene/ray_rounding.h"
 
 namespace isomotion::render {
 namespace {
@@ -12,15 +13,6 @@ glm::vec4 wide(const glm::dvec3& v, double w = 0) { return glm::vec4(glm::dvec4(
 
 double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-// What float32 may add to a coordinate of a point that is no farther than `reach` from its ray's
-// anchor, as truth's tubes have it (truth/tube.h).
-double rounding(const scene::Rays& rays, const scene::SceneAt& now, double reach) {
-    const double spread = glm::length(rays.right) + glm::length(rays.up);
-    const double direction = rays.parallel ? 0 : spread / glm::length(rays.axis);
-    return 0x1p-24 * (16 * (largest(rays.origin) + spread) + reach * 18 * (1 + direction) +
-                      2 * largest(now.bounds.centre));
 }
 
 } // namespace
@@ -32,7 +24,8 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     const bool box = now.bounds.shape == scene::Bounds::Shape::box;
     // The bounds are closed: a root that lies on their very face is one, however its ray is
     // rounded. What is beyond by less than rounding is nobody's to tell.
-    const double face = rounding(rays, now, now.bounds.radius);
+    const double face =
+        scene::ray_rounding(rays, now.bounds, scene::Norm::length).at_depth(now.bounds.radius);
     FrameBlock block;
     block.ray_origin = wide(rays.origin);
     block.ray_axis = wide(rays.axis, rays.parallel ? 0 : 1);
@@ -45,30 +38,18 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     block.thresholds = glm::dvec4(isolation.step, isolation.near, isolation.far, isolation.horizon);
     const double eighth = 0.125 * now.bounds.radius;
     const double footprint = 2 * glm::length(rays.up) / height;
-    if (isolation.method == scene::Method::hermite || scene::bounds_pieces(isolation.method)) {
-        // The finest step is where a root that F only touches is taken for one. An eighth of the
-        // radius is the first piece of methods that bound F. Bounds shrink with the piece: those
-        // need finer ones.
-        const double finest = scene::bounds_pieces(isolation.method) ? 0x1p-13 : 0x1p-10;
-        const double spacing = 0x1p-21 * now.bounds.radius; // some roundings of t
-        block.refinement = glm::dvec4(isolation.safety, isolation.limit,
-                                      std::max(finest * footprint, spacing), eighth);
-        // The longest step is what waves of F may not hide in when they end before and begin after
-        // it: steps of half an element's radius lose some 10 pixels in a million of blobby75, those
-        // of a whole one a thousand, and take as long.
-        if (isolation.method == scene::Method::hermite) {
-            const double longest = std::min(eighth, 0.5 * element_radius);
-            block.thresholds = glm::dvec4(longest, spacing, 0, 0);
-        }
-    } else {
-        block.refinement = glm::vec4(isolation.bisections, isolation.limit, 0, 0);
-    }
+    const double spacing = 0x1p-21 * now.bounds.radius; // some roundings of t
+    // The finest step is where a root that F only touches is taken for one. An eighth of the radius
+    // is the first piece of methods that bound F. Bounds shrink with the piece: those need finer
+    // ones.
+    const auto finest = [&](double part) { return std::max(part * footprint, spacing); };
+    block.limits = glm::dvec4(isolation.bisections, isolation.limit, finest(0x1p-13), eighth);
+    // The longest step is what waves of F may not hide in when they end before and begin after it:
+    // steps of half an element's radius lose some 10 pixels in a million of blobby75, those of a
+    // whole one a thousand, and take as long.
+    block.cubics = glm::dvec4(isolation.safety, std::min(eighth, 0.5 * element_radius), spacing,
+                              finest(0x1p-10));
     return block;
-}
-
-FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                       const scene::Aim& aim) {
-    return frame_block(scene, now, width, height, aim, std::numeric_limits<double>::infinity());
 }
 
 glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const scene::Aim& aim,
@@ -78,13 +59,16 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const sce
     const glm::dvec3 forward = glm::normalize(glm::cross(rays.up, rays.right));
     const double depth = glm::dot(rays.axis, forward);
     const double middle = glm::dot(now.bounds.centre - rays.origin, forward) / depth;
-    // Of the picture's corner.
+    // No box around a part of the range reaches farther: rays are in the bounds within their radius
+    // of the plane.
     const double spread = glm::length(rays.right) + glm::length(rays.up);
     const double reach = now.bounds.radius + spread + largest(now.bounds.centre - rays.origin);
+    const double rounding =
+        scene::ray_rounding(rays, now.bounds, scene::Norm::length).at_depth(reach);
     const double half = 1.001 * now.bounds.radius / depth;
     const double pixel = 2 * glm::length(rays.up) / height;
     return glm::dvec4(rays.parallel ? middle - half : std::max(middle - half, -1.0), middle + half,
-                      0.5 * block * pixel / depth, 4 * rounding(rays, now, reach));
+                      0.5 * block * pixel / depth, beam_roundings * rounding);
 }
 
 std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,
@@ -112,24 +96,23 @@ std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::Sce
     return block;
 }
 
-std::vector<std::byte> parameter_block(const synthesis::Shaders& shaders,
-                                       const scene::SceneAt& now) {
-    const std::size_t vectors = std::size_t(shaders.parameter_vectors);
-    std::vector<std::byte> block((vectors + std::size_t(shaders.count_vectors)) * 16);
+std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SceneAt& now) {
+    const std::size_t vectors = std::size_t(passes.parameter_vectors);
+    std::vector<std::byte> block((vectors + std::size_t(passes.count_vectors)) * 16);
     const auto values = std::as_bytes(std::span(now.bindings.parameters));
     std::copy(values.begin(), values.end(), block.begin());
-    for (std::size_t a = 0; a < shaders.arrays.size(); ++a) {
+    for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
         const std::int32_t count = now.bindings.arrays[a].count;
         std::memcpy(block.data() + vectors * 16 + a * 4, &count, 4);
     }
     return block;
 }
 
-std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::Shaders& shaders,
+std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::Passes& passes,
                                     const scene::SceneAt& now, std::size_t index) {
     const auto& fields = scene.surface.field->packing[index];
     const auto& columns = now.bindings.arrays[index];
-    const auto per_element = std::size_t(shaders.arrays[index].texels);
+    const auto per_element = std::size_t(passes.arrays[index].texels);
     std::vector<glm::vec4> texels(std::size_t(columns.count) * per_element);
     for (std::size_t slot = 0; slot < fields.size(); ++slot) {
         const auto& column = columns.fields[std::size_t(fields[slot])];

@@ -1,13 +1,14 @@
 // What a frame uploads: the uniform blocks of the shaders, filled from a scene at one time.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 #include "scene/rays.h"
 #include "scene/scene_at.h"
-#include "synthesis/assemble.h"
+#include "synthesis/pass.h"
 
 namespace isomotion::render {
 
@@ -15,20 +16,23 @@ namespace isomotion::render {
 struct FrameBlock {
     glm::vec4 ray_origin, ray_axis, ray_right, ray_up;
     glm::vec4 bounds_min, bounds_max;
-    glm::vec4 picture, thresholds, refinement;
+    glm::vec4 picture, thresholds, limits, cubics;
 };
 
 // `element_radius`: see element_radius.h; cubics (the method hermite) step no farther than half of
 // it.
 FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                       const scene::Aim& aim, double element_radius);
-// The same for draws that march no rays.
-FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                       const scene::Aim& aim = {});
+                       const scene::Aim& aim = {},
+                       double element_radius = std::numeric_limits<double>::infinity());
+
+// How many times the rounding of a ray (scene/ray_rounding.h) its beam is thickened by: once for
+// the ray that is marched, once for the box's own arithmetic, which takes no more steps, and once
+// each for the ends of pieces, which rays turn into distances of their own, and for those of the
+// bounds.
+inline constexpr double beam_roundings = 4;
 
 // Uniform `beam` of shaders/march/beam.frag: the range of tau that the bounds may be in, the
-// shortest piece, and what float32 may add to a point of a ray, four times over. `block`: pixels
-// across a beam.
+// shortest piece, and `beam_roundings` times the rounding. `block`: pixels across a beam.
 glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const scene::Aim& aim,
                      int block);
 
@@ -37,11 +41,10 @@ std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::Sce
                                      int width, int height);
 
 // Block Parameters, generated: parameter values, then the arrays' counts.
-std::vector<std::byte> parameter_block(const synthesis::Shaders& shaders,
-                                       const scene::SceneAt& now);
+std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SceneAt& now);
 
 // The elements of array `index`, packed as the field reads them.
-std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::Shaders& shaders,
+std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::Passes& passes,
                                     const scene::SceneAt& now, std::size_t index);
 
 } // namespace isomotion::render

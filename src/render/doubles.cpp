@@ -157,15 +157,14 @@ std::string probe() {
     for (const double literal : literals) {
         list += (list.empty() ? "" : ", ") + formula::glsl_double_literal(literal);
     }
-    std::vector<std::string> files;
-    synthesis::ShaderText text(files);
+    synthesis::ShaderText text;
     text.version(400);
     text.define("LITERALS", int(literals.size()));
     text.generated(
         "constants as formulas have them",
         fmt::format("const double literals[{0}] = double[{0}]({1});\n", literals.size(), list));
     text.file("probe/doubles.glsl");
-    return text.take();
+    return text.text();
 }
 
 // Whether `found` is what shaders count on. What is below the smallest normal double may be 0.

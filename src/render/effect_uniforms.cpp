@@ -2,14 +2,14 @@
 
 namespace isomotion::render {
 
-EffectUniforms effect_uniforms(const scene::Scene& scene, const scene::SceneAt& now) {
-    EffectUniforms uniforms;
+Uniforms effect_uniforms(const scene::Scene& scene, const scene::SceneAt& now) {
+    Uniforms uniforms;
     const scene::PlacementAt& place = now.placement;
     const auto add = [&](const char* name, const glm::dvec3& v, double w = 0) {
-        uniforms.emplace_back(name, glm::vec4(glm::dvec4(v, w)));
+        uniforms.push_back({name, glm::vec4(glm::dvec4(v, w))});
     };
     const auto add_vector = [&](const char* name, const glm::dvec3& v) {
-        uniforms.emplace_back(name, glm::vec3(v));
+        uniforms.push_back({name, glm::vec3(v)});
     };
     if (scene.ground) {
         // In double: the ground may be far from the world's origin and near the surface.
@@ -29,7 +29,7 @@ EffectUniforms effect_uniforms(const scene::Scene& scene, const scene::SceneAt& 
         add_vector("environment_ahead", to_local * now.environment->ahead);
         add_vector("environment_left", to_local * now.environment->left);
         add_vector("environment_top", to_local * now.environment->top);
-        uniforms.emplace_back("environment_intensity", float(now.environment->intensity));
+        uniforms.push_back({"environment_intensity", float(now.environment->intensity)});
     }
     if (scene.output.gradient) {
         const auto color = [](const std::array<double, 3>& c) {
@@ -39,12 +39,12 @@ EffectUniforms effect_uniforms(const scene::Scene& scene, const scene::SceneAt& 
         add_vector("sky_bottom", color(scene.output.gradient->bottom));
     }
     if (scene.material.model != scene::Material::Model::lambert) {
-        uniforms.emplace_back("gloss", glm::vec4(now.gloss));
+        uniforms.push_back({"gloss", glm::vec4(now.gloss)});
     }
     if (const auto& paint = scene.material.paint) {
-        uniforms.emplace_back("paint_range", glm::vec2(now.paint_range));
+        uniforms.push_back({"paint_range", glm::vec2(now.paint_range)});
         // Where it is not asked for, it would tell still frames apart.
-        if (paint->value->uses("t")) uniforms.emplace_back("paint_time", float(now.time));
+        if (paint->value->uses("t")) uniforms.push_back({"paint_time", float(now.time)});
     }
     if (scene.material.inside) add("inside_color", now.inside_color);
     return uniforms;

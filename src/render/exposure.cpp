@@ -3,24 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/fingerprint.h"
-#include "render/sample_pattern.h"
+#include "render/frame_pictures.h"
 
 namespace isomotion::render {
 namespace {
-
-// Calls take(now, aim) for every picture of a frame, the one at its time first.
-template<class Take> void for_each_picture(const scene::Scene& scene, int frame, Take&& take) {
-    const scene::SceneAt first = scene::at(scene, scene.timeline.values(frame));
-    for (const Sample& sample : sample_pattern(scene.output.samples)) {
-        const double part = scene.camera.shutter * sample.part;
-        if (part == 0) {
-            take(first, sample.aim);
-        } else {
-            take(scene::at(scene, scene.timeline.values(frame, part)), sample.aim);
-        }
-    }
-}
 
 void add_record(const Picture& from, Picture& to) {
     for (std::size_t v = 0; v < to.verdicts.size(); ++v) to.verdicts[v] += from.verdicts[v];
@@ -28,12 +14,6 @@ void add_record(const Picture& from, Picture& to) {
     to.evaluations += from.evaluations;
     to.passes += from.passes;
     to.drawing += from.drawing;
-}
-
-// What the channel velocity needs, if it is asked for.
-std::optional<Motion> motion_of(const Renderer& renderer, const scene::Scene& scene, int frame) {
-    if (!renderer.needs_motion()) return {};
-    return motion_about(scene, frame);
 }
 
 } // namespace
@@ -73,47 +53,32 @@ Picture Exposure::mean() && {
     return std::move(*first_);
 }
 
-Picture expose(Renderer& renderer, const scene::Scene& scene, int frame) {
-    const int count = scene.output.samples;
-    const std::optional<Motion> motion = motion_of(renderer, scene, frame);
-    if (count == 1) {
-        return renderer.draw(scene::at(scene, scene.timeline.values(frame)), {},
-                             motion ? &*motion : nullptr);
-    }
+Picture expose(Renderer& renderer, const FrameInputs& frame) {
+    if (frame.pictures.size() == 1) return renderer.draw(frame.pictures.front());
     Exposure exposure;
-    for_each_picture(scene, frame, [&](const scene::SceneAt& now, const scene::Aim& aim) {
-        const bool is_first = exposure.count() + renderer.in_flight() == 0;
-        renderer.start(now, aim, motion && is_first ? &*motion : nullptr);
+    for (const PictureInputs& picture : frame.pictures) {
+        renderer.start(picture);
         // Taking one may find that others of the scene cannot overlap.
         while (renderer.in_flight() >= renderer.most_in_flight()) exposure.add(renderer.take());
-    });
+    }
     while (renderer.in_flight() > 0) exposure.add(renderer.take());
     return std::move(exposure).mean();
 }
 
-bool ask(Renderer& renderer, const scene::Scene& scene, int frame) {
-    if (scene.output.samples > 1 || renderer.needs_motion() || renderer.most_in_flight() < 2) {
-        return false;
-    }
-    renderer.start(scene::at(scene, scene.timeline.values(frame)));
+Picture expose(Renderer& renderer, const scene::Scene& scene, int frame) {
+    return expose(renderer, renderer.prepare(scene, frame));
+}
+
+bool ask(Renderer& renderer, const FrameInputs& frame) {
+    const bool is_plain = frame.pictures.size() == 1 && !frame.pictures.front().motion;
+    if (!is_plain || renderer.most_in_flight() < 2) return false;
+    renderer.start(frame.pictures.front());
     return true;
 }
 
-std::string fingerprint(const Renderer& renderer, const scene::Scene& scene, int frame) {
-    const std::optional<Motion> motion = motion_of(renderer, scene, frame);
-    const scene::SceneAt first = scene::at(scene, scene.timeline.values(frame));
-    std::string of_first = renderer.fingerprint(first, {}, motion ? &*motion : nullptr);
-    if (scene.output.samples == 1) return of_first;
-    base::Fingerprint print;
-    print.add(of_first);
-    for_each_picture(scene, frame, [&](const scene::SceneAt& now, const scene::Aim& aim) {
-        print.add(renderer.fingerprint(now, aim));
-    });
-    return print.text();
-}
-
 void check_exposure(const scene::Scene& scene, int frame) {
-    for_each_picture(scene, frame, [](const scene::SceneAt&, const scene::Aim&) {});
+    for_each_picture(scene, frame, scene.timeline.values(frame),
+                     [](const scene::SceneAt&, const scene::Aim&) {});
 }
 
 } // namespace isomotion::render

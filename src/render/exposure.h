@@ -30,19 +30,17 @@ private:
     int count_ = 0;
 };
 
-// R, G, B and A are the means over the scene's `samples` pictures, in linear light and multiplied
-// by coverage, as they are kept. Of what has no mean (depth, a normal, a verdict) the frame holds
-// the first picture: pixel centres, seen from the eye at the frame's time. Verdicts, evaluations,
+// Draws a frame. R, G, B and A are the means over its pictures, in linear light and multiplied by
+// coverage, as they are kept. Of what has no mean (depth, a normal, a verdict) the frame holds the
+// first picture: pixel centres, seen from the eye at the frame's time. Verdicts, evaluations,
 // passes and the time of drawing are sums over all pictures.
-// Throws SceneError where a value leaves its range while the shutter is open.
+Picture expose(Renderer& renderer, const FrameInputs& frame);
+// Evaluates it before: throws SceneError where a value leaves its range while the shutter is open.
 Picture expose(Renderer& renderer, const scene::Scene& scene, int frame);
 
 // Asks for a frame that is one picture, which renderer.take() gives, if another may be on its way
 // meanwhile. Where it says false, nothing was asked for, and expose() draws the frame.
-bool ask(Renderer& renderer, const scene::Scene& scene, int frame);
-
-// Equal fingerprints, equal frames: of all the pictures. With one sample, the picture's own.
-std::string fingerprint(const Renderer& renderer, const scene::Scene& scene, int frame);
+bool ask(Renderer& renderer, const FrameInputs& frame);
 
 // Throws the SceneError that expose would.
 void check_exposure(const scene::Scene& scene, int frame);

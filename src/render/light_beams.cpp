@@ -7,12 +7,6 @@
 namespace isomotion::render {
 namespace {
 
-// As fine as the eye's picture.
-int pixels_of(int width, int height) {
-    const int squares = (std::min(width, height) + BeamPass::square - 1) / BeamPass::square;
-    return BeamPass::square * std::clamp(squares, 1, 8);
-}
-
 // All of the bounds, as the light sees them.
 scene::SceneAt seen_from(const scene::LightAt& light, const scene::SceneAt& now) {
     scene::SceneAt view = now;
@@ -31,54 +25,59 @@ glm::vec4 wide(const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v, w
 
 double square(const glm::dvec3& v) { return glm::dot(v, v); }
 
+// How a place of the surface finds its texel in the light's picture.
+std::array<glm::vec4, 4> to_light(const scene::SceneAt& view, int pixels) {
+    const scene::Rays rays = scene::rays(view, pixels, pixels);
+    const double half = 0.5 * pixels, rounding = beam_range(view, pixels, pixels, {}, 1).w;
+    const glm::vec4 across = wide(half / square(rays.right) * rays.right, half);
+    // Farther away rounding would take a place for its neighbour block's.
+    constexpr double radii = 16;
+    return {
+        across, wide(half / square(rays.up) * rays.up, radii * half / length(glm::dvec3(across))),
+        wide(rays.axis / square(rays.axis), glm::length(rays.axis)), wide(rays.origin, rounding)};
+}
+
 } // namespace
 
-LightBeams::LightBeams(const BeamPass& eye, const synthesis::Shaders& shaders, int lights,
-                       int width, int height, int texels)
-    : mask_(shaders.light_beams)
-    , most_(pixels_of(width, height))
-    , pixels_(most_)
-    , beams_(eye, shaders, most_, most_ * lights, texels)
-    , frame_(sizeof(FrameBlock))
-    , views_(std::size_t(lights) * 4) {}
-
-void LightBeams::resize(int width, int height) {
-    pixels_ = std::min(most_, pixels_of(width, height));
+int light_pixels(int width, int height) {
+    // As fine as the eye's picture.
+    const int squares = (std::min(width, height) + BeamPass::square - 1) / BeamPass::square;
+    return BeamPass::square * std::clamp(squares, 1, 8);
 }
 
-void LightBeams::draw(const scene::Scene& scene, const scene::SceneAt& now, unsigned binding,
-                      const ArrayBuffer* array) {
+std::vector<LightInputs> light_inputs(const scene::Scene& scene, const scene::SceneAt& now,
+                                      const synthesis::Passes& passes, int pixels) {
+    std::vector<LightInputs> inputs;
     for (std::size_t k = 0; k < now.lights.size(); ++k) {
-        if ((mask_ >> k & 1) == 0) continue;
+        if ((passes.light_beams >> k & 1) == 0) continue;
         const scene::SceneAt view = seen_from(now.lights[k], now);
-        const FrameBlock block = frame_block(scene, view, pixels_, pixels_);
-        frame_.update(std::as_bytes(std::span(&block, 1)));
-        frame_.bind(binding);
-        // Rays are anywhere in a block, and at its edge rounding may take them for the next one's.
-        beams_.upload(view, pixels_, pixels_, {}, 0.51);
-        const int below = int(k) * pixels_;
-        beams_.draw({0, below, pixels_, pixels_}, {0, -below}, array);
-
-        const scene::Rays rays = scene::rays(view, pixels_, pixels_);
-        const double half = 0.5 * pixels_, rounding = beam_range(view, pixels_, pixels_, {}, 1).w;
-        glm::vec4* to = &views_[4 * k];
-        to[0] = wide(half / square(rays.right) * rays.right, half);
-        // Farther away rounding would take a place for its neighbour block's.
-        constexpr double radii = 16;
-        to[1] = wide(half / square(rays.up) * rays.up, radii * half / length(glm::dvec3(to[0])));
-        to[2] = wide(rays.axis / square(rays.axis), glm::length(rays.axis));
-        to[3] = wide(rays.origin, rounding);
+        inputs.push_back({int(k), view_inputs(scene, view, pixels, pixels, {}, passes, nullptr),
+                          to_light(view, pixels)});
     }
+    return inputs;
 }
 
-void LightBeams::connect(const gpu::Program& program, int unit) const {
-    program.bind_sampler("light_beam_texture", unit);
-    program.bind_sampler("light_lists_texture", unit + 1);
-    program.bind_sampler("light_all_texture", unit + 2);
-}
+LightBeams::LightBeams(const synthesis::Passes& passes, const scene::Scene& scene, int pixels,
+                       int texels, int first_list)
+    : most_pixels_(pixels)
+    , beams_(passes, scene, {pixels, pixels * int(scene.lights.size()), 0}, texels, first_list)
+    , frame_(sizeof(FrameBlock))
+    , to_light_(scene.lights.size() * 4) {}
 
-void LightBeams::set_views(const gpu::Program& program) const {
-    program.set("light_views", std::span<const glm::vec4>(views_));
+void LightBeams::draw(PassTable& table, const std::vector<LightInputs>& lights, int pixels,
+                      const ArrayBuffer* array) {
+    for (const LightInputs& light : lights) {
+        frame_.update(std::as_bytes(std::span(&light.view.frame, 1)));
+        const PassTable::Instead as_seen_from_there(table, "Frame", frame_);
+        // Rays are anywhere in a block, and at its edge rounding may take them for the next one's.
+        const int below = light.light * pixels;
+        beams_.draw(table, light.view.beams, {0, below, pixels, pixels}, {0, -below}, array, 0.51);
+        std::copy(light.to_light.begin(), light.to_light.end(),
+                  &to_light_[std::size_t(4 * light.light)]);
+    }
+    beams_.bind(table, "light_beam");
+    table.program(synthesis::Role::shadow)
+        .set("light_views", std::span<const glm::vec4>(to_light_));
 }
 
 } // namespace isomotion::render

@@ -2,37 +2,39 @@
 // drawn before the eye's, so that shadow rays begin where the surface first may be.
 #pragma once
 
-#include "gpu/buffer.h"
+#include <vector>
+
 #include "render/beam_pass.h"
+#include "render/frame_inputs.h"
 
 namespace isomotion::render {
 
+// Pixels along the side of a light's picture, for pictures of this size.
+int light_pixels(int width, int height);
+
+// What the lights' pictures are drawn from, of each light that has one.
+std::vector<LightInputs> light_inputs(const scene::Scene& scene, const scene::SceneAt& now,
+                                      const synthesis::Passes& passes, int pixels);
+
 class LightBeams {
 public:
-    // Of shaders that have some (Shaders::light_beams), with the eye's beams' programs. Lists of
-    // elements follow the eye's, as far as `texels` of the array's buffer go.
-    LightBeams(const BeamPass& eye, const synthesis::Shaders& shaders, int lights, int width,
-               int height, int texels);
+    // For passes that have some (Passes::light_beams), by the eye's beams' programs; pictures of
+    // lights have up to so many pixels a side. Lists of elements follow the first `first_list`.
+    LightBeams(const synthesis::Passes& passes, const scene::Scene& scene, int pixels, int texels,
+               int first_list);
 
     int listed() const { return beams_.listed(); }
-    // For pictures of another size; finer than at first the beams don't get.
-    void resize(int width, int height);
+    int most_pixels() const { return most_pixels_; }
 
-    // Draws the frame's; the field's values are uploaded and bound. `binding` is that of the block
-    // Frame, which is left changed, as the uniforms are that the eye's beams have.
-    void draw(const scene::Scene& scene, const scene::SceneAt& now, unsigned binding,
+    // Draws the frame's, whose field is uploaded and bound, and binds them.
+    void draw(PassTable& table, const std::vector<LightInputs>& lights, int pixels,
               const ArrayBuffer* array);
-    // For a program of shadow rays: textures from `unit` on.
-    void connect(const gpu::Program& program, int unit) const;
-    void bind(int unit) const { beams_.bind(unit); }
-    // Sets what draw() made of the lights' views.
-    void set_views(const gpu::Program& program) const;
 
 private:
-    int mask_, most_, pixels_; // of a picture's side
+    int most_pixels_;
     BeamPass beams_;
     gpu::UniformBuffer frame_;
-    std::vector<glm::vec4> views_; // see shaders/effects/light_beam.glsl
+    std::vector<glm::vec4> to_light_; // of all lights: shaders/effects/light_beam.glsl
 };
 
 } // namespace isomotion::render

@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
-#include <utility>
 
 #include <fmt/format.h>
 
-#include "render/blocks.h"
 #include "render/doubles.h"
 #include "synthesis/proof_text.h"
 
 namespace isomotion::render {
 namespace {
 
-formula::Cost cost_of_piece(const synthesis::Shaders& shaders, const scene::Scene& scene,
+using synthesis::ProofBounds, synthesis::Role;
+
+formula::Cost cost_of_piece(const synthesis::Passes& passes, const scene::Scene& scene,
                             const std::vector<synthesis::FieldFunction>& samples) {
     std::vector<int> counts;
-    for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
+    for (const auto& array : passes.arrays) counts.push_back(array.capacity);
     return synthesis::cost(*scene.surface.field, samples, counts);
 }
 
@@ -35,8 +35,7 @@ formula::Cost cost_that_fits(const formula::Cost& piece) {
     return piece;
 }
 
-std::vector<synthesis::FieldFunction> samples_of(const scene::Scene& scene,
-                                                 synthesis::ProofBounds bounds) {
+std::vector<synthesis::FieldFunction> samples_of(const scene::Scene& scene, ProofBounds bounds) {
     return synthesis::proof_samples(*scene.surface.field, bounds);
 }
 
@@ -60,8 +59,8 @@ std::uint32_t count_open(std::span<const float> record) {
     return open;
 }
 
-int attachment_of(const synthesis::Shaders& shaders, synthesis::Channel channel) {
-    const auto& all = shaders.attachments;
+int attachment_of(const synthesis::Passes& passes, synthesis::Channel channel) {
+    const auto& all = passes.attachments;
     return 2 + int(std::find(all.begin(), all.end(), channel) - all.begin());
 }
 
@@ -85,172 +84,113 @@ std::string summary(const ProofCounts& counts) {
     return text;
 }
 
-Proofs::Proofs(const synthesis::Shaders& shaders, const scene::Scene& scene, const MarchPlan& plan,
-               int first_unit, const gpu::Gate* gate, Again again)
-    : block_pieces_(std::min(
+Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const MarchPlan& plan,
+               const gpu::DepthMask* mask, bool in_doubles)
+    : passes_(passes)
+    , scene_(scene)
+    , may_take_doubles_(in_doubles)
+    , block_pieces_(std::min(
           most_pieces_of_block,
-          pieces_of_draw(cost_of_piece(shaders, scene, synthesis::block_proof_samples()),
+          pieces_of_draw(cost_of_piece(passes, scene, synthesis::block_proof_samples()),
                          double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
-    , to_prove_(shaders.vertex, shaders.to_prove, "rays to prove")
-    , close_(shaders.vertex, shaders.close_proofs, "ended proofs")
-    , keep_(shaders.vertex, shaders.keep, "proofs that went on")
-    , blocks_(shaders.vertex, shaders.block_proof, "proofs of blocks")
-    , begin_(shaders.vertex, shaders.begin_proof, "beginning proofs")
-    , natural_{gpu::Program(shaders.vertex, shaders.proof, "proof"),
-               cost_that_fits(cost_of_piece(shaders, scene,
-                                            samples_of(scene, synthesis::ProofBounds::natural)))}
-    , ending_(attachment_of(shaders, synthesis::Channel::ending))
+    , natural_{Role::proof, cost_that_fits(cost_of_piece(passes, scene,
+                                                         samples_of(scene, ProofBounds::natural)))}
+    , ending_(attachment_of(passes, synthesis::Channel::ending))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
     , going_on_(plan.tile_width, plan.tile_height)
-    , gate_(gate ? *gate : own_gate_.emplace(going_on_))
-    , frame_(sizeof(FrameBlock))
-    , first_unit_(first_unit) {
-    for (const gpu::Target* target : {&kept_, &going_on_}) gate_.serve(*target);
-    for_each_program([&](const gpu::Program& program) { bind_samplers(program); });
-    for (const gpu::Program* program : {&close_, &keep_}) bind_samplers(*program);
-    make_closer_ = [this, &shaders, &scene, again = std::move(again)] {
-        const bool in_doubles = again.in_doubles && can_trust_doubles(first_unit_);
-        const auto bounds =
-            in_doubles ? synthesis::ProofBounds::in_doubles : synthesis::ProofBounds::by_gradient;
-        const formula::Cost piece = cost_of_piece(shaders, scene, samples_of(scene, bounds));
-        std::optional<Pass> made;
-        if (!fits_a_shader(piece)) return made;
-        made = Pass{gpu::Program(shaders.vertex,
-                                 in_doubles ? shaders.double_proof : shaders.sharp_proof,
-                                 in_doubles ? "proof in doubles" : "sharp proof"),
-                    piece, in_doubles};
-        bind_samplers(made->program);
-        again.connect(made->program);
-        return made;
+    , mask_(mask ? *mask : own_mask_.emplace(going_on_))
+    , frame_(sizeof(FrameBlock)) {
+    for (const gpu::Target* target : {&kept_, &going_on_}) mask_.serve(*target);
+}
+
+void Proofs::upload(PassTable& table, const ProofRays& rays) {
+    frame_.update(std::as_bytes(std::span(&rays.frame, 1)));
+    table.bind("ProofFrame", frame_);
+    const gpu::Program& blocks = table.program(Role::block_proof);
+    blocks.set("beam", rays.beam);
+    blocks.set("block_pieces", block_pieces_);
+    const auto set = [&](Role role, const RayThickness& thickness) {
+        const gpu::Program& program = table.program(role);
+        program.set("tube", thickness.tube);
+        program.set("shortest_piece", thickness.shortest_piece);
+        program.set("most_pieces", most_pieces);
     };
-}
-
-void Proofs::bind_samplers(const gpu::Program& program) const {
-    program.bind_sampler("proof_texture", first_unit_);
-    program.bind_sampler("ending_texture", first_unit_ + 1);
-    program.bind_sampler("block_texture", first_unit_ + 2);
-}
-
-void Proofs::for_each_program(const std::function<void(const gpu::Program&)>& visit) const {
-    for (const gpu::Program* program : {&to_prove_, &blocks_, &begin_, &natural_.program}) {
-        visit(*program);
+    for (const Role role : {Role::block_proof, Role::first_proof, Role::proof}) {
+        set(role, rays.of_floats);
     }
-    if (closer_) visit(closer_->program);
+    if (!closer_ || !*closer_) return;
+    const Role role = (*closer_)->role;
+    set(role, role == Role::double_proof ? rays.of_doubles : rays.of_floats);
 }
 
-void Proofs::set(const gpu::Program& program, const Thickness& thickness) {
-    program.set("tube", thickness.tube);
-    program.set("shortest_piece", thickness.shortest_piece);
-    program.set("most_pieces", most_pieces);
-}
-
-void Proofs::set(const Pass& pass) const {
-    set(pass.program, pass.in_doubles ? of_doubles_ : of_floats_);
-}
-
-void Proofs::upload(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                    const scene::Aim& aim) {
-    const scene::Rays rays = scene::rays(now, width, height, aim);
-    const double footprint = 2 * glm::length(rays.up) / height;
-    // Of truth's tubes what a point may be off by, four times over: the rays here and those marched
-    // are each within once that of the exact one, which the rays in doubles are but for 2^-40 of
-    // it.
-    const glm::vec4 block_range = beam_range(now, width, height, aim, synthesis::proved_block);
-    const double margin = block_range.w;
-    blocks_.set("beam", block_range);
-    blocks_.set("block_pieces", block_pieces_);
-    const double spread = glm::length(rays.right) + glm::length(rays.up);
-    const double direction =
-        16 * 0x1p-24 * (1 + (rays.parallel ? 0 : spread / glm::length(rays.axis)));
-    const auto shortest = float(std::max(margin, footprint / 256));
-    of_floats_ = {glm::vec4(0.55 * margin, 3 * direction, margin, footprint / 8), shortest};
-    of_doubles_ = {glm::vec4(0.26 * margin, 1.01 * direction, margin, footprint / 8), shortest};
-    for (const gpu::Program* program : {&blocks_, &begin_}) set(*program, of_floats_);
-    set(natural_);
-    if (closer_) set(*closer_);
-
-    FrameBlock block = frame_block(scene, now, width, height, aim);
-    const auto more = float(margin);
-    if (now.bounds.shape == scene::Bounds::Shape::sphere) {
-        block.bounds_min.w += more;
-    } else {
-        block.bounds_min -= more;
-        block.bounds_max += more;
-    }
-    frame_.update(std::as_bytes(std::span(&block, 1)));
-}
-
-void Proofs::draw(const gpu::Program& program, int width, int height) const {
-    program.set("tile_origin", glm::ivec2(tile_.x, tile_.y));
-    gpu::set_viewport({0, 0, width, height});
-    program.use();
-    triangle_.draw();
-}
-
-void Proofs::draw(const gpu::Program& program) const { draw(program, tile_.width, tile_.height); }
-
-void Proofs::draw_and_keep(const gpu::Program& program) {
+void Proofs::draw_and_keep(PassTable& table, const gpu::Program& program,
+                           const gpu::Rectangle& tile) {
     // A texture can't be read and written at once.
-    kept_.texture(0).bind(first_unit_);
+    table.bind("proof_texture", kept_.texture(0));
     drawn_.begin();
-    gate_.through(going_on_, [&] { draw(program); });
+    mask_.apply(going_on_, [&] { table.draw(program, tile); });
     drawn_.end();
-    going_on_.texture(0).bind(first_unit_);
-    gate_.through(kept_, [&] { draw(keep_); });
+    table.bind("proof_texture", going_on_.texture(0));
+    mask_.apply(kept_, [&] { table.draw(table.program(Role::proof_copy), tile); });
 }
 
-void Proofs::begin() {
-    of_blocks_.bind();
-    draw(blocks_, blocks_across(tile_.width), blocks_across(tile_.height));
-    draw_and_keep(begin_);
+void Proofs::begin(PassTable& table, const gpu::Rectangle& tile) {
+    table.draw(table.program(Role::block_proof),
+               {tile.x, tile.y, blocks_across(tile.width), blocks_across(tile.height)}, of_blocks_);
+    draw_and_keep(table, table.program(Role::first_proof), tile);
 }
 
-void Proofs::prove_rays(const Pass& pass, Start start, std::uint32_t rays) {
+void Proofs::prove_rays(PassTable& table, const Pieces& by, Start start, std::uint32_t rays,
+                        const gpu::Rectangle& tile) {
+    const gpu::Program& program = table.program(by.role);
     // No more rays have something to prove than in the draw before. A ray that had all its pieces
     // has nothing.
     for (int left = most_pieces; left > 0 && rays > 0; start = Start::go_on) {
-        kept_.texture(0).bind(first_unit_);
-        gate_.close(going_on_, [&] { draw(close_); });
-        const int pieces = pieces_of_draw(pass.piece, rays);
-        pass.program.set("pieces_per_pass", pieces);
-        pass.program.set("start", int(start));
-        draw_and_keep(pass.program);
+        table.bind("proof_texture", kept_.texture(0));
+        mask_.remove(going_on_, [&] { table.draw(table.program(Role::proof_unmask), tile); });
+        const int pieces = pieces_of_draw(by.cost, rays);
+        program.set("pieces_per_pass", pieces);
+        program.set("start", int(start));
+        draw_and_keep(table, program, tile);
         left -= pieces;
         if (left > 0) rays = drawn_.passed();
     }
 }
 
-const Proofs::Pass* Proofs::closer() {
-    if (make_closer_) {
-        closer_ = std::exchange(make_closer_, {})();
-        if (closer_) set(*closer_);
+const std::optional<Proofs::Pieces>& Proofs::closer(const PassTable& table) {
+    if (!closer_) {
+        const bool in_doubles = may_take_doubles_ && can_trust_doubles(table.spare_unit());
+        const auto bounds = in_doubles ? ProofBounds::in_doubles : ProofBounds::by_gradient;
+        const formula::Cost piece = cost_of_piece(passes_, scene_, samples_of(scene_, bounds));
+        closer_.emplace();
+        if (fits_a_shader(piece)) {
+            *closer_ = Pieces{in_doubles ? Role::double_proof : Role::sharp_proof, piece};
+        }
     }
-    return closer_ ? &*closer_ : nullptr;
+    return *closer_;
 }
 
-void Proofs::bind_inputs(const gpu::Target& picture) const {
-    picture.texture(ending_).bind(first_unit_ + 1);
-    of_blocks_.texture(0).bind(first_unit_ + 2);
-}
-
-void Proofs::prove(const gpu::Target& picture, bool is_gated, const gpu::Rectangle& tile,
-                   unsigned binding, std::span<float> record) {
-    tile_ = tile;
-    frame_.bind(binding);
-    bind_inputs(picture);
+void Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Target& picture,
+                   bool is_masked, const gpu::Rectangle& tile, std::span<float> record) {
+    upload(table, rays);
+    table.bind("ending_texture", picture.texture(ending_));
+    table.bind("block_texture", of_blocks_.texture(0));
     kept_.clear(0, glm::vec4(float(Proof::miss), 0, 0, 0));
-    if (!is_gated) gate_.set(kept_, [&] { draw(to_prove_); });
-    begin();
-    prove_rays(natural_, Start::go_on, drawn_.passed());
+    if (!is_masked) {
+        mask_.set(kept_, [&] { table.draw(table.program(Role::proof_mask), tile); });
+    }
+    begin(table, tile);
+    prove_rays(table, natural_, Start::go_on, drawn_.passed(), tile);
     const auto read = [&] { kept_.read(0, 0, 0, tile.width, tile.height, record); };
     read();
     const std::uint32_t open = count_open(record);
     if (open == 0) return;
-    const Pass* again = closer();
+    const bool is_first = !closer_;
+    const std::optional<Pieces>& again = closer(table);
     if (!again) return;
-    bind_inputs(picture);
-    prove_rays(*again, Start::again, open);
+    if (is_first) upload(table, rays);
+    prove_rays(table, *again, Start::again, open, tile);
     read();
 }
 

@@ -10,6 +10,7 @@
 
 #include "gpu/context.h"
 #include "image/frame.h"
+#include "render/frame_inputs.h"
 #include "render/march_plan.h"
 #include "render/motion.h"
 #include "render/proofs.h"
@@ -67,41 +68,48 @@ public:
     Renderer(gpu::Context& context, const scene::Scene& scene, RenderOptions options);
     ~Renderer();
 
-    // One picture, a ray a pixel; a frame may be the mean of several: exposure.h. The channel
-    // velocity needs `motion`.
+    // Evaluates a frame: everything that drawing it takes, and the fingerprint of that. The scene's
+    // animation may be another than the renderer's own. Throws SceneError where a value leaves its
+    // range.
+    FrameInputs prepare(const scene::Scene& scene, int frame) const;
+    // Evaluates one picture, a ray a pixel. The channel velocity needs `motion`.
+    PictureInputs prepare(const scene::SceneAt& now, const scene::Aim& aim = {},
+                          const Motion* motion = nullptr) const;
+
+    Picture draw(const PictureInputs& inputs);
     Picture draw(const scene::SceneAt& now, const scene::Aim& aim = {},
-                 const Motion* motion = nullptr);
+                 const Motion* motion = nullptr) {
+        return draw(prepare(now, aim, motion));
+    }
     // The same in two steps: start() asks for a picture, take() gives the one asked for first, and
-    // as many may be on their way as most_in_flight() says, 1 or 2. After an exception out of
-    // either, none is. Both throw std::logic_error out of turn, draw() where any is on its way.
+    // as many may be on their way as most_in_flight() says, 1 or 2. If either throws, none is any
+    // more. Both throw std::logic_error out of turn, draw() where any is on its way.
+    void start(PictureInputs inputs);
     void start(const scene::SceneAt& now, const scene::Aim& aim = {},
-               const Motion* motion = nullptr);
+               const Motion* motion = nullptr) {
+        start(prepare(now, aim, motion));
+    }
     Picture take();
     int in_flight() const;
     int most_in_flight() const;
     // Gives back a picture's memory, for the next one.
     void reuse(Picture picture);
 
-    // Of the next pictures. Nothing is compiled or made anew, so it costs nothing; pictures larger
-    // than the options' are cut into more tiles, for which the options' sides must be multiples of
-    // 64, or else this throws std::invalid_argument.
+    // The size of the next pictures. Nothing is compiled or made anew, so it costs nothing;
+    // pictures larger than the options' are cut into more tiles, for which the options' sides must
+    // be multiples of 64, or else this throws std::invalid_argument.
     void resize(int width, int height);
     // Other settings of the scene's method, for the next pictures. Throws std::invalid_argument for
     // another method, beams or proofs: those are other shaders.
     void adjust(const scene::Isolation& settings);
     bool needs_motion() const;
     // From the next picture on rays begin where the beams of the one drawn last have them, until
-    // it is called off: right for that picture's moment and aim alone, to measure what starts cost.
+    // it is called off: right for that picture's time and aim alone, to measure what starts cost.
     // Throws std::logic_error if pictures take more than one tile.
     void keep_beams(bool keep);
 
-    // Everything that decides the pixels of a picture beside the driver: shader text, uniform
-    // values, size and channels. Equal fingerprints, equal pictures.
-    std::string fingerprint(const scene::SceneAt& now, const scene::Aim& aim = {},
-                            const Motion* motion = nullptr) const;
-    // Of all shaders' text.
+    // Changes with the text of any shader.
     const std::string& shaders_fingerprint() const;
-
     const MarchPlan& plan() const;
 
 private:

@@ -15,9 +15,9 @@ constexpr int usual_list = 16;
 
 constexpr int largest_tile = 2048;
 
-std::vector<int> capacities(const synthesis::Shaders& shaders) {
+std::vector<int> capacities(const synthesis::Passes& passes) {
     std::vector<int> counts;
-    for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
+    for (const auto& array : passes.arrays) counts.push_back(array.capacity);
     return counts;
 }
 
@@ -26,10 +26,10 @@ double loops_of(const formula::Program& program, const std::vector<int>& counts)
 }
 
 // What the loops of one shaded pixel add up to.
-double shade_iterations(const scene::Scene& scene, const synthesis::Shaders& shaders,
+double shade_iterations(const scene::Scene& scene, const synthesis::Passes& passes,
                         const std::vector<int>& counts) {
     const double gradient =
-        shaders.march_takes_gradient ? 0.0 : loops_of(scene.surface.field->gradient, counts);
+        passes.march_takes_gradient ? 0.0 : loops_of(scene.surface.field->gradient, counts);
     if (!scene.material.paint) return gradient;
     const formula::Paint& paint = *scene.material.paint->value;
     const double curvature = paint.hessian ? gradient + loops_of(*paint.hessian, counts) : 0.0;
@@ -37,11 +37,11 @@ double shade_iterations(const scene::Scene& scene, const synthesis::Shaders& sha
 }
 
 // The passes that don't march must fit the loop limit, too; they know no lists.
-void expect_shadeable(const scene::Scene& scene, const synthesis::Shaders& shaders,
+void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes,
                       const std::vector<int>& counts) {
     const formula::Field& field = *scene.surface.field;
-    if (!shaders.surface.empty()) {
-        // Up to eight samples at the end of a ray (shaders/effects/end_of_ray.glsl) and five of
+    if (passes.has(synthesis::Role::surface)) {
+        // Up to eight samples at the end of a ray (passes/effects/end_of_ray.glsl) and five of
         // its surroundings, each in one draw.
         const double end = loops_of(field.gradient, counts) + 8 * loops_of(field.value, counts);
         if (end > loop_iterations_per_pass) {
@@ -51,7 +51,7 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Shaders& shade
                             end, loop_iterations_per_pass));
         }
     }
-    const double sums = shade_iterations(scene, shaders, counts);
+    const double sums = shade_iterations(scene, passes, counts);
     if (sums > loop_iterations_per_pass) {
         throw std::length_error(
             fmt::format("the normal and the paint sum {:.0f} terms a pixel; a shader can sum "
@@ -61,55 +61,54 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Shaders& shade
     expect_drawable(formula::cost(field.gradient, counts).operations);
 }
 
-MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Shaders& shaders, int width,
+MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& passes, int width,
                         int height, int max_texture_size, const std::optional<MarchPlan>& wanted) {
-    const std::vector<int> counts = capacities(shaders);
+    const std::vector<int> counts = capacities(passes);
     std::vector<int> usual = counts;
-    if (synthesis::has_lists(shaders)) usual[0] = std::min(usual[0], usual_list);
-    formula::Cost cost = synthesis::cost(*scene.surface.field, shaders.samples, usual);
-    expect_shadeable(scene, shaders, counts);
-    cost.iterations = std::max(cost.iterations, shade_iterations(scene, shaders, usual));
+    if (synthesis::has_lists(passes)) usual[0] = std::min(usual[0], usual_list);
+    formula::Cost cost = synthesis::cost(*scene.surface.field, passes.samples, usual);
+    expect_shadeable(scene, passes, counts);
+    cost.iterations = std::max(cost.iterations, shade_iterations(scene, passes, usual));
     const MarchPlan fitting =
         plan_march(cost, width, height, std::min(largest_tile, max_texture_size));
     MarchPlan chosen = wanted.value_or(fitting);
     // One draw marches and shades.
-    const double with_shade =
-        (loop_iterations_per_pass - shade_iterations(scene, shaders, counts)) /
-        (1 + cost.iterations);
-    if (!shaders.whole.empty() && with_shade >= 1) {
+    const double with_shade = (loop_iterations_per_pass - shade_iterations(scene, passes, counts)) /
+                              (1 + cost.iterations);
+    if (passes.has(synthesis::Role::fused) && with_shade >= 1) {
         chosen.evaluations_per_pass = std::min(chosen.evaluations_per_pass, int(with_shade));
     }
-    if (shaders.degree > 0) {
-        chosen.evaluations_per_pass = evaluations_with_polynomial(shaders.degree, cost.iterations,
+    if (passes.degree > 0) {
+        chosen.evaluations_per_pass = evaluations_with_polynomial(passes.degree, cost.iterations,
                                                                   chosen.evaluations_per_pass);
     }
     return chosen;
 }
 
-int without_lists(const scene::Scene& scene, const synthesis::Shaders& shaders, int planned) {
+int without_lists(const scene::Scene& scene, const synthesis::Passes& passes, int planned) {
     const formula::Cost all =
-        synthesis::cost(*scene.surface.field, shaders.samples, capacities(shaders));
+        synthesis::cost(*scene.surface.field, passes.samples, capacities(passes));
     const int fitting = int(loop_iterations_per_pass / (1 + all.iterations));
-    const int fewest = std::min(shaders.degree + 1, planned);
+    const int fewest = std::min(passes.degree + 1, planned);
     return std::clamp(fitting, fewest, planned);
 }
 
 // Where only lists tell how many elements an evaluation takes.
-float budget_of_elements(const scene::Scene& scene, const synthesis::Shaders& shaders) {
-    const auto once = std::vector<int>(shaders.arrays.size(), 1);
+float budget_of_elements(const scene::Scene& scene, const synthesis::Passes& passes) {
+    const auto once = std::vector<int>(passes.arrays.size(), 1);
     const double loops =
-        std::max(1.0, synthesis::cost(*scene.surface.field, shaders.samples, once).iterations);
+        std::max(1.0, synthesis::cost(*scene.surface.field, passes.samples, once).iterations);
     return float(0.8 * loop_iterations_per_pass / loops);
 }
 
 } // namespace
 
-ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Shaders& shaders, int width,
+ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Passes& passes, int width,
                      int height, int max_texture_size, const std::optional<MarchPlan>& wanted) {
     ScenePlan plan;
-    plan.march = plan_of_march(scene, shaders, width, height, max_texture_size, wanted);
-    plan.evaluations_without_lists = without_lists(scene, shaders, plan.march.evaluations_per_pass);
-    plan.element_budget = budget_of_elements(scene, shaders);
+    plan.march = plan_of_march(scene, passes, width, height, max_texture_size, wanted);
+    plan.evaluations_without_lists = without_lists(scene, passes, plan.march.evaluations_per_pass);
+    plan.element_budget = budget_of_elements(scene, passes);
     return plan;
 }
 

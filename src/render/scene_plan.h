@@ -1,11 +1,11 @@
-// How a scene's pictures are cut into draws, by what its shaders' loops may add up to.
+// How a scene's pictures are cut into draws, by what its passes' loops may add up to.
 #pragma once
 
 #include <optional>
 
 #include "render/march_plan.h"
 #include "scene/scene.h"
-#include "synthesis/assemble.h"
+#include "synthesis/pass.h"
 
 namespace isomotion::render {
 
@@ -17,7 +17,7 @@ struct ScenePlan {
 
 // `wanted`: instead of the march plan made from the formula's cost. Throws std::length_error for a
 // sum too long for a shader and for a formula that no draw can hold.
-ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Shaders& shaders, int width,
+ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Passes& passes, int width,
                      int height, int max_texture_size, const std::optional<MarchPlan>& wanted);
 
 } // namespace isomotion::render

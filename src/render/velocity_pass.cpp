@@ -4,22 +4,15 @@
 
 namespace isomotion::render {
 
-VelocityPass::VelocityPass(const synthesis::Shaders& shaders, const MarchPlan& plan)
-    : program_(shaders.vertex, shaders.motion, "motion")
-    , field_(plan.tile_width, plan.tile_height) {}
-
-std::vector<float> VelocityPass::field_there(const gpu::Rectangle& tile,
+std::vector<float> VelocityPass::field_there(PassTable& table, const gpu::Rectangle& tile,
                                              const scene::PlacementAt& from,
                                              const scene::PlacementAt& to) const {
     const auto rows = change_of_place(from, to);
-    program_.set("move_x", rows[0]);
-    program_.set("move_y", rows[1]);
-    program_.set("move_z", rows[2]);
-    program_.set("tile_origin", glm::ivec2(tile.x, tile.y));
-    field_.bind();
-    gpu::set_viewport({0, 0, tile.width, tile.height});
-    program_.use();
-    triangle_.draw();
+    const gpu::Program& program = table.program(synthesis::Role::motion);
+    program.set("move_x", rows[0]);
+    program.set("move_y", rows[1]);
+    program.set("move_z", rows[2]);
+    table.draw(program, tile, field_);
     return field_.read(0, 0, 0, tile.width, tile.height);
 }
 

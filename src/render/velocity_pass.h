@@ -4,37 +4,33 @@
 #include <span>
 #include <vector>
 
-#include "gpu/draw.h"
-#include "gpu/program.h"
 #include "gpu/target.h"
 #include "render/march_plan.h"
 #include "render/motion.h"
+#include "render/pass_table.h"
 #include "render/record.h"
-#include "synthesis/assemble.h"
 
 namespace isomotion::render {
 
 class VelocityPass {
 public:
-    VelocityPass(const synthesis::Shaders& shaders, const MarchPlan& plan);
-
-    const gpu::Program& program() const { return program_; }
+    explicit VelocityPass(const MarchPlan& tile)
+        : field_(tile.tile_width, tile.tile_height) {}
 
     // The gradient and the value of F, whose parameters and elements at another time are uploaded,
     // where the rays that are bound ended: four floats a pixel. That is, in formula coordinates, at
     // `from`, and in those of the other time at `to`.
-    std::vector<float> field_there(const gpu::Rectangle& tile, const scene::PlacementAt& from,
+    std::vector<float> field_there(PassTable& table, const gpu::Rectangle& tile,
+                                   const scene::PlacementAt& from,
                                    const scene::PlacementAt& to) const;
 
 private:
-    gpu::Program program_;
     gpu::Target field_;
-    gpu::Fullscreen triangle_;
 };
 
-// Of each pixel of a tile, 0 where it has no hit; see velocity() of motion.h. `record`: of the
-// tile. `rays`, `before` and `after` are four floats a pixel: first t, and what VelocityPass told
-// of both times of the motion.
+// The velocity at each pixel of a tile, 0 where it has no hit; see velocity() of motion.h.
+// `record`: of the tile. `rays`, `before` and `after` are four floats a pixel: first t, and what
+// VelocityPass told of both times of the motion.
 std::vector<glm::dvec3> velocities(const Motion& motion, const scene::SceneAt& now, int width,
                                    int height, const gpu::Rectangle& tile, const Record& record,
                                    std::span<const float> rays, std::span<const float> before,

@@ -1,5 +1,4 @@
-// Where the program's own files are: shaders/, animations/, media/, installed or in the source
-// tree.
+// Finds the program's own files: shaders/, animations/, media/, installed or in the source tree.
 #pragma once
 
 #include <filesystem>

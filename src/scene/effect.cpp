@@ -70,7 +70,7 @@ std::vector<Effect> effects(const Scene& scene) {
 Scene without(Effect effect, Scene scene) {
     switch (effect) {
     case Effect::point_lights:
-        // As many lights, from over the viewer's shoulder.
+        // Keeps the number of lights; they shine from over the viewer's shoulder.
         for (Light& light : scene.lights) {
             light.headlight |= light.is_point;
             light.is_point = false;

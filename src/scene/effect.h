@@ -1,5 +1,5 @@
-// The effects that a scene may call for. Each is code of its own: what a scene does not name is
-// neither compiled nor run.
+// The effects that a scene may call for. Each is code of its own: effects that a scene does not
+// name are neither compiled nor run.
 #pragma once
 
 #include <string_view>
@@ -39,8 +39,8 @@ inline constexpr EffectName effect_names[] = {
     {Effect::shadows, "shadows", "lights.shadow = true: rays to the lights"},
     {Effect::blinn_phong, "blinn-phong", "material.model: a highlight"},
     {Effect::ggx, "ggx", "material.model: from plastic to metal"},
-    {Effect::two_sides, "two-sides", "material.inside: a colour for the side where F < 0"},
-    {Effect::paint, "paint", "material.paint: colours by an expression"},
+    {Effect::two_sides, "two-sides", "material.back_color: a colour for the side where F < 0"},
+    {Effect::paint, "paint", "material.colormap: colours by an expression"},
     {Effect::mirror, "mirror", "material.reflection = \"sky\": mirrors what is around"},
     {Effect::self_reflection, "self-reflection",
      "material.reflection = \"self\": and the surface itself, by a second ray"},
@@ -56,7 +56,7 @@ inline constexpr EffectName effect_names[] = {
 
 std::string_view name(Effect effect);
 
-// What a scene calls for, in the order above.
+// The effects that a scene calls for, in the order above.
 std::vector<Effect> effects(const Scene& scene);
 
 // The scene as if it did not call for the effect.

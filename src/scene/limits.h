@@ -1,6 +1,6 @@
-// What a scene may hold at most, beside what its formulas may (formula/graph/limits.h). Whoever
-// writes a scene by hand or by program stays far below; a scene from a stranger, or a slip of the
-// pen, ends in a SceneError and not in a full memory or a program that hangs.
+// The largest scene that is read; formula/graph/limits.h has the limits of formulas. Scenes that
+// people or programs write stay far below. A stranger's scene, or a slip of the pen, ends in a
+// SceneError and not in a full memory or a program that hangs.
 //
 // docs/scene-file.md lists them for users.
 #pragma once
@@ -15,14 +15,13 @@ using formula::limits::name_bytes;
 
 inline constexpr std::size_t scene_bytes = 16 << 20;  // of a scene file or a surface's
 inline constexpr std::size_t table_bytes = 256 << 20; // of a table of elements
-inline constexpr int nesting = 32;                    // of tables and lists in one another
 inline constexpr std::size_t title_bytes = 1000;
 inline constexpr int frames = 10'000'000;
 inline constexpr int parameters = 1000; // fields with one value for all elements included
 inline constexpr int keys = 100'000;    // of one track
 inline constexpr int elements = 1'000'000;
 inline constexpr int fields = 1000; // of an array; columns of a table
-// Of the formula at one point, sums multiplied out, and of all fields of all elements at one frame.
+// The formula at one point, with all elements of its sums; all fields of all elements at one frame.
 inline constexpr double operations_at_a_point = 1e8;
 inline constexpr double operations_of_a_frame = 1e9;
 inline constexpr int lights = 8;

@@ -1,6 +1,8 @@
-// How the first root along a ray is found.
+// How the first root along a ray is found: the methods, a row of traits each. A method is its row
+// here and its files of shaders/march/.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -17,45 +19,133 @@ enum class Method {
     chebyshev,  // the polynomial that F is along the ray, from its degree + 1 samples
 };
 
-struct MethodName {
+// What decides how far a ray goes to its next sample.
+enum class Steps {
+    scene_step, // a length that the scene gives, adapted to F or not
+    cubics,     // the estimated error of a cubic
+    bounds,     // bounds of F and dF/dt over pieces of the ray, by interval arithmetic
+    polynomial, // the degree of F along the ray
+};
+
+// What a turn of the march asks of the field.
+enum class Samples { value, directional, value_and_bounds };
+
+struct MethodTraits {
     Method method;
     std::string_view name;
     std::string_view summary;
+    Steps steps;
+    Samples samples;
+    int state_textures; // that a ray's state takes between passes
+    // Files of shaders/march/, without their extension, up to the first empty one: what finds a
+    // root between two samples, and what makes a turn of it.
+    std::array<std::string_view, 2> test;
+    std::array<std::string_view, 3> turn;
+    // What tells whether a shadow ray meets any root, and whether it makes such turns for it.
+    std::string_view any_hit;
+    bool any_hit_turns;
 };
 
-inline constexpr MethodName method_names[] = {
-    {Method::marching, "marching", "uniform steps; a root where the sign changes"},
-    {Method::amp_sign, "amp-sign",
-     "steps adapted to |F| and |dF/dt| (the paper's Eq. 2); a root where the sign changes"},
-    {Method::amp_taylor, "amp-taylor",
-     "the same steps; a root where values or linear extensions enclose 0 (Eq. 3)"},
-    {Method::hermite, "hermite", "cubics with an error estimate: steps as long as it allows"},
-    {Method::interval, "interval", "proofs: pieces halved until bounds on F and dF/dt decide"},
-    {Method::affine, "affine", "proofs: the same with F in a piece's middle and bounds on dF/dt"},
-    {Method::sphere, "sphere", "proofs: steps of |F| over the steepest dF/dt ahead"},
-    {Method::chebyshev, "chebyshev",
-     "for polynomials of degree 1 to 12: the polynomial along the ray, solved"},
+inline constexpr MethodTraits method_traits[] = {
+    {Method::marching,
+     "marching",
+     "uniform steps; a root where the sign changes",
+     Steps::scene_step,
+     Samples::value,
+     2,
+     {"uniform_step", "sign_test"},
+     {"amp", "turn_point"},
+     "any_hit_amp",
+     false},
+    {Method::amp_sign,
+     "amp-sign",
+     "steps adapted to |F| and |dF/dt| (the paper's Eq. 2); a root where the sign changes",
+     Steps::scene_step,
+     Samples::directional,
+     2,
+     {"adaptive_step", "sign_test"},
+     {"amp", "turn_point"},
+     "any_hit_amp",
+     false},
+    {Method::amp_taylor,
+     "amp-taylor",
+     "the same steps; a root where values or linear extensions enclose 0 (Eq. 3)",
+     Steps::scene_step,
+     Samples::directional,
+     2,
+     {"adaptive_step", "taylor_test"},
+     {"amp", "turn_point"},
+     "any_hit_amp",
+     false},
+    {Method::hermite,
+     "hermite",
+     "cubics with an error estimate: steps as long as it allows",
+     Steps::cubics,
+     Samples::directional,
+     3,
+     {},
+     {"hermite", "turn_point"},
+     "any_hit_turn",
+     true},
+    {Method::interval,
+     "interval",
+     "proofs: pieces halved until bounds on F and dF/dt decide",
+     Steps::bounds,
+     Samples::value_and_bounds,
+     2,
+     {},
+     {"refine", "interval", "turn_piece"},
+     "any_hit_turn",
+     true},
+    {Method::affine,
+     "affine",
+     "proofs: the same with F in a piece's middle and bounds on dF/dt",
+     Steps::bounds,
+     Samples::value_and_bounds,
+     2,
+     {},
+     {"refine", "affine", "turn_piece"},
+     "any_hit_turn",
+     true},
+    {Method::sphere,
+     "sphere",
+     "proofs: steps of |F| over the steepest dF/dt ahead",
+     Steps::bounds,
+     Samples::value_and_bounds,
+     2,
+     {},
+     {"refine", "sphere", "turn_piece"},
+     "any_hit_turn",
+     true},
+    {Method::chebyshev,
+     "chebyshev",
+     "for polynomials of degree 1 to 12: the polynomial along the ray, solved",
+     Steps::polynomial,
+     Samples::value,
+     2,
+     {},
+     {"bernstein", "chebyshev", "turn_point"},
+     "any_hit_chebyshev",
+     true},
 };
+
+constexpr const MethodTraits& traits(Method method) {
+    for (const auto& entry : method_traits) {
+        if (entry.method == method) return entry;
+    }
+    return method_traits[0];
+}
+
+constexpr std::string_view name(Method method) { return traits(method).name; }
 
 // Whether a step of the scene's decides where the ray is sampled.
-constexpr bool takes_steps(Method method) {
-    return method == Method::marching || method == Method::amp_sign || method == Method::amp_taylor;
-}
+constexpr bool takes_steps(Method method) { return traits(method).steps == Steps::scene_step; }
 
 // Whether interval arithmetic bounds F and dF/dt over pieces of the ray.
-constexpr bool bounds_pieces(Method method) {
-    return method == Method::interval || method == Method::affine || method == Method::sphere;
-}
-
-constexpr std::string_view name(Method method) {
-    for (const auto& entry : method_names) {
-        if (entry.method == method) return entry.name;
-    }
-    return "?";
-}
+constexpr bool bounds_pieces(Method method) { return traits(method).steps == Steps::bounds; }
 
 constexpr std::optional<Method> parse_method(std::string_view text) {
-    for (const auto& entry : method_names) {
+    for (const auto& entry : method_traits) {
         if (entry.name == text) return entry.method;
     }
     return std::nullopt;

@@ -22,7 +22,7 @@ std::string refusal(Method method, const formula::Field& field) {
 
 std::vector<Method> methods_for(const formula::Field& field) {
     std::vector<Method> methods;
-    for (const MethodName& entry : method_names) {
+    for (const MethodTraits& entry : method_traits) {
         if (refusal(entry.method, field).empty()) methods.push_back(entry.method);
     }
     return methods;

@@ -9,8 +9,8 @@
 
 namespace isomotion::scene {
 
-// Of polynomials that the method chebyshev solves. In float32 those of higher degree lose too much
-// between samples and coefficients: the largest coefficient of T_n in Bernstein's form is about
+// The highest degree that the method chebyshev solves. In float32 higher ones lose too much between
+// samples and coefficients: the largest coefficient of T_n in Bernstein's form is about
 // 2^n / sqrt(n).
 inline constexpr int highest_solved_degree = 12;
 

@@ -39,7 +39,7 @@ struct Placement {
     TrackId scale = 0;
 };
 
-// What a parameter is meant to take, for those who set it by hand; nothing enforces it.
+// The values that a parameter is meant for, as a guide for sliders; nothing enforces it.
 struct Range {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
@@ -61,20 +61,20 @@ struct Surface {
 struct Isolation {
     Method method = Method::hermite;
     double step = 0;    // b of Eq. 2
-    double near = 0;    // tau 1: closer than this the step is halved
-    double far = 0;     // tau 2: farther than this it is doubled
-    double horizon = 0; // tau 3: near a silhouette (|dF/dt| below this) it is quartered
+    double near = 0;    // tau 1: the step is halved where |F| is below this
+    double far = 0;     // tau 2: it is doubled where |F| is above this
+    double horizon = 0; // tau 3: it is quartered near a silhouette, where |dF/dt| is below this
     int bisections = 10;
-    std::optional<bool> beam; // prove for blocks of rays what they need not march: see uses_beams()
-    bool certify = false; // prove by intervals, on the GPU, where rays ended: render/proofs.h
-    double safety = 32; // of cubics: how many times their estimated error F must keep off 0
-    int limit = 100'000; // evaluations after which a ray gives up with the verdict step limit
+    std::optional<bool> beam; // skip the empty part of the way for blocks of rays: uses_beams()
+    bool certify = false;     // prove by intervals, on the GPU, where rays ended: render/proofs.h
+    double safety = 32;       // a cubic rules a root out where it is this many of its errors off 0
+    int limit = 100'000;      // evaluations after which a ray gives up with the verdict step limit
 
     bool operator==(const Isolation&) const = default;
 };
 
-// Stands at `position`, or on an orbit about the target; what a scene leaves out follows from the
-// bounds, so that they fill the picture.
+// Stands at `position`, or on an orbit about the target. Values that a scene leaves out follow from
+// the bounds, so that they fill the picture.
 struct Camera {
     enum class Projection { perspective, orthographic };
     Projection projection = Projection::perspective;
@@ -108,13 +108,13 @@ struct Ground {
     Vec3Track color{};
 };
 
-// What is farther than `start` from the eye fades into the colour: by 1 - 1/e in 1/density.
+// Fades everything farther than `start` from the eye into the colour: by 1 - 1/e in 1/density.
 struct Fog {
     TrackId density = 0, start = 0; // world units
     Vec3Track color{};
 };
 
-// Of the light from everywhere, by what is near along the normal.
+// Takes away light from everywhere where the surface is near along the normal.
 struct Occlusion {
     std::optional<TrackId> reach; // world units; else a fifth of the bounds' radius
     TrackId strength = 0;         // 0: none, 1: full
@@ -127,7 +127,7 @@ struct Paint {
     ColorMap map = ColorMap::blue_yellow;
 };
 
-// `color` is seen from where F > 0. Only a surface with `inside` tells the two sides apart.
+// `color` is seen from where F > 0. Only a surface with `inside` has two colours.
 struct Material {
     enum class Reflection { none, sky, self };
     enum class Model {
@@ -140,7 +140,7 @@ struct Material {
     Reflection reflection = Reflection::none; // of what is around, and of the surface itself
     std::optional<Vec3Track> inside;          // seen from where F < 0
     std::optional<Paint> paint;               // instead of both
-    // Each where the model has it.
+    // Each only where the model has it.
     std::optional<TrackId> shininess;           // exponent, 0 to max_shininess
     std::optional<TrackId> roughness, metallic; // 0..1
     std::optional<TrackId> specular;            // reflectance straight on, 0..1
@@ -173,8 +173,8 @@ constexpr std::optional<Material::Model> parse_model(std::string_view text) {
     return std::nullopt;
 }
 
-// What is far away in every direction, as a latitude-longitude map. The top of the map is where
-// the world's z axis points to, its middle where the x axis does, its left quarter the y axis.
+// The light from far away in every direction, as a latitude-longitude map. The world's z axis
+// points to the top of the map, the x axis to its middle, the y axis to its left quarter.
 struct Environment {
     std::filesystem::path map;
     TrackId rotation = 0;   // of the surroundings about the z axis, degrees

@@ -26,10 +26,13 @@ public:
             fmt::format("{}: {} at t = {}: {}", scene_.file.string(), name, values_.time, message));
     }
     [[noreturn]] void fail(TrackId track, const std::string& message) const {
-        fail(scene_.timeline.animation.tracks()[std::size_t(track)].name, message);
+        fail(name(track), message);
+    }
+    const std::string& name(TrackId track) const {
+        return scene_.timeline.animation.tracks()[std::size_t(track)].name;
     }
 
-    // What is no number would end in an empty picture, or in the blame of something else.
+    // A NaN would end in an empty picture, or in the blame of something else.
     void check_range() const {
         const auto& tracks = scene_.timeline.animation.tracks();
         for (std::size_t k = 0; k < values_.tracks.size(); ++k) {
@@ -138,7 +141,7 @@ public:
                 fail(*from.height, fmt::format("the height must be above 0, not {}", to.height));
             }
         } else if (from.position || from.distance) {
-            // As large as a perspective camera there would show what is at the target.
+            // The height that a perspective camera there shows at the target.
             to.height = 2 * glm::length(to.position - to.target) * slope;
         } else {
             to.height = 2 * reach / std::min(aspect, 1.0);
@@ -157,9 +160,10 @@ public:
 
     glm::dvec2 range(const Paint& paint) const {
         const glm::dvec2 ends(number(paint.low), number(paint.high));
-        // As floats: that is what a shader divides by the difference of.
+        // As floats: a shader divides by their difference.
         if (float(ends.x) == float(ends.y)) {
-            fail("material.paint.range",
+            const std::string& low = name(paint.low);
+            fail(low.substr(0, low.rfind('.')),
                  fmt::format("the two ends must differ, and both are {}", ends.x));
         }
         return ends;
@@ -206,7 +210,7 @@ public:
 
     OcclusionAt occlusion(const Occlusion& from, double size) const {
         OcclusionAt to;
-        to.reach = from.reach ? positive(*from.reach, "the reach") : 0.2 * size;
+        to.reach = from.reach ? positive(*from.reach, "the radius") : 0.2 * size;
         to.strength = within(from.strength, 1);
         return to;
     }
@@ -265,7 +269,7 @@ private:
                std::sin(e) * pole;
     }
 
-    // From above the viewer's right shoulder.
+    // The direction to a light above the viewer's right shoulder.
     static glm::dvec3 shoulder(const CameraAt& camera) {
         const glm::dvec3 back = glm::normalize(camera.position - camera.target);
         glm::dvec3 right = glm::cross(camera.up, back);

@@ -74,26 +74,26 @@ struct EnvironmentAt {
 
 struct SceneAt {
     double time = 0;
-    // What the formula's names stand for, rounded to float: GPU, CPU and truth see the same values.
+    // The values of the formula's names, rounded to float: GPU, CPU and truth see the same.
     formula::Bindings<float> bindings;
     BoundsAt bounds;
     PlacementAt placement;
     CameraAt camera;
     std::vector<LightAt> lights;
     glm::dvec3 material_color{1};
-    glm::dvec3 inside_color{1}; // of a surface that tells its sides apart
+    glm::dvec3 inside_color{1}; // of a surface with two colours
     GroundAt ground;            // these where the scene has them
     FogAt fog;
     OcclusionAt occlusion;
     std::optional<EnvironmentAt> environment;
     // Blinn-Phong: shininess, specular. GGX: roughness, metallic, specular. The rest is 0.
     glm::dvec4 gloss{0};
-    glm::dvec2 paint_range{0, 1}; // of a painted surface: what is at the ends of the map
+    glm::dvec2 paint_range{0, 1}; // the values at the ends of the colour map
 };
 
-// The same scene with the surface where its formula has it and the camera moved instead. Rays and
-// verdicts are the same; positions are written in formula coordinates, where float has all its
-// digits for them. The ground stays behind: it is no part of the surface.
+// Moves the surface to where its formula has it, and the camera and lights with it. Rays and
+// verdicts stay; positions are in formula coordinates, where float has all its digits for them. The
+// ground stays behind: it is no part of the surface.
 SceneAt in_formula_coordinates(SceneAt scene);
 
 // Throws SceneError when a value has left its range at this time (a radius of 0, a field of view

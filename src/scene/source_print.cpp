@@ -1,5 +1,7 @@
 #include "scene/source_print.h"
 
+#include "scene/renamed_keys.h"
+
 namespace isomotion::scene {
 namespace {
 
@@ -7,9 +9,7 @@ void add_number(base::Fingerprint& print, double value) {
     print.add_values(std::span<const double>(&value, 1));
 }
 
-} // namespace
-
-void add(base::Fingerprint& print, const animation::TrackSource& source) {
+void add_source(base::Fingerprint& print, const animation::TrackSource& source) {
     print.add(std::to_string(source.index()));
     if (const auto* number = std::get_if<double>(&source)) add_number(print, *number);
     if (const auto* expression = std::get_if<animation::Expression>(&source)) {
@@ -22,6 +22,13 @@ void add(base::Fingerprint& print, const animation::TrackSource& source) {
             add_number(print, key.value);
         }
     }
+}
+
+} // namespace
+
+void add(base::Fingerprint& print, const animation::Track& track) {
+    print.add(first_name(track.name));
+    add_source(print, track.source);
 }
 
 void add(base::Fingerprint& print, const animation::Array& array) {

@@ -6,7 +6,9 @@
 
 namespace isomotion::scene {
 
-void add(base::Fingerprint& print, const animation::TrackSource& source);
+// A track's name says what moves by it: "camera.position.x", "lights[1].falloff". The print has it
+// as it was first called, so that sequences and timelines outlive a key's renaming.
+void add(base::Fingerprint& print, const animation::Track& track);
 void add(base::Fingerprint& print, const animation::Array& array);
 
 } // namespace isomotion::scene

@@ -1,4 +1,4 @@
-// Settings of Eq. 2 for scenes that give none, taken from the field itself.
+// Thresholds of Eq. 2 for scenes that give none, derived from the field itself.
 #pragma once
 
 #include "scene/scene_at.h"

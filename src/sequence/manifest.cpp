@@ -7,7 +7,7 @@
 
 #include "base/extension.h"
 #include "base/file.h"
-#include "sequence/record_json.h"
+#include "sequence/manifest_json.h"
 
 namespace isomotion::sequence {
 namespace fs = std::filesystem;
@@ -20,7 +20,7 @@ std::string read_text(const fs::path& file) {
 
 } // namespace
 
-fs::path manifest_folder(const image::SequenceName& name) {
+fs::path manifest_folder(const SequenceName& name) {
     const std::string stem = name.stem();
     const std::string extension = base::lower_extension(name.path(1));
     return name.folder() / fmt::format("{}{}.manifest", stem.empty() ? "frames" : stem,
@@ -37,8 +37,8 @@ Sequence read_sequence(const fs::path& manifest) {
     const fs::path file = sequence_file(manifest);
     try {
         return parse_sequence(read_text(file));
-    } catch (const RecordError& error) {
-        throw RecordError(fmt::format("{}: {}", file.string(), error.what()));
+    } catch (const ManifestError& error) {
+        throw ManifestError(fmt::format("{}: {}", file.string(), error.what()));
     }
 }
 
@@ -47,7 +47,7 @@ std::optional<FrameRecord> find_record(const fs::path& manifest, int frame) {
         FrameRecord record = parse_frame_record(read_text(frame_file(manifest, frame)));
         if (record.frame == frame) return record;
     } catch (const base::FileError&) { // there is none
-    } catch (const RecordError&) {     // or nothing that could be trusted
+    } catch (const ManifestError&) {   // or nothing that could be trusted
     }
     return {};
 }

@@ -6,19 +6,20 @@
 #include <optional>
 #include <vector>
 
-#include "image/sequence.h"
+#include "sequence/names/sequence_name.h"
 #include "sequence/record.h"
 
 namespace isomotion::sequence {
 
 // Of out/name.####.png it is out/name.manifest; other formats, which may lie beside it, show in the
 // name: out/name.exr.manifest. Of a name without a place for the frame's number there is none.
-std::filesystem::path manifest_folder(const image::SequenceName& name);
+std::filesystem::path manifest_folder(const SequenceName& name);
 
 std::filesystem::path sequence_file(const std::filesystem::path& manifest);
 std::filesystem::path frame_file(const std::filesystem::path& manifest, int frame);
 
-// Throws FileError if there is no such file, RecordError with the file's name if it is no manifest.
+// Throws FileError if there is no such file, ManifestError with the file's name if it is no
+// manifest.
 Sequence read_sequence(const std::filesystem::path& manifest);
 
 // None if there is no record of this frame, or none that can be read.

@@ -6,8 +6,8 @@
 namespace isomotion::sequence {
 
 std::string difference(const Sequence& first, const Sequence& second) {
-    const Shape &a = first.shape, &b = second.shape;
-    const Making &by = first.making, &not_by = second.making;
+    const SequenceFormat &a = first.format, &b = second.format;
+    const Provenance &by = first.provenance, &not_by = second.provenance;
     const auto told = [](const char* what, const std::string& one, const std::string& other) {
         return fmt::format("{} {}, not {}", what, one, other);
     };
@@ -16,7 +16,7 @@ std::string difference(const Sequence& first, const Sequence& second) {
         return told("size", fmt::format("{}x{}", a.width, a.height),
                     fmt::format("{}x{}", b.width, b.height));
     }
-    if (a.format != b.format) return told("format", a.format, b.format);
+    if (a.encoding != b.encoding) return told("format", a.encoding, b.encoding);
     if (a.channels != b.channels) {
         return told("channels", fmt::format("{}", fmt::join(a.channels, " ")),
                     fmt::format("{}", fmt::join(b.channels, " ")));
@@ -33,7 +33,7 @@ std::string difference(const Sequence& first, const Sequence& second) {
     return {};
 }
 
-void add(const image::Written& file, FrameRecord& record) {
+void add(const WrittenFile& file, FrameRecord& record) {
     record.file = file.file.filename().string();
     record.bytes = file.bytes;
     record.hash = file.hash;

@@ -8,40 +8,40 @@
 #include <utility>
 #include <vector>
 
-#include "image/sequence.h"
 #include "render/proofs.h"
 #include "render/renderer.h"
+#include "sequence/writer.h"
 
 namespace isomotion::sequence {
 
-// By what frames were made. Frames of different makings don't belong into one sequence, even where
-// their pictures happen to be equal.
-struct Making {
+// By what frames were made. Frames of different provenance don't belong into one sequence, even
+// where their pictures happen to be equal.
+struct Provenance {
     std::string scene;    // scene_fingerprint()
     std::string shaders;  // fingerprint of their text
     std::string version;  // of isomotion
     std::string renderer; // as the driver calls itself, with its version
     std::string stage;
 
-    bool operator==(const Making&) const = default;
+    bool operator==(const Provenance&) const = default;
 };
 
 // Of all files of a sequence.
-struct Shape {
+struct SequenceFormat {
     std::string pattern; // name.####.png
     int width = 0, height = 0;
-    std::string format; // "png 8", "png 16", "exr"
+    std::string encoding; // "png 8", "png 16", "exr"
     std::vector<std::string> channels;
     std::string fps; // "30", "30000/1001"
 
-    bool operator==(const Shape&) const = default;
+    bool operator==(const SequenceFormat&) const = default;
 };
 
 struct Sequence {
     std::string title, scene_file;
     std::string backend; // that of the first who rendered; all give the same pictures
-    Making making;
-    Shape shape;
+    Provenance provenance;
+    SequenceFormat format;
     std::vector<int> asked; // frames, ascending: of all runs so far
 };
 
@@ -56,7 +56,7 @@ struct FrameRecord {
     std::string hash;        // base::content_hash() of the file
     std::string pixels;      // image::pixel_hash() of it
     std::string fingerprint; // of all that decides the file
-    Making making;
+    Provenance provenance;
     double time = 0; // of the scene, seconds
     std::vector<std::pair<std::string, double>> parameters;
     std::array<std::int64_t, render::verdict_names.size()> verdicts{}; // rays
@@ -66,6 +66,6 @@ struct FrameRecord {
 };
 
 // What is known of its file once it is there.
-void add(const image::Written& file, FrameRecord& record);
+void add(const WrittenFile& file, FrameRecord& record);
 
 } // namespace isomotion::sequence

@@ -38,11 +38,7 @@ std::string scene_fingerprint(const scene::Scene& scene) {
     Fingerprint print;
     print.add("isomotion scene 1").add(scene.title).add(scene.surface.field->text);
     print.add(animation::to_string(scene.timeline.fps)).add(std::to_string(animation.seed()));
-    // The names of tracks say what moves by them: "camera.position.x", "lights[1].falloff".
-    for (const animation::Track& track : animation.tracks()) {
-        print.add(track.name);
-        scene::add(print, track.source);
-    }
+    for (const animation::Track& track : animation.tracks()) scene::add(print, track);
     for (const animation::Array& array : animation.arrays()) scene::add(print, array);
     for (const scene::Effect effect : scene::effects(scene)) print.add(scene::name(effect));
     print.add(std::to_string(int(scene.surface.bounds.shape)));

@@ -7,16 +7,16 @@
 
 #include "animation/frame_range.h"
 #include "image/decode.h"
-#include "image/sequence.h"
+#include "sequence/frame_status.h"
 #include "sequence/manifest.h"
-#include "sequence/standing.h"
+#include "sequence/names/sequence_name.h"
 
 namespace isomotion::sequence {
 namespace fs = std::filesystem;
 namespace {
 
 void note_differences(Verification& found, const FrameRecord& record) {
-    const Making &wanted = found.sequence.making, &made = record.making;
+    const Provenance &wanted = found.sequence.provenance, &made = record.provenance;
     const auto note = [&](const char* what, const std::string& one, const std::string& other) {
         if (one != other) found.differing[what].push_back(record.frame);
     };
@@ -49,18 +49,18 @@ bool has_the_pixels(const fs::path& file, const FrameRecord& record) {
 
 void look_at(int frame, const fs::path& file, bool pixels, Verification& found) {
     const auto record = find_record(found.manifest, frame);
-    switch (standing(file, record, record ? record->fingerprint : "")) {
-    case Standing::missing:
+    switch (frame_status(file, record, record ? record->fingerprint : "")) {
+    case FrameStatus::missing:
         found.missing.push_back(frame);
         return;
-    case Standing::foreign:
+    case FrameStatus::foreign:
         found.unrecorded.push_back(frame);
         return;
-    case Standing::changed:
-    case Standing::stale:
+    case FrameStatus::changed:
+    case FrameStatus::stale:
         found.changed.push_back(frame);
         return;
-    case Standing::whole:
+    case FrameStatus::whole:
         break;
     }
     found.whole.push_back(frame);
@@ -69,8 +69,7 @@ void look_at(int frame, const fs::path& file, bool pixels, Verification& found) 
     sum_up(found, *record);
 }
 
-std::vector<int> files_never_asked_for(const image::SequenceName& name,
-                                       const std::vector<int>& asked) {
+std::vector<int> files_never_asked_for(const SequenceName& name, const std::vector<int>& asked) {
     std::vector<int> frames;
     const fs::path folder = name.folder().empty() ? "." : name.folder();
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -95,7 +94,7 @@ Json json(const Verification& found) {
     }
     return {{"manifest", found.manifest.string()},
             {"title", sequence.title},
-            {"files", sequence.shape.pattern},
+            {"files", sequence.format.pattern},
             {"frames", range(sequence.asked)},
             {"is whole", found.is_whole()},
             {"whole", range(found.whole)},
@@ -117,14 +116,14 @@ bool Verification::is_whole() const {
            foreign.empty();
 }
 
-Verification verify(const fs::path& manifest, const Verifying& how) {
+Verification verify(const fs::path& manifest, const VerifyOptions& how) {
     Verification found;
     found.manifest = manifest;
     found.sequence = read_sequence(manifest);
     std::vector<int>& asked = found.sequence.asked;
     std::ranges::sort(asked);
-    const auto name = image::SequenceName::parse(
-        (manifest.parent_path() / found.sequence.shape.pattern).string());
+    const auto name =
+        SequenceName::parse((manifest.parent_path() / found.sequence.format.pattern).string());
     for (std::size_t k = 0; k < asked.size(); ++k) {
         if (how.progress) how.progress(int(k), int(asked.size()));
         look_at(asked[k], name.path(asked[k]), how.pixels, found);

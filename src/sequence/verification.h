@@ -1,5 +1,5 @@
 // Whether a sequence on the disk is whole: every frame that was asked for, as it was written, by
-// one making, and nothing between them that nobody rendered.
+// one provenance, and nothing between them that nobody rendered.
 #pragma once
 
 #include <filesystem>
@@ -35,13 +35,13 @@ struct Verification {
     bool is_whole() const;
 };
 
-struct Verifying {
+struct VerifyOptions {
     bool pixels = false; // decode each picture, too
     std::function<void(int done, int of)> progress = {};
 };
 
-// Throws FileError and RecordError if there is no manifest to read.
-Verification verify(const std::filesystem::path& manifest, const Verifying& how = {});
+// Throws FileError and ManifestError if there is no manifest to read.
+Verification verify(const std::filesystem::path& manifest, const VerifyOptions& how = {});
 
 std::string to_json(const std::vector<Verification>& all);
 

@@ -19,9 +19,9 @@ constexpr int most_terms = 10'000;
 constexpr int most_terms_at_first = 20'000;
 
 // That a beam's way is bounded in, to make its lists.
-int pieces_of(const BeamShader& beam) { return beam.lists == BeamLists::whole ? 10 : 6; }
+int pieces_of(const BeamLevel& beam) { return beam.lists == BeamLists::whole ? 10 : 6; }
 
-void define_blocks(ShaderText& text, const BeamShader& beam) {
+void define_blocks(ShaderText& text, const BeamLevel& beam) {
     text.define("BLOCK", beam.block);
     text.define("SQUARE_BITS", beam.square_bits);
     text.define("SQUARES_APART", beam_square);
@@ -41,7 +41,7 @@ void add_bounds_of_sum(ShaderText& text, const formula::Field& field, const Fiel
 }
 
 // Around pieces of beams within those of `parent`, if it is not null.
-void add_boxes(ShaderText& text, const scene::Scene& scene, const BeamShader* parent) {
+void add_boxes(ShaderText& text, const scene::Scene& scene, const BeamLevel* parent) {
     text.generated("generated: least and most tau, the shortest piece; rounding, a length",
                    "uniform vec4 beam;\n");
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
@@ -54,21 +54,47 @@ void add_boxes(ShaderText& text, const scene::Scene& scene, const BeamShader* pa
     text.file(parent ? "march/beam_of_parent.glsl" : "march/beam_whole.glsl");
 }
 
-// `parent`: the beams that these lie in, or null.
-std::string beam_text(const scene::Scene& scene, const BeamShader& beam, const BeamShader* parent,
-                      Shaders& shaders) {
+// Bounds of Chebyshev polynomials and of waves cost more than the samples they save.
+bool bounds_pay(const formula::Field& field) {
+    for (std::size_t id = 0; id < field.graph.size(); ++id) {
+        switch (field.graph[formula::NodeId(id)].op) {
+        case formula::Op::chebyshev:
+        case formula::Op::sin:
+        case formula::Op::cos:
+        case formula::Op::tan:
+        case formula::Op::asin:
+        case formula::Op::acos:
+            return false;
+        default:
+            break;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+bool uses_beams(const scene::Scene& scene) {
+    return scene.isolation.beam.value_or(scene.isolation.method == scene::Method::hermite &&
+                                         bounds_pay(*scene.surface.field));
+}
+
+Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
     const formula::Field& field = *scene.surface.field;
-    ShaderText text(shaders.files);
+    const BeamLevel& beam = passes.beams[std::size_t(level)];
+    // The beams that these lie in.
+    const BeamLevel* parent = level > 0 ? &beam - 1 : nullptr;
+    ShaderText text;
     const bool makes_lists = beam.lists != BeamLists::none;
     if (makes_lists) text.version(430);
     define_blocks(text, beam);
     text.define("BOTH_ENDS", int(beam.lists == BeamLists::whole));
-    if (has_lists(shaders)) {
+    if (has_lists(passes)) {
         text.define("LISTS", 1);
         text.generated("of a sum, by the lists of one level", "#define LEFT_OUT 6.25e-7\n");
-        add_bounds_of_sum(text, field, shaders);
+        add_bounds_of_sum(text, field, passes);
     } else {
-        add_field(text, field, shaders, {FieldFunction::value_interval});
+        add_field(text, field, passes, {FieldFunction::value_interval});
     }
     if (makes_lists) {
         const bool whole = beam.lists == BeamLists::whole;
@@ -76,7 +102,7 @@ std::string beam_text(const scene::Scene& scene, const BeamShader& beam, const B
                        fmt::format("#define FRONT {:#.3}\n", beam.front));
         text.define("LIST_OF_ALL", int(whole));
         text.define("LISTS_OF_A_BLOCK", lists_of_a_block(beam));
-        text.define("TEXELS", shaders.arrays[0].texels);
+        text.define("TEXELS", passes.arrays[0].texels);
         const int pieces = pieces_of(beam);
         text.define("PIECES", pieces);
         text.define("FRONT_PIECES", whole ? int(std::lround(beam.front * pieces)) : pieces);
@@ -91,48 +117,43 @@ std::string beam_text(const scene::Scene& scene, const BeamShader& beam, const B
     add_boxes(text, scene, parent);
     if (makes_lists) text.file("march/beam_list.glsl");
     text.file("march/beam.frag");
-    return text.take();
+    Pass pass = std::move(text).pass(
+        Role::beams, fmt::format("beams of {} pixel{}", beam.block, beam.block == 1 ? "" : "s"),
+        When::once_a_tile);
+    pass.level = level;
+    return pass;
 }
 
-} // namespace
-
-void add_beam_of_block(ShaderText& text, const scene::Scene& scene, const Shaders& shaders,
+void add_beam_of_block(ShaderText& text, const scene::Scene& scene, const Passes& passes,
                        int block) {
-    const bool lies_in_beams = !shaders.beams.empty() && shaders.beams.back().block >= block;
-    add_boxes(text, scene, lies_in_beams ? &shaders.beams.back() : nullptr);
+    const bool lies_in_beams = !passes.beams.empty() && passes.beams.back().block >= block;
+    add_boxes(text, scene, lies_in_beams ? &passes.beams.back() : nullptr);
 }
 
-void add_light_beams(ShaderText& text, const Shaders& shaders) {
-    define_blocks(text, shaders.beams.back());
-    if (has_lists(shaders)) text.file("march/choose_list.glsl");
+void add_light_beams(ShaderText& text, const Passes& passes) {
+    define_blocks(text, passes.beams.back());
+    if (has_lists(passes)) text.file("march/choose_list.glsl");
     text.file("effects/light_beam.glsl");
 }
 
-void add_entrance(ShaderText& text, const Shaders& shaders, bool by_beams) {
-    if (by_beams) define_blocks(text, shaders.beams.back());
-    if (by_beams && has_lists(shaders)) text.file("march/choose_list.glsl");
+void add_entrance(ShaderText& text, const Passes& passes, bool by_beams) {
+    if (by_beams) define_blocks(text, passes.beams.back());
+    if (by_beams && has_lists(passes)) text.file("march/choose_list.glsl");
     text.file(by_beams ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
 }
 
-void add_way(ShaderText& text, const Shaders& shaders, bool by_beams) {
-    if (by_beams) define_blocks(text, shaders.beams.back());
+void add_way(ShaderText& text, const Passes& passes, bool by_beams) {
+    if (by_beams) define_blocks(text, passes.beams.back());
     text.file(by_beams ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
 }
 
-void add_beams(const scene::Scene& scene, Shaders& shaders, int finest) {
+std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest) {
     using enum BeamLists;
     // A picture of 512 pixels has 16 squares of the smaller blocks, 4 of the largest. Squares of
     // single pixels lie side by side.
     const int bits = finest == 1 ? 6 : 4;
-    shaders.beams = {{finest, none, 1, bits}};
-    if (has_lists(shaders)) {
-        shaders.beams = {{64, whole, 0.3, 2}, {16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
-    }
-    const BeamShader* parent = nullptr;
-    for (BeamShader& beam : shaders.beams) {
-        beam.text = beam_text(scene, beam, parent, shaders);
-        parent = &beam;
-    }
+    if (!has_lists(storage)) return {{finest, none, 1, bits}};
+    return {{64, whole, 0.3, 2}, {16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
 }
 
 } // namespace isomotion::synthesis

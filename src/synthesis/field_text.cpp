@@ -6,6 +6,7 @@
 
 #include "formula/glsl/glsl_interval.h"
 #include "synthesis/shader_files.h"
+#include "synthesis/shader_text.h"
 
 namespace isomotion::synthesis {
 namespace {

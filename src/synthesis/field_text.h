@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "formula/field.h"
-#include "synthesis/shader_text.h"
 
 namespace isomotion::synthesis {
+
+class ShaderText;
 
 // How an array's elements reach the shader, `texels` vec4s each.
 struct ArrayStorage {

@@ -1,6 +1,7 @@
 #include "synthesis/paint_text.h"
 
 #include "formula/hessian.h"
+#include "synthesis/shader_text.h"
 
 namespace isomotion::synthesis {
 namespace {

@@ -23,11 +23,11 @@ bool takes_bend(const formula::Field& field, ProofBounds bounds) {
 }
 
 // What its proof begins with: the part it is of, the boxes around it, what F can be in one.
-void add_proof(ShaderText& text, const scene::Scene& scene, const Shaders& shaders,
+void add_proof(ShaderText& text, const scene::Scene& scene, const Passes& passes,
                ProofBounds bounds) {
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     add_ended_ray(text, scene);
-    add_way(text, shaders, !shaders.beams.empty());
+    add_way(text, passes, !passes.beams.empty());
     text.define("PROVED_BLOCK", proved_block);
     text.file("proof/rounding.glsl");
     text.file("proof/way.glsl");
@@ -39,34 +39,83 @@ void add_proof(ShaderText& text, const scene::Scene& scene, const Shaders& shade
                                              : "proof/value_by_gradient.glsl");
 }
 
-} // namespace
-
-std::vector<FieldFunction> block_proof_samples() { return {FieldFunction::along_interval}; }
-
-std::string block_proof_text(const scene::Scene& scene, Shaders& shaders) {
-    ShaderText text(shaders.files);
+Pass block_proof(const scene::Scene& scene, const Passes& passes) {
+    ShaderText text;
     text.define("BLOCK", proved_block);
     text.define("RAYS", proved_block * proved_block);
     text.define("SQUARES_APART", beam_square);
     text.file("march/beam_place.glsl");
-    add_field(text, *scene.surface.field, shaders, block_proof_samples());
+    add_field(text, *scene.surface.field, passes, block_proof_samples());
     text.file("frame.glsl");
     text.file("march/verdict.glsl");
     text.file("proof/ending.glsl");
     text.file("proof/rounding.glsl");
-    add_beam_of_block(text, scene, shaders, proved_block);
+    add_beam_of_block(text, scene, passes, proved_block);
     text.file("proof/block.frag");
-    return text.take();
+    return std::move(text).pass(Role::block_proof, "block proof", When::once_a_tile);
 }
 
-std::string begin_proof_text(const scene::Scene& scene, Shaders& shaders) {
-    ShaderText text(shaders.files);
-    add_field(text, *scene.surface.field, shaders,
+Pass first_proof(const scene::Scene& scene, const Passes& passes) {
+    ShaderText text;
+    add_field(text, *scene.surface.field, passes,
               {FieldFunction::value_interval, FieldFunction::gradient_interval});
-    add_proof(text, scene, shaders, ProofBounds::by_gradient);
+    add_proof(text, scene, passes, ProofBounds::by_gradient);
     text.file("proof/begin.frag");
-    return text.take();
+    return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile);
 }
+
+Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) {
+    const formula::Field& field = *scene.surface.field;
+    ShaderText text;
+    if (bounds == ProofBounds::in_doubles) {
+        text.version(400);
+        add_field_on_doubles(text, field, passes, proof_samples(field, bounds));
+    } else {
+        add_field(text, field, passes, proof_samples(field, bounds));
+    }
+    add_proof(text, scene, passes, bounds);
+    text.file("proof/slope.glsl");
+    text.file(takes_bend(field, bounds) ? "proof/bounds_by_bend.glsl"
+                                        : "proof/bounds_over_box.glsl");
+    text.file("proof/prove.glsl");
+    text.file("proof/proof.frag");
+    switch (bounds) {
+    case ProofBounds::natural:
+        break;
+    case ProofBounds::by_gradient:
+        return std::move(text).pass(Role::sharp_proof, "sharp proof", When::where_proof_is_open);
+    case ProofBounds::in_doubles:
+        return std::move(text).pass(Role::double_proof, "double proof", When::where_proof_is_open);
+    }
+    return std::move(text).pass(Role::proof, "proof", When::until_proved);
+}
+
+Pass proof_mask(const scene::Scene& scene, const Passes& passes) {
+    ShaderText text;
+    text.file("math/bits.glsl");
+    add_ended_ray(text, scene);
+    add_way(text, passes, !passes.beams.empty());
+    text.file("proof/mask.frag");
+    return std::move(text).pass(Role::proof_mask, "proof mask", When::once_a_tile);
+}
+
+Pass proof_unmask() {
+    ShaderText text;
+    text.file("proof/outcome.glsl");
+    text.file("proof/unmask.frag");
+    return std::move(text).pass(Role::proof_unmask, "proof unmask", When::until_proved);
+}
+
+Pass proof_copy() {
+    ShaderText text;
+    text.file("proof/outcome.glsl");
+    text.file("proof/copy.frag");
+    return std::move(text).pass(Role::proof_copy, "proof copy", When::until_proved);
+}
+
+} // namespace
+
+std::vector<FieldFunction> block_proof_samples() { return {FieldFunction::along_interval}; }
 
 std::vector<FieldFunction> proof_samples(const formula::Field& field, ProofBounds bounds) {
     std::vector samples{FieldFunction::value_interval, FieldFunction::along_interval};
@@ -75,45 +124,17 @@ std::vector<FieldFunction> proof_samples(const formula::Field& field, ProofBound
     return samples;
 }
 
-std::string proof_text(const scene::Scene& scene, Shaders& shaders, ProofBounds bounds) {
-    const formula::Field& field = *scene.surface.field;
-    ShaderText text(shaders.files);
-    if (bounds == ProofBounds::in_doubles) {
-        text.version(400);
-        add_field_on_doubles(text, field, shaders, proof_samples(field, bounds));
-    } else {
-        add_field(text, field, shaders, proof_samples(field, bounds));
-    }
-    add_proof(text, scene, shaders, bounds);
-    text.file("proof/slope.glsl");
-    text.file(takes_bend(field, bounds) ? "proof/bounds_by_bend.glsl"
-                                        : "proof/bounds_over_box.glsl");
-    text.file("proof/prove.glsl");
-    text.file("proof/proof.frag");
-    return text.take();
-}
-
-std::string to_prove_text(const scene::Scene& scene, Shaders& shaders) {
-    ShaderText text(shaders.files);
-    text.file("math/bits.glsl");
-    add_ended_ray(text, scene);
-    add_way(text, shaders, !shaders.beams.empty());
-    text.file("proof/open.frag");
-    return text.take();
-}
-
-std::string close_proofs_text(std::vector<std::string>& files) {
-    ShaderText text(files);
-    text.file("proof/outcome.glsl");
-    text.file("proof/close.frag");
-    return text.take();
-}
-
-std::string keep_text(std::vector<std::string>& files) {
-    ShaderText text(files);
-    text.file("proof/outcome.glsl");
-    text.file("proof/keep.frag");
-    return text.take();
+std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes) {
+    std::vector<Pass> list;
+    list.push_back(proof_mask(scene, passes));
+    list.push_back(block_proof(scene, passes));
+    list.push_back(first_proof(scene, passes));
+    list.push_back(proof(scene, passes, ProofBounds::natural));
+    list.push_back(proof_copy());
+    list.push_back(proof_unmask());
+    list.push_back(proof(scene, passes, ProofBounds::by_gradient));
+    list.push_back(proof(scene, passes, ProofBounds::in_doubles));
+    return list;
 }
 
 } // namespace isomotion::synthesis

@@ -8,11 +8,10 @@
 
 namespace isomotion::synthesis {
 
-ShaderText::ShaderText(std::vector<std::string>& files, Stage stage)
-    : files_(files)
+ShaderText::ShaderText(Stage stage)
+    : files_{"prelude.glsl"}
     , stage_(stage)
     , text_(read_shader("prelude.glsl")) { // #version must be the very first line
-    record("prelude.glsl");
     if (stage_ == Stage::compute) {
         version(430);
         define("WORKGROUP_SIDE", workgroup_side);
@@ -35,10 +34,6 @@ void ShaderText::file(const std::string& name) {
 void ShaderText::file_again(const std::string& name) {
     added_.insert(name);
     text_ += fmt::format("\n// shaders/{}\n{}", name, read_shader(name));
-    record(name);
-}
-
-void ShaderText::record(const std::string& name) {
     if (std::find(files_.begin(), files_.end(), name) == files_.end()) files_.push_back(name);
 }
 
@@ -48,6 +43,24 @@ void ShaderText::define(std::string_view name, int value) {
 
 void ShaderText::generated(std::string_view what, const std::string& text) {
     text_ += fmt::format("\n// {}\n{}", what, text);
+}
+
+Pass ShaderText::pass(Role role, std::string name, When when, bool shades_flat) && {
+    Pass pass;
+    pass.role = role;
+    pass.name = std::move(name);
+    pass.when = when;
+    pass.stage = stage_;
+    pass.files = std::move(files_);
+    pass.text = std::move(text_);
+    if (stage_ == Stage::fragment) {
+        pass.vertex = "#version 330 core\n";
+        if (shades_flat) pass.vertex += "#define FLAT_SHADING\n";
+        pass.vertex += read_shader("fullscreen.vert");
+        pass.files.insert(pass.files.begin(), "fullscreen.vert");
+    }
+    note_declarations(pass);
+    return pass;
 }
 
 } // namespace isomotion::synthesis

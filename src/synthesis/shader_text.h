@@ -6,32 +6,36 @@
 #include <string_view>
 #include <vector>
 
+#include "synthesis/pass.h"
 #include "synthesis/stage.h"
 
 namespace isomotion::synthesis {
 
 class ShaderText {
 public:
-    // Begins with the prelude; `files` collects the names of the files of shaders/ that are used.
-    explicit ShaderText(std::vector<std::string>& files, Stage stage = Stage::fragment);
+    // Begins with the prelude.
+    explicit ShaderText(Stage stage = Stage::fragment);
 
-    // Of GLSL, in place of 330.
+    // Takes this version of GLSL in place of 330.
     void version(int glsl);
     // Adds a file, once.
     void file(const std::string& name);
-    // Even if it is there: files that are written for numbers of any type.
+    // Adds a file that is written for numbers of any type once more.
     void file_again(const std::string& name);
-    // The form of a file that the stage has: fragment shaders that of the first name.
+    // Adds the form of a file that the stage has: fragment shaders that of the first name.
     void file_of_stage(const std::string& fragment, const std::string& compute);
     void define(std::string_view name, int value);
     void generated(std::string_view what, const std::string& text);
 
-    std::string take() { return std::move(text_); }
+    const std::string& text() const { return text_; }
+    const std::vector<std::string>& files() const { return files_; }
+
+    // The pass that this is the text of, over the whole picture; fragments shaded flat have what
+    // they are shaded by from the vertex shader.
+    Pass pass(Role role, std::string name, When when, bool shades_flat = false) &&;
 
 private:
-    void record(const std::string& name);
-
-    std::vector<std::string>& files_;
+    std::vector<std::string> files_;
     Stage stage_;
     std::string text_;
     std::set<std::string> added_;

@@ -6,20 +6,20 @@
 
 #include <fmt/format.h>
 
-#include "topology/critical.h"
-#include "topology/frame_signs.h"
-#include "topology/moving_frame.h"
-#include "topology/second_proof.h"
+#include "topology/betti/frame_signs.h"
+#include "topology/moving_scene.h"
+#include "topology/search/arb_verifier.h"
+#include "topology/search/critical.h"
 
 namespace isomotion::topology {
 namespace {
 
 using formula::Interval;
 
-// Asks and tells from one thread at a time, whichever threads search.
-class Asking {
+// Calls the caller back from one thread at a time, whichever threads search.
+class SerialCallbacks {
 public:
-    explicit Asking(const Analysing& how)
+    explicit SerialCallbacks(const AnalyseOptions& how)
         : how_(how) {}
 
     bool stopped() const {
@@ -37,14 +37,14 @@ public:
 private:
     bool is_stopped() const { return is_stopped_ = is_stopped_ || (how_.stop && how_.stop()); }
 
-    const Analysing& how_;
+    const AnalyseOptions& how_;
     mutable std::mutex one_at_a_time_;
     mutable bool is_stopped_ = false;
     mutable std::string what_;
     mutable double part_ = 0; // of this
 };
 
-int threads_of(const Analysing& how) {
+int threads_of(const AnalyseOptions& how) {
     return how.threads > 0 ? how.threads : std::max(1, int(std::thread::hardware_concurrency()));
 }
 
@@ -55,8 +55,8 @@ Betti on_grid(const scene::Scene& scene, const scene::SceneAt& now, Side side, i
 }
 
 // Signs on a grid at each frame. Where two frames differ something happened in between.
-Timeline sampled(const scene::Scene& scene, Side side, const Analysing& how, int first, int last,
-                 const Asking& asking) {
+Timeline sampled(const scene::Scene& scene, Side side, const AnalyseOptions& how, int first,
+                 int last, const SerialCallbacks& callbacks) {
     constexpr int grid = 64;
     Timeline timeline;
     timeline.range = {scene.timeline.time(first), scene.timeline.time(last)};
@@ -65,7 +65,7 @@ Timeline sampled(const scene::Scene& scene, Side side, const Analysing& how, int
     std::optional<Betti> before;
     double since = 0;
     for (int frame = first; frame <= last; ++frame) {
-        if (asking.stopped()) {
+        if (callbacks.stopped()) {
             timeline.doubts.emplace_back("interrupted");
             return timeline;
         }
@@ -83,16 +83,16 @@ Timeline sampled(const scene::Scene& scene, Side side, const Analysing& how, int
         if (!before) timeline.start = here;
         timeline.end = before = here;
         since = values.time;
-        asking.show("sampling", double(frame - first + 1) / (last - first + 1));
+        callbacks.show("sampling", double(frame - first + 1) / (last - first + 1));
     }
     return timeline;
 }
 
-EventSearch event_search(const Analysing& how, const Asking& asking) {
-    EventSearch searching;
+EventSearchOptions event_search(const AnalyseOptions& how, const SerialCallbacks& callbacks) {
+    EventSearchOptions searching;
     searching.threads = threads_of(how);
-    searching.stopped = [&] { return asking.stopped(); };
-    searching.progress = [&](double part) { asking.show("events", part); };
+    searching.stopped = [&] { return callbacks.stopped(); };
+    searching.progress = [&](double part) { callbacks.show("events", part); };
     return searching;
 }
 
@@ -111,15 +111,15 @@ void check_euler_number(Timeline& timeline) {
 
 // Events from seeds, with the kinds that their index tells. Without the others there is nothing
 // between the ends.
-Timeline seeded(const scene::Scene& scene, Side side, const Analysing& how, int first, int last,
-                const Asking& asking) {
+Timeline seeded(const scene::Scene& scene, Side side, const AnalyseOptions& how, int first,
+                int last, const SerialCallbacks& callbacks) {
     constexpr int seeds = 1 << 16, grid = 128;
-    EventSearch searching = event_search(how, asking);
+    EventSearchOptions searching = event_search(how, callbacks);
     searching.seeds = seeds;
     Timeline timeline = find_events(
         scene, side, {scene.timeline.time(first), scene.timeline.time(last)}, searching);
     const auto end = [&](int frame, std::optional<Betti>& betti) {
-        if (asking.stopped()) return;
+        if (callbacks.stopped()) return;
         const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
         betti = on_grid(scene, now, side, grid, how.threads);
     };
@@ -131,45 +131,45 @@ Timeline seeded(const scene::Scene& scene, Side side, const Analysing& how, int 
     return timeline;
 }
 
-Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Interval range,
-                const Asking& asking) {
-    Timeline timeline = find_events(scene, side, range, event_search(how, asking));
+Timeline proved(const scene::Scene& scene, Side side, const AnalyseOptions& how, Interval range,
+                const SerialCallbacks& callbacks) {
+    Timeline timeline = find_events(scene, side, range, event_search(how, callbacks));
 
-    const MovingFrames frames(scene, side, range);
-    const FrameLimits limits{.stopped = [&] { return asking.stopped(); }};
+    const MovingScene frames(scene, side, range);
+    const FrameLimits limits{.stopped = [&] { return callbacks.stopped(); }};
     const auto prove_end = [&](double time, std::optional<Betti>& betti, bool& is_proved) {
         std::string why;
-        if (asking.stopped()) return why;
+        if (callbacks.stopped()) return why;
         const CertifiedFrame frame = frames.certify(time, limits);
         betti = frame.betti;
         is_proved = betti.has_value();
         if (!is_proved) why = fmt::format("the frame at {:g} s is not proved: {}", time, frame.why);
         return why;
     };
-    asking.show("first and last frame", 0);
+    callbacks.show("first and last frame", 0);
     const std::string no_start = prove_end(range.lo, timeline.start, timeline.start_is_proved);
-    asking.show("first and last frame", 0.5);
+    callbacks.show("first and last frame", 0.5);
     const std::string no_end = prove_end(range.hi, timeline.end, timeline.end_is_proved);
 
-    SeekingPaths seeking;
+    PathOptions seeking;
     seeking.threads = threads_of(how);
-    seeking.progress = [&](double part) { asking.show("kinds", part); };
+    seeking.progress = [&](double part) { callbacks.show("kinds", part); };
     seeking.stopped = limits.stopped;
     KindProofs proofs = frames.proofs(timeline.events, seeking, limits);
     proofs.stopped = seeking.stopped;
-    const bool is_late = asking.stopped();
+    const bool is_late = callbacks.stopped();
     if (is_late && timeline.is_proved)
         timeline.doubts.emplace_back("interrupted before kinds were proved");
     find_kinds(timeline, is_late ? KindProofs{} : proofs);
     if (!timeline.start_is_proved && !no_start.empty()) timeline.doubts.push_back(no_start);
     if (!timeline.end_is_proved && !no_end.empty()) timeline.doubts.push_back(no_end);
-    if (!timeline.events.empty() && !asking.stopped()) {
-        asking.show("proofs again", 0);
-        Confirming confirming{.threads = threads_of(how)};
+    if (!timeline.events.empty() && !callbacks.stopped()) {
+        callbacks.show("proofs again", 0);
+        VerifyOptions confirming{.threads = threads_of(how)};
         confirming.stopped = limits.stopped;
-        prove_again(timeline, SecondProof(scene, side, range), confirming);
+        prove_again(timeline, ArbVerifier(scene, side, range), confirming);
     }
-    if (asking.stopped()) {
+    if (callbacks.stopped()) {
         if (!is_late) timeline.doubts.emplace_back("interrupted while kinds were proved");
         timeline.is_proved = false;
     }
@@ -178,14 +178,14 @@ Timeline proved(const scene::Scene& scene, Side side, const Analysing& how, Inte
 
 } // namespace
 
-Timeline analyse(const scene::Scene& scene, const Analysing& how) {
+Timeline analyse(const scene::Scene& scene, const AnalyseOptions& how) {
     const int last = how.last == 0 ? scene.timeline.frames : how.last;
     const Side side = solid_side(scene);
-    const Asking asking(how);
-    if (how.certify == Certify::off) return sampled(scene, side, how, how.first, last, asking);
-    if (how.certify == Certify::fast) return seeded(scene, side, how, how.first, last, asking);
+    const SerialCallbacks callbacks(how);
+    if (how.certify == Certify::off) return sampled(scene, side, how, how.first, last, callbacks);
+    if (how.certify == Certify::fast) return seeded(scene, side, how, how.first, last, callbacks);
     const Interval range{scene.timeline.time(how.first), scene.timeline.time(last)};
-    return proved(scene, side, how, range, asking);
+    return proved(scene, side, how, range, callbacks);
 }
 
 } // namespace isomotion::topology

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "scene/scene.h"
-#include "topology/event.h"
+#include "topology/timeline/event.h"
 
 namespace isomotion::topology {
 
@@ -16,7 +16,7 @@ enum class Certify {
     full, // prove all that can be
 };
 
-struct Analysing {
+struct AnalyseOptions {
     Certify certify = Certify::full;
     int first = 1, last = 0; // frames, first < last; 0: the scene's last
     int threads = 0;         // 0: as many as the machine runs at once
@@ -29,6 +29,6 @@ struct Analysing {
 
 // The timeline's range is from the time of the first frame to that of the last. The same for any
 // number of threads. Throws SceneError where values leave their range.
-Timeline analyse(const scene::Scene& scene, const Analysing& how = {});
+Timeline analyse(const scene::Scene& scene, const AnalyseOptions& how = {});
 
 } // namespace isomotion::topology

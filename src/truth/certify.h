@@ -1,4 +1,4 @@
-// The truth about a picture: the first root of every pixel's ray, certified on the CPU without GL.
+// The truth about a picture: the first root along every pixel's ray, certified on the CPU, no GL.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct Certifying {
     std::function<void(double part)> progress; // called from one thread at a time, part in [0, 1]
 };
 
-// The same for any number of threads.
+// Gives the same result for any number of threads.
 Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
               const Certifying& how = {});
 

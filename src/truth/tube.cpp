@@ -6,13 +6,7 @@
 namespace isomotion::truth {
 namespace {
 
-constexpr double unit = 0x1p-24; // relative error of one float32 rounding
-
 glm::dvec3 as_float(const glm::dvec3& v) { return glm::dvec3(glm::vec3(v)); }
-
-double largest(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
 
 struct Span {
     double near = 1, far = 0;
@@ -58,6 +52,7 @@ Tubes::Tubes(const scene::SceneAt& scene, int width, int height)
     for (glm::dvec3* v : {&rays_.origin, &rays_.axis, &rays_.right, &rays_.up}) *v = as_float(*v);
     for (glm::dvec3* v : {&bounds_.min, &bounds_.max, &bounds_.centre}) *v = as_float(*v);
     bounds_.radius = double(float(bounds_.radius));
+    rounding_ = scene::ray_rounding(rays_, bounds_, scene::Norm::coordinate);
 }
 
 Tube Tubes::at(int column, int row) const {
@@ -70,16 +65,9 @@ Tube Tubes::at(int column, int row) const {
     tube.direction = from_eye / to_eye;
     tube.footprint = 2 * glm::length(rays_.up) / height_;
 
-    // (u, v) take a product, a sum and the rounding of 2/width; each of the sums and products below
-    // one more. Counted generously: 16 roundings of the largest term on the way.
-    const double spread = largest(rays_.right) + largest(rays_.up);
-    const double of_anchor = 16 * unit * (largest(rays_.origin) + spread);
-    tube.direction_radius =
-        16 * unit * (1 + (rays_.parallel ? 0 : spread / glm::length(rays_.axis)));
+    tube.direction_radius = rounding_.direction;
     const double reach = bounds_.radius + glm::length(tube.anchor - bounds_.centre);
-    // ... and two for the sum anchor + t * direction.
-    tube.radius =
-        of_anchor + reach * (tube.direction_radius + 2 * unit) + 2 * unit * largest(bounds_.centre);
+    tube.radius = rounding_.at_distance(reach);
 
     // The ends of the interval are as uncertain as the ray, and rounded themselves.
     const double margin = 4 * tube.radius;

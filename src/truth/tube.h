@@ -1,13 +1,14 @@
 // All the rays that single precision may make of one pixel's ray.
 //
 // The shader computes a ray and the points on it in float32 from the uniforms of render/blocks.h. A
-// tube is the ray in double from the same float32 values, thickened by a bound on what float32
-// arithmetic can add to it, in whatever order a driver evaluates: what holds for all of a tube
-// holds for the ray that was drawn. Formula coordinates.
+// tube is the ray in double from the same float32 values, thickened by what float32 arithmetic can
+// add to it (scene/ray_rounding.h): what holds for all of a tube holds for the ray that was drawn.
+// Formula coordinates.
 #pragma once
 
 #include <glm/glm.hpp>
 
+#include "scene/ray_rounding.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
 
@@ -36,6 +37,7 @@ public:
 private:
     scene::Rays rays_; // rounded to float32
     scene::BoundsAt bounds_;
+    scene::RayRounding rounding_;
     int width_, height_;
 };
 

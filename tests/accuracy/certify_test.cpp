@@ -1,4 +1,4 @@
-// What --certify calls proved is true: held against closed forms and certified truth, also where
+// What --certify calls proved is true: compared with closed forms and certified truth, also where
 // the march is wrong.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -24,9 +24,9 @@ TEST(Front, IsWhatNothingBeats) {
     EXPECT_EQ(cheapest(all, 50), 2u);
     EXPECT_EQ(cheapest(all, 5), 4u);
     EXPECT_EQ(cheapest(all, 4), std::nullopt);
-    EXPECT_EQ(rightest(all, 100), 4u);
-    EXPECT_EQ(rightest(all, 3.5), 2u);
-    EXPECT_EQ(rightest(all, 0.5), std::nullopt);
+    EXPECT_EQ(most_accurate(all, 100), 4u);
+    EXPECT_EQ(most_accurate(all, 3.5), 2u);
+    EXPECT_EQ(most_accurate(all, 0.5), std::nullopt);
 }
 
 TEST(Settings, SweepMethodsAndSteps) {
@@ -34,7 +34,7 @@ TEST(Settings, SweepMethodsAndSteps) {
         render::scene_of(render::sphere_scene, {"isolation.step=0.1", "isolation.bisections=7"});
     // Steps for the paper's three, safeties for cubics, the others as they are.
     const auto all = sweep(scene, {}, {});
-    EXPECT_EQ(all.size(), 3 * 6 + 4 + (std::size(scene::method_names) - 4));
+    EXPECT_EQ(all.size(), 3 * 6 + 4 + (std::size(scene::method_traits) - 4));
     EXPECT_EQ(name(all[0], scene.isolation), "marching step=0.4");
     EXPECT_EQ(name(all.back(), scene.isolation), "chebyshev");
     scene::Scene stepping = scene;
@@ -61,7 +61,7 @@ TEST(Measure, FinerStepsAreRighterAndCostMore) {
 formula = "(x^2 + y^2 + z^2 + 1 - 0.1^2)^2 - 4*x^2 - 4*y^2"
 bounds = { sphere = 1.3 }
 )");
-    Measuring how;
+    MeasureOptions how;
     how.width = how.height = 64;
     how.repeat = 1;
     std::vector<double> told;
@@ -96,7 +96,7 @@ bounds = { sphere = 1.3 }
 [parameters]
 r = "1 + t/10"
 )");
-    Measuring how;
+    MeasureOptions how;
     how.frames = {1, 2, 3, 4, 5, 6};
     how.width = how.height = 48;
     how.repeat = 1;
@@ -116,7 +116,7 @@ TEST(Measure, PlacementChangesNoError) {
 [surface]
 formula = "x^4 + y^4 + z^4 - x^2 - y^2 - z^2 + 0.3"
 bounds = { sphere = 1.6 }
-placement = { rotate = [20, 30, 40] }
+transform = { rotate = [20, 30, 40] }
 [camera]
 position = [4, 2, 1.5]
 target = [0, 0, 0]
@@ -125,12 +125,12 @@ target = [0, 0, 0]
 [surface]
 formula = "x^4 + y^4 + z^4 - x^2 - y^2 - z^2 + 0.3"
 bounds = { sphere = 1.6 }
-placement = { rotate = [20, 30, 40], translate = [1e6, -1e6, 1e6], scale = 1000 }
+transform = { rotate = [20, 30, 40], translate = [1e6, -1e6, 1e6], scale = 1000 }
 [camera]
 position = [1004e3, -998e3, 1001.5e3]
 target = [1e6, -1e6, 1e6]
 )";
-    Measuring how;
+    MeasureOptions how;
     how.width = how.height = 64;
     how.repeat = 1;
     std::vector<Errors> errors;

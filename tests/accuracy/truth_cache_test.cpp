@@ -51,7 +51,7 @@ TEST_F(TruthCache, WhatTruthDependsOnMakesAnother) {
     EXPECT_TRUE(certifies());
     for (const char* setting :
          {"surface.formula=\"x^2 + y^2 + z^2 - 1.1\"", "surface.bounds={sphere=1.6}",
-          "surface.placement.translate=[0.1,0,0]", "surface.placement.scale=1.1",
+          "surface.transform.translate=[0.1,0,0]", "surface.transform.scale=1.1",
           "camera.position=[5,0.1,0]", "camera.fov=41", "camera.zoom=1.1",
           "camera.projection=orthographic"}) {
         EXPECT_TRUE(certifies({setting})) << setting;

@@ -1,4 +1,4 @@
-// What methods count, held against what they counted: evaluations a ray and wrong pixels of a few
+// Compares the counts of methods with recorded ones: evaluations a ray and wrong pixels of a few
 // cheap surfaces with every method. No clock.
 //
 // ISOMOTION_BLESS=1 build/release/tests/bench/counts_test writes expected_counts.csv anew; look at

@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "scene/reading/load.h"
-#include "topology/moving_frame.h"
-#include "topology/timeline_file.h"
+#include "topology/moving_scene.h"
+#include "topology/timeline/timeline_file.h"
 
 namespace {
 
@@ -37,7 +37,7 @@ int main(int count, char** words) {
     setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1);
     const scene::Scene scene = scene::load(words[1]);
     const Timeline timeline = read_timeline(words[2]).timeline;
-    const MovingFrames frames(scene, solid_side(scene), timeline.range);
+    const MovingScene frames(scene, solid_side(scene), timeline.range);
     double sum = 0;
     int proved = 0, all = 0;
     for (std::int64_t f = 1; f <= scene.timeline.frames; ++f) {

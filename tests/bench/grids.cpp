@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "topology/sign_grid.h"
+#include "topology/betti/sign_grid.h"
 
 namespace {
 

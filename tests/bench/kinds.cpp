@@ -14,9 +14,9 @@
 #include <fmt/format.h>
 
 #include "scene/reading/load.h"
-#include "topology/critical.h"
-#include "topology/moving_frame.h"
-#include "topology/timeline_file.h"
+#include "topology/moving_scene.h"
+#include "topology/search/critical.h"
+#include "topology/timeline/timeline_file.h"
 
 namespace {
 
@@ -29,20 +29,20 @@ int measure(const scene::Scene& scene, formula::Interval range, int threads,
             const std::filesystem::path& file) {
     const auto now = [] { return std::clock(); };
     const Side side = solid_side(scene);
-    Record record;
+    TimelineRecord record;
     auto start = now();
     if (std::filesystem::exists(file)) {
         record = read_timeline(file);
     } else {
-        EventSearch how;
+        EventSearchOptions how;
         how.threads = threads;
-        record = {subject_of(scene, range), find_events(scene, side, range, how)};
+        record = {header_of(scene, range), find_events(scene, side, range, how)};
         fmt::print("events     {:8.2f} s\n", since(start));
         if (!file.empty()) std::ofstream(file) << to_json(record);
     }
     Timeline timeline = record.timeline;
     start = now();
-    const MovingFrames frames(scene, side, range);
+    const MovingScene frames(scene, side, range);
     const auto end = [&](double time, std::optional<Betti>& betti, bool& is_proved) {
         const CertifiedFrame frame = frames.certify(time);
         betti = frame.betti;
@@ -55,7 +55,7 @@ int measure(const scene::Scene& scene, formula::Interval range, int threads,
     end(range.lo, timeline.start, timeline.start_is_proved);
     end(range.hi, timeline.end, timeline.end_is_proved);
     fmt::print("ends       {:8.2f} s\n", since(start));
-    SeekingPaths seeking;
+    PathOptions seeking;
     seeking.threads = threads;
     KindProofs proofs = frames.proofs(timeline.events, seeking);
     const auto paths = proofs.paths;

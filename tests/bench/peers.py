@@ -12,7 +12,7 @@ of its drawing alone (isomotion: the median of `isomotion accuracy`, POV-Ray: it
 
 isomotion draws with each method; with those that take steps, at the largest of some at which truth
 finds the fewest wrong pixels. POV-Ray misses parts where max_gradient is too small and slows down where it is large: it is
-doubled from 1 until, at 128 x 128, no pixel off a silhouette differs from the rightest picture of
+doubled from 1 until, at 128 x 128, no pixel off a silhouette differs from the most accurate picture of
 isomotion; if that does not happen by 2^36 or before a picture takes 30 s of all processors, the
 value with the fewest such pixels is taken. The table tells how many differ at full size.
 """
@@ -156,11 +156,11 @@ def ours(object, method, arguments, folder, scene):
                  float(best["ms"]), float(best["wrong_ppm"]))
 
 
-def max_gradient(object, rightest, folder):
+def max_gradient(object, most_accurate, folder):
     """See the head of this file; the setting and the pixels off silhouettes that it leaves."""
     scene, picture = folder / "search.toml", folder / "search.png"
     scene.write_text(object.scene(SEARCH_SIZE))
-    command = [str(part) for part in rightest.command]
+    command = [str(part) for part in most_accurate.command]
     command[command.index("--size") + 1] = f"{SEARCH_SIZE}x{SEARCH_SIZE}"
     command[2], command[-1] = str(scene), str(picture)
     subprocess.run(command, check=True)
@@ -183,11 +183,11 @@ def max_gradient(object, rightest, folder):
     return best[2]
 
 
-def theirs(object, rightest, arguments, folder):
+def theirs(object, most_accurate, arguments, folder):
     entries = []
     if shutil.which("povray"):
         pov, picture = folder / f"{object.name}.pov", folder / f"{object.name}-pov.png"
-        gradient = max_gradient(object, rightest, folder)
+        gradient = max_gradient(object, most_accurate, folder)
         pov.write_text(object.pov(arguments.size, gradient))
         entries.append(Entry("povray", f"max_gradient {gradient:g}",
                              povray.command(pov, arguments.size, picture), picture))
@@ -209,8 +209,8 @@ def rows_of(object, arguments, folder):
     able = [e for e in entries if not e.failed]
     if not able:
         sys.exit(f"{object.name}: {entries[0].failed}")
-    rightest = min(able, key=lambda e: (e.wrong_ppm, e.frame_ms))
-    entries += theirs(object, rightest, arguments, folder)
+    most_accurate = min(able, key=lambda e: (e.wrong_ppm, e.frame_ms))
+    entries += theirs(object, most_accurate, arguments, folder)
     traced = {}
     for _ in range(arguments.repeat):
         for entry in entries:
@@ -223,7 +223,7 @@ def rows_of(object, arguments, folder):
             entry.times.append(took)
             if found := TRACED.search(text):
                 traced.setdefault(entry.program, []).append(1e3 * float(found[1]))
-    right = hits(rightest.picture)
+    right = hits(most_accurate.picture)
     rows = []
     for entry in entries:
         row = {"object": object.name, "program": entry.program, "setting": entry.setting,
@@ -267,7 +267,7 @@ def markdown(rows, arguments, missing):
             cells[3] = "no: " + row["failed"].replace("|", "\\|")[:100]
         lines.append("| " + " | ".join(map(str, cells)) + " |")
     lines += ["", "*Wrong*: certainly, against truth. *Differ*: pixels hit here and missed in the "
-              "rightest", "picture of isomotion, or the other way round; off silhouettes no "
+              "most accurate", "picture of isomotion, or the other way round; off silhouettes no "
               "rounding explains them.", ""]
     return "\n".join(lines)
 

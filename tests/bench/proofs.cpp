@@ -3,7 +3,7 @@
 //
 //   proofs_bench [--only SURFACE,...] [--size N] [--repeat N] [--backend NAME]
 //
-// Proofs are held against certified truth, which is remembered from run to run.
+// Proofs are compared with certified truth, which is remembered from run to run.
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ struct Arguments {
     int size = 512, repeat = 5;
 };
 
-// What proofs say of a picture, held against truth.
+// The proofs of a picture, compared with truth.
 accuracy::Errors held_against_truth(gpu::Context& context, const Certified& on,
                                     const accuracy::Setting& setting) {
     using synthesis::Channel;

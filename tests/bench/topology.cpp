@@ -9,8 +9,9 @@
 #include <fmt/format.h>
 
 #include "scene/reading/load.h"
-#include "topology/motion.h"
-#include "topology/search.h"
+#include "topology/field/motion.h"
+#include "topology/search/comoving_fit.h"
+#include "topology/search/search.h"
 
 namespace isomotion::topology {
 namespace {
@@ -19,14 +20,14 @@ double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 void report(const std::string& name, double from, double to, int threads) {
     const scene::Scene scene = scene::load(name);
-    Found all;
+    SearchResult all;
     const double cpu = cpu_seconds();
     const auto start = std::chrono::steady_clock::now();
     for (const Motion& motion : motions(scene, Side::negative, {from, to}).pieces) {
-        const MovingField field = drifting_field(motion, Stratum{});
-        Searching how;
+        const MovingField field = comoving_field(motion, Stratum{});
+        SearchOptions how;
         how.threads = threads;
-        Found found = search(field, how);
+        SearchResult found = search(field, how);
         all.points.insert(all.points.end(), found.points.begin(), found.points.end());
         all.unresolved.insert(all.unresolved.end(), found.unresolved.begin(),
                               found.unresolved.end());

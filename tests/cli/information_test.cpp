@@ -32,6 +32,24 @@ TEST_F(Information, HelpNamesEveryCommandAndOption) {
 
 TEST_F(Information, Version) { EXPECT_THAT(told({"--version"}), StartsWith("isomotion ")); }
 
+// What opens hundreds of libraries waits for the first picture.
+TEST_F(Information, NeedsNoCodecs) {
+    const auto loaded = [&](const Words& arguments) {
+        Circumstances watched = circumstances();
+        watched.environment["LD_DEBUG"] = "files";
+        const Ending ending = run(arguments, watched);
+        EXPECT_EQ(ending.code, 0);
+        return ending.err;
+    };
+    for (const Words& arguments : {Words{"list"}, Words{"--help"}, Words{"show", "sphere.toml"}}) {
+        const std::string files = loaded(arguments);
+        EXPECT_THAT(files, HasSubstr("libstdc++"));
+        EXPECT_FALSE(files.find("OpenImageIO") != files.npos) << arguments.front();
+    }
+    const std::string files = loaded({"render", "sphere.toml", "--frames", "1", "-o", "a.png"});
+    EXPECT_TRUE(files.find("OpenImageIO") != files.npos);
+}
+
 TEST_F(Information, ListsWhatThereIs) {
     EXPECT_THAT(told({"list"}),
                 testing::ContainsRegex("twisting_superquadric +Twisting superquadric\n"));

@@ -44,5 +44,21 @@ TEST_F(Installed, MissingFilesAreNamed) {
     EXPECT_THAT(ending.err, HasSubstr("set ISOMOTION_DATA"));
 }
 
+// Pictures are all that needs it.
+TEST_F(Installed, AMissingModuleOfCodecsIsNamed) {
+    std::filesystem::path module;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(*this / "prefix/lib")) {
+        if (entry.path().filename() == "isomotion_codecs.so") module = entry.path();
+    }
+    ASSERT_TRUE(std::filesystem::remove(module));
+    const std::string program = *this / "prefix/bin/isomotion";
+    EXPECT_EQ(run_there(program, {"list"}).code, 0);
+    const Ending ending = run_there(program, {"render", "twisting_superquadric", "--size", "16x16",
+                                              "--frames", "7", "-o", "there.png"});
+    EXPECT_EQ(ending.code, 3) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("pictures cannot be read or written: isomotion_codecs.so"));
+    EXPECT_THAT(ending.err, HasSubstr("lib/isomotion"));
+}
+
 } // namespace
 } // namespace isomotion::cli

@@ -44,7 +44,7 @@ TEST_F(Resume, KeepsEverythingWhereNothingChanged) {
 TEST_F(Resume, RendersAgainAfterAChangedSetting) {
     render_six("a.####.png");
     const Words changes[] = {{"--set", "r=0.9 + t"},
-                             {"--set", "surface.placement.scale=0.99"},
+                             {"--set", "surface.transform.scale=0.99"},
                              {"--method", "amp-taylor"},
                              {"--size", "40x40"},
                              {"--bits", "16"}};

@@ -28,7 +28,7 @@ const WrongUsage wrong_usages[] = {
     {"unknown backend", {"--backend", "dx", "-o", "new/a.####.png"}, "unknown back end 'dx'"},
     {"unknown stage", {"--stage", "vertex"}, "--stage: there is no stage 'vertex'; known: fragm"},
     {"unknown channel", {"-o", "a.####.exr", "--channels", "z,depth"}, "no channel 'depth'; known"},
-    {"channels to PNG", {"-o", "a.####.png", "--channels", "z"}, "write an EXR: -o a.####.exr"},
+    {"channels to PNG", {"-o", "a.####.png", "--channels", "z"}, "write an EXR: a.####.exr"},
     {"unknown extension", {"-o", "a.####.jpg"}, "unknown extension .jpg"},
     {"no extension", {"-o", "a.####"}, "a picture's name ends in .png or .exr"},
     {"output is folder", {"-o", "new/"}, "names a folder"},

@@ -36,7 +36,7 @@ bool is_hit(const Picture& picture, std::size_t pixel) {
 // White, under one white light, so that a pixel's red is 0.12 and what the light adds.
 std::string white(const std::string& surface, const std::string& light, bool shadow,
                   const std::string& more = {}) {
-    return fmt::format("[surface]\n{}\n[material]\ncolor = [1, 1, 1]\ninside = [1, 1, 1]\n"
+    return fmt::format("[surface]\n{}\n[material]\ncolor = [1, 1, 1]\nback_color = [1, 1, 1]\n"
                        "[[lights]]\n{}\nshadow = {}\n[output]\nsize = [96, 96]\n{}",
                        surface, light, shadow, more);
 }
@@ -159,7 +159,7 @@ TEST(Shadow, OfSeveralLightsAddUp) {
         for (const std::string& light : lit) text += "[[lights]]\n" + light + "\nshadow = true\n";
         return scene_of(text);
     };
-    for (const auto& method : scene::method_names) {
+    for (const auto& method : scene::method_traits) {
         const std::string name(method.name);
         SCOPED_TRACE(name);
         const Picture all = draw(context(), torus(name.c_str(), lights));

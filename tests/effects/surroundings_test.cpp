@@ -47,7 +47,7 @@ TEST_P(Surroundings, FogIsTheSameInAnotherUnitOfLength) {
     const Picture one = drawn(ball("[fog]\ndensity = 0.3\n"));
     std::string large = ball("[fog]\ndensity = 0.0003\n");
     large.replace(large.find("[5, 0, 0]"), 9, "[5000, 0, 0]");
-    large.replace(large.find("bounds ="), 8, "placement = { scale = 1000 }\nbounds =");
+    large.replace(large.find("bounds ="), 8, "transform = { scale = 1000 }\nbounds =");
     const Picture other = drawn(large);
     for (std::size_t pixel = 0; pixel < 65 * 65; ++pixel) {
         ASSERT_NEAR(red(one, pixel), red(other, pixel), 1e-4) << "pixel " << pixel;
@@ -70,7 +70,7 @@ TEST_P(Surroundings, NothingIsNearAPlane) {
     const std::string plane = "[surface]\nformula = \"z\"\nbounds = { sphere = 1 }\n"
                               "[camera]\nposition = [0, -3, 2]\n[output]\nsize = [64, 64]\n";
     const Picture plain = drawn(plane);
-    const Picture occluded = drawn(plane + "[occlusion]\nreach = 0.5\n");
+    const Picture occluded = drawn(plane + "[occlusion]\nradius = 0.5\n");
     for (std::size_t pixel = 0; pixel < 64 * 64; ++pixel) {
         ASSERT_NEAR(red(plain, pixel), red(occluded, pixel), 1e-5);
     }
@@ -82,12 +82,12 @@ TEST_P(Surroundings, CornersAreDarkerThanFaces) {
                               "[camera]\nposition = [3, 3, 0.001]\ntarget = [0, 0, 0]\n"
                               "[[lights]]\ndirection = [1, 1, 0]\ncolor = [0, 0, 0]\n"
                               "[output]\nsize = [65, 65]\n";
-    const Picture picture = drawn(walls + "[occlusion]\nreach = 0.5\n");
+    const Picture picture = drawn(walls + "[occlusion]\nradius = 0.5\n");
     const std::size_t middle = 32 * 65 + 32;
     EXPECT_LT(red(picture, middle), 0.6 * red(picture, middle + 15));
     EXPECT_GE(red(picture, middle), 0);
-    const Picture half = drawn(walls + "[occlusion]\nreach = 0.5\nstrength = 0.5\n");
-    const Picture none = drawn(walls + "[occlusion]\nreach = 0.5\nstrength = 0\n");
+    const Picture half = drawn(walls + "[occlusion]\nradius = 0.5\nstrength = 0.5\n");
+    const Picture none = drawn(walls + "[occlusion]\nradius = 0.5\nstrength = 0\n");
     EXPECT_NEAR(red(half, middle), 0.5 * (red(picture, middle) + red(none, middle)), 1e-6);
 }
 

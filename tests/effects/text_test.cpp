@@ -9,18 +9,21 @@
 namespace isomotion::synthesis {
 namespace {
 
-Shaders shaders_of(const std::string& more) {
+Passes passes_of(const std::string& more) {
     return assemble(render::scene_of("[surface]\nformula = \"x^2 + y^2 + z^2 - 1\"\n"
                                      "bounds = { sphere = 1.5 }\n" +
                                      more));
 }
 
-std::string all_of(const Shaders& s) {
-    return s.march + s.active + s.shade + s.surface + s.shadow + s.mirror + s.mirror_surface;
+std::string all_of(const Passes& passes) {
+    std::string all;
+    for (const Pass& pass : passes.list) all += pass.vertex + pass.text;
+    return all;
 }
 
-bool has_effects(const Shaders& shaders) {
-    return std::any_of(shaders.files.begin(), shaders.files.end(),
+bool has_effects(const Passes& passes) {
+    const std::vector<std::string> files = passes.files();
+    return std::any_of(files.begin(), files.end(),
                        [](const std::string& file) { return file.starts_with("effects/"); });
 }
 
@@ -28,9 +31,11 @@ TEST(EffectText, APlainSceneHasNone) {
     for (const char* scene : {"", "[[lights]]\ndirection = [1, 0, 0]\n",
                               "[[lights]]\ndirection = [1, 0, 0]\nshadow = false\n",
                               "[material]\ncolor = [1, 0, 0]\n"}) {
-        const Shaders plain = shaders_of(scene);
+        const Passes plain = passes_of(scene);
         EXPECT_FALSE(has_effects(plain)) << scene;
-        EXPECT_TRUE((plain.surface + plain.shadow + plain.mirror + plain.mirror_surface).empty());
+        for (const Role role : {Role::surface, Role::shadow, Role::mirror, Role::mirror_surface}) {
+            EXPECT_FALSE(plain.has(role));
+        }
         EXPECT_THAT(all_of(plain), testing::Not(testing::HasSubstr("effects/")));
     }
 }
@@ -54,13 +59,13 @@ const std::vector<Named> every_effect{
     {"[environment]\nmap = \"studio.exr\"\n", "effects/sky_environment.glsl", "environment_texel"},
     {"[output]\nbackground = { top = [1, 0, 0], bottom = [0, 0, 1] }\n",
      "effects/sky_gradient.glsl", "sky_bottom"},
-    {"[material.paint]\nvalue = \"nz\"\nrange = [-1, 1]\n", "effects/paint.glsl", "paint_range"},
+    {"[material.colormap]\nvalue = \"nz\"\nrange = [-1, 1]\n", "effects/paint.glsl", "paint_range"},
     {"[material]\nreflection = \"self\"\n", "effects/mirror_ray.glsl", "load_mirrored"},
 };
 
 TEST_P(EffectText, IsThereWhereItIsNamedAndOnlyThere) {
-    const Shaders named = shaders_of(GetParam().scene);
-    EXPECT_THAT(named.files, testing::Contains(GetParam().file));
+    const Passes named = passes_of(GetParam().scene);
+    EXPECT_THAT(named.files(), testing::Contains(GetParam().file));
     EXPECT_THAT(all_of(named), testing::HasSubstr(GetParam().word));
     for (const Named& other : every_effect) {
         if (other.word == GetParam().word || other.word == "mirrored(") continue;
@@ -68,13 +73,13 @@ TEST_P(EffectText, IsThereWhereItIsNamedAndOnlyThere) {
             << "of " << other.file;
     }
     // What every ray runs through stays the same.
-    EXPECT_EQ(named.march, shaders_of("").march);
+    EXPECT_EQ(named.at(Role::march).text, passes_of("").at(Role::march).text);
 }
 
 TEST_P(EffectText, DependsOnNoValue) {
     std::string moved = GetParam().scene;
     std::replace(moved.begin(), moved.end(), '1', '3');
-    EXPECT_EQ(all_of(shaders_of(GetParam().scene)), all_of(shaders_of(moved)));
+    EXPECT_EQ(all_of(passes_of(GetParam().scene)), all_of(passes_of(moved)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Effects, EffectText, testing::ValuesIn(every_effect));

@@ -74,7 +74,7 @@ TEST_P(Velocity, OfATravellingSphereIsAlongItsNormal) {
 TEST_P(Velocity, OfAPlacementAndOfTheCamera) {
     std::string text = ball("x^2 + y^2 + z^2 - 1");
     text.replace(text.find("bounds ="), 8,
-                 "placement = { translate = [0, \"0.5*t\", 0], scale = 1.5 }\nbounds =");
+                 "transform = { translate = [0, \"0.5*t\", 0], scale = 1.5 }\nbounds =");
     const Picture placed = drawn(scene_of(text), 10);
     for (std::size_t pixel = 0; pixel < 65 * 65; ++pixel) {
         if (!is_hit(placed, pixel)) continue;

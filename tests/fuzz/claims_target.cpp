@@ -1,7 +1,7 @@
 #include "base/printable.h"
 #include "fuzz/targets.h"
-#include "topology/document.h"
-#include "topology/expectation.h"
+#include "topology/timeline/document.h"
+#include "topology/timeline/expectation.h"
 
 namespace isomotion::fuzz {
 
@@ -10,7 +10,7 @@ void claims(std::string_view text) {
         try {
             const topology::Claims claims =
                 topology::parse_claims(text, file, animation::FrameRate(30, 1));
-            topology::check(claims, topology::Record{});
+            topology::check(claims, topology::TimelineRecord{});
         } catch (const topology::DocumentError& error) {
             if (base::printable(error.what()) != error.what()) {
                 throw Violation("a message that commands a terminal");

@@ -158,20 +158,19 @@ std::string scene_text(Random random, const Names& names) {
     if (random() % 2) text += "[[lights]]\ndirection = [1, 1, 1]\nshadow = true\n";
     if (random() % 2) text += "[material]\nmodel = \"ggx\"\nreflection = \"self\"\n";
     if (random() % 2) {
-        text += fmt::format("[material.paint]\nvalue = \"mean_curvature + {}\"\nrange = [-1, 1]\n",
-                            p[1]);
+        text += fmt::format(
+            "[material.colormap]\nvalue = \"mean_curvature + {}\"\nrange = [-1, 1]\n", p[1]);
     }
-    if (random() % 2) text += "[ground]\nheight = -3\n[occlusion]\nreach = 1\n";
+    if (random() % 2) text += "[ground]\nheight = -3\n[occlusion]\nradius = 1\n";
     return text;
 }
 
-std::vector<std::string> texts(const Shaders& shaders) {
-    std::vector<std::string> all{shaders.vertex,         shaders.shade_vertex, shaders.march,
-                                 shaders.active,         shaders.shade,        shaders.whole,
-                                 shaders.surface,        shaders.shadow,       shaders.mirror,
-                                 shaders.mirror_surface, shaders.motion,       shaders.proof,
-                                 shaders.sharp_proof,    shaders.block_proof,  shaders.begin_proof};
-    for (const BeamShader& beam : shaders.beams) all.push_back(beam.text);
+std::vector<std::string> texts(const Passes& passes) {
+    std::vector<std::string> all;
+    for (const Pass& pass : passes.list) {
+        all.push_back(pass.vertex);
+        all.push_back(pass.text);
+    }
     return all;
 }
 

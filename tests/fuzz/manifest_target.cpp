@@ -1,6 +1,6 @@
 #include "base/printable.h"
 #include "fuzz/targets.h"
-#include "sequence/record_json.h"
+#include "sequence/manifest_json.h"
 
 namespace isomotion::fuzz {
 namespace {
@@ -11,7 +11,7 @@ template<class Parse> void read_and_write(std::string_view text, Parse parse) {
         const std::string written = sequence::to_json(parse(text));
         if (sequence::to_json(parse(written)) != written)
             throw Violation("read again, another record");
-    } catch (const sequence::RecordError& error) {
+    } catch (const sequence::ManifestError& error) {
         if (base::printable(error.what()) != error.what()) {
             throw Violation("a message that commands a terminal");
         }

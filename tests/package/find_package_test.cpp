@@ -23,12 +23,12 @@ protected:
         std::ofstream(project / "CMakeLists.txt")
             << "cmake_minimum_required(VERSION 3.25)\nproject(asking LANGUAGES CXX)\n"
             << "find_package(isomotion " << request << ")\n"
-            << "message(STATUS \"render: ${OpenImageIO_FOUND}, topology: ${Arb_FOUND}\")\n";
+            << "message(STATUS \"render: ${glfw3_FOUND}, topology: ${Arb_FOUND}\")\n";
         return configure(project.path(), project / "build");
     }
 };
 
-TEST_F(FindPackage, AProgramDrawsProvesAndTells) {
+TEST_F(FindPackage, AProgramDrawsProvesTellsAndExports) {
     const fs::path example = fs::path(ISOMOTION_SOURCE_DIR) / "tests/package/example";
     const image::TemporaryFolder build;
     const cli::Ending configured = configure(example, build.path());
@@ -36,16 +36,21 @@ TEST_F(FindPackage, AProgramDrawsProvesAndTells) {
     done({CMAKE_PROGRAM, "--build", build.path()});
 
     const fs::path scene = example / "meeting.toml";
-    const cli::Ending ending =
-        done({build / "meeting", scene},
-             {.folder = build.path(),
-              .environment = {{"ISOMOTION_DATA", (share() / "isomotion").string()}}});
+    const cli::Circumstances there{
+        .folder = build.path(),
+        .environment = {{"ISOMOTION_DATA", (share() / "isomotion").string()}}};
+    const cli::Ending ending = done({build / "meeting", scene}, there);
     EXPECT_THAT(ending.out, ContainsRegex("meeting.png: [1-9][0-9]+ of 9216 rays hit"));
     EXPECT_TRUE(fs::exists(build / "meeting.png"));
     EXPECT_THAT(ending.out, HasSubstr("the middle ray's first root is in [-0.43"));
     // Where 2 exp(-4 d^2) = 0.5: d = sqrt(ln 4)/2 = 0.58870501, t = (1 - d)/0.3 = 1.37098...
     EXPECT_THAT(ending.out, HasSubstr("merge at t in [1.3709832"));
     EXPECT_THAT(ending.out, HasSubstr("], proved\nnothing else happens\n"));
+
+    const std::string files = "out/meeting.0001.png\nout/meeting.0031.png\nout/meeting.0061.png\n";
+    EXPECT_EQ(done({build / "exporting", scene}, there).out,
+              files + "run 1: 3 drawn\n" + files + "run 2: 0 drawn\nwhole\n");
+    done({prefix() / "bin/isomotion", "verify", build / "out"});
 }
 
 TEST_F(FindPackage, OnlyWhatAComponentNeedsIsLookedFor) {

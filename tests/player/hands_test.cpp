@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "image/decode.h"
-#include "player/views.h"
+#include "player/draw/views.h"
 
 namespace isomotion::player {
 namespace {

@@ -12,7 +12,7 @@ namespace isomotion::render {
 namespace {
 
 // As amp-sign's steps depend on where a ray begins, and a beam moves that, a picture may find roots
-// that another steps over; so each is held against two finer ones.
+// that another steps over; so each is compared with two finer ones.
 struct Comparison {
     int hits = 0;  // without beams
     int lost = 0;  // of them, not even at the finest step with beams

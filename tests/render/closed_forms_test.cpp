@@ -195,7 +195,7 @@ projection = "orthographic"
 height = 2.4
 [material]
 color = [1, 0, 0]
-inside = [0, 0, 1]
+back_color = [0, 0, 1]
 [output]
 size = [96, 96]
 )";
@@ -215,7 +215,7 @@ size = [96, 96]
     }
     // Without a colour of its own the inside looks like the outside.
     std::string plain = shell;
-    plain.erase(plain.find("inside"), std::string("inside = [0, 0, 1]\n").size());
+    plain.erase(plain.find("back_color"), std::string("back_color = [0, 0, 1]\n").size());
     const Picture one = draw(*context, scene_of(plain));
     for (std::size_t k = 0; k < f.find("R")->samples.size(); ++k) {
         if (one.frame.find("verdict")->samples[k] != float(Verdict::hit)) continue;

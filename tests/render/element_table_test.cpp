@@ -56,7 +56,7 @@ TEST_P(DrawnElements, AChangedFileIsAnotherPicture) {
     const auto print = [&](const std::string& table) {
         const scene::Scene scene = spheres(table);
         Renderer renderer(*context, scene, {80, 80, {}, {}});
-        return renderer.fingerprint(scene::at(scene, scene.timeline.values(1)));
+        return renderer.prepare(scene, 1).fingerprint;
     };
     const std::string first = print("cy,cz\n0,0\n");
     EXPECT_EQ(print("cy,cz\n0,0\n"), first);

@@ -22,7 +22,7 @@ protected:
     }
     // `check` is told of every method, with and without beams.
     template<class Check> void by_every_method(const Check& check) {
-        for (const auto& entry : scene::method_names) {
+        for (const auto& entry : scene::method_traits) {
             for (const bool beam : {false, true}) {
                 SCOPED_TRACE(fmt::format("{}, beam {}", entry.name, beam));
                 check(entry.method, beam);

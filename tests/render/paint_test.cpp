@@ -20,7 +20,7 @@ const std::string dark = "[[lights]]\ndirection = [0, 0, 1]\ncolor = [0, 0, 0]\n
 
 std::string paint(const std::string& value, const std::string& range,
                   const std::string& map = "blue-yellow") {
-    return fmt::format("[material.paint]\nvalue = '{}'\nrange = {}\nmap = '{}'\n", value, range,
+    return fmt::format("[material.colormap]\nvalue = '{}'\nrange = {}\nmap = '{}'\n", value, range,
                        map);
 }
 
@@ -91,7 +91,7 @@ TEST_P(PaintedPictures, PlacedSurfacesHaveNormalsOfTheWorldAndPositionsOfTheForm
 [surface]
 formula = "x^2 + y^2 + z^2 - 1"
 bounds = { sphere = 1.5 }
-placement = { rotate = [0, 90, 0], scale = 2 }
+transform = { rotate = [0, 90, 0], scale = 2 }
 [output]
 size = [96, 96]
 )";

@@ -57,15 +57,15 @@ TEST_P(Purity, FingerprintsTellPicturesApart) {
     const scene::Scene scene = scene::load("twisting_superquadric", {"output.size=[16,16]"});
     const auto print = [&](const scene::Scene& s, int frame) {
         return Renderer(*context, s, {s.output.width, s.output.height, {}, {}})
-            .fingerprint(scene::at(s, s.timeline.values(frame)));
+            .prepare(s, frame)
+            .fingerprint;
     };
     const std::string base = print(scene, 10);
     EXPECT_EQ(base, print(scene, 10));
     EXPECT_NE(base, print(scene, 11));
-    for (const char* change :
-         {"m=2", "camera.fov=30", "material.color=[1,0,0]", "output.size=[16,17]",
-          "isolation.safety=9", "isolation.beam=true", "isolation.method=\"marching\"",
-          "output.background=[0,0,0]"}) {
+    for (const char* change : {"m=2", "camera.fov=30", "material.color=[1,0,0]",
+                               "output.size=[16,17]", "isolation.safety=9", "isolation.beam=true",
+                               "isolation.method=\"marching\"", "output.background=[0,0,0]"}) {
         const scene::Scene changed =
             scene::load("twisting_superquadric", {"output.size=[16,16]", change});
         EXPECT_NE(base, print(changed, 10)) << change;

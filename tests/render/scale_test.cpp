@@ -17,7 +17,7 @@ std::string placed(double scale, double offset) {
 [surface]
 formula = "x^4 + y^4 + z^4 - x^2 - y^2 - z^2 + 0.3"
 bounds = {{ sphere = 1.6 }}
-placement = {{ translate = [{0}, {1}, {0}], scale = {2} }}
+transform = {{ translate = [{0}, {1}, {0}], scale = {2} }}
 [camera]
 position = [{3}, {4}, {5}]
 target = [{0}, {1}, {0}]

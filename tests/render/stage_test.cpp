@@ -162,8 +162,7 @@ TEST_P(StageOf, FingerprintsTellStagesApart) {
     const auto print = [&](StageChoice stage) {
         RenderOptions options{8, 8, {}, {}};
         options.stage = stage;
-        return Renderer(*context, scene, options)
-            .fingerprint(scene::at(scene, scene.timeline.values(1)));
+        return Renderer(*context, scene, options).prepare(scene, 1).fingerprint;
     };
     EXPECT_NE(print(StageChoice::fragment), print(StageChoice::compute));
     // The drivers of these tests are no data-centre GPUs, or this is where it shows.

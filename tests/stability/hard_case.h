@@ -1,4 +1,4 @@
-// A hard case: a scene that breaks renderers, drawn and held against certified truth.
+// A hard case: a scene that breaks renderers, drawn and compared with certified truth.
 //
 // Each case has a bound on what a method may get wrong, a little above what it gets wrong now: a
 // change that makes a method worse breaks it, and one that makes it better earns a tighter bound.

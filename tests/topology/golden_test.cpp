@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "topology/analyse.h"
-#include "topology/expectation.h"
 #include "topology/golden.h"
 #include "topology/scenes.h"
-#include "topology/second_proof.h"
-#include "topology/timeline_file.h"
+#include "topology/search/arb_verifier.h"
+#include "topology/timeline/expectation.h"
+#include "topology/timeline/timeline_file.h"
 
 namespace isomotion::topology {
 namespace {
@@ -22,14 +22,14 @@ protected:
 TEST_P(Golden, IsFoundAgain) {
     const scene::Scene scene = animated(GetParam());
     const Expectation expectation = read_expectation(file(), scene.timeline.fps);
-    Record found{{}, analyse(scene)};
-    found.subject = subject_of(scene, found.timeline.range);
+    TimelineRecord found{{}, analyse(scene)};
+    found.header = header_of(scene, found.timeline.range);
     const Check same = check(expectation, found);
     EXPECT_TRUE(std::ranges::all_of(found.timeline.events, &Event::is_proved_again));
-    const Record golden = std::get<Record>(expectation);
+    const TimelineRecord golden = std::get<TimelineRecord>(expectation);
     EXPECT_EQ(same.outcome(), golden.timeline.is_complete() ? Outcome::passes : Outcome::incomplete)
         << text(same, file().string());
-    EXPECT_EQ(found.subject.fingerprint, golden.subject.fingerprint);
+    EXPECT_EQ(found.header.fingerprint, golden.header.fingerprint);
 
     // The first, the middle and the last that a claim can be made of.
     std::vector<std::size_t> told;
@@ -40,7 +40,7 @@ TEST_P(Golden, IsFoundAgain) {
     }
     if (told.empty()) return;
     for (std::size_t k : {told.front(), told[told.size() / 2], told.back()}) {
-        Record moved = golden;
+        TimelineRecord moved = golden;
         Event& event = moved.timeline.events[k];
         event.time = event.time + formula::Interval(1e-6);
         std::ranges::sort(moved.timeline.events, {}, [](const Event& e) { return e.time.lo; });
@@ -53,10 +53,10 @@ TEST_P(Golden, IsProvedAgainInBalls) {
     const scene::Scene scene = animated(GetParam());
     Timeline timeline = read_timeline(file()).timeline;
     EXPECT_EQ(timeline.events.empty(), GetParam() == "torus"); // its events are unresolved places
-    const SecondProof proof(scene, solid_side(scene), timeline.range);
+    const ArbVerifier proof(scene, solid_side(scene), timeline.range);
     for (const Event& event : timeline.events) {
         EXPECT_TRUE(event.is_proved_again);
-        EXPECT_EQ(proof.ask(event), SecondProof::Answer::holds) << event.time.lo;
+        EXPECT_EQ(proof.ask(event), ArbVerifier::Answer::holds) << event.time.lo;
     }
 }
 

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "topology/critical.h"
 #include "topology/scenes.h"
+#include "topology/search/critical.h"
 
 namespace isomotion::topology {
 
@@ -28,7 +28,7 @@ struct Moving {
 };
 
 inline Timeline events_of(const Moving& moving, double from, double to, Side side = Side::negative,
-                          const EventSearch& how = {}) {
+                          const EventSearchOptions& how = {}) {
     return find_events(moving.scene(), side, {from, to}, how);
 }
 

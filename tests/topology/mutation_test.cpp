@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "topology/analyse.h"
-#include "topology/compare.h"
-#include "topology/critical.h"
-#include "topology/moving_frame.h"
+#include "topology/moving_scene.h"
 #include "topology/scenes.h"
+#include "topology/search/critical.h"
+#include "topology/timeline/compare.h"
 
 namespace isomotion::topology {
 namespace {
@@ -36,20 +36,20 @@ struct Balls {
     }
 };
 
-Record record_of(const Balls& balls) {
+TimelineRecord record_of(const Balls& balls) {
     const scene::Scene scene = balls.scene();
-    Analysing how;
+    AnalyseOptions how;
     how.threads = 1;
-    Record record{{}, analyse(scene, how)};
-    record.subject = subject_of(scene, record.timeline.range);
+    TimelineRecord record{{}, analyse(scene, how)};
+    record.header = header_of(scene, record.timeline.range);
     return record;
 }
 
-bool agrees(const Record& expected, const Record& found) {
+bool agrees(const TimelineRecord& expected, const TimelineRecord& found) {
     return compare(expected, found, dt).outcome() == Outcome::passes;
 }
 
-bool is_noticed(const Record& expected, const Record& found) {
+bool is_noticed(const TimelineRecord& expected, const TimelineRecord& found) {
     return !found.timeline.is_complete() ||
            compare(expected, found, dt).outcome() == Outcome::differs;
 }
@@ -67,7 +67,7 @@ protected:
     }
 
     const Balls balls_;
-    const Record expected_;
+    const TimelineRecord expected_;
 };
 
 TEST_P(Mutations, ABallIsDropped) {
@@ -80,7 +80,7 @@ TEST_P(Mutations, TheThresholdIsOffByAMillionth) {
     for (double factor : {1 - 1e-6, 1 + 1e-6}) {
         Balls other = balls_;
         other.threshold *= factor;
-        const Record found = record_of(other);
+        const TimelineRecord found = record_of(other);
         EXPECT_TRUE(found.timeline.is_complete());
         EXPECT_EQ(compare(expected_, found, dt).outcome(), Outcome::differs) << factor;
     }
@@ -104,12 +104,12 @@ TEST_P(Mutations, BoundsAreMoved) {
 TEST_P(Mutations, TheSmallestBoxIsTooLarge) {
     const scene::Scene scene = balls_.scene();
     const Side side = solid_side(scene);
-    const MovingFrames frames(scene, side, expected_.timeline.range);
+    const MovingScene frames(scene, side, expected_.timeline.range);
     int incomplete = 0;
     for (double smallest : {0.5, 0.2, 0.1, 0.03, 0.01, 1e-3}) {
-        EventSearch coarse;
+        EventSearchOptions coarse;
         coarse.smallest = smallest;
-        Record found = expected_;
+        TimelineRecord found = expected_;
         found.timeline = find_events(scene, side, expected_.timeline.range, coarse);
         found.timeline.start = expected_.timeline.start;
         found.timeline.end = expected_.timeline.end;

@@ -9,8 +9,8 @@
 #include "render/renderer.h"
 #include "topology/golden.h"
 #include "topology/scenes.h"
-#include "topology/steps.h"
-#include "topology/timeline_file.h"
+#include "topology/timeline/steps.h"
+#include "topology/timeline/timeline_file.h"
 
 namespace isomotion::topology {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "scene/reading/load.h"
 #include "scene/scene_at.h"
-#include "topology/frame_field.h"
+#include "topology/field/frame_field.h"
 
 namespace isomotion::topology {
 
@@ -36,13 +36,13 @@ inline scene::Scene animated(const std::string& name) {
 }
 
 // What a scene's field needs at one time.
-struct Frame {
+struct StillScene {
     formula::Bindings<double> numbers;
     formula::Bindings<formula::Interval> intervals;
     scene::BoundsAt bounds;
     std::shared_ptr<const formula::Field> field;
 
-    Frame(const scene::Scene& scene, double time)
+    StillScene(const scene::Scene& scene, double time)
         : field(scene.surface.field) {
         const scene::SceneAt now = scene::at(scene, scene.timeline.animation.at(time));
         numbers = formula::convert<double>(now.bindings);

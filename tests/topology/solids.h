@@ -8,7 +8,7 @@
 
 #include <glm/glm.hpp>
 
-#include "topology/sign_grid.h"
+#include "topology/betti/sign_grid.h"
 
 namespace isomotion::topology {
 

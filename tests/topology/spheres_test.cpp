@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "topology/analyse.h"
-#include "topology/expectation.h"
 #include "topology/golden.h"
 #include "topology/scenes.h"
-#include "topology/subject.h"
-#include "topology/timeline_file.h"
+#include "topology/timeline/expectation.h"
+#include "topology/timeline/timeline_file.h"
+#include "topology/timeline/timeline_header.h"
 
 namespace isomotion::topology {
 namespace {
@@ -16,15 +16,15 @@ std::filesystem::path beside(const std::string& file) {
     return golden_file("spheres/any").parent_path() / file;
 }
 
-Record analysed(const scene::Scene& scene) {
-    Analysing how;
+TimelineRecord analysed(const scene::Scene& scene) {
+    AnalyseOptions how;
     how.last = 61;
-    Record found{{}, analyse(scene, how)};
-    found.subject = subject_of(scene, found.timeline.range);
+    TimelineRecord found{{}, analyse(scene, how)};
+    found.header = header_of(scene, found.timeline.range);
     return found;
 }
 
-void expect(const Record& found, const scene::Scene& scene, const std::string& file) {
+void expect(const TimelineRecord& found, const scene::Scene& scene, const std::string& file) {
     const Expectation expectation = read_expectation(beside(file), scene.timeline.fps);
     const Check same = check(expectation, found);
     EXPECT_EQ(same.outcome(), Outcome::passes) << text(same, file);
@@ -42,7 +42,7 @@ void expect_proved(const Timeline& timeline) {
 
 TEST(Spheres, SeventyFiveAreAsClaimedAndAsKept) {
     const scene::Scene scene = animated("blobby75");
-    const Record found = analysed(scene);
+    const TimelineRecord found = analysed(scene);
     expect_proved(found.timeline);
     EXPECT_EQ(found.timeline.start, (Betti{75, 0, 0}));
     EXPECT_EQ(found.timeline.events.size(), 418u);
@@ -52,7 +52,7 @@ TEST(Spheres, SeventyFiveAreAsClaimedAndAsKept) {
 
 TEST(Spheres, SeedsFindNearlyAllOfSeventyFives) {
     const scene::Scene scene = animated("blobby75");
-    Analysing how;
+    AnalyseOptions how;
     how.last = 61;
     how.certify = Certify::fast;
     const Timeline seeded = analyse(scene, how);
@@ -69,7 +69,7 @@ TEST(Spheres, SeedsFindNearlyAllOfSeventyFives) {
 // Where valleys bend, the ways down from points between two minima end in one of them.
 TEST(Spheres, AHundredAndFiftyAreAsClaimed) {
     const scene::Scene scene = scene::load(beside("blobby150.toml"));
-    const Record found = analysed(scene);
+    const TimelineRecord found = analysed(scene);
     expect_proved(found.timeline);
     EXPECT_EQ(found.timeline.start, (Betti{150, 0, 0}));
     EXPECT_EQ(found.timeline.events.size(), 851u);

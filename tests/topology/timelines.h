@@ -3,20 +3,20 @@
 
 #include <random>
 
-#include "topology/steps.h"
-#include "topology/subject.h"
+#include "topology/timeline/steps.h"
+#include "topology/timeline/timeline_header.h"
 
 namespace isomotion::topology {
 
 // Frames are tenths of seconds: frame 12 is 1.1 s.
-inline Subject ten_a_second() {
-    Subject subject;
-    subject.title = "A <made> & timed \"scene\"";
-    subject.fingerprint = "0123456789abcdef0123456789abcdef";
-    subject.fps = {10, 1};
-    subject.start_bounds.fill({-1, 1});
-    subject.end_bounds.fill({-1, 1});
-    return subject;
+inline TimelineHeader ten_a_second() {
+    TimelineHeader header;
+    header.title = "A <made> & timed \"scene\"";
+    header.fingerprint = "0123456789abcdef0123456789abcdef";
+    header.fps = {10, 1};
+    header.start_bounds.fill({-1, 1});
+    header.end_bounds.fill({-1, 1});
+    return header;
 }
 
 // Times and places as narrow as a proof leaves them.
@@ -47,8 +47,8 @@ inline Betti after(const Betti& before, Kind kind) {
 }
 
 // Complete: Betti numbers follow from `start`. Frames 1 to 101; the events are by time.
-inline Record complete(Betti start, std::vector<Event> events) {
-    Record record{ten_a_second(), {}};
+inline TimelineRecord complete(Betti start, std::vector<Event> events) {
+    TimelineRecord record{ten_a_second(), {}};
     Timeline& timeline = record.timeline;
     timeline.range = {0, 10};
     timeline.start = start;
@@ -64,7 +64,7 @@ inline Record complete(Betti start, std::vector<Event> events) {
 }
 
 // Three components merge to one, which gets a tunnel that closes again.
-inline Record story() {
+inline TimelineRecord story() {
     return complete({3, 0, 0}, {event_at(10.5, Kind::merge, {0.5, 0, 0}),
                                 event_at(20.25, Kind::merge, {-0.5, 0, 0}),
                                 event_at(40.2, Kind::tunnel_forms, {0, 0.5, 0}),
@@ -72,7 +72,7 @@ inline Record story() {
 }
 
 // `count` events of kinds that its Betti numbers allow, at times at least 1e-4 s apart.
-inline Record random_complete(std::mt19937_64& random, int count) {
+inline TimelineRecord random_complete(std::mt19937_64& random, int count) {
     std::uniform_real_distribution<double> place(-1, 1), time(0.01, 0.99);
     std::uniform_int_distribution<int> kind(int(Kind::birth), int(Kind::void_born));
     Betti now{std::uniform_int_distribution<int>(1, 9)(random), 1, 1};

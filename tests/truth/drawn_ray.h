@@ -80,8 +80,8 @@ struct Uniforms {
     float radius;
     glm::vec2 picture;
 
-    Uniforms(const scene::SceneAt& now, int width, int height) {
-        const scene::Rays rays = scene::rays(now, width, height);
+    Uniforms(const scene::SceneAt& now, int width, int height, const scene::Aim& aim = {}) {
+        const scene::Rays rays = scene::rays(now, width, height, aim);
         origin = rays.origin;
         axis = rays.axis;
         right = rays.right;

@@ -189,51 +189,12 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings, std::span<co
         case Op::negate:
             each([&](int l) { return Do::negate(a[l]); });
             break;
-        case Op::abs:
-            each([&](int l) { return Do::abs(a[l]); });
-            break;
-        case Op::sign:
-            each([&](int l) { return Do::sign(a[l]); });
-            break;
-        case Op::sqrt:
-            each([&](int l) { return Do::sqrt(a[l]); });
-            break;
-        case Op::exp:
-            each([&](int l) { return Do::exp(a[l]); });
-            break;
-        case Op::log:
-            each([&](int l) { return Do::log(a[l]); });
-            break;
-        case Op::sin:
-            each([&](int l) { return Do::sin(a[l]); });
-            break;
-        case Op::cos:
-            each([&](int l) { return Do::cos(a[l]); });
-            break;
-        case Op::tan:
-            each([&](int l) { return Do::tan(a[l]); });
-            break;
-        case Op::sinh:
-            each([&](int l) { return Do::sinh(a[l]); });
-            break;
-        case Op::cosh:
-            each([&](int l) { return Do::cosh(a[l]); });
-            break;
-        case Op::tanh:
-            each([&](int l) { return Do::tanh(a[l]); });
-            break;
-        case Op::asin:
-            each([&](int l) { return Do::asin(a[l]); });
-            break;
-        case Op::acos:
-            each([&](int l) { return Do::acos(a[l]); });
-            break;
-        case Op::atan:
-            each([&](int l) { return Do::atan(a[l]); });
-            break;
-        case Op::floor:
-            each([&](int l) { return Do::floor(a[l]); });
-            break;
+#define ROW(name, ...)                                                                             \
+    case Op::name:                                                                                 \
+        each([&](int l) { return Do::name(a[l]); });                                               \
+        break;
+            ISOMOTION_FUNCTIONS(ROW)
+#undef ROW
         case Op::add:
             each([&](int l) { return Do::add(a[l], b[l]); });
             break;

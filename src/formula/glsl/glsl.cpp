@@ -9,6 +9,7 @@
 
 #include "formula/glsl/array_texels.h"
 #include "formula/glsl/kernel_calls.h"
+#include "formula/graph/functions.h"
 
 namespace isomotion::formula {
 namespace {
@@ -101,12 +102,6 @@ private:
         switch (now.op) {
         case Op::negate:
             return "-" + a();
-        case Op::abs:
-            return fmt::format("abs({})", a());
-        case Op::sign:
-            return fmt::format("sign({})", a());
-        case Op::floor:
-            return fmt::format("floor({})", a());
         case Op::add:
             return fmt::format("{} + {}", a(), b());
         case Op::subtract:
@@ -120,8 +115,8 @@ private:
         case Op::select:
             return fmt::format("{} < {} ? {} : {}", a(), b(), operand(now, 2), operand(now, 3));
         default:
-            assert(!"leaves and kernels are written elsewhere");
-            return {};
+            assert(unary_traits(now.op) && kernel(now.op).empty());
+            return fmt::format("{}({})", name(now.op), a());
         }
     }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "formula/glsl/array_texels.h"
+#include "formula/graph/functions.h"
 
 namespace isomotion::formula {
 namespace {
@@ -79,29 +80,7 @@ Known constant(double value) {
 
 // The function of shaders/interval/ an operation calls, or empty for what arithmetic.glsl has or
 // GLSL does exactly.
-std::string_view kernel(Op op) {
-    switch (op) {
-    case Op::sqrt:
-    case Op::exp:
-    case Op::log:
-    case Op::sin:
-    case Op::cos:
-    case Op::tan:
-    case Op::sinh:
-    case Op::cosh:
-    case Op::tanh:
-    case Op::asin:
-    case Op::acos:
-    case Op::atan:
-    case Op::divide:
-    case Op::chebyshev:
-        return name(op);
-    case Op::power:
-        return "pow";
-    default:
-        return {};
-    }
-}
+std::string_view interval_kernel(Op op) { return op == Op::chebyshev ? name(op) : kernel(op); }
 
 // T_n^(k)(1), rounded up.
 float chebyshev_at_one(int n, int k) {
@@ -200,11 +179,6 @@ private:
                 define(now.result, fmt::format("-{}.yx", known(a).text), false);
             }
             return;
-        case Op::abs:
-            return define(now.result, call("im_abs", a), true);
-        case Op::sign:
-        case Op::floor:
-            return define(now.result, call(name(now.op), a), a_positive);
         case Op::add: {
             const bool positive = a_positive && b_positive;
             return define(now.result, limited(call("im_add", a, b), positive), positive);
@@ -244,10 +218,11 @@ private:
                                       now.index, interval(a)),
                           false);
         default: {
-            const std::string_view function = kernel(now.op);
-            assert(!function.empty());
-            const bool positive = now.op == Op::sqrt || now.op == Op::exp || now.op == Op::cosh;
-            return define(now.result, call(fmt::format("im_{}", function), a), positive);
+            const UnaryTraits& traits = *unary_traits(now.op);
+            const bool positive = traits.sign == Sign::not_negative ||
+                                  (traits.sign == Sign::as_argument && a_positive);
+            const std::string_view prefix = traits.shader == Shader::built_in ? "" : "im_";
+            return define(now.result, call(fmt::format("{}{}", prefix, name(now.op)), a), positive);
         }
         }
     }
@@ -317,7 +292,8 @@ std::set<std::string> interval_kernels_used(const Program& program) {
     std::set<std::string> kernels;
     for (const Instruction& now : program.instructions) {
         if (now.kind != Instruction::Kind::operation) continue;
-        if (const std::string_view name = kernel(now.op); !name.empty()) kernels.emplace(name);
+        if (const std::string_view name = interval_kernel(now.op); !name.empty())
+            kernels.emplace(name);
     }
     return kernels;
 }

@@ -1,31 +1,9 @@
 #include "formula/glsl/kernel_calls.h"
 
+#include "formula/graph/functions.h"
+
 namespace isomotion::formula {
 namespace {
-
-// The kernel an operation calls, or empty for what GLSL does exactly.
-std::string_view kernel(Op op) {
-    switch (op) {
-    case Op::sqrt:
-    case Op::exp:
-    case Op::log:
-    case Op::sin:
-    case Op::cos:
-    case Op::tan:
-    case Op::sinh:
-    case Op::cosh:
-    case Op::tanh:
-    case Op::asin:
-    case Op::acos:
-    case Op::atan:
-    case Op::divide:
-        return name(op);
-    case Op::power:
-        return "pow";
-    default:
-        return {};
-    }
-}
 
 bool is_operation(const Instruction& instruction) {
     return instruction.kind == Instruction::Kind::operation;

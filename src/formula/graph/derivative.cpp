@@ -3,6 +3,8 @@
 #include <limits>
 #include <unordered_map>
 
+#include "formula/graph/term.h"
+
 namespace isomotion::formula {
 namespace {
 
@@ -80,44 +82,28 @@ private:
     }
 
     // d f(a) / d a of the functions of one argument.
-    NodeId slope(NodeId id, const Node& node, NodeId a) {
-        const NodeId one = g_.constant(1);
+    NodeId slope(NodeId id, const Node& node, NodeId argument) {
+        g_.constant(1); // before what may need it: the order of nodes is that of the shaders' text
+        if (node.op == Op::chebyshev) return g_.chebyshev(node.index, argument, node.second + 1);
+        const Term a{&g_, argument}, f{&g_, id};
         switch (node.op) {
-        case Op::abs:
-            return g_.unary(Op::sign, a);
-        case Op::sign:
-        case Op::floor:
-            return jumps(id);
-        case Op::sqrt:
-            return where_rooted(a, g_.divide(g_.constant(0.5), id));
-        case Op::exp:
-            return id;
-        case Op::log:
-            return g_.divide(one, a);
-        case Op::sin:
-            return g_.unary(Op::cos, a);
-        case Op::cos:
-            return g_.unary(Op::negate, g_.unary(Op::sin, a));
-        case Op::tan:
-            return g_.add(one, g_.multiply(id, id));
-        case Op::sinh:
-            return g_.unary(Op::cosh, a);
-        case Op::cosh:
-            return g_.unary(Op::sinh, a);
-        case Op::tanh:
-            return g_.subtract(one, g_.multiply(id, id));
-        case Op::asin:
-            return within_unit(a, g_.divide(one, root_of_one_minus_square(a)));
-        case Op::acos:
-            return within_unit(a, g_.divide(g_.constant(-1), root_of_one_minus_square(a)));
-        case Op::atan:
-            return g_.divide(one, g_.add(one, g_.multiply(a, a)));
-        case Op::chebyshev:
-            return g_.chebyshev(node.index, a, node.second + 1);
+#define ROW(name, shader, sign_, domain, slope_)                                                   \
+    case Op::name:                                                                                 \
+        return (slope_).node;
+            ISOMOTION_FUNCTIONS(ROW)
+#undef ROW
         default:
             return zero();
         }
     }
+
+    // What slopes are written with in the table: the functions, and how they end.
+#define ROW(name, ...)                                                                             \
+    static Term name(Term a) { return a.of(Op::name); }
+    ISOMOTION_FUNCTIONS(ROW)
+#undef ROW
+
+    Term jumps(Term f) { return {&g_, jumps(f.node)}; }
 
     // 0 where the step function `id` is constant, from 0 to infinity where it may jump: an interval
     // that isn't a point is neither less than itself nor not.
@@ -134,12 +120,20 @@ private:
     }
 
     // sqrt is constant below 0, asin and acos beyond -1 and 1.
-    NodeId where_rooted(NodeId a, NodeId slope) {
-        return slopes_ != Slopes::generalized ? slope : g_.select(a, zero(), zero(), slope);
-    }
-    NodeId within_unit(NodeId a, NodeId slope) {
+    Term where_rooted(Term a, Term slope) {
         if (slopes_ != Slopes::generalized) return slope;
-        return g_.select(g_.constant(1), g_.unary(Op::abs, a), zero(), slope);
+        return {&g_, g_.select(a.node, zero(), zero(), slope.node)};
+    }
+    Term within_unit(Term a, Term slope) {
+        if (slopes_ != Slopes::generalized) return slope;
+        return {&g_, g_.select(g_.constant(1), g_.unary(Op::abs, a.node), zero(), slope.node)};
+    }
+
+    // sqrt((1-a)(1+a)) keeps its digits where 1 - a^2 loses them.
+    Term rest_of_unit(Term a) {
+        const NodeId one = g_.constant(1);
+        return {&g_,
+                g_.unary(Op::sqrt, g_.multiply(g_.subtract(one, a.node), g_.add(one, a.node)))};
     }
 
     // b a^(b-1) a' + a^b log(a) b', the second half only where the exponent moves.
@@ -150,12 +144,6 @@ private:
         // A negative constant has powers at integers only: no slope, and no logarithm.
         if (g_.is_constant(a) && g_[a].value < 0) return zero();
         return g_.add(by_base, g_.multiply(g_.multiply(id, g_.unary(Op::log, a)), db));
-    }
-
-    // sqrt((1-a)(1+a)) keeps its digits where 1 - a^2 loses them.
-    NodeId root_of_one_minus_square(NodeId a) {
-        const NodeId one = g_.constant(1);
-        return g_.unary(Op::sqrt, g_.multiply(g_.subtract(one, a), g_.add(one, a)));
     }
 
     NodeId zero() { return g_.constant(0); }

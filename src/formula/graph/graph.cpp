@@ -19,36 +19,11 @@ double fold(Op op, double a) {
     switch (op) {
     case Op::negate:
         return Fold::negate(a);
-    case Op::abs:
-        return Fold::abs(a);
-    case Op::sign:
-        return Fold::sign(a);
-    case Op::sqrt:
-        return Fold::sqrt(a);
-    case Op::exp:
-        return Fold::exp(a);
-    case Op::log:
-        return Fold::log(a);
-    case Op::sin:
-        return Fold::sin(a);
-    case Op::cos:
-        return Fold::cos(a);
-    case Op::tan:
-        return Fold::tan(a);
-    case Op::sinh:
-        return Fold::sinh(a);
-    case Op::cosh:
-        return Fold::cosh(a);
-    case Op::tanh:
-        return Fold::tanh(a);
-    case Op::asin:
-        return Fold::asin(a);
-    case Op::acos:
-        return Fold::acos(a);
-    case Op::atan:
-        return Fold::atan(a);
-    case Op::floor:
-        return Fold::floor(a);
+#define ROW(name, ...)                                                                             \
+    case Op::name:                                                                                 \
+        return Fold::name(a);
+        ISOMOTION_FUNCTIONS(ROW)
+#undef ROW
     default:
         assert(!"not a unary operation");
         return 0;
@@ -348,36 +323,11 @@ std::string_view name(Op op) {
         return "element";
     case Op::negate:
         return "negate";
-    case Op::abs:
-        return "abs";
-    case Op::sign:
-        return "sign";
-    case Op::sqrt:
-        return "sqrt";
-    case Op::exp:
-        return "exp";
-    case Op::log:
-        return "log";
-    case Op::sin:
-        return "sin";
-    case Op::cos:
-        return "cos";
-    case Op::tan:
-        return "tan";
-    case Op::sinh:
-        return "sinh";
-    case Op::cosh:
-        return "cosh";
-    case Op::tanh:
-        return "tanh";
-    case Op::asin:
-        return "asin";
-    case Op::acos:
-        return "acos";
-    case Op::atan:
-        return "atan";
-    case Op::floor:
-        return "floor";
+#define ROW(name, ...)                                                                             \
+    case Op::name:                                                                                 \
+        return #name;
+        ISOMOTION_FUNCTIONS(ROW)
+#undef ROW
     case Op::add:
         return "add";
     case Op::subtract:

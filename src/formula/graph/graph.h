@@ -14,6 +14,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "formula/graph/function_table.h"
 #include "formula/graph/limits.h"
 
 namespace isomotion::formula {
@@ -26,21 +27,9 @@ enum class Op : std::uint8_t {
     parameter, // index into the parameter values
     element,   // field `second` of array `index` at the loop's current element
     negate,
-    abs,
-    sign, // -1, 0, 1
-    sqrt,
-    exp,
-    log,
-    sin,
-    cos,
-    tan,
-    sinh,
-    cosh,
-    tanh,
-    asin,
-    acos,
-    atan,
-    floor,
+#define ROW(name, ...) name,
+    ISOMOTION_FUNCTIONS(ROW) // of one argument: abs, sqrt, ...
+#undef ROW
     add,
     subtract,
     multiply,

@@ -1,106 +1,26 @@
 #include "formula/graph/parser.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <numbers>
-#include <unordered_map>
 
 #include <fmt/format.h>
 
+#include "formula/graph/functions.h"
 #include "formula/graph/limits.h"
+#include "formula/graph/utf8.h"
 
 namespace isomotion::formula {
 namespace {
 
-struct Place {
-    int line = 1;
-    int column = 1;
-    std::string_view text_of_line;
-};
-
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-
-// The length of the first `count` UTF-8 characters.
-std::size_t bytes_of(std::string_view text, int count) {
-    std::size_t bytes = 0;
-    for (; bytes < text.size(); ++bytes) {
-        if (!continues_character(text[bytes]) && --count < 0) break;
-    }
-    return bytes;
-}
-
-Place locate(std::string_view text, std::size_t offset) {
-    Place place;
-    offset = std::min(offset, text.size());
-    std::size_t begin = 0;
-    for (std::size_t k = 0; k < offset; ++k) {
-        if (text[k] == '\n') {
-            ++place.line;
-            begin = k + 1;
-        }
-    }
-    // Columns count characters, not bytes: UTF-8 continuation bytes don't move the caret.
-    for (std::size_t k = begin; k < offset; ++k) {
-        if (!continues_character(text[k])) ++place.column;
-    }
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    place.text_of_line = text.substr(begin, end - begin);
-    return place;
-}
-
-std::string with_caret(std::string_view text, std::size_t offset, const std::string& message) {
-    // Long formulas are cut to a window around the place.
-    constexpr int before = 60, width = 96;
-    const Place place = locate(text, offset);
-    std::string_view line = place.text_of_line;
-    int column = place.column;
-    std::string lead;
-    if (column > before + 4) {
-        line.remove_prefix(bytes_of(line, column - before));
-        column = before;
-        lead = "...";
-    }
-    const std::size_t shown = bytes_of(line, width);
-    const std::string tail = line.size() > shown ? "..." : "";
-    line = line.substr(0, shown);
-    return fmt::format("{}\n    {}{}{}\n    {:>{}}", message, lead, line, tail, "^",
-                       int(lead.size()) + column);
-}
-
-const std::unordered_map<std::string_view, Op>& unary_functions() {
-    static const std::unordered_map<std::string_view, Op> functions{
-        {"abs", Op::abs},   {"sign", Op::sign}, {"sqrt", Op::sqrt},  {"exp", Op::exp},
-        {"log", Op::log},   {"sin", Op::sin},   {"cos", Op::cos},    {"tan", Op::tan},
-        {"sinh", Op::sinh}, {"cosh", Op::cosh}, {"tanh", Op::tanh},  {"asin", Op::asin},
-        {"acos", Op::acos}, {"atan", Op::atan}, {"floor", Op::floor}};
-    return functions;
-}
-
-const std::vector<std::string>& function_names() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all{"min", "max", "pow", "chebyshev", "sum", "random"};
-        for (const auto& [function, op] : unary_functions()) all.emplace_back(function);
-        return all;
-    }();
+std::vector<std::string> function_names() {
+    std::vector<std::string> names;
+    for (const Function& function : functions()) names.emplace_back(function.name);
     return names;
-}
-
-// On paper: evaluation forgives what rounding does to a radicand, a constant needs no forgiving.
-bool has_value(Op function, double at) {
-    switch (function) {
-    case Op::sqrt:
-        return at >= 0;
-    case Op::log:
-        return at > 0;
-    case Op::asin:
-    case Op::acos:
-        return std::abs(at) <= 1;
-    default:
-        return true;
-    }
 }
 
 bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
@@ -284,48 +204,41 @@ private:
         fail_unknown(word, begin);
     }
 
-    NodeId call(std::string_view function, std::size_t begin) {
-        if (function == "sum") return sum(begin);
-        if (function == "chebyshev") return chebyshev();
+    NodeId call(std::string_view name, std::size_t begin) {
+        if (name == "sum") return sum(begin);
+        if (name == "chebyshev") return chebyshev();
         const std::size_t first_argument = at_;
         const std::vector<NodeId> arguments = argument_list();
-        const auto need = [&](std::size_t count) {
-            if (arguments.size() == count) return;
-            fail(begin, fmt::format("{} takes {} argument{}, not {}", function, count,
-                                    count == 1 ? "" : "s", arguments.size()));
-        };
-        if (const auto it = unary_functions().find(function); it != unary_functions().end()) {
-            need(1);
-            if (graph_.is_constant(arguments[0]) &&
-                !has_value(it->second, graph_[arguments[0]].value)) {
-                fail(first_argument, fmt::format("{} is not defined here", function));
-            }
-            return checked(graph_.unary(it->second, arguments[0]), first_argument,
-                           fmt::format("{} is not defined here", function));
+        const Function* function = find_function(name);
+        if (!function) {
+            const std::string near = nearest_name(name, function_names());
+            fail(begin, fmt::format("there is no function '{}'{}", name,
+                                    near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
         }
-        if (function == "pow") {
-            need(2);
-            return raise(arguments[0], arguments[1], begin);
-        }
-        if (function == "min" || function == "max") {
-            if (arguments.size() < 2) fail(begin, fmt::format("{} takes two or more", function));
-            NodeId result = arguments[0];
-            for (std::size_t k = 1; k < arguments.size(); ++k) {
-                result = graph_.binary(function == "min" ? Op::min : Op::max, result, arguments[k]);
-            }
-            return result;
-        }
-        if (function == "random" && vocabulary_.allows_random) {
-            need(2);
-            return graph_.binary(Op::random, arguments[0], arguments[1]);
-        }
-        if (function == "random") {
+        if (name == "random" && !vocabulary_.allows_random) {
             fail(begin, "random is for animation: give a parameter or an array field its value "
                         "with random(i, k), not the formula");
         }
-        const std::string near = nearest_name(function, function_names());
-        fail(begin, fmt::format("there is no function '{}'{}", function,
-                                near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+        need_arguments(*function, arguments.size(), begin);
+        if (name == "pow") return raise(arguments[0], arguments[1], begin);
+        const std::string undefined = fmt::format("{} is not defined here", name);
+        if (function->has_value && graph_.is_constant(arguments[0]) &&
+            !function->has_value(graph_[arguments[0]].value)) {
+            fail(first_argument, undefined);
+        }
+        return checked(function->call(graph_, arguments), first_argument, undefined);
+    }
+
+    void need_arguments(const Function& function, std::size_t given, std::size_t begin) const {
+        constexpr std::array words{"no", "one", "two", "three"};
+        if (function.may_have_more) {
+            if (given >= function.count) return;
+            fail(begin,
+                 fmt::format("{} takes {} or more", function.name, words.at(function.count)));
+        }
+        if (given == function.count) return;
+        fail(begin, fmt::format("{} takes {} argument{}, not {}", function.name, function.count,
+                                function.count == 1 ? "" : "s", given));
     }
 
     std::vector<NodeId> argument_list() {
@@ -488,24 +401,12 @@ private:
 
 } // namespace
 
-ParseError::ParseError(std::string_view text, std::size_t offset, const std::string& message)
-    : std::runtime_error(with_caret(text, offset, message))
-    , message_(message) {
-    const Place place = locate(text, offset);
-    line_ = place.line;
-    column_ = place.column;
-}
-
 NodeId parse(std::string_view text, const Vocabulary& vocabulary, Graph& graph) {
     return Parser(text, vocabulary, graph).formula();
 }
 
 bool is_reserved(std::string_view name) {
-    if (name == "pi" || name == "x" || name == "y" || name == "z") return true;
-    for (const auto& function : function_names()) {
-        if (function == name) return true;
-    }
-    return false;
+    return name == "pi" || name == "x" || name == "y" || name == "z" || find_function(name);
 }
 
 } // namespace isomotion::formula

@@ -7,9 +7,9 @@
 //   power      = primary [ '^' factor ]                 (right associative; -x^2 is -(x^2))
 //   primary    = number | name | name '(' arguments ')' | '(' expression ')'
 //
-// Functions: abs sign sqrt exp log sin cos tan sinh cosh tanh asin acos atan floor, min max (two or
-// more arguments), pow(a, b), chebyshev(n, a) with n a constant integer, sum(array, expression) in
-// which the array's fields are names. Constant: pi. `name = expression;` names a repeated part.
+// Functions are those of functions.h; of chebyshev(n, a) n is a constant integer, and in sum(array,
+// expression) the array's fields are names. Constant: pi. `name = expression;` names a repeated
+// part.
 #pragma once
 
 #include <stdexcept>

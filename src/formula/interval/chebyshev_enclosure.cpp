@@ -10,16 +10,16 @@ namespace {
 constexpr int highest_order = 7;
 
 // c[j] = f^(j)(x) / j!
-template<class V, int Order> using Series = std::array<Twofold<V>, Order + 1>;
+template<class V, int Order> using Series = std::array<DoubleDouble<V>, Order + 1>;
 
 // 2 a b - c
 template<class V, std::size_t Size>
-std::array<Twofold<V>, Size> twice_product_minus(const std::array<Twofold<V>, Size>& a,
-                                                 const std::array<Twofold<V>, Size>& b,
-                                                 const std::array<Twofold<V>, Size>& c) {
-    std::array<Twofold<V>, Size> result;
+std::array<DoubleDouble<V>, Size> twice_product_minus(const std::array<DoubleDouble<V>, Size>& a,
+                                                      const std::array<DoubleDouble<V>, Size>& b,
+                                                      const std::array<DoubleDouble<V>, Size>& c) {
+    std::array<DoubleDouble<V>, Size> result;
     for (std::size_t m = 0; m < Size; ++m) {
-        Twofold<V> sum = a[0] * b[m];
+        DoubleDouble<V> sum = a[0] * b[m];
         for (std::size_t i = 1; i <= m; ++i) sum = sum + a[i] * b[m - i];
         result[m] = twice(sum) - c[m];
     }
@@ -48,15 +48,15 @@ template<class V, int Order> Series<V, Order> chebyshev_series(int n, V x) {
     return now;
 }
 
-template<class V, int Order> Twofold<V> chebyshev_derivative(int n, V x) {
+template<class V, int Order> DoubleDouble<V> chebyshev_derivative(int n, V x) {
     double factorial = 1;
     for (int j = 2; j <= Order; ++j) factorial *= j;
-    const Twofold<V> coefficient = chebyshev_series<V, Order>(n, x)[Order];
+    const DoubleDouble<V> coefficient = chebyshev_series<V, Order>(n, x)[Order];
     return Order < 2 ? coefficient : coefficient * exactly(V{} + factorial);
 }
 
 // T_n^(k)(x), k up to highest_order.
-template<class V> Twofold<V> chebyshev(int n, int k, V x) {
+template<class V> DoubleDouble<V> chebyshev(int n, int k, V x) {
     constexpr std::array derivatives{chebyshev_derivative<V, 0>, chebyshev_derivative<V, 1>,
                                      chebyshev_derivative<V, 2>, chebyshev_derivative<V, 3>,
                                      chebyshev_derivative<V, 4>, chebyshev_derivative<V, 5>,
@@ -150,11 +150,11 @@ Interval ChebyshevEnclosure::at(double x) const {
 Interval ChebyshevEnclosure::at_ends(Interval a) const {
     if (is_point(a)) return at(a.lo);
     if (magnitude(a) > reach_) return hull(at(a.lo), at(a.hi));
-    const Twofold<Ends> values = chebyshev(degree_, derivative_, Ends{a.lo, a.hi});
+    const DoubleDouble<Ends> values = chebyshev(degree_, derivative_, Ends{a.lo, a.hi});
     return hull(bounded(a.lo, one_of(values, 0)), bounded(a.hi, one_of(values, 1)));
 }
 
-Interval ChebyshevEnclosure::bounded(double x, Twofold<double> value) const {
+Interval ChebyshevEnclosure::bounded(double x, DoubleDouble<double> value) const {
     return std::abs(x) <= 1 ? intersect(enclosure(value), bound_) : enclosure(value);
 }
 

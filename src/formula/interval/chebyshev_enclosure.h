@@ -6,15 +6,15 @@
 // at degree 50 have lost everything.
 //
 // Values come from T_2m = 2 T_m^2 - 1 and T_2m+1 = 2 T_m T_m+1 - x, which take log2(n) steps, on
-// Taylor series about x, which carry the derivatives along, in Twofold numbers, which carry their
-// error along. Extrema of T_n are the points cos(j pi/n). Those of T_n^(k) are isolated once, from
-// those of T_n^(k-1), which lie between them, by bisection with certain signs.
+// Taylor series about x, which carry the derivatives along, in DoubleDouble numbers, which carry
+// their error along. Extrema of T_n are the points cos(j pi/n). Those of T_n^(k) are isolated once,
+// from those of T_n^(k-1), which lie between them, by bisection with certain signs.
 #pragma once
 
 #include <vector>
 
+#include "formula/interval/double_double.h"
 #include "formula/interval/interval.h"
-#include "formula/interval/twofold.h"
 
 namespace isomotion::formula {
 
@@ -33,7 +33,7 @@ private:
 
     Interval at(double x) const;
     Interval at_ends(Interval a) const; // the hull of both values
-    Interval bounded(double x, Twofold<double> value) const;
+    Interval bounded(double x, DoubleDouble<double> value) const;
 
     int degree_, derivative_;
     Interval at_one_, bound_;       // the value at 1, and what it bounds on [-1, 1]

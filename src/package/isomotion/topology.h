@@ -2,6 +2,6 @@
 #pragma once
 
 #include "topology/analyse.h"
-#include "topology/expectation.h"
-#include "topology/summary.h"
-#include "topology/timeline_file.h"
+#include "topology/timeline/expectation.h"
+#include "topology/timeline/summary.h"
+#include "topology/timeline/timeline_file.h"

@@ -35,7 +35,8 @@ struct ArrayNodes {
 };
 
 bool is_of_the_file(const std::string& name) {
-    return name == "file" || name == "columns" || name == "interpolation" || name == "outside";
+    return name == "file" || name == "columns" || name == "interpolation" ||
+           name == "extrapolate" || name == "outside";
 }
 
 void gather(const toml::table& table, const std::string& key, ArrayNodes& nodes) {
@@ -68,17 +69,17 @@ int read_count(const toml::node& node, const std::string& key) {
     return int(*count);
 }
 
-TableReading read_data(const toml::table& table, const std::string& key, Reach reach) {
+TableOptions read_data(const toml::table& table, const std::string& key, Reach reach) {
     Section section(table, key);
-    TableReading reading;
+    TableOptions options;
     const toml::node& file = *section.find("file");
-    reading.file =
+    options.file =
         named_file(file, key + ".file", std::array{beside(file, *section.text("file"))}, reach);
     if (auto columns = section.section("columns")) {
         for (const auto& [name, node] : columns->table()) {
             const std::string field(name.str());
             check_name(field, node, columns->dotted(field));
-            reading.columns[field] = *columns->text(field);
+            options.columns[field] = *columns->text(field);
         }
     }
     if (const auto text = section.text("interpolation")) {
@@ -87,46 +88,48 @@ TableReading read_data(const toml::table& table, const std::string& key, Reach r
                  fmt::format("must be linear or hold, not '{}'", *text));
         }
         if (*text == "hold") {
-            reading.interpolation = animation::ElementSamples::Interpolation::hold;
+            options.interpolation = animation::ElementSamples::Interpolation::hold;
         }
     }
-    return reading;
+    return options;
 }
 
 // Frames beyond the data would show its ends, standing still.
-void check_times(const toml::table& table, const std::string& key, const TableReading& reading,
+void check_times(const toml::table& table, const std::string& key, const TableOptions& options,
                  const ElementTable& read, const animation::Timeline& timeline) {
     Section section(table, key);
-    const auto outside = section.text("outside");
-    if (outside && *outside != "hold") {
-        fail(*section.find("outside"), key + ".outside",
-             fmt::format("must be hold: the first and the last elements stay, not '{}'", *outside));
+    const auto extrapolate = section.text("extrapolate");
+    if (extrapolate && *extrapolate != "hold") {
+        fail(*section.find("extrapolate"), section.dotted("extrapolate"),
+             fmt::format("must be hold: the first and the last elements stay, not '{}'",
+                         *extrapolate));
     }
     const animation::ElementSamples& samples = *read.samples;
-    if (outside || samples.first_time() == samples.last_time()) return;
+    if (extrapolate || samples.first_time() == samples.last_time()) return;
     if (samples.first_time() > timeline.time(1)) {
         throw SceneError(
             fmt::format("{}:{}: begins at t = {}, after the scene's first frame; begin "
-                        "at 0, or give the array outside = \"hold\"",
-                        reading.file.string(), read.first_line, samples.first_time()));
+                        "at 0, or give the array extrapolate = \"hold\"",
+                        options.file.string(), read.first_line, samples.first_time()));
     }
     if (samples.last_time() < timeline.time(timeline.frames)) {
-        throw SceneError(fmt::format("{}:{}: ends at t = {}, but frame {} of the scene is at t = "
-                                     "{}; lower time.frames, or give the array outside = \"hold\"",
-                                     reading.file.string(), read.last_line, samples.last_time(),
-                                     timeline.frames, timeline.time(timeline.frames)));
+        throw SceneError(
+            fmt::format("{}:{}: ends at t = {}, but frame {} of the scene is at t = "
+                        "{}; lower time.frames, or give the array extrapolate = \"hold\"",
+                        options.file.string(), read.last_line, samples.last_time(), timeline.frames,
+                        timeline.time(timeline.frames)));
     }
 }
 
 // The columns of a file become fields; a field that the scene writes itself goes before.
 void add_data(const ArrayNodes& nodes, const std::string& key, const animation::Timeline& timeline,
               TrackTable& tracks, Reach reach, animation::Array& array) {
-    TableReading reading = read_data(*nodes.data, key, reach);
-    reading.most = nodes.count ? read_count(*nodes.count, key + ".count") : limits::elements;
-    const ElementTable table = read_element_table(reading, timeline);
-    check_times(*nodes.data, key, reading, table, timeline);
+    TableOptions options = read_data(*nodes.data, key, reach);
+    options.most = nodes.count ? read_count(*nodes.count, key + ".count") : limits::elements;
+    const ElementTable table = read_element_table(options, timeline);
+    check_times(*nodes.data, key, options, table, timeline);
     array.samples = table.samples;
-    array.count = nodes.count ? reading.most : table.samples->most();
+    array.count = nodes.count ? options.most : table.samples->most();
     for (std::size_t k = 0; k < table.fields.size(); ++k) {
         const std::string& field = table.fields[k];
         if (nodes.fields.count(field)) continue;

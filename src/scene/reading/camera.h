@@ -7,7 +7,7 @@
 
 namespace isomotion::scene {
 
-// Reads the section and adds its tracks. A camera that stands nowhere looks at the bounds.
+// Reads the section and adds its tracks. Without a position, the camera looks at the bounds.
 Camera read_camera(Section& document, TrackTable& tracks);
 
 } // namespace isomotion::scene

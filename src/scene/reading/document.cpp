@@ -6,9 +6,10 @@
 #include <fmt/format.h>
 
 #include "base/file_text.h"
-#include "base/toml_depth.h"
+#include "base/toml.h"
 #include "formula/graph/vocabulary.h"
 #include "scene/limits.h"
+#include "scene/renamed_keys.h"
 
 namespace isomotion::scene {
 namespace {
@@ -70,17 +71,7 @@ toml::table read_document(const std::filesystem::path& file) {
 }
 
 toml::table parse_document(std::string_view text, const std::filesystem::path& file) {
-    if (const int line = base::first_line_nested_beyond(text, limits::nesting)) {
-        throw SceneError(
-            fmt::format("{}:{}: tables and lists are nested too deeply; {} deep are read",
-                        file.string(), line, limits::nesting));
-    }
-    try {
-        return toml::parse(text, file.string());
-    } catch (const toml::parse_error& error) {
-        throw SceneError(fmt::format("{}:{}: not valid TOML: {}", file.string(),
-                                     error.source().begin.line, error.description()));
-    }
+    return base::parse_toml(text, file.string());
 }
 
 void fail(const toml::node& at, const std::string& key, const std::string& message) {
@@ -134,19 +125,33 @@ std::array<animation::TrackSource, 3> read_vector(const toml::node& node, const 
     fail(node, key, "must be [x, y, z] or { keys = [[t, [x, y, z]], ...] }");
 }
 
-std::string Section::dotted(const std::string& name) const {
+// The former name of a key, where the table has it under that.
+std::string Section::written(const std::string& name) const {
+    const RenamedKey* key = renamed_key(key_, name);
+    if (!key || name != key->now) return name;
+    const toml::node* former = table_->get(key->before);
+    if (!former) return name;
+    if (table_->contains(name)) {
+        fail(*former, fmt::format("{}.{}", key_, key->before),
+             fmt::format("is the former name of {}.{}, which is given too; keep one", key_, name));
+    }
+    return std::string(key->before);
+}
+
+std::string Section::dotted(const std::string& given) const {
+    const std::string name = written(given);
     const bool bare = std::ranges::all_of(name, [](unsigned char c) {
         return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
                c == '_' || c == '-' || c >= 0x80;
     });
-    // As TOML writes it: a line end in a key is no line end of the message.
+    // Written as in TOML, so that a line end in a key does not break the message.
     const std::string key = bare ? name : fmt::format("{:?}", name);
     return key_.empty() ? key : key_ + "." + key;
 }
 
 const toml::node* Section::find(const std::string& name) {
     known_.insert(name);
-    return table_->get(name);
+    return table_->get(written(name));
 }
 
 std::optional<Section> Section::section(const std::string& name) {
@@ -208,14 +213,23 @@ std::optional<std::array<animation::TrackSource, 3>> Section::vector(const std::
 }
 
 void Section::refuse_rest() {
+    // The present name of a key, for what somebody may have meant.
+    const auto present = [&](const std::string& name) {
+        const RenamedKey* key = renamed_key(key_, name);
+        return key ? std::string(key->now) : name;
+    };
+    const std::vector<std::string> known(known_.begin(), known_.end());
+    std::vector<std::string> meant = known;
+    for (const std::string& name : known) {
+        if (const RenamedKey* key = renamed_key(key_, name)) meant.emplace_back(key->before);
+    }
     for (const auto& [name, node] : *table_) {
         const std::string key(name.str());
-        if (known_.count(key)) continue;
-        const std::vector<std::string> known(known_.begin(), known_.end());
-        const std::string near = formula::nearest_name(key, known);
+        if (known_.count(present(key))) continue;
+        const std::string near = formula::nearest_name(key, meant);
         fail(node, dotted(key),
              near.empty() ? fmt::format("unknown key; known here: {}", fmt::join(known, ", "))
-                          : fmt::format("unknown key; did you mean '{}'?", near));
+                          : fmt::format("unknown key; did you mean '{}'?", present(near)));
     }
 }
 

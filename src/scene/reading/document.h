@@ -31,9 +31,11 @@ public:
         : table_(&table)
         , key_(std::move(key)) {}
 
+    // A key is found under its former name (renamed_keys.h) as well.
     const toml::node* find(const std::string& name);
-    bool has(const std::string& name) const { return table_->contains(name); }
+    bool has(const std::string& name) const { return table_->contains(written(name)); }
     const toml::table& table() const { return *table_; }
+    // As the document writes it, for messages.
     std::string dotted(const std::string& name) const;
     std::optional<Section> section(const std::string& name);
 
@@ -47,6 +49,8 @@ public:
     void refuse_rest();
 
 private:
+    std::string written(const std::string& name) const;
+
     const toml::table* table_;
     std::string key_;
     std::set<std::string> known_;

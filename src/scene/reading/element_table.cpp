@@ -44,10 +44,10 @@ std::vector<std::string> quoted_cells(std::string_view line) {
 
 class Reader {
 public:
-    Reader(const TableReading& reading, const animation::Timeline& timeline)
-        : reading_(reading)
+    Reader(const TableOptions& options, const animation::Timeline& timeline)
+        : options_(options)
         , timeline_(timeline)
-        , text_(base::file_text(reading.file, limits::table_bytes)) {}
+        , text_(base::file_text(options.file, limits::table_bytes)) {}
 
     ElementTable read() {
         read_header();
@@ -61,7 +61,7 @@ public:
         rows_.begin.push_back(row_count_);
         table.fields = fields_;
         table.samples =
-            std::make_shared<animation::ElementSamples>(std::move(rows_), reading_.interpolation);
+            std::make_shared<animation::ElementSamples>(std::move(rows_), options_.interpolation);
         return table;
     }
 
@@ -69,7 +69,7 @@ private:
     enum class Time { none, frame, seconds };
 
     [[noreturn]] void fail(const std::string& column, const std::string& message) const {
-        throw SceneError(fmt::format("{}:{}: {}{}", reading_.file.string(), line_,
+        throw SceneError(fmt::format("{}:{}: {}{}", options_.file.string(), line_,
                                      column.empty() ? "" : column + ": ", message));
     }
 
@@ -121,7 +121,7 @@ private:
 
     void choose_fields() {
         std::vector<bool> taken(names_.size(), false);
-        for (const auto& [field, name] : reading_.columns) {
+        for (const auto& [field, name] : options_.columns) {
             const auto from = column(name);
             if (!from) {
                 const std::string near = formula::nearest_name(name, names_);
@@ -140,7 +140,7 @@ private:
             const bool spoken = formula::is_identifier(name) && !formula::is_reserved(name) &&
                                 name != "t" && name != "i" && name != "n" && name != "frame" &&
                                 name != "id";
-            if (taken[k] || !spoken || reading_.columns.count(name)) continue;
+            if (taken[k] || !spoken || options_.columns.count(name)) continue;
             fields_.push_back(name);
             from_.push_back(k);
         }
@@ -214,9 +214,9 @@ private:
             rows_.values[f].push_back(number(from_[f]));
         }
         ++row_count_;
-        if (row_count_ - rows_.begin.back() > std::size_t(reading_.most)) {
+        if (row_count_ - rows_.begin.back() > std::size_t(options_.most)) {
             fail("", fmt::format("is element {} of its time; the array's count allows {}",
-                                 row_count_ - rows_.begin.back(), reading_.most));
+                                 row_count_ - rows_.begin.back(), options_.most));
         }
     }
 
@@ -283,7 +283,7 @@ private:
         rows_.ids.push_back(id);
     }
 
-    const TableReading& reading_;
+    const TableOptions& options_;
     const animation::Timeline& timeline_;
     std::string text_;
     std::size_t at_ = 0;
@@ -307,8 +307,8 @@ private:
 
 } // namespace
 
-ElementTable read_element_table(const TableReading& reading, const animation::Timeline& timeline) {
-    return Reader(reading, timeline).read();
+ElementTable read_element_table(const TableOptions& options, const animation::Timeline& timeline) {
+    return Reader(options, timeline).read();
 }
 
 } // namespace isomotion::scene

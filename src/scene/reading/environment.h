@@ -8,9 +8,9 @@
 
 namespace isomotion::scene {
 
-// Reads the section, if there is one, and adds its tracks; comes after read_output. The map is
-// looked for beside the scene, then in the program's media/. That it is there is all that is
-// checked: a scene loads without reading pictures.
+// Reads the section, if there is one, and adds its tracks; comes after read_output. Looks for the
+// map beside the scene, then in the program's media/. Checks only that the file exists: a scene
+// loads without reading pictures.
 std::optional<Environment> read_environment(Section& document, TrackTable& tracks, Reach reach);
 
 } // namespace isomotion::scene

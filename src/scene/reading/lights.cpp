@@ -58,7 +58,7 @@ void read_lights(Section& document, Scene& scene, TrackTable& tracks) {
 }
 
 void read_surroundings(Section& document, Scene& scene, TrackTable& tracks) {
-    // A moving number or vector of a table, or what stands for it.
+    // An animated value or vector of a table, or its default.
     const auto number = [&](Section& section, const std::string& name, double preset) {
         const toml::node* at = section.find(name);
         return tracks.add(section.dotted(name),
@@ -93,7 +93,7 @@ void read_surroundings(Section& document, Scene& scene, TrackTable& tracks) {
     }
     if (auto section = document.section("occlusion")) {
         Occlusion occlusion;
-        if (section->has("reach")) occlusion.reach = number(*section, "reach", 0);
+        if (section->has("radius")) occlusion.reach = number(*section, "radius", 0);
         occlusion.strength = number(*section, "strength", 1);
         scene.occlusion = occlusion;
         section->refuse_rest();

@@ -1,4 +1,4 @@
-// [[lights]], and the tables of what lights fall on and pass through: [ground], [fog], [occlusion].
+// Reads [[lights]], [ground], [fog] and [occlusion].
 #pragma once
 
 #include "scene/reading/document.h"

@@ -13,6 +13,7 @@
 #include "scene/reading/material.h"
 #include "scene/reading/space.h"
 #include "scene/reading/surface.h"
+#include "scene/renamed_keys.h"
 #include "scene/thresholds.h"
 
 namespace isomotion::scene {
@@ -42,6 +43,15 @@ fs::path locate(const std::string& scene) {
                                    scene, near));
 }
 
+// The other name of the key `part` in the table called `section`, if the table has it under that.
+std::optional<std::string> other_name(const toml::table& table, std::string_view section,
+                                      const std::string& part) {
+    const RenamedKey* key = renamed_key(section, part);
+    if (!key || table.contains(part)) return std::nullopt;
+    const std::string_view other = part == key->now ? key->before : key->now;
+    return table.contains(other) ? std::optional(std::string(other)) : std::nullopt;
+}
+
 // --set: the value goes into the document before it is read, so that it is checked like any other.
 void override_key(toml::table& document, const Override& setting) {
     const std::size_t equals = setting.find('=');
@@ -62,9 +72,13 @@ void override_key(toml::table& document, const Override& setting) {
     // parse() without a path leaves lines but no file; documents tell by that it was the command
     // line.
     toml::table* table = &document;
+    const auto section_above = [&](std::size_t begin) {
+        return std::string_view(path).substr(0, begin == 0 ? 0 : begin - 1);
+    };
     std::size_t begin = 0;
     for (std::size_t dot = path.find('.'); dot != path.npos; dot = path.find('.', begin)) {
-        const std::string part = path.substr(begin, dot - begin);
+        std::string part = path.substr(begin, dot - begin);
+        if (const auto other = other_name(*table, section_above(begin), part)) part = *other;
         toml::node* next = table->get(part);
         if (!next) {
             table->insert(part, toml::table{});
@@ -76,7 +90,9 @@ void override_key(toml::table& document, const Override& setting) {
         table = next->as_table();
         begin = dot + 1;
     }
-    table->insert_or_assign(path.substr(begin), *parsed.get("value"));
+    const std::string last = path.substr(begin);
+    if (const auto other = other_name(*table, section_above(begin), last)) table->erase(*other);
+    table->insert_or_assign(last, *parsed.get("value"));
 }
 
 // It goes to terminals, windows and into pictures.
@@ -183,7 +199,7 @@ void read_isolation(Section& document, Isolation& isolation, GivenThresholds& gi
         const auto method = parse_method(*text);
         if (!method) {
             std::vector<std::string> names;
-            for (const auto& entry : method_names) names.emplace_back(entry.name);
+            for (const auto& entry : method_traits) names.emplace_back(entry.name);
             fail(*section->find("method"), "isolation.method",
                  fmt::format("there is no method '{}'; known: {}", *text, fmt::join(names, ", ")));
         }

@@ -21,11 +21,11 @@ using Override = std::string;
 Scene load(const std::string& scene, const std::vector<Override>& overrides = {},
            Reach reach = Reach::own_folder);
 
-// The same of a scene's text, as if it were in `file`.
+// Loads a scene's text as if it were in `file`.
 Scene load_text(std::string_view text, const std::filesystem::path& file,
                 const std::vector<Override>& overrides = {}, Reach reach = Reach::own_folder);
 
-// What a scene or a surface of the catalogue calls itself.
+// The title of a scene or of a surface of the catalogue.
 std::string title(const std::filesystem::path& file);
 
 } // namespace isomotion::scene

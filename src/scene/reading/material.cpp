@@ -11,7 +11,7 @@ namespace {
 
 using Model = Material::Model;
 
-// A moving number of a model, and what it is when the scene gives none.
+// An animated value of a model, and its default.
 struct Gloss {
     Model model;
     const char* name;
@@ -37,14 +37,14 @@ void read_colors(std::optional<Section>& own, const SurfaceParts& parts, Materia
         for (auto* section : {&own, &catalogue}) {
             const toml::node* node = *section ? (*section)->find(name) : nullptr;
             if (node && !found) {
-                found = tracks.add("material." + name, *(*section)->vector(name), node);
+                found = tracks.add((*section)->dotted(name), *(*section)->vector(name), node);
             }
         }
         return found;
     };
-    const auto outside = color("color");
-    material.color = outside ? *outside : tracks.add("material.color", 0.72, 0.32, 0.08);
-    material.inside = color("inside");
+    const auto front = color("color");
+    material.color = front ? *front : tracks.add("material.color", 0.72, 0.32, 0.08);
+    material.inside = color("back_color");
     if (catalogue) catalogue->refuse_rest();
 }
 
@@ -104,7 +104,7 @@ Material read_material(Section& document, const SurfaceParts& parts, TrackTable&
         material.model = read_model(*own);
         read_gloss(*own, material, tracks);
         read_reflection(*own, material);
-        if (auto paint = own->section("paint")) painted = read_paint(*paint, tracks);
+        if (auto paint = own->section("colormap")) painted = read_paint(*paint, tracks);
         own->refuse_rest();
     }
     return material;

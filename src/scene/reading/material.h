@@ -6,9 +6,9 @@
 
 namespace isomotion::scene {
 
-// Reads the section and adds its tracks. Colours that the scene leaves out are the catalogue's;
-// a model and its numbers are the scene's alone.
-// `painted` is what [material.paint] has, for make_paint().
+// Reads the section and adds its tracks. Colours that the scene leaves out come from the catalogue;
+// a model and its values only from the scene. Sets `painted` to the contents of
+// [material.colormap], for make_paint().
 Material read_material(Section& document, const SurfaceParts& parts, TrackTable& tracks,
                        std::optional<PaintParts>& painted);
 

@@ -1,8 +1,8 @@
-// Files that a scene names: a surface's arrays, a map of the surroundings.
+// Files that a scene names: tables of elements, an environment map.
 //
-// Scenes come from strangers, too. One may name files of its own folder and of those below, and the
-// program's own: no other, by whatever way ("..", an absolute path, a symbolic link), unless the
-// user allows it. What --set names, the user has named.
+// Scenes come from strangers, too. A scene may name files of its own folder, of those below, and of
+// the program; no others, by whatever path ("..", absolute, a symbolic link), unless the user
+// allows it. A file that --set names was named by the user.
 #pragma once
 
 #include <filesystem>
@@ -14,12 +14,12 @@
 
 namespace isomotion::scene {
 
-// Where a file that `node` names may be: from where its document is; on the command line from the
-// current folder.
+// The path of a file that `node` names: relative to its document; from the command line relative to
+// the current folder.
 std::filesystem::path beside(const toml::node& node, const std::string& name);
 
-// The first of `places` that is a file. Throws SceneError at `key` if none is, and if that one lies
-// beyond `reach`.
+// The first of `places` that is a file. Throws SceneError at `key` if none is, or if `reach`
+// forbids that one.
 std::filesystem::path named_file(const toml::node& node, const std::string& key,
                                  std::span<const std::filesystem::path> places, Reach reach);
 

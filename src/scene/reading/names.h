@@ -7,7 +7,8 @@
 
 namespace isomotion::scene {
 
-// Throws SceneError unless formulas and expressions can say the name and mean nothing else by it.
+// Throws SceneError for a name that formulas and expressions cannot say, or that means something
+// else there.
 void check_name(const std::string& name, const toml::node& at, const std::string& key);
 
 } // namespace isomotion::scene

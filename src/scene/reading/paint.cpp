@@ -31,6 +31,7 @@ PaintParts read_paint(Section section, TrackTable& tracks) {
                          fmt::join(formula::paint_names, ", ")));
     }
     parts.value = *section.text("value");
+    parts.value_key = section.dotted("value");
     const std::string key = section.dotted("range");
     const toml::node* range = section.find("range");
     const toml::array* ends = range ? range->as_array() : nullptr;
@@ -52,7 +53,7 @@ Paint make_paint(const PaintParts& parts, const SurfaceParts& surface) {
         paint.value = std::make_shared<formula::Paint>(
             formula::make_paint(parts.value, surface.vocabulary, *surface.surface.field));
     } catch (const formula::ParseError& error) {
-        fail(*parts.value_node, "material.paint.value", error.what());
+        fail(*parts.value_node, parts.value_key, error.what());
     }
     return paint;
 }

@@ -1,4 +1,4 @@
-// The [material.paint] of a scene.
+// The [material.colormap] of a scene.
 #pragma once
 
 #include "scene/reading/document.h"
@@ -8,14 +8,15 @@
 
 namespace isomotion::scene {
 
-// What is read before the field is there.
+// The section as it is read before the field exists.
 struct PaintParts {
     Paint paint; // without its expression
     std::string value;
     const toml::node* value_node = nullptr;
+    std::string value_key; // for messages
 };
 
-// Adds the tracks of the range.
+// Reads the section and adds the tracks of the range.
 PaintParts read_paint(Section section, TrackTable& tracks);
 
 // Parses the expression against the surface's names.

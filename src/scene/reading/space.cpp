@@ -38,18 +38,20 @@ void read_space(Section& document, SurfaceParts& parts, TrackTable& tracks) {
     given->refuse_rest();
 
     Placement& placement = parts.surface.placement;
-    auto place = section->section("placement");
+    auto place = section->section("transform");
+    const auto dotted = [&](const std::string& name) {
+        return section->dotted("transform") + '.' + name;
+    };
     const auto vector = [&](const std::string& name) {
-        const std::string key = "surface.placement." + name;
+        const std::string key = dotted(name);
         const toml::node* node = place ? place->find(name) : nullptr;
         return node ? tracks.add(key, *place->vector(name), node) : tracks.add(key, 0, 0, 0);
     };
     placement.translate = vector("translate");
     placement.rotate = vector("rotate");
     const toml::node* scale = place ? place->find("scale") : nullptr;
-    placement.scale =
-        tracks.add("surface.placement.scale",
-                   scale ? *place->track("scale") : animation::TrackSource(1.0), scale);
+    placement.scale = tracks.add(
+        dotted("scale"), scale ? *place->track("scale") : animation::TrackSource(1.0), scale);
     if (place) place->refuse_rest();
 }
 

@@ -72,7 +72,7 @@ void read_parameters(Section& document, SurfaceParts& parts, TrackTable& tracks)
     }
 }
 
-// Of a field that stands alone.
+// The track of a field that has one value for all elements.
 animation::TrackSource as_track(const animation::FieldSource& source) {
     if (const auto* number = std::get_if<double>(&source)) return *number;
     return std::get<animation::Expression>(source);
@@ -106,7 +106,7 @@ void make_vocabulary(SurfaceParts& parts, TrackTable& tracks) {
 
 toml::table read_catalogue(const toml::node& use, const std::string& name) {
     const auto file = surface_file(name);
-    // A name, and no way to somewhere else.
+    // A bare name: no path to somewhere else.
     std::error_code ignored;
     if (name.find_first_of(std::string_view("/\0", 2)) != name.npos ||
         !std::filesystem::exists(file, ignored)) {
@@ -190,7 +190,7 @@ std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::T
         fail(section->table(), "surface",
              "needs formula = \"...\", or use = \"name\" of the catalogue");
     }
-    for (const char* later : {"bounds", "placement"}) section->find(later);
+    for (const char* later : {"bounds", "transform"}) section->find(later);
     section->refuse_rest();
     read_parameters(document, *parts, tracks);
     if (parts->catalogue) {

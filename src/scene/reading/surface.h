@@ -1,4 +1,4 @@
-// The [surface], [parameters] and [arrays] of a scene, with what a catalogue surface brings along.
+// The [surface], [parameters] and [arrays] of a scene, with those of its catalogue surface.
 #pragma once
 
 #include "scene/reading/document.h"

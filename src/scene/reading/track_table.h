@@ -1,4 +1,4 @@
-// Collects every moving number of a scene as a named track, with its place in the file for errors.
+// Collects every animated value of a scene as a named track, with its place in the file for errors.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@ namespace isomotion::scene {
 
 class TrackTable {
 public:
-    // `at` may be null for defaults; a place remembered before stays then.
+    // `at` may be null for a default, which keeps a place remembered before.
     TrackId add(const std::string& name, animation::TrackSource source, const toml::node* at);
     Vec3Track add(const std::string& name, const std::array<animation::TrackSource, 3>& source,
                   const toml::node* at);

@@ -123,10 +123,10 @@ std::int64_t rays(const Certified& on) {
 double operations(const scene::Scene& scene, scene::Method method) {
     scene::Scene with = scene;
     with.isolation.method = method;
-    const synthesis::Shaders shaders = synthesis::assemble(with);
+    const synthesis::Passes passes = synthesis::assemble(with);
     std::vector<int> counts;
-    for (const auto& array : shaders.arrays) counts.push_back(array.capacity);
-    return synthesis::cost(*scene.surface.field, shaders.samples, counts).operations;
+    for (const auto& array : passes.arrays) counts.push_back(array.capacity);
+    return synthesis::cost(*scene.surface.field, passes.samples, counts).operations;
 }
 
 double ratio(const Timing& slow, const Timing& fast) {

@@ -1,4 +1,4 @@
-// Methods held against each other on one subject: what they get wrong, and what they take.
+// Compares methods on one subject: wrong pixels and time.
 //
 // The sign test with adaptive steps (amp-sign) is the measure. Beside its time at the scene's own
 // step stands its time at *equal accuracy*: its step is halved until no more pixels are wrong than

@@ -53,7 +53,7 @@ std::vector<int> numbers(const std::string& text) {
 std::vector<scene::Method> parse_methods(const std::string& text) {
     std::vector<scene::Method> methods;
     if (text.empty()) {
-        for (const auto& entry : scene::method_names) methods.push_back(entry.method);
+        for (const auto& entry : scene::method_traits) methods.push_back(entry.method);
     }
     for (const std::string& item : listed(text)) {
         const auto method = scene::parse_method(item);

@@ -14,8 +14,7 @@ namespace {
 constexpr int width = 256;
 
 std::string shader(const std::string& file, const std::string& call) {
-    std::vector<std::string> files;
-    synthesis::ShaderText text(files);
+    synthesis::ShaderText text;
     for (const std::string& kernel : synthesis::kernel_files({"pow"})) text.file(kernel);
     text.file("effects/" + file);
     text.generated("a place a pixel", R"(
@@ -31,7 +30,7 @@ void main() {
     result = vec4()" + call + R"(, 1.0);
 }
 )");
-    return text.take();
+    return text.text();
 }
 
 gpu::Texture texture_of(const std::vector<Geometry>& places, int height,

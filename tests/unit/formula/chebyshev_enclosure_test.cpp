@@ -72,7 +72,7 @@ TEST(ChebyshevEnclosure, EnclosesTheHighestDegree) {
 }
 
 // The doubles between an end and the exact value, not counting what is below the precision that
-// Twofold has for values of size 1.
+// DoubleDouble has for values of size 1.
 double distance(double end, const Exact& value) {
     const double exact = value.rounded(), off = std::abs(end - exact);
     return off < 1e-24 ? 0 : off / std::abs(std::nextafter(exact, infinity) - exact);

@@ -52,7 +52,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Reading{"asin(y)", std::asin(y)}, Reading{"acos(y)", std::acos(y)},
                     Reading{"atan(x)", std::atan(x)}, Reading{"floor(y)", -1},
                     Reading{"min(x, y)", y}, Reading{"max(x, y)", x}, Reading{"min(x, y, -4)", -4},
-                    Reading{"max(1, 2, x, 7, z)", 7}, Reading{"pow(z, y)", std::pow(z, y)},
+                    Reading{"max(1, 2, x, 7, z)", 7}, Reading{"smoothmin(x, y, 0)", y},
+                    Reading{"smoothmin(1, 1, 2)", 0.5}, Reading{"pow(z, y)", std::pow(z, y)},
                     Reading{"pow(z, -2)", 1 / (z * z)}, Reading{"z^0.5", 1.5},
                     Reading{"x^m", x* x* x}, Reading{"chebyshev(3, x)", 4 * x* x* x - 3 * x},
                     Reading{"chebyshev(1+1, x)", 2 * x* x - 1}, Reading{"chebyshev(0, x)", 1}));

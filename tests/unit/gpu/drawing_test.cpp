@@ -1,7 +1,7 @@
 #include "every_backend.h"
 
 #include "gpu/buffer.h"
-#include "gpu/gate.h"
+#include "gpu/depth_mask.h"
 #include "gpu/query.h"
 #include "gpu/transfer.h"
 
@@ -45,9 +45,9 @@ TEST_P(DrawingTest, AttachmentsKeepFloatsExactly) {
     EXPECT_EQ(b[3], 0.1f);
 }
 
-TEST_P(DrawingTest, AGateLetsDrawsThroughWhereItIsOpenUntilItIsSetAnew) {
+TEST_P(DrawingTest, AMaskKeepsDrawsToItsPixelsUntilItIsSetAnew) {
     const Target target(37, 5, 1);
-    const Gate gate(target);
+    const DepthMask mask(target);
     const Program left = fullscreen_program(
         "out vec4 never;", "never = vec4(9.0); gl_FragDepth = gl_FragCoord.x < 18.0 ? 1.0 : 0.0;");
     const Program none = fullscreen_program("", "gl_FragDepth = 0.0;");
@@ -71,17 +71,17 @@ TEST_P(DrawingTest, AGateLetsDrawsThroughWhereItIsOpenUntilItIsSetAnew) {
         return count;
     };
 
-    gate.set(draw(left));
+    mask.set(draw(left));
     target.clear(0, glm::vec4(1));
-    gate.through(draw(seven));
+    mask.apply(draw(seven));
     EXPECT_EQ(sevens(), 18 * 5);
-    gate.set(draw(none));
+    mask.set(draw(none));
     target.clear(0, glm::vec4(1));
-    gate.through(draw(seven));
+    mask.apply(draw(seven));
     EXPECT_EQ(sevens(), 0);
     target.bind();
     draw(seven)();
-    EXPECT_EQ(target.read(0, 36, 4, 1, 1)[0], 7) << "other draws know no gate";
+    EXPECT_EQ(target.read(0, 36, 4, 1, 1)[0], 7) << "other draws know no mask";
 }
 
 // Later draws into the same target change nothing of what was asked for.

@@ -63,7 +63,7 @@ TEST_F(Cameras, OrbitTheTargetAboutUp) {
 TEST_F(Cameras, OrbitTheMiddleOfTheBoundsInTheWorld) {
     const SceneAt now = at_time(loaded("[surface]\nformula = \"x^2 + y^2 + z^2 - 1\"\n"
                                        "bounds = { box = [[0, 0, 0], [2, 4, 6]] }\n"
-                                       "placement = { translate = [10, 0, 0], scale = 3 }\n"
+                                       "transform = { translate = [10, 0, 0], scale = 3 }\n"
                                        "[camera]\nazimuth = 0\nelevation = 0\ndistance = 100\n"),
                                 0);
     expect_near(now.camera.target, {13, 6, 9});

@@ -180,10 +180,10 @@ TEST_F(ElementTables, MistakesInTheFileNameItsLine) {
              {"id,cx,cy,cz\n7.5,0,0,0\n", "d.csv:2: id: '7.5' must be a whole number"},
              {head + "2,0,0,0\n3,0,0,0\n",
               "d.csv:2: begins at t = 0.1, after the scene's first frame; begin at 0, or give the "
-              "array outside = \"hold\""},
+              "array extrapolate = \"hold\""},
              {head + "1,0,0,0\n2,0,0,0\n",
               "d.csv:3: ends at t = 0.1, but frame 3 of the scene is at t = 0.2; lower "
-              "time.frames, or give the array outside = \"hold\""},
+              "time.frames, or give the array extrapolate = \"hold\""},
          }) {
         EXPECT_EQ(wrong(table), message) << table;
     }
@@ -204,9 +204,10 @@ TEST_F(ElementTables, MistakesInTheSceneNameTheirKey) {
               "choose another name");
     EXPECT_EQ(wrong("cx,cy,cz\n1,2,3\n", "interpolation = \"cubic\""),
               "scene.toml:10: arrays.drops.interpolation: must be linear or hold, not 'cubic'");
-    EXPECT_EQ(wrong("cx,cy,cz\n1,2,3\n", "outside = \"loop\""),
-              "scene.toml:10: arrays.drops.outside: must be hold: the first and the last elements "
-              "stay, not 'loop'");
+    EXPECT_EQ(
+        wrong("cx,cy,cz\n1,2,3\n", "extrapolate = \"loop\""),
+        "scene.toml:10: arrays.drops.extrapolate: must be hold: the first and the last elements "
+        "stay, not 'loop'");
     EXPECT_EQ(wrong("cx,cy,cz\n1,2,3\n1,2,3\n", "count = 1"),
               "d.csv:3: is element 2 of its time; the array's count allows 1");
     EXPECT_THAT(wrong("x,y,z\n1,2,3\n"), testing::HasSubstr("scene.toml:5: surface.formula: "));
@@ -216,7 +217,7 @@ TEST_F(ElementTables, MistakesInTheSceneNameTheirKey) {
 }
 
 TEST_F(ElementTables, OutsideHoldsWhatTheEndsShow) {
-    const Scene scene = read("frame,cx,cy,cz\n2,5,0,0\n3,6,0,0\n", "outside = \"hold\"", 9);
+    const Scene scene = read("frame,cx,cy,cz\n2,5,0,0\n3,6,0,0\n", "extrapolate = \"hold\"", 9);
     EXPECT_THAT(at_frame(scene, 1).fields[0], ElementsAre(5));
     EXPECT_THAT(at_frame(scene, 9).fields[0], ElementsAre(6));
 }

@@ -75,7 +75,7 @@ TEST_F(EnvironmentSection, WholeTurnsAreNone) {
 
 TEST_F(EnvironmentSection, TurnsWithTheSurfaceIntoFormulaCoordinates) {
     const Scene scene = loaded(ball_with(7, "bounds = { sphere = 1.5 }\n"
-                                            "placement = { rotate = [0, 0, 90], scale = 2 }") +
+                                            "transform = { rotate = [0, 0, 90], scale = 2 }") +
                                "[environment]\nmap = \"sky.exr\"\n");
     const EnvironmentAt there = *in_formula_coordinates(at_time(scene, 0)).environment;
     EXPECT_LT(glm::length(there.ahead - glm::dvec3(0, -1, 0)), 1e-15);

@@ -19,7 +19,7 @@ protected:
         return at_time(loaded(fmt::format("[surface]\n"
                                           "formula = \"x^2 + y^2 + z^2 - 1\"\n"
                                           "bounds = {}\n"
-                                          "placement = {}\n"
+                                          "transform = {}\n"
                                           "[camera]\n"
                                           "fov = {}\n"
                                           "[output]\n"
@@ -92,7 +92,7 @@ TEST_F(Framing, TheMiddleOfTheBoundsIsTheMiddleOfThePicture) {
 TEST_F(Framing, TheCameraFollowsMovingBounds) {
     const Scene scene = loaded("[surface]\nformula = \"x^2 + y^2 + z^2 - 1\"\n"
                                "bounds = { sphere = \"1 + t\" }\n"
-                               "placement = { translate = [\"5*t\", 0, 0] }\n");
+                               "transform = { translate = [\"5*t\", 0, 0] }\n");
     const CameraAt before = at_time(scene, 0).camera, after = at_time(scene, 1).camera;
     EXPECT_EQ(after.target, glm::dvec3(5, 0, 0));
     EXPECT_NEAR(glm::length(after.position - after.target),

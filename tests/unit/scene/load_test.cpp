@@ -15,7 +15,7 @@ seed = 5
 [surface]
 formula = "sum(blobs, w*exp(-k*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))) - m"
 bounds = { sphere = "2 + t", centre = [0.5, 0, { keys = [[0, 1], [1, 3]] }] }
-placement = { translate = [1, "2*t", 3], rotate = { keys = [[0, [0, 0, 0]], [2, [90, 0, 180]]], ease = "smooth" }, scale = 2 }
+transform = { translate = [1, "2*t", 3], rotate = { keys = [[0, [0, 0, 0]], [2, [90, 0, 180]]], ease = "smooth" }, scale = 2 }
 [parameters]
 m = "0.5 + 0.1*t"
 k = { keys = [[0, 4], [1, 8], [2, 2]], ease = "cubic" }
@@ -200,7 +200,7 @@ TEST_F(Load, ParametersComeFirstAmongTheTracks) {
 }
 
 TEST_F(Load, EveryMethodByItsName) {
-    for (const MethodName& method : method_names) {
+    for (const MethodTraits& method : method_traits) {
         const std::string line = "[isolation]\nmethod = \"" + std::string(method.name) + "\"";
         EXPECT_EQ(loaded(ball_and(line)).isolation.method, method.method);
         EXPECT_EQ(name(method.method), method.name);

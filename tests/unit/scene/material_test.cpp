@@ -105,7 +105,7 @@ TEST_F(Materials, OfTheCatalogue) {
     EXPECT_EQ(at_time(scene, 0).material_color, glm::dvec3(0, 0, 1));
     EXPECT_EQ(mistake("[surface]\nuse = \"glossy\"\n"),
               "animations/surfaces/glossy.toml:5: material.roughness: unknown key; known here: "
-              "color, inside");
+              "back_color, color");
 }
 
 } // namespace

@@ -44,7 +44,8 @@ TEST_F(Overrides, AnyKeyOfTheFile) {
 TEST_F(Overrides, AWholeCameraInPlaceOfTheScenes) {
     const CameraAt camera = set({"camera={azimuth = 0, elevation = 0, distance = 7}"}).camera;
     EXPECT_EQ(camera.position - camera.target, glm::dvec3(7, 0, 0));
-    const std::string parallel = "camera={position=[0,1,0], projection='orthographic', height='1+t'}";
+    const std::string parallel =
+        "camera={position=[0,1,0], projection='orthographic', height='1+t'}";
     EXPECT_EQ(set({parallel}, 2).camera.height, 3);
     EXPECT_EQ(set({parallel}).camera.position, glm::dvec3(0, 1, 0));
     EXPECT_THAT(wrong({"camera={positions=[0,1,0]}"}), testing::HasSubstr("positions"));
@@ -52,7 +53,7 @@ TEST_F(Overrides, AWholeCameraInPlaceOfTheScenes) {
 
 TEST_F(Overrides, SectionsTheFileDoesNotHave) {
     EXPECT_EQ(set({"material.color=[1, 0, 0]"}).material_color, glm::dvec3(1, 0, 0));
-    EXPECT_EQ(set({"surface.placement.scale=2"}).placement.scale, 2);
+    EXPECT_EQ(set({"surface.transform.scale=2"}).placement.scale, 2);
     EXPECT_EQ(loaded(ball(), {"isolation.method=amp-taylor"}).isolation.method, Method::amp_taylor);
 }
 

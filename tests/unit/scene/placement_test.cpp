@@ -15,7 +15,7 @@ protected:
             return fmt::format("[{}, {}, {}]", v.x, v.y, v.z);
         };
         const std::string line =
-            fmt::format("bounds = {{ sphere = 1.5 }}\nplacement = {{ translate = {}, rotate = {}, "
+            fmt::format("bounds = {{ sphere = 1.5 }}\ntransform = {{ translate = {}, rotate = {}, "
                         "scale = {} }}",
                         list(translate), list(rotate), scale);
         return at_time(loaded(ball_with(7, line)), 0).placement;

@@ -40,10 +40,10 @@ TEST_F(Range, Bounds) {
 }
 
 TEST_F(Range, Placement) {
-    EXPECT_EQ(bounds_and("placement = { scale = \"2 - t\" }"),
-              ": surface.placement.scale at t = 2: the scale must be above 0, not 0");
-    EXPECT_EQ(bounds_and("placement = { scale = \"1 - t\" }"),
-              ": surface.placement.scale at t = 2: the scale must be above 0, not -1");
+    EXPECT_EQ(bounds_and("transform = { scale = \"2 - t\" }"),
+              ": surface.transform.scale at t = 2: the scale must be above 0, not 0");
+    EXPECT_EQ(bounds_and("transform = { scale = \"1 - t\" }"),
+              ": surface.transform.scale at t = 2: the scale must be above 0, not -1");
 }
 
 TEST_F(Range, Camera) {
@@ -71,10 +71,10 @@ TEST_F(Range, NotANumber) {
         EXPECT_EQ(of_line(9, "radius = " + text), ": radius" + nan);
         EXPECT_EQ(of_line(7, "bounds = { sphere = 1, centre = [0, " + text + ", 0] }"),
                   ": surface.bounds.centre.y" + nan);
-        EXPECT_EQ(bounds_and("placement = { translate = [" + text + ", 0, 0] }"),
-                  ": surface.placement.translate.x" + nan);
-        EXPECT_EQ(bounds_and("placement = { rotate = [" + text + ", 0, 0] }"),
-                  ": surface.placement.rotate.x" + nan);
+        EXPECT_EQ(bounds_and("transform = { translate = [" + text + ", 0, 0] }"),
+                  ": surface.transform.translate.x" + nan);
+        EXPECT_EQ(bounds_and("transform = { rotate = [" + text + ", 0, 0] }"),
+                  ": surface.transform.rotate.x" + nan);
         EXPECT_EQ(of_line(11, "position = [4, 0, " + text + "]"), ": camera.position.z" + nan);
         EXPECT_EQ(of_line(12, "up = [0, 1, " + text + "]"), ": camera.up.z" + nan);
         EXPECT_EQ(of_line(12, "fov = " + text), ": camera.fov" + nan);

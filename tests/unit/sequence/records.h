@@ -8,7 +8,7 @@
 #include "image/decode.h"
 #include "image/encode.h"
 #include "sequence/manifest.h"
-#include "sequence/recording.h"
+#include "sequence/manifest_writer.h"
 #include "unit/image/places.h"
 
 namespace isomotion::sequence {
@@ -18,17 +18,15 @@ inline Sequence some_sequence(std::vector<int> asked = {1, 2, 3}) {
     sequence.title = "Sphere";
     sequence.scene_file = "sphere.toml";
     sequence.backend = "egl-surfaceless";
-    sequence.making = {"scene", "shaders", "0.1.0", "llvmpipe", "fragment"};
-    sequence.shape = {"a.####.png", 4, 3, "png 8", {"R", "G", "B", "A"}, "30000/1001"};
+    sequence.provenance = {"scene", "shaders", "0.1.0", "llvmpipe", "fragment"};
+    sequence.format = {"a.####.png", 4, 3, "png 8", {"R", "G", "B", "A"}, "30000/1001"};
     sequence.asked = std::move(asked);
     return sequence;
 }
 
 class Recorded : public testing::Test {
 protected:
-    image::SequenceName name() const {
-        return image::SequenceName::parse((folder_ / "a.####.png").string());
-    }
+    SequenceName name() const { return SequenceName::parse((folder_ / "a.####.png").string()); }
     std::filesystem::path manifest() const { return manifest_folder(name()); }
 
     // Writes the frame's picture and what is to be said of it.
@@ -39,7 +37,7 @@ protected:
         FrameRecord record;
         record.frame = frame;
         record.fingerprint = "print " + std::to_string(frame);
-        record.making = some_sequence().making;
+        record.provenance = some_sequence().provenance;
         record.verdicts = {7, 5, 0, 0, 0};
         record.evaluations = 100;
         record.drawing = 0.25;
@@ -48,7 +46,7 @@ protected:
             record);
         return record;
     }
-    void write_all(const Recording& recording, int frames) const {
+    void write_all(const ManifestWriter& recording, int frames) const {
         for (int frame = 1; frame <= frames; ++frame) recording.record(write(frame));
     }
 

@@ -1,7 +1,12 @@
 #include "sequence/scene_fingerprint.h"
 
+#include <filesystem>
+#include <fstream>
 #include <set>
 
+#include <unistd.h>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "scene/reading/load.h"
@@ -28,7 +33,7 @@ TEST(SceneFingerprint, EveryChangeShows) {
         "isolation.limit=5000",
         "time.fps=12",
         "material.reflection=\"sky\"",
-        "surface.placement.scale=1.5",
+        "surface.transform.scale=1.5",
     };
     std::set<std::string> prints{print({})};
     for (const auto& change : changes) EXPECT_TRUE(prints.insert(print({change})).second) << change;
@@ -40,6 +45,35 @@ TEST(SceneFingerprint, IsTheSameEachTime) { EXPECT_EQ(print({}), print({})); }
 TEST(SceneFingerprint, TheNumberOfFramesDoesNotCount) {
     EXPECT_EQ(print({"time.frames=7", "output.poster=1"}),
               print({"time.frames=9", "output.poster=2"}));
+}
+
+// A key's new name leaves fingerprints as they were, so that sequences from before go on: this one
+// is from when there were only the old names.
+TEST(SceneFingerprint, OutlivesRenamedKeys) {
+    const auto print_of = [](const std::string& transform, const std::string& extrapolate,
+                             const std::string& back_color, const std::string& colormap,
+                             const std::string& radius) {
+        const auto folder = std::filesystem::temp_directory_path();
+        const std::string table = fmt::format("isomotion-fingerprint-{}.csv", getpid());
+        std::ofstream(folder / table) << "t,cx\n0,1\n1,2\n";
+        const scene::Scene loaded = scene::load_text(
+            fmt::format("title = \"Pinned\"\n[time]\nframes = 90\n"
+                        "[surface]\nformula = \"x^2 + y^2 + z^2 - 1 + sum(drops, 0.001*cx)\"\n"
+                        "bounds = {{ sphere = 1.5 }}\n"
+                        "{} = {{ translate = [1, \"t\", 3], scale = 2 }}\n"
+                        "[arrays.drops]\nfile = \"{}\"\n{} = \"hold\"\n"
+                        "[material]\n{} = [0, \"t/4\", 1]\n"
+                        "[material.{}]\nvalue = \"nz\"\nrange = [-1, \"1 + t\"]\n"
+                        "[occlusion]\n{} = \"0.5 + t\"\n[output]\nsize = [8, 8]\n"
+                        "[isolation]\nstep = 0.01\nnear = 0.125\nfar = 1\nhorizon = 0.25\n",
+                        transform, table, extrapolate, back_color, colormap, radius),
+            folder / "scene.toml");
+        std::filesystem::remove(folder / table);
+        return scene_fingerprint(loaded);
+    };
+    const std::string before = "95a5f478624de86d91e23a9af8f565fe";
+    EXPECT_EQ(print_of("placement", "outside", "inside", "paint", "reach"), before);
+    EXPECT_EQ(print_of("transform", "extrapolate", "back_color", "colormap", "radius"), before);
 }
 
 } // namespace

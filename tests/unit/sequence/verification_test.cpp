@@ -13,7 +13,7 @@ class VerificationTest : public Recorded {
 protected:
     VerificationTest() { write_all(recording_, 3); }
 
-    const Recording recording_{name(), some_sequence()};
+    const ManifestWriter recording_{name(), some_sequence()};
 };
 
 TEST_F(VerificationTest, AWholeSequence) {
@@ -51,8 +51,8 @@ TEST_F(VerificationTest, FilesThatLookLikeFramesAndAreNone) {
 
 TEST_F(VerificationTest, FramesOfAnotherMaking) {
     FrameRecord record = write(2);
-    record.making.renderer = "another";
-    record.making.version = "0.0.9";
+    record.provenance.renderer = "another";
+    record.provenance.version = "0.0.9";
     recording_.record(record);
     const Verification found = verify(manifest());
     EXPECT_FALSE(found.is_whole());

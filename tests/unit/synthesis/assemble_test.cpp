@@ -17,11 +17,15 @@ protected:
     static void SetUpTestSuite() { use_shaders_of_source_tree(); }
 };
 
-void expect_same_text(const Shaders& a, const Shaders& b) {
-    EXPECT_EQ(a.vertex, b.vertex);
-    EXPECT_EQ(a.march, b.march);
-    EXPECT_EQ(a.active, b.active);
-    EXPECT_EQ(a.shade, b.shade);
+// Every pass that runs, as it runs.
+void expect_same_text(const Passes& a, const Passes& b) {
+    ASSERT_EQ(a.list.size(), b.list.size());
+    for (std::size_t k = 0; k < a.list.size(); ++k) {
+        EXPECT_EQ(a.list[k].name, b.list[k].name);
+        EXPECT_EQ(a.list[k].vertex, b.list[k].vertex) << a.list[k].name;
+        EXPECT_EQ(a.list[k].text, b.list[k].text) << a.list[k].name;
+    }
+    EXPECT_EQ(a.fingerprint(), b.fingerprint());
 }
 
 // Everything in a scene that is a value, twice.
@@ -82,9 +86,40 @@ color = ["t", 1, 0]
 size = [77, 33]
 )";
 
-TEST_F(Assemble, NoValueIsInTheText) {
-    expect_same_text(assemble(scene_of(one_set_of_values), every_channel),
-                     assemble(scene_of(another_set_of_values), every_channel));
+// Keys of [material] and tables that bring passes of their own; # is a value.
+struct Called {
+    std::string material, tables;
+};
+const std::vector<Called> calls{
+    {"", ""},
+    {"reflection = 'self'\n", "[[lights]]\ndirection = [#, 1, 0]\nshadow = true\n"},
+    {"back_color = [#, 0, 0]\n", "[fog]\ndensity = #\n[ground]\nheight = -#\n[occlusion]\n"},
+    {"", "[material.colormap]\nvalue = 'nz'\nrange = [-#, 1]\n"}};
+
+scene::Scene called(std::string scene, const Called& more, const std::string& value) {
+    const std::string head = "[material]\n";
+    scene.insert(scene.find(head) + head.size(), more.material);
+    std::string text;
+    for (const char c : scene + more.tables) text += c == '#' ? value : std::string(1, c);
+    return scene_of(text);
+}
+
+TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
+    std::vector<Channel> channels = every_channel;
+    channels.push_back(Channel::velocity);
+    std::set<Role> roles;
+    for (const Called& more : calls) {
+        for (const Stage stage : {Stage::fragment, Stage::compute}) {
+            scene::Scene one = called(one_set_of_values, more, "0.25");
+            scene::Scene other = called(another_set_of_values, more, "0.5");
+            one.isolation.certify = other.isolation.certify = true;
+            expect_same_text(assemble(one, channels, stage), assemble(other, channels, stage));
+            expect_same_text(assemble(one, {}, stage), assemble(other, {}, stage));
+            for (const Pass& pass : assemble(one, channels, stage).list) roles.insert(pass.role);
+            for (const Pass& pass : assemble(one, {}, stage).list) roles.insert(pass.role);
+        }
+    }
+    EXPECT_EQ(roles.size(), std::size_t(Role::double_proof) + 1) << "a role that no scene has";
 }
 
 TEST_F(Assemble, TheSameSceneGivesTheSameText) {
@@ -92,14 +127,14 @@ TEST_F(Assemble, TheSameSceneGivesTheSameText) {
 }
 
 TEST_F(Assemble, WithoutChannelsThereIsNoLineOfOne) {
-    const Shaders plain = assemble(scene_of(surface_text("x")));
+    const Passes plain = assemble(scene_of(surface_text("x")));
     for (const auto& name : shader_files()) {
         if (!name.starts_with("channels/")) continue;
-        EXPECT_THAT(plain.shade + plain.march, Not(HasSubstr(name)));
+        EXPECT_THAT(all_texts(plain), Not(HasSubstr(name)));
         std::istringstream lines(read_shader(name));
         for (std::string line; std::getline(lines, line);) {
             if (line.empty() || line == "}") continue;
-            EXPECT_THAT(plain.shade + plain.march + plain.active, Not(HasSubstr(line)));
+            EXPECT_THAT(all_texts(plain), Not(HasSubstr(line)));
         }
     }
     EXPECT_THAT(plain.attachments, IsEmpty());
@@ -107,25 +142,30 @@ TEST_F(Assemble, WithoutChannelsThereIsNoLineOfOne) {
 
 TEST_F(Assemble, AChannelAddsItsOwnFileADefineAndACall) {
     const scene::Scene scene = scene_of(surface_text("x"));
-    const Shaders plain = assemble(scene), with_depth = assemble(scene, {Channel::depth});
-    EXPECT_EQ(with_depth.march, plain.march);
-    EXPECT_EQ(with_depth.active, plain.active);
-    EXPECT_EQ(with_depth.vertex, plain.vertex);
-    EXPECT_THAT(without(lines_of(plain.shade), lines_of(with_depth.shade)), IsEmpty());
+    const Passes plain = assemble(scene), with_depth = assemble(scene, {Channel::depth});
+    ASSERT_EQ(with_depth.list.size(), plain.list.size());
     Lines expected = lines_of(read_shader("channels/depth.glsl"));
     expected.insert({"", "// shaders/channels/depth.glsl", "#define DEPTH_LOCATION 2",
                      "    write_depth(ray, hit, verdict);"});
-    EXPECT_EQ(without(lines_of(with_depth.shade), lines_of(plain.shade)), expected);
+    for (std::size_t k = 0; k < plain.list.size(); ++k) {
+        const Lines before = lines_of(plain.list[k].text),
+                    after = lines_of(with_depth.list[k].text);
+        const Role role = plain.list[k].role;
+        const bool writes = role == Role::shade || role == Role::fused;
+        EXPECT_THAT(without(before, after), IsEmpty()) << plain.list[k].name;
+        EXPECT_EQ(without(after, before), writes ? expected : Lines{}) << plain.list[k].name;
+        EXPECT_EQ(plain.list[k].vertex, with_depth.list[k].vertex);
+    }
 }
 
 // Attachments are numbered without gaps, whatever is asked for in whatever order.
 TEST_F(Assemble, ChannelsTakeTheNextAttachment) {
     const scene::Scene scene = scene_of(surface_text("x"));
-    const Shaders two = assemble(scene, {Channel::position, Channel::normal});
+    const Passes two = assemble(scene, {Channel::position, Channel::normal});
     EXPECT_EQ(two.attachments, (std::vector{Channel::normal, Channel::position}));
-    EXPECT_THAT(two.shade, HasSubstr("#define NORMAL_LOCATION 2\n"));
-    EXPECT_THAT(two.shade, HasSubstr("#define POSITION_LOCATION 3\n"));
-    EXPECT_THAT(two.shade, Not(HasSubstr("DEPTH_LOCATION")));
+    EXPECT_THAT(text_of(two, Role::shade), HasSubstr("#define NORMAL_LOCATION 2\n"));
+    EXPECT_THAT(text_of(two, Role::shade), HasSubstr("#define POSITION_LOCATION 3\n"));
+    EXPECT_THAT(text_of(two, Role::shade), Not(HasSubstr("DEPTH_LOCATION")));
     expect_same_text(two, assemble(scene, {Channel::normal, Channel::position, Channel::normal}));
     // These two are in every picture's record.
     expect_same_text(assemble(scene), assemble(scene, {Channel::verdict, Channel::evaluations}));
@@ -133,75 +173,75 @@ TEST_F(Assemble, ChannelsTakeTheNextAttachment) {
 
 TEST_F(Assemble, TheMethodChangesTheMarchAlone) {
     std::set<std::string> marches;
-    std::vector<Shaders> all;
+    std::vector<Passes> all;
     for (const auto& method : every_method) {
         all.push_back(assemble(scene_of(surface_text("x*y", every_bounds[0], method))));
-        marches.insert(all.back().march);
-        EXPECT_EQ(all.back().shade, all.front().shade);
-        EXPECT_EQ(all.back().active, all.front().active);
+        marches.insert(text_of(all.back(), Role::march));
+        EXPECT_EQ(text_of(all.back(), Role::shade), text_of(all.front(), Role::shade));
+        EXPECT_EQ(text_of(all.back(), Role::active), text_of(all.front(), Role::active));
     }
     EXPECT_EQ(marches.size(), every_method.size());
     // Uniform steps with a sign test pay for no derivative.
-    EXPECT_THAT(all[0].march, Not(HasSubstr("field_along")));
-    EXPECT_THAT(all[0].march, HasSubstr("float field(vec3 p)"));
+    EXPECT_THAT(text_of(all[0], Role::march), Not(HasSubstr("field_along")));
+    EXPECT_THAT(text_of(all[0], Role::march), HasSubstr("float field(vec3 p)"));
     // The two adaptive methods differ by one file.
     Lines taylor = lines_of(read_shader("march/taylor_test.glsl"));
     taylor.insert("// shaders/march/taylor_test.glsl");
-    const Lines more = without(lines_of(all[2].march), lines_of(all[1].march));
+    const Lines more =
+        without(lines_of(text_of(all[2], Role::march)), lines_of(text_of(all[1], Role::march)));
     EXPECT_THAT(without(more, taylor), IsEmpty());
 }
 
 TEST_F(Assemble, TheBoundsShapeChangesOneFile) {
-    const Shaders sphere = assemble(scene_of(surface_text("x", every_bounds[0])), every_channel);
-    const Shaders box = assemble(scene_of(surface_text("x", every_bounds[1])), every_channel);
+    const Passes sphere = assemble(scene_of(surface_text("x", every_bounds[0])), every_channel);
+    const Passes box = assemble(scene_of(surface_text("x", every_bounds[1])), every_channel);
     Lines clip_box = lines_of(read_shader("march/clip_box.glsl"));
     clip_box.insert("// shaders/march/clip_box.glsl");
     Lines clip_sphere = lines_of(read_shader("march/clip_sphere.glsl"));
     clip_sphere.insert("// shaders/march/clip_sphere.glsl");
-    for (const auto& text : {&Shaders::march, &Shaders::shade}) {
-        const Lines b = lines_of(box.*text), s = lines_of(sphere.*text);
+    for (const Role role : {Role::march, Role::shade, Role::fused, Role::mask}) {
+        const Lines b = lines_of(text_of(box, role)), s = lines_of(text_of(sphere, role));
         EXPECT_EQ(without(b, s), without(clip_box, clip_sphere));
         EXPECT_EQ(without(s, b), without(clip_sphere, clip_box));
     }
-    EXPECT_EQ(box.active, sphere.active);
+    EXPECT_EQ(text_of(box, Role::active), text_of(sphere, Role::active));
 }
 
 // Proofs are shaders of their own: others only tell them where rays ended, as they tell a channel.
 TEST_F(Assemble, ProofsAddAChannelToThePictureAndChangeNoOtherShader) {
     for (const auto& bounds : every_bounds) {
         const std::string text = surface_text("x*y - 1", bounds);
-        const Shaders plain = assemble(scene_of(text), every_channel);
-        const Shaders proving = assemble(scene_of(text + "certify = true\n"), every_channel);
-        EXPECT_EQ(proving.march, plain.march);
-        EXPECT_EQ(proving.active, plain.active);
-        EXPECT_EQ(proving.vertex, plain.vertex);
+        const Passes plain = assemble(scene_of(text), every_channel);
+        const Passes proving = assemble(scene_of(text + "certify = true\n"), every_channel);
         Lines ending = lines_of(read_shader("channels/ending.glsl"));
         ending.insert({"", "// shaders/channels/ending.glsl", "#define ENDING_LOCATION 5",
                        "    write_ending(ray, hit, verdict);"});
-        for (const auto part : {&Shaders::shade, &Shaders::whole}) {
-            EXPECT_THAT(without(lines_of(plain.*part), lines_of(proving.*part)), IsEmpty());
-            EXPECT_EQ(without(lines_of(proving.*part), lines_of(plain.*part)), ending);
+        for (const Pass& pass : plain.list) {
+            const Pass& with = proving.at(pass.role, pass.level);
+            const bool writes = pass.role == Role::shade || pass.role == Role::fused;
+            EXPECT_THAT(without(lines_of(pass.text), lines_of(with.text)), IsEmpty()) << pass.name;
+            EXPECT_EQ(without(lines_of(with.text), lines_of(pass.text)), writes ? ending : Lines{})
+                << pass.name;
+            EXPECT_EQ(pass.vertex, with.vertex);
+            EXPECT_FALSE(is_proof(pass.role)) << pass.name;
+        }
+        for (const Pass& pass : proving.list) {
+            EXPECT_EQ(is_proof(pass.role), !plain.find(pass.role, pass.level)) << pass.name;
         }
         EXPECT_EQ(proving.attachments.size(), plain.attachments.size() + 1);
-        ASSERT_EQ(plain.beams.size(), proving.beams.size());
-        for (std::size_t k = 0; k < plain.beams.size(); ++k) {
-            EXPECT_EQ(plain.beams[k].text, proving.beams[k].text);
-        }
-        EXPECT_THAT(plain.block_proof + plain.begin_proof + plain.proof + plain.sharp_proof +
-                        plain.double_proof,
-                    IsEmpty());
-        EXPECT_THAT(proving.proof, HasSubstr("proof/prove.glsl"));
-        for (const auto& name : plain.files) EXPECT_FALSE(name.starts_with("proof/")) << name;
+        EXPECT_THAT(text_of(proving, Role::proof), HasSubstr("proof/prove.glsl"));
+        for (const auto& name : plain.files()) EXPECT_FALSE(name.starts_with("proof/")) << name;
     }
 }
 
 TEST_F(Assemble, ASumStaysOneLoopAndOneSizeOfText) {
-    const Shaders few = assemble(scene_of(blobs_text(75)));
-    const Shaders many = assemble(scene_of(blobs_text(5000)));
-    for (const auto& text : {&Shaders::march, &Shaders::shade}) {
-        EXPECT_EQ(occurrences(few.*text, "for (int e0"), 1);
-        EXPECT_EQ(occurrences(few.*text, "array0_texel("), 2) << "its definition and one call";
-        const Lines f = lines_of(few.*text), m = lines_of(many.*text);
+    const Passes few = assemble(scene_of(blobs_text(75)));
+    const Passes many = assemble(scene_of(blobs_text(5000)));
+    for (const Role role : {Role::march, Role::shade}) {
+        const std::string& text = text_of(few, role);
+        EXPECT_EQ(occurrences(text, "for (int e0"), 1);
+        EXPECT_EQ(occurrences(text, "array0_texel("), 2) << "its definition and one call";
+        const Lines f = lines_of(text), m = lines_of(text_of(many, role));
         EXPECT_EQ(without(f, m),
                   (Lines{"layout(std140) uniform array0_block { vec4 array0[75]; };",
                          "vec4 array0_texel(int element, int texel) { return array0[element]; }"}));
@@ -212,16 +252,17 @@ TEST_F(Assemble, ASumStaysOneLoopAndOneSizeOfText) {
 }
 
 TEST_F(Assemble, AFieldIsCalledFromOnePlace) {
-    const Shaders shaders = assemble(scene_of(surface_text("x*y - 1")), every_channel);
-    EXPECT_EQ(occurrences(shaders.march, "field_along("), 2) << "its definition and one call";
-    EXPECT_EQ(occurrences(shaders.march, "sample_field("), 2);
+    const Passes passes = assemble(scene_of(surface_text("x*y - 1")), every_channel);
+    EXPECT_EQ(occurrences(text_of(passes, Role::march), "field_along("), 2)
+        << "its definition and one call";
+    EXPECT_EQ(occurrences(text_of(passes, Role::march), "sample_field("), 2);
     for (const char* method : {"interval", "affine", "sphere"}) {
-        const Shaders on_pieces =
+        const Passes on_pieces =
             assemble(scene_of(surface_text("x*y - 1", every_bounds[0], method)), every_channel);
-        EXPECT_EQ(occurrences(on_pieces.march, "field_along_interval("), 2);
-        EXPECT_EQ(occurrences(on_pieces.march, " field("), 2);
+        EXPECT_EQ(occurrences(text_of(on_pieces, Role::march), "field_along_interval("), 2);
+        EXPECT_EQ(occurrences(text_of(on_pieces, Role::march), " field("), 2);
     }
-    EXPECT_EQ(occurrences(shaders.shade, "field_gradient("), 2);
+    EXPECT_EQ(occurrences(text_of(passes, Role::shade), "field_gradient("), 2);
 }
 
 TEST_F(Assemble, ArraysAreStoredWhereTheyFit) {
@@ -237,15 +278,15 @@ TEST_F(Assemble, EachFileAppearsOnce) {
     const auto* all_kernels = "sqrt(x)/y + exp(x)^y + log(x) + sin(x) + tan(y) + asin(x) + tanh(x)";
     for (const auto& method : every_method) {
         for (const auto& bounds : every_bounds) {
-            const Shaders shaders =
+            const Passes passes =
                 assemble(scene_of(surface_text(all_kernels, bounds, method)), every_channel);
-            const std::set<std::string> names(shaders.files.begin(), shaders.files.end());
-            EXPECT_EQ(names.size(), shaders.files.size());
-            for (const auto& text : {&Shaders::march, &Shaders::active, &Shaders::shade}) {
-                EXPECT_TRUE((shaders.*text).starts_with("#version "));
-                EXPECT_EQ(occurrences(shaders.*text, "#version"), 1);
+            for (const Pass& pass : passes.list) {
+                const std::set<std::string> names(pass.files.begin(), pass.files.end());
+                EXPECT_EQ(names.size(), pass.files.size()) << pass.name;
+                EXPECT_TRUE(pass.text.starts_with("#version "));
+                EXPECT_EQ(occurrences(pass.text, "#version"), 1);
                 for (const auto& name : names) {
-                    EXPECT_LE(occurrences(shaders.*text, "// shaders/" + name + "\n"), 1) << name;
+                    EXPECT_LE(occurrences(pass.text, "// shaders/" + name + "\n"), 1) << name;
                 }
             }
         }
@@ -254,30 +295,33 @@ TEST_F(Assemble, EachFileAppearsOnce) {
 
 TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     std::set<std::string> used;
+    const auto add = [&](const Passes& passes) {
+        for (const auto& file : passes.files()) used.insert(file);
+    };
     const auto* all_kernels = "sqrt(x)/y + exp(x)^y + log(x) + sin(x) + asin(x) + chebyshev(5, x)";
     for (const auto& method : every_method) {
         for (const auto& bounds : every_bounds) {
-            const Shaders shaders =
+            const Passes passes =
                 assemble(scene_of(surface_text(all_kernels, bounds, method)), every_channel);
-            used.insert(shaders.files.begin(), shaders.files.end());
+            add(passes);
         }
     }
-    const Shaders of_shadows = assemble(scene_of(surface_text("x", every_bounds[0], "hermite") +
-                                                 "[[lights]]\ndirection = [1, 1, 1]\n"
-                                                 "shadow = true\n"));
-    used.insert(of_shadows.files.begin(), of_shadows.files.end());
-    const Shaders of_long = assemble(scene_of(surface_text(long_formula())));
-    used.insert(of_long.files.begin(), of_long.files.end());
-    const Shaders of_sides =
-        assemble(scene_of(surface_text("x") + "[material]\ninside = [1, 1, 1]\n"));
-    used.insert(of_sides.files.begin(), of_sides.files.end());
+    const Passes of_shadows = assemble(scene_of(surface_text("x", every_bounds[0], "hermite") +
+                                                "[[lights]]\ndirection = [1, 1, 1]\n"
+                                                "shadow = true\n"));
+    add(of_shadows);
+    const Passes of_long = assemble(scene_of(surface_text(long_formula())));
+    add(of_long);
+    const Passes of_sides =
+        assemble(scene_of(surface_text("x") + "[material]\nback_color = [1, 1, 1]\n"));
+    add(of_sides);
     for (const auto& paint : every_paint) {
-        const Shaders painted = assemble(scene_of(surface_text("x") + paint));
-        used.insert(painted.files.begin(), painted.files.end());
+        const Passes painted = assemble(scene_of(surface_text("x") + paint));
+        add(painted);
     }
     for (const auto& effects : every_effect) {
-        const Shaders called = assemble(scene_of(surface_text("x") + effects), {Channel::velocity});
-        used.insert(called.files.begin(), called.files.end());
+        const Passes called = assemble(scene_of(surface_text("x") + effects), {Channel::velocity});
+        add(called);
     }
     std::vector<std::string> texts{surface_text("x^3 - y", every_bounds[0], "chebyshev") +
                                    every_effect[0]};
@@ -288,15 +332,38 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         texts.push_back(blobs_text(75, bounds, "hermite"));
     }
     for (const auto& text : texts) {
-        const Shaders shaders = assemble(scene_of(text));
-        used.insert(shaders.files.begin(), shaders.files.end());
+        const Passes passes = assemble(scene_of(text));
+        add(passes);
     }
-    const Shaders by_compute = assemble(scene_of(surface_text("x")), {}, Stage::compute);
-    used.insert(by_compute.files.begin(), by_compute.files.end());
+    const Passes by_compute = assemble(scene_of(surface_text("x")), {}, Stage::compute);
+    add(by_compute);
     // probe/ asks about a driver, whatever the scene: render::arithmetic.
     std::set<std::string> of_scenes = shader_files();
     std::erase_if(of_scenes, [](const std::string& name) { return name.starts_with("probe/"); });
     EXPECT_EQ(used, of_scenes);
+}
+
+// What the table of passes gives units and bindings to is what the texts declare.
+TEST_F(Assemble, PassesKnowWhatTheyDeclare) {
+    const Passes passes = assemble(called(one_set_of_values, calls[1], "1"), every_channel);
+    const Pass& shadow = passes.at(Role::shadow);
+    EXPECT_THAT(shadow.blocks, testing::IsSupersetOf({"Frame", "Parameters", "Shading"}));
+    EXPECT_THAT(shadow.samplers,
+                testing::IsSupersetOf({"state_texture_0", "state_texture_1", "surface_texture_2"}));
+    EXPECT_THAT(passes.at(Role::shade).outputs,
+                testing::ElementsAre("depth_out", "normal_out", "position_out", "color", "record"));
+    EXPECT_THAT(passes.at(Role::march).samplers, testing::Contains("beam_texture"));
+    for (const Pass& pass : passes.list) {
+        // Every declaration of the texts, however it is looked for.
+        const std::string text = pass.vertex + pass.text;
+        EXPECT_EQ(occurrences(text, "uniform sampler") > 0, !pass.samplers.empty()) << pass.name;
+        for (const auto& name : pass.samplers) {
+            EXPECT_GT(occurrences(text, name + ";") + occurrences(text, name + ","), 0) << name;
+        }
+        for (const auto& name : pass.blocks) {
+            EXPECT_GT(occurrences(text, "uniform " + name + " {"), 0) << name;
+        }
+    }
 }
 
 TEST_F(Assemble, ShaderFilesAreSmall) {
@@ -314,11 +381,10 @@ TEST_F(Assemble, NoFormulaTextBreaksTheShader) {
           "?/\n#error no"}) {
         formula::Field field = formula::make_field("x - 1", {});
         field.text = hostile;
-        std::vector<std::string> files;
-        ShaderText text(files);
+        ShaderText text;
         const FieldStorage storage = field_storage(field, 0, {});
         add_field(text, field, storage, {FieldFunction::value});
-        const std::string shader = text.take();
+        const std::string shader = text.text();
         for (const char c : shader) EXPECT_TRUE((c >= ' ' && c <= '~') || c == '\n') << hostile;
         const std::string head = "\n// generated from: ";
         ASSERT_EQ(occurrences(shader, head), 1);
@@ -328,36 +394,40 @@ TEST_F(Assemble, NoFormulaTextBreaksTheShader) {
         EXPECT_EQ(shader.substr(end + 1), formula::glsl_value(field)) << "one line: " << hostile;
         EXPECT_THAT(shader.substr(begin, end - begin), Not(HasSubstr("\\")));
     }
-    const Shaders lines = assemble(scene_of(surface_text("\n x^2\n\t+ y^2 \r\n - 1\n")));
-    EXPECT_THAT(lines.march, HasSubstr("// generated from:"));
+    const Passes lines = assemble(scene_of(surface_text("\n x^2\n\t+ y^2 \r\n - 1\n")));
+    EXPECT_THAT(text_of(lines, Role::march), HasSubstr("// generated from:"));
 }
 
 // Pay for what the scene calls for: no line of an effect that it does not name.
 TEST_F(Assemble, TwoSidesOnlyWhereTheSceneTellsThemApart) {
     const std::string one = std::string(one_set_of_values);
-    const Shaders plain = assemble(scene_of(one));
-    const Shaders sided = assemble(scene_of(one + "inside = [0, 0, 1]\n"));
-    EXPECT_EQ(plain.march, sided.march);
-    EXPECT_THAT(plain.shade, Not(HasSubstr("inside_color")));
-    EXPECT_THAT(plain.files, Not(testing::Contains("shade/two_sided.glsl")));
-    EXPECT_THAT(sided.shade, HasSubstr("inside_color"));
-    EXPECT_THAT(sided.files, testing::Contains("shade/two_sided.glsl"));
-    EXPECT_THAT(sided.files, Not(testing::Contains("shade/one_sided.glsl")));
+    const Passes plain = assemble(scene_of(one));
+    const Passes sided = assemble(scene_of(one + "back_color = [0, 0, 1]\n"));
+    EXPECT_EQ(text_of(plain, Role::march), text_of(sided, Role::march));
+    EXPECT_THAT(all_texts(plain), Not(HasSubstr("inside_color")));
+    EXPECT_THAT(text_of(plain, Role::shade), Not(HasSubstr("inside_color")));
+    EXPECT_THAT(plain.files(), Not(testing::Contains("shade/two_sided.glsl")));
+    EXPECT_THAT(text_of(sided, Role::shade), HasSubstr("inside_color"));
+    EXPECT_THAT(sided.files(), testing::Contains("shade/two_sided.glsl"));
+    EXPECT_THAT(sided.files(), Not(testing::Contains("shade/one_sided.glsl")));
 }
 
 TEST_F(Assemble, PaintOnlyWhereTheSceneHasIt) {
-    const Shaders plain = assemble(scene_of(one_set_of_values));
-    EXPECT_THAT(plain.shade, Not(HasSubstr("paint")));
-    EXPECT_THAT(plain.shade, Not(HasSubstr("essian")));
-    for (const auto& file : plain.files) EXPECT_FALSE(file.starts_with("effects/")) << file;
+    const Passes plain = assemble(scene_of(one_set_of_values));
+    EXPECT_THAT(text_of(plain, Role::shade), Not(HasSubstr("paint")));
+    EXPECT_THAT(text_of(plain, Role::shade), Not(HasSubstr("essian")));
+    for (const auto& file : plain.files()) EXPECT_FALSE(file.starts_with("effects/")) << file;
     for (const auto& paint : every_paint) {
-        const Shaders painted = assemble(scene_of(one_set_of_values + paint));
-        EXPECT_EQ(painted.march, plain.march);
+        const Passes painted = assemble(scene_of(one_set_of_values + paint));
+        EXPECT_EQ(text_of(painted, Role::march), text_of(plain, Role::march));
         const bool curved = paint.find("curvature") != paint.npos;
-        EXPECT_EQ(occurrences(painted.shade, "Hessian field_hessian(vec3 p) {"), curved) << paint;
-        EXPECT_EQ(occurrences(painted.shade, "vec3 surface_color(Hit hit) {"), 1);
+        EXPECT_EQ(occurrences(text_of(painted, Role::shade), "Hessian field_hessian(vec3 p) {"),
+                  curved)
+            << paint;
+        EXPECT_EQ(occurrences(text_of(painted, Role::shade), "vec3 surface_color(Hit hit) {"), 1);
         // Paint takes the place of one_sided.glsl, and adds.
-        const Lines lost = without(lines_of(plain.shade), lines_of(painted.shade));
+        const Lines lost =
+            without(lines_of(text_of(plain, Role::shade)), lines_of(text_of(painted, Role::shade)));
         EXPECT_THAT(lost, testing::UnorderedElementsAre("// shaders/shade/one_sided.glsl",
                                                         "    return material_color.rgb;"));
     }
@@ -366,13 +436,13 @@ TEST_F(Assemble, PaintOnlyWhereTheSceneHasIt) {
 // A kernel that field and paint share is defined once.
 TEST_F(Assemble, PaintAndFieldShareKernels) {
     for (const std::string& formula : {std::string("exp(x) + sin(y)"), long_formula()}) {
-        const Shaders painted =
-            assemble(scene_of(surface_text(formula) + "[material.paint]\nrange = [0, 1]\n"
+        const Passes painted =
+            assemble(scene_of(surface_text(formula) + "[material.colormap]\nrange = [0, 1]\n"
                                                       "value = 'exp(nz)*mean_curvature*sin(x)'\n"));
-        EXPECT_EQ(occurrences(painted.shade, "// shaders/math/exp.glsl"), 1);
-        EXPECT_EQ(occurrences(painted.shade, "// shaders/math/trig.glsl"), 1);
-        EXPECT_EQ(occurrences(painted.shade, "// shaders/math/bits.glsl"), 1);
-        EXPECT_EQ(occurrences(painted.shade, "uniform Parameters {"), 1);
+        EXPECT_EQ(occurrences(text_of(painted, Role::shade), "// shaders/math/exp.glsl"), 1);
+        EXPECT_EQ(occurrences(text_of(painted, Role::shade), "// shaders/math/trig.glsl"), 1);
+        EXPECT_EQ(occurrences(text_of(painted, Role::shade), "// shaders/math/bits.glsl"), 1);
+        EXPECT_EQ(occurrences(text_of(painted, Role::shade), "uniform Parameters {"), 1);
     }
 }
 

@@ -25,8 +25,9 @@ struct Text {
 std::vector<Text> fragment_texts() {
     std::vector<Text> all;
     std::set<std::string> seen;
-    const auto add = [&](const std::string& name, const Shaders& shaders) {
-        for (const auto& text : {shaders.march, shaders.active, shaders.shade}) {
+    const auto add = [&](const std::string& name, const Passes& passes) {
+        for (const Role role : {Role::march, Role::active, Role::shade}) {
+            const std::string& text = text_of(passes, role);
             if (seen.insert(text).second) all.push_back({name, text});
         }
     };
@@ -49,7 +50,7 @@ std::vector<Text> fragment_texts() {
     return all;
 }
 
-std::string vertex_text() { return assemble(scene_of(surface_text("x"))).vertex; }
+std::string vertex_text() { return assemble(scene_of(surface_text("x"))).at(Role::march).vertex; }
 
 // The text for a driver without GLSL 4.00 and without GL_ARB_gpu_shader5.
 std::string without_precise(std::string text) {
@@ -83,16 +84,17 @@ TEST_P(Compile, ComputeShadersOfRays) {
         for (const auto& bounds : every_bounds) {
             const auto scene =
                 scene_of(surface_text(formula, bounds, method) + two_arrays + effects);
-            const Shaders shaders = assemble(scene, {}, Stage::compute);
-            for (const auto& text : {shaders.march, shaders.mirror, shaders.shadow}) {
-                EXPECT_NO_THROW(gpu::Program::compute(text, method)) << method << " in " << bounds;
+            const Passes passes = assemble(scene, {}, Stage::compute);
+            for (const Role role : {Role::march, Role::mirror, Role::shadow}) {
+                EXPECT_NO_THROW(gpu::Program::compute(text_of(passes, role), method))
+                    << method << " in " << bounds;
             }
         }
     }
     const auto scene = scene_of(surface_text(long_formula()));
-    const Shaders shaders = assemble(scene, {}, Stage::compute);
-    EXPECT_TRUE(shaders.march_takes_gradient);
-    EXPECT_NO_THROW(gpu::Program::compute(shaders.march, "long"));
+    const Passes passes = assemble(scene, {}, Stage::compute);
+    EXPECT_TRUE(passes.march_takes_gradient);
+    EXPECT_NO_THROW(gpu::Program::compute(text_of(passes, Role::march), "long"));
 }
 
 TEST_P(Compile, WithoutPrecise) {

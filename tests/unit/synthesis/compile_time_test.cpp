@@ -31,9 +31,9 @@ double milliseconds(const auto& work) {
 
 // Software drivers translate to machine code at the first draw, whatever is drawn: here, rays of
 // uniform blocks full of zeros.
-void time_shader(const Shaders& shaders, const std::string& text, const std::string& name) {
+void time_shader(const Pass& pass, const std::string& name) {
     std::optional<gpu::Program> program;
-    const double compile = milliseconds([&] { program.emplace(shaders.vertex, text, name); });
+    const double compile = milliseconds([&] { program.emplace(pass.vertex, pass.text, name); });
     gpu::UniformBuffer zeros(16384);
     zeros.update(std::vector<std::byte>(16384));
     zeros.bind(0);
@@ -53,16 +53,16 @@ void time_shader(const Shaders& shaders, const std::string& text, const std::str
     const double first = milliseconds(draw), second = milliseconds(draw);
     std::printf("%-22s %6zu lines, compile and link %7.1f ms, first draw %7.1f ms, second %5.1f "
                 "ms\n",
-                name.c_str(), lines_of(text).size(), compile, first, second);
+                name.c_str(), lines_of(pass.text).size(), compile, first, second);
 }
 
 void time_scene(const scene::Scene& scene, const std::string& name) {
-    Shaders shaders;
-    const double assembling = milliseconds([&] { shaders = assemble(scene); });
+    Passes passes;
+    const double assembling = milliseconds([&] { passes = assemble(scene); });
     std::printf("%-22s assembled in %.1f ms, %zu instructions along a ray\n", name.c_str(),
                 assembling, scene.surface.field->along.instructions.size());
-    time_shader(shaders, shaders.march, name + ": march");
-    time_shader(shaders, shaders.shade, name + ": shade");
+    time_shader(passes.at(Role::march), name + ": march");
+    time_shader(passes.at(Role::shade), name + ": shade");
 }
 
 // A formula of about `operations` operations, one in six a sine or cosine, in definitions that use

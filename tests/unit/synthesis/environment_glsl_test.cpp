@@ -98,8 +98,7 @@ glm::dvec3 in_map(const Placed& placed, const glm::vec3& d) {
 }
 
 std::string probe_shader(const std::vector<std::string>& effects) {
-    std::vector<std::string> files;
-    ShaderText text(files);
+    ShaderText text;
     text.define("LIGHTS", 1);
     text.file("shade/shading.glsl");
     for (const auto& file : kernel_files({"atan"})) text.file(file);
@@ -112,7 +111,7 @@ void main() {
     color = sky(texelFetch(directions, ivec2(gl_FragCoord.xy), 0).xyz);
 }
 )");
-    return text.take();
+    return text.text();
 }
 
 std::vector<glm::vec4> draw(const gpu::Program& program, const std::vector<glm::vec3>& directions) {

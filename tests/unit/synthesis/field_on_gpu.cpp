@@ -103,8 +103,7 @@ void FieldValues::bind(const gpu::Program& program, int first_free_unit) const {
 
 // Calls each function of the field for a probe a pixel.
 std::string probe_shader(const formula::Field& field, const FieldStorage& storage) {
-    std::vector<std::string> files;
-    ShaderText text(files);
+    ShaderText text;
     add_field(text, field, storage,
               {FieldFunction::value, FieldFunction::along, FieldFunction::gradient});
     text.generated("a probe a pixel", R"(
@@ -121,7 +120,7 @@ void main() {
     gradient = vec4(field_gradient(p), 0.0);
 }
 )");
-    return text.take();
+    return text.text();
 }
 
 } // namespace
@@ -159,8 +158,7 @@ std::array<std::vector<glm::vec4>, 3> run_on_gpu(const formula::Field& field,
 namespace {
 
 std::string bounds_shader(const formula::Field& field, const FieldStorage& storage) {
-    std::vector<std::string> files;
-    ShaderText text(files);
+    ShaderText text;
     add_field(text, field, storage,
               {FieldFunction::value_interval, FieldFunction::along_interval,
                FieldFunction::gradient_interval});
@@ -183,7 +181,7 @@ void main() {
     rest = vec4(gz, 0.0, 0.0);
 }
 )");
-    return text.take();
+    return text.text();
 }
 
 } // namespace
@@ -247,8 +245,7 @@ double take(const float* from) {
 
 // A box takes twelve rows of the input; a draw gives one output, both of its ends.
 std::string double_bounds_shader(const formula::Field& field, const FieldStorage& storage) {
-    std::vector<std::string> files;
-    ShaderText text(files);
+    ShaderText text;
     text.version(400);
     add_field_on_doubles(text, field, storage,
                          {FieldFunction::value_interval, FieldFunction::along_interval,
@@ -283,7 +280,7 @@ void main() {
     high = parted(bounds[wanted].y);
 }
 )");
-    return text.take();
+    return text.text();
 }
 
 } // namespace

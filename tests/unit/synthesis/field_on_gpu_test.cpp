@@ -182,9 +182,10 @@ const std::vector<std::string>& operation_formulas() {
     static const std::vector<std::string> formulas{
         "-(x*y)", "abs(x)", "sign(x)", "sqrt(x)", "exp(x)", "log(x)", "sin(x)", "cos(x)", "tan(x)",
         "sinh(x)", "cosh(x)", "tanh(x)", "asin(x)", "acos(x)", "atan(x)", "floor(x)", "x + y",
-        "x - y", "x*y", "x/y", "min(x, y)", "max(x, y)", "min(x, y, z, 0.5)", "x^y", "x^a", "a^x",
-        "x^0.5", "x^3", "x^-3", "x^24", "x^25", "x^101", "(-2)^x", "0^x", "pow(abs(x), y)",
-        "chebyshev(5, x)", "chebyshev(40, x)", "1e39*x", "1e-42*x", "x*0.1 + 0.3",
+        "x - y", "x*y", "x/y", "min(x, y)", "max(x, y)", "min(x, y, z, 0.5)",
+        "smoothmin(x, y, 0.5)", "smoothmin(x, y, z)", "x^y", "x^a", "a^x", "x^0.5", "x^3", "x^-3",
+        "x^24", "x^25", "x^101", "(-2)^x", "0^x", "pow(abs(x), y)", "chebyshev(5, x)",
+        "chebyshev(40, x)", "1e39*x", "1e-42*x", "x*0.1 + 0.3",
         // Compositions in which one operation's special values meet another.
         "exp(x)*exp(-x)", "sqrt(x^2 + y^2)", "exp(x)/exp(y)", "log(exp(x))", "log(abs(x))",
         "tan(x)/tan(x)", "abs(x)^a*sign(x)", "1/(1 + exp(-x))", "atan(y/x)", "1/x - 1/y",

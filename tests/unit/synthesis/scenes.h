@@ -34,6 +34,18 @@ inline scene::Scene scene_of(const std::string& text) {
     return scene;
 }
 
+// The text of the pass with that role.
+inline const std::string& text_of(const Passes& passes, Role role, int level = 0) {
+    return passes.at(role, level).text;
+}
+
+// The texts of all shaders together.
+inline std::string all_texts(const Passes& passes) {
+    std::string all;
+    for (const Pass& pass : passes.list) all += pass.vertex + pass.text;
+    return all;
+}
+
 inline const std::vector<std::string> every_method{"marching", "amp-sign", "amp-taylor", "hermite",
                                                    "interval", "affine",   "sphere"};
 inline const std::vector<std::string> every_bounds{"{ sphere = 2 }",
@@ -43,8 +55,8 @@ inline const std::vector<Channel> every_channel{Channel::depth, Channel::normal,
 
 // Colours by a number, each with the files that another leaves out.
 inline const std::vector<std::string> every_paint{
-    "[material.paint]\nvalue = 'nz*t + evaluations'\nrange = [-1, 1]\n",
-    "[material.paint]\nvalue = 'exp(x) - mean_curvature'\nrange = ['t - 1', 1]\n"
+    "[material.colormap]\nvalue = 'nz*t + evaluations'\nrange = [-1, 1]\n",
+    "[material.colormap]\nvalue = 'exp(x) - mean_curvature'\nrange = ['t - 1', 1]\n"
     "map = 'blue-orange'\n"};
 
 // Effects, so that all files are called for.

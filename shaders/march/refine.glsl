@@ -1,0 +1,75 @@
+// What methods that bound F over pieces share. Of the state, [low, high] is the piece, f_low.x a
+// value of F with the sign that it has before the piece, and f_low.y the next sample of a ray that
+// closes in on its root.
+
+// The shortest piece at t: a part of the pixel, and no fewer floats than 4.
+float finest_at(float t) {
+    return max(limits.z, 4.76837158e-7 * abs(t));
+}
+
+// There is no root before t, where F has the sign of f: a piece of this length is next.
+RayState move_on(RayState s, Ray ray, float t, float f, float length) {
+    if (im_is_nan(f)) return finish(s, VERDICT_NAN);
+    s.phase = PHASE_MARCH;
+    s.low = t;
+    s.f_low.x = f;
+    s.high = min(t + max(length, finest_at(t)), ray.t_far);
+    if (t >= ray.t_far) return finish(s, VERDICT_MISS);
+    bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);
+    return gives_up ? finish(s, VERDICT_STEP_LIMIT) : s;
+}
+
+// From its value f at `low` F comes to 0 no sooner than after |f| over the rate at which it can
+// fall within the piece; where that is beyond the piece, there is no root in it.
+float reach(RayState s, float f, Bounds bounds) {
+    float fall = f < 0.0 ? bounds.slope.y : -bounds.slope.x;
+    float length = s.high - s.low;
+    float within = fall < IM_LARGEST ? min(abs(f) / fall, length) : 0.0;
+    return fall <= 0.0 || excludes_0(bounds.value) ? length : within;
+}
+
+RayState step_by_slope(RayState s, Ray ray, float f, Bounds bounds) {
+    float h = s.high - s.low, step = reach(s, f, bounds);
+    bool free = step >= h;
+    // Short pieces have close bounds.
+    float next = free ? 2.0 * h : clamp(2.0 * step, 0.25 * h, h);
+    return move_on(s, ray, free ? s.high : s.low + step, f, next);
+}
+
+// In the shortest piece at t nothing keeps F off 0: it is taken to be 0 unless it is beyond all
+// bounds there, as at a pole.
+RayState touches_at(RayState s, float t, Bounds bounds) {
+    bool bounded = abs(bounds.value.x) < IM_LARGEST && abs(bounds.value.y) < IM_LARGEST;
+    return bounded ? found(s, t) : finish(s, VERDICT_STEP_LIMIT);
+}
+
+// The piece is to be shorter.
+RayState cut(RayState s, float length) {
+    s.high = s.low + length;
+    bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);
+    return gives_up ? finish(s, VERDICT_STEP_LIMIT) : s;
+}
+
+// F changes its sign in [low, high]; `guess` is where.
+RayState isolated(RayState s, float low, float high, float guess) {
+    s.low = low;
+    s.high = high;
+    s.f_low.y = guess > low && guess < high ? guess : 0.5 * (low + high);
+    s.refinements = 0;
+    s.phase = PHASE_REFINE;
+    return s;
+}
+
+// Newton's step where it stays between the ends, and every fourth time half of the interval.
+RayState refine(RayState s, float t, float f, float slope) {
+    if (im_is_nan(f)) return finish(s, VERDICT_NAN);
+    if ((f < 0.0) == (s.f_low.x < 0.0)) s.low = t;
+    else s.high = t;
+    s.refinements += 1;
+    float newton = t - f / slope;
+    bool inside = newton >= s.low && newton <= s.high;
+    bool close = inside && abs(newton - t) <= 4.0 * finest_at(t);
+    bool narrow = s.high - s.low <= finest_at(t) || s.refinements >= 32;
+    s.f_low.y = inside && (close || (s.refinements & 3) != 0) ? newton : 0.5 * (s.low + s.high);
+    return close || narrow ? found(s, s.f_low.y) : s;
+}

@@ -1,0 +1,26 @@
+// --max-wrong: the cheapest method and step that are accurate enough.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gpu/context.h"
+#include "render/stage.h"
+#include "scene/scene.h"
+
+namespace isomotion::app {
+
+struct SettingChoice {
+    double max_wrong = 0; // pixels in a million
+    bool keeps_method = false;
+    render::StageChoice stage = render::StageChoice::fragment;
+    bool quiet = false;
+};
+
+// Measured against certified truth on up to three of the frames, in a smaller picture. None where
+// no setting is that accurate.
+std::optional<scene::Isolation> choose_setting(gpu::Context& context, const scene::Scene& scene,
+                                               const std::vector<int>& frames,
+                                               const SettingChoice& choice);
+
+} // namespace isomotion::app

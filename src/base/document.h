@@ -1,0 +1,88 @@
+// A JSON or TOML document, read key by key. What is wrong with it is an InputError that says where:
+// "file: key: what is wrong, and what would be right", of TOML "file:line: key: ...". A key that
+// is given twice is refused.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace isomotion::base {
+
+class DocumentNode;
+class DocumentTable;
+
+class Document {
+public:
+    static Document from_json(std::string_view text, std::string file);
+    static Document from_toml(std::string_view text, std::string file);
+    Document(Document&&) noexcept;
+    ~Document();
+
+    // The document must outlive its nodes.
+    DocumentTable table() const;
+
+private:
+    friend class DocumentNode;
+    explicit Document(std::string file);
+
+    std::string file_;
+    std::unique_ptr<nlohmann::ordered_json> value_;
+    std::map<std::string, std::size_t> lines_; // of what can be named: "components.12", "events[3]"
+};
+
+class DocumentNode {
+public:
+    [[noreturn]] void fail(const std::string& message) const;
+    // As messages name it: "bounds.shape", "events[2]"; empty for the whole.
+    const std::string& key() const { return key_; }
+
+    std::string text() const;
+    double number() const; // finite
+    std::int64_t whole() const;
+    int integer(int least, int most) const;
+    bool boolean() const;
+    std::vector<DocumentNode> list() const;
+    std::vector<DocumentNode> list(std::size_t size) const;
+    DocumentTable table() const;
+
+    bool is_null() const;
+    bool is_number() const;
+    bool is_table() const;
+
+private:
+    friend class Document;
+    friend class DocumentTable;
+    DocumentNode(const Document& document, const nlohmann::ordered_json& value, std::string key)
+        : document_(&document)
+        , value_(&value)
+        , key_(std::move(key)) {}
+
+    const Document* document_;
+    const nlohmann::ordered_json* value_;
+    std::string key_;
+};
+
+class DocumentTable {
+public:
+    explicit DocumentTable(const DocumentNode& node); // fails if it is none
+
+    DocumentNode at(const std::string& name); // fails if there is none
+    std::optional<DocumentNode> find(const std::string& name);
+    std::vector<DocumentNode> all();                    // every value in it, as they are written
+    std::string key_of(const DocumentNode& node) const; // without the table's own
+    void refuse_rest() const;                           // fails if there is a key nobody asked for
+
+private:
+    DocumentNode node_;
+    std::set<std::string> known_;
+};
+
+} // namespace isomotion::base

@@ -1,0 +1,90 @@
+#include "formula/graph/functions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "formula/graph/term.h"
+
+namespace isomotion::formula {
+namespace {
+
+using Arguments = std::span<const NodeId>;
+
+template<Op op> NodeId unary(Graph& g, Arguments arguments) { return g.unary(op, arguments[0]); }
+
+template<Op op> NodeId folded(Graph& g, Arguments arguments) {
+    NodeId result = arguments[0];
+    for (const NodeId next : arguments.subspan(1)) result = g.binary(op, result, next);
+    return result;
+}
+
+template<Term (*call)(Term, Term, Term)> NodeId of_three(Graph& g, Arguments arguments) {
+    return call({&g, arguments[0]}, {&g, arguments[1]}, {&g, arguments[2]}).node;
+}
+
+// min(a, b), less (k - |a - b|)^2 / 4k where a and b are less than k apart (Quilez 2013); for k <=
+// 0 min(a, b) itself. The blend is that without a kink where a = b: less than both a and b where
+// they are less than k apart, equal to the lesser where they are just k apart, and between them
+// beyond. So what comparisons decide, slopes and kinks, changes there alone. Bounds are never above
+// the minimum's; wide intervals lose no more than k / 2 below, narrow ones are at most twice too
+// wide.
+Term smoothmin(Term a, Term b, Term k) {
+    const Term one = k.number(1), width = max(k, k.number(0));
+    // 10^-30 keeps 0/0 off.
+    const Term apart = max(-one, min((b - a) / max(k, k.number(1e-30)), one));
+    const Term blend = 0.5 * (a + b) - 0.25 * (width * (1.0 + apart * apart));
+    return min(min(blend, a), b);
+}
+
+// clang-format off
+constexpr std::array table{
+#define ROW(name, shader, sign, domain, slope)                                                    \
+    Function{#name, "a", 1, false, unary<Op::name>,                                               \
+             []([[maybe_unused]] double x) -> bool { return domain; }},
+    ISOMOTION_FUNCTIONS(ROW)
+#undef ROW
+    Function{"min", "a, b, ...", 2, true, folded<Op::min>, nullptr},
+    Function{"max", "a, b, ...", 2, true, folded<Op::max>, nullptr},
+    Function{"smoothmin", "a, b, k", 3, false, of_three<smoothmin>, nullptr},
+    // The parser's own: a power fails as ^ does; a degree and an array are no values.
+    Function{"pow", "a, b", 2, false, nullptr, nullptr},
+    Function{"chebyshev", "n, a", 2, false, nullptr, nullptr},
+    Function{"sum", "array, expression", 2, false, nullptr, nullptr},
+    // In animations alone.
+    Function{"random", "i, k", 2, false, folded<Op::random>, nullptr},
+};
+// clang-format on
+
+} // namespace
+
+std::span<const Function> functions() { return table; }
+
+const Function* find_function(std::string_view name) {
+    const auto* const row =
+        std::find_if(table.begin(), table.end(), [&](const Function& f) { return f.name == name; });
+    return row == table.end() ? nullptr : row;
+}
+
+const UnaryTraits* unary_traits(Op op) {
+    switch (op) {
+#define ROW(name, shader, sign, domain, slope)                                                     \
+    case Op::name: {                                                                               \
+        static constexpr UnaryTraits traits{Shader::shader, Sign::sign};                           \
+        return &traits;                                                                            \
+    }
+        ISOMOTION_FUNCTIONS(ROW)
+#undef ROW
+    default:
+        return nullptr;
+    }
+}
+
+std::string_view kernel(Op op) {
+    if (op == Op::divide) return name(op);
+    if (op == Op::power) return "pow";
+    const UnaryTraits* traits = unary_traits(op);
+    return traits && traits->shader == Shader::kernel ? name(op) : std::string_view{};
+}
+
+} // namespace isomotion::formula

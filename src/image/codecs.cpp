@@ -1,0 +1,57 @@
+#include "image/codecs.h"
+
+#include <stdexcept>
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include "image/decode.h"
+
+namespace isomotion::image {
+namespace {
+
+constexpr const char* module_file = "isomotion_codecs.so";
+
+// The loader finds it by the run path of the program, which CMake gives to those that link this
+// library. It is never closed: what it throws and the threads of OpenImageIO live on.
+const Codecs* loaded() {
+    void* const library = ::dlopen(module_file, RTLD_NOW | RTLD_LOCAL);
+    void* const entry = library ? ::dlsym(library, "isomotion_codecs") : nullptr;
+    if (!entry) {
+        throw std::runtime_error(fmt::format("pictures cannot be read or written: {}; it comes "
+                                             "with isomotion, in lib/isomotion",
+                                             ::dlerror()));
+    }
+    return reinterpret_cast<const Codecs* (*)()>(entry)();
+}
+
+} // namespace
+
+const Codecs& codecs() {
+    static const Codecs* const functions = loaded();
+    return *functions;
+}
+
+std::vector<std::byte> encode(const Frame& frame, Format format) {
+    check(frame);
+    return codecs().encode(frame, format, nullptr);
+}
+
+Encoded encode_with_hash(const Frame& frame, Format format) {
+    check(frame);
+    PixelHash hash(frame.width, frame.height);
+    std::vector<std::byte> bytes = codecs().encode(frame, format, &hash);
+    return {std::move(bytes), hash.text()};
+}
+
+Frame decode(const std::filesystem::path& file) { return codecs().decode(file); }
+
+Metadata read_metadata(const std::filesystem::path& file) { return decode(file).metadata; }
+
+std::string pixel_hash(const std::filesystem::path& file) { return codecs().pixel_hash(file); }
+
+EnvironmentMap read_environment(const std::filesystem::path& file) {
+    return codecs().read_environment(file);
+}
+
+} // namespace isomotion::image

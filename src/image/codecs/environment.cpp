@@ -1,0 +1,126 @@
+#include "module.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/file.h"
+#include "image/srgb.h"
+
+namespace isomotion::image::oiio {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& reason) {
+    throw ImageError(fmt::format("environment {}: {}", file.string(), reason));
+}
+
+OIIO::ImageSpec read_header(const std::filesystem::path& file) {
+    if (const auto input = OIIO::ImageInput::open(file.string())) return input->spec();
+    const std::string reason = OIIO::geterror();
+    base::read_whole(file); // if the file system is to blame, it says so
+    fail(file, fmt::format("not a picture that can be read; give a latitude-longitude map as EXR, "
+                           "HDR, TIFF, PNG or JPEG ({})",
+                           reason));
+}
+
+void check_size(const std::filesystem::path& file, const OIIO::ImageSpec& spec) {
+    const auto resized = [&](int width) {
+        return fmt::format("oiiotool {} --resize {}x{} smaller{}", file.string(), width, width / 2,
+                           file.extension().string());
+    };
+    if (spec.height <= 0 || spec.width != 2 * std::int64_t(spec.height))
+        fail(file, fmt::format("{} x {} pixels; a latitude-longitude map is twice as wide as high. "
+                               "Of another projection it must be converted; of this one but not "
+                               "quite that size: {}",
+                               spec.width, spec.height,
+                               resized(std::clamp(spec.width / 2 * 2, 2, widest_environment))));
+    if (spec.width > widest_environment)
+        fail(file, fmt::format("{} pixels wide; at most {} are possible: {}", spec.width,
+                               widest_environment, resized(widest_environment)));
+}
+
+using Colour = std::array<Channel*, 3>;
+
+Colour colour_of(const std::filesystem::path& file, Frame& frame) {
+    const auto named = [&](const char* name) -> Channel* {
+        const auto found = std::ranges::find(frame.channels, name, &Channel::name);
+        return found == frame.channels.end() ? nullptr : &*found;
+    };
+    const Colour colour{named("R"), named("G"), named("B")};
+    if (std::ranges::find(colour, nullptr) == colour.end()) return colour;
+    if (Channel* gray = named("Y")) return {gray, gray, gray};
+    std::vector<std::string> names;
+    for (const Channel& channel : frame.channels) names.push_back(channel.name);
+    fail(file, fmt::format("no colour: it needs the channels R, G and B, or Y for gray, and has {}",
+                           fmt::join(names, ", ")));
+}
+
+// From the samples that decode() gives to light; what a file calls sRGB it has done already.
+// Colour of integers is meant for a screen unless the file says otherwise.
+class Decoding {
+public:
+    explicit Decoding(const OIIO::ImageSpec& spec) {
+        const std::string space = spec.get_string_attribute("oiio:ColorSpace");
+        srgb_ = space.empty() && !spec.format.is_floating_point();
+        if (space.starts_with("Gamma")) gamma_ = spec.get_float_attribute("oiio:Gamma", 1.0f);
+    }
+    float operator()(float sample) const {
+        if (srgb_) return linear_from_srgb(sample);
+        return gamma_ == 1.0f ? sample : std::pow(sample, gamma_);
+    }
+
+private:
+    bool srgb_;
+    float gamma_ = 1.0f;
+};
+
+float mended(float light, float largest) {
+    if (!(light > 0.0f)) return 0.0f; // of NaN too
+    return std::min(light, largest);
+}
+
+// Puts light in the place of what is none; how many texels of R, G, B and 1 that changes.
+int mend(std::vector<float>& texels) {
+    constexpr float largest_half = 65504.0f;
+    float largest = 0.0f;
+    for (std::size_t i = 0; i < texels.size(); ++i)
+        if (i % 4 != 3 && std::isfinite(texels[i])) largest = std::max(largest, texels[i]);
+    if (largest == 0.0f) largest = largest_half;
+
+    int changed = 0;
+    for (std::size_t i = 0; i < texels.size(); i += 4) {
+        bool whole = true;
+        for (std::size_t c = i; c < i + 3; ++c) {
+            const float light = mended(texels[c], largest);
+            whole = whole && light == texels[c];
+            texels[c] = light;
+        }
+        changed += !whole;
+    }
+    return changed;
+}
+
+} // namespace
+
+EnvironmentMap read_environment(const std::filesystem::path& file) {
+    const OIIO::ImageSpec spec = read_header(file);
+    check_size(file, spec);
+    Frame frame = decode(file);
+    const Colour colour = colour_of(file, frame);
+
+    EnvironmentMap map{frame.width, frame.height, {}, 0};
+    const auto area = std::size_t(map.width) * std::size_t(map.height);
+    map.texels.assign(4 * area, 1.0f);
+    const Decoding light(spec);
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t i = 0; i < area; ++i) map.texels[4 * i + c] = light(colour[c]->samples[i]);
+    map.mended = mend(map.texels);
+    return map;
+}
+
+} // namespace isomotion::image::oiio

@@ -1,0 +1,11 @@
+#include "module.h"
+
+#include "image/codecs.h"
+
+extern "C" __attribute__((visibility("default"))) const isomotion::image::Codecs*
+isomotion_codecs() {
+    using namespace isomotion::image;
+    static constexpr Codecs functions{oiio::encode, oiio::decode, oiio::pixel_hash,
+                                      oiio::read_environment};
+    return &functions;
+}

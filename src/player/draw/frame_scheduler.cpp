@@ -1,0 +1,111 @@
+#include "player/draw/frame_scheduler.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/sample_pattern.h"
+
+namespace isomotion::player {
+namespace {
+
+// After the last change the picture is refined: later than a wheel's next notch, sooner than a
+// person looks closer.
+constexpr double rests_after = 0.15;
+
+// A picture that takes longer is not waited for: what is newer may have it given up.
+constexpr double longest_wait = 0.1;
+
+} // namespace
+
+glm::ivec2 fitted_size(glm::ivec2 area, double aspect) {
+    const double height = std::min(double(area.y), area.x / aspect);
+    return glm::max(glm::ivec2(1),
+                    glm::ivec2(int(std::lround(height * aspect)), int(std::lround(height))));
+}
+
+void FrameScheduler::begin_scene() {
+    resolution_ = {};
+    subject_.reset();
+    wanted_.reset();
+    begin_ = number_ + 1;
+}
+
+void FrameScheduler::post(const Session& session, double scale, int samples, bool may_be_dropped,
+                          double now) {
+    came_ = false;
+    posted_ = now;
+    Request request;
+    request.number = ++number_;
+    request.scene = session.shared_scene();
+    request.isolation = session.look().isolation;
+    request.view = session.look().view;
+    if (request.view == View::difference) request.other = session.look().other;
+    request.scale = scale;
+    const glm::ivec2 size = subject_->size;
+    request.width = std::max(1, int(std::lround(size.x * scale)));
+    request.height = std::max(1, int(std::lround(size.y * scale)));
+    request.frame = subject_->frame;
+    request.may_be_dropped = may_be_dropped;
+    request.asked_at = noticed_.value_or(std::chrono::steady_clock::now());
+    noticed_.reset();
+    const double shutter = session.scene().camera.shutter;
+    const auto first = std::make_shared<const scene::SceneAt>(session.at(request.frame));
+    for (const render::Sample& sample : render::sample_pattern(samples)) {
+        const double part = shutter * sample.part;
+        const auto moment =
+            part == 0 ? first
+                      : std::make_shared<const scene::SceneAt>(session.at(request.frame, part));
+        request.samples.push_back({moment, sample.aim});
+    }
+    thread_.draw(std::move(request));
+}
+
+bool FrameScheduler::holds_back(double now) const {
+    return !hand_rests_ && subject_ && !came_ && !whole_ && now - posted_ < longest_wait;
+}
+
+void FrameScheduler::ask(Session& session, std::int64_t frame, glm::ivec2 size, double now,
+                         bool hand_rests) {
+    hand_rests_ = hand_rests;
+    const Subject wanted{session.revision(), frame, size};
+    if (wanted_ != wanted) {
+        session.set_size(size);
+        wanted_ = wanted;
+        changed_ = now;
+        if (!noticed_) noticed_ = std::chrono::steady_clock::now();
+    }
+    if (subject_ != wanted) {
+        if (holds_back(now)) return;
+        subject_ = wanted;
+        whole_ = false;
+        post(session, resolution_.scale(), 1, false, now);
+        return;
+    }
+    const bool rests = hand_rests && now - changed_ >= rests_after;
+    if (whole_ || !came_ || !rests) return;
+    whole_ = true;
+    post(session, 1, session.samples(), true, now);
+}
+
+void FrameScheduler::learn(const Shown& shown, double display) {
+    if (shown.number < begin_) return; // another scene's
+    if (!shown.compiled && shown.asked == 1) {
+        // While a hand waits for each picture, nothing is drawn as one is put on the screen.
+        const double period = shown.took.count() + (hand_rests_ ? 0 : display);
+        resolution_ = adjusted(resolution_, {shown.scale, 1e3 * period}, rate);
+    }
+    if (shown.number == number_ && shown.samples == shown.asked) came_ = true;
+}
+
+void FrameScheduler::learn(const GivenUp& picture) {
+    if (picture.number < begin_) return;
+    resolution_ = adjusted(resolution_, {picture.scale, 1e3 * picture.took.count()}, rate);
+}
+
+std::optional<double> FrameScheduler::next_change() const {
+    if (subject_ != wanted_) return posted_ + longest_wait; // held back
+    if (!subject_ || whole_ || !came_ || !hand_rests_) return std::nullopt;
+    return changed_ + rests_after;
+}
+
+} // namespace isomotion::player

@@ -1,0 +1,53 @@
+// Tells which files have changed since they were last read.
+//
+// Each call compares every file's inode, size and time: a dozen system calls, which work on every
+// file system, both for editors that write in place and for those that rename another file over it.
+// A change is reported once, when the file has looked the same twice in a row, so never while it is
+// being written. A file that is missing for a moment is waited for. Two writes of the same size
+// within one tick of the file system's clock (some ms) count as one.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace isomotion::player {
+
+class FileWatch {
+public:
+    explicit FileWatch(const std::vector<std::filesystem::path>& files = {});
+
+    // Watches these files from now on. Files watched before keep their changes not yet reported.
+    void watch(const std::vector<std::filesystem::path>& files);
+
+    // Files that have changed since they were reported or first watched, ordered by name.
+    std::vector<std::filesystem::path> changed();
+
+private:
+    struct Stamp {
+        std::uint64_t device = 0, inode = 0;
+        std::int64_t size = 0, seconds = 0, nanoseconds = 0;
+
+        bool operator==(const Stamp&) const = default;
+    };
+    struct Watched {
+        std::optional<Stamp> told; // when last reported; none if there was no file
+        std::optional<Stamp> seen; // at the last look
+    };
+    static std::optional<Stamp> stamp(const std::filesystem::path& file);
+
+    std::map<std::filesystem::path, Watched> files_;
+};
+
+// The files that a scene was made of: its own, the catalogue's, tables, the environment map.
+std::vector<std::filesystem::path> files_of(const scene::Scene& scene);
+// The files that a scene file names, as far as it can be read, and itself. They need not exist.
+std::vector<std::filesystem::path> files_named(const std::filesystem::path& scene);
+// The program's shaders.
+std::vector<std::filesystem::path> shader_files();
+
+} // namespace isomotion::player

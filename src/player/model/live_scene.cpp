@@ -1,0 +1,64 @@
+#include "player/model/live_scene.h"
+
+#include <exception>
+
+#include "player/model/memory.h"
+#include "scene/data_folder.h"
+#include "topology/timeline/timeline_header.h"
+
+namespace isomotion::player {
+
+namespace fs = std::filesystem;
+
+LiveScene::LiveScene(const std::string& scene, std::vector<scene::Override> overrides,
+                     scene::Reach reach)
+    : scene_files_(files_named(fs::exists(scene) ? fs::path(scene) : scene::animation_file(scene)))
+    , session(scene::load(scene, overrides, reach))
+    , overrides_(std::move(overrides))
+    , reach_(reach)
+    , shader_files_(shader_files())
+    , timeline_({timeline_file()}) {
+    scene_files_.watch(files_of(session.scene()));
+    read_markers();
+}
+
+fs::path LiveScene::timeline_file() const {
+    const fs::path cache = cache_folder();
+    if (overrides_.empty() || cache.empty()) return timeline_path(session.scene());
+    return cache / "timelines" / (topology::fingerprint(session.scene()) + ".timeline.json");
+}
+
+void LiveScene::read_markers() {
+    markers_ = session.key_markers();
+    // Settings may leave the topology as it is: then what lies beside the scene is right, too.
+    const fs::path own = timeline_file();
+    std::error_code ignored;
+    TopologyMarkers topology = read_topology_markers(
+        session.scene(), fs::exists(own, ignored) ? own : timeline_path(session.scene()));
+    markers_.insert(markers_.end(), topology.markers.begin(), topology.markers.end());
+    refusal_ = std::move(topology.refusal);
+}
+
+LiveScene::News LiveScene::look(double now) {
+    News news;
+    news.shaders = !shader_files_.changed().empty();
+    if (!scene_files_.changed().empty()) {
+        // Also what the text names now: were it what makes the scene fail, it would mend it.
+        scene_files_.watch(files_of(session.scene()));
+        try {
+            session.reload(scene::load(file().string(), overrides_, reach_), now);
+            news.scene = true;
+            scene_files_.watch(files_of(session.scene()));
+            timeline_.watch({timeline_file()});
+        } catch (const std::exception& error) {
+            news.error = error.what();
+        }
+    }
+    if (!timeline_.changed().empty() || news.scene) {
+        read_markers();
+        news.markers = true;
+    }
+    return news;
+}
+
+} // namespace isomotion::player

@@ -1,0 +1,71 @@
+// What the player remembers from run to run: the window's place and the camera of each scene, and
+// which scenes were opened.
+//
+// JSON files in $XDG_STATE_HOME/isomotion (XDG Base Directory Specification; else
+// ~/.local/state/isomotion): history.json, and in scenes/ one file a scene, named by a fingerprint
+// of the scene's path. They are replaced as a whole and never seen half written. Files that can't
+// be read or written cost a warning, never more.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene_at.h"
+
+namespace isomotion::player {
+
+// Called once for each failure: "FILE: why".
+using Warn = std::function<void(const std::string&)>;
+
+struct WindowPlace {
+    int x = 0, y = 0; // of the upper left corner, screen coordinates
+    int width = 0, height = 0;
+    bool maximised = false;
+
+    bool operator==(const WindowPlace&) const = default;
+};
+
+// A rectangle of the desktop that windows may take.
+struct WorkArea {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+// Moves the place into the area that it overlaps most, or else the first; shrinks it where it must.
+WindowPlace within(WindowPlace place, const std::vector<WorkArea>& areas);
+
+struct SceneMemory {
+    std::optional<WindowPlace> window;
+    std::optional<scene::CameraAt> camera; // as a person moved it; none: the scene's own
+};
+
+class Memory {
+public:
+    // Keeps its files in `folder`; with an empty path it remembers nothing.
+    explicit Memory(std::filesystem::path folder, Warn warn = {});
+
+    SceneMemory recall(const std::filesystem::path& scene) const;
+    void remember(const std::filesystem::path& scene, const SceneMemory& memory) const;
+
+    // Scenes opened before, the newest first, at most most_opened, without those whose files are
+    // gone.
+    std::vector<std::filesystem::path> opened() const;
+    // Puts a scene at the front.
+    void add_opened(const std::filesystem::path& scene) const;
+
+    static constexpr std::size_t most_opened = 20;
+
+private:
+    std::filesystem::path file_of(const std::filesystem::path& scene) const;
+
+    std::filesystem::path folder_;
+    Warn warn_;
+};
+
+// From the environment; empty where neither XDG_STATE_HOME nor HOME is an absolute path.
+std::filesystem::path state_folder();
+// For files that can be made anew: XDG_CACHE_HOME, else ~/.cache.
+std::filesystem::path cache_folder();
+
+} // namespace isomotion::player

@@ -1,0 +1,75 @@
+// An open scene: what a person changed in it, and what it shows at a frame.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "player/model/controls.h"
+#include "player/model/playback.h"
+#include "player/model/timeline_markers.h"
+#include "player/model/view.h"
+#include "scene/scene.h"
+#include "scene/scene_at.h"
+
+namespace isomotion::player {
+
+// What is looked at: the scene's time is Playback's.
+struct Look {
+    Overrides overrides;
+    std::optional<scene::CameraAt> camera; // the camera override
+    scene::Isolation isolation;
+    scene::Isolation other; // the method that View::difference compares with
+    View view = View::shaded;
+    bool map = true;    // View::difference shows where the methods differ, not the second's picture
+    bool smooth = true; // edges, at rest
+
+    bool operator==(const Look&) const = default;
+};
+
+class Session {
+public:
+    // Starts as the file has the scene, paused at its first frame.
+    explicit Session(scene::Scene scene);
+
+    // Takes the scene of a changed file. Time, view and overrides stay; so do settings of the
+    // method that a person changed.
+    void reload(scene::Scene scene, double now);
+
+    const scene::Scene& scene() const { return *scene_; }
+    std::shared_ptr<const scene::Scene> shared_scene() const { return scene_; }
+
+    Playback playback;
+
+    const Look& look() const { return look_; }
+    // The only way to change the look; counts revisions.
+    void set(const Look& look);
+    std::uint64_t revision() const { return revision_; }
+
+    // The scene with all overrides.
+    const scene::Scene& overridden() const { return overridden_; }
+    // The picture's size: a camera without a position stands where the bounds fill the picture.
+    void set_size(glm::ivec2 size);
+    // Throws scene::SceneError where a value leaves its range.
+    scene::SceneAt at(std::int64_t frame, double part = 0) const;
+
+    const std::vector<SliderRange>& slider_ranges() const { return slider_ranges_; }
+    const std::vector<TimelineMarker>& key_markers() const { return key_markers_; }
+
+    // Pictures whose mean is shown at rest.
+    int samples() const;
+
+private:
+    void study();
+    void move();
+
+    std::shared_ptr<const scene::Scene> scene_;
+    Look look_;
+    scene::Scene overridden_;
+    glm::ivec2 size_;
+    std::uint64_t revision_ = 1;
+    std::vector<SliderRange> slider_ranges_;
+    std::vector<TimelineMarker> key_markers_;
+};
+
+} // namespace isomotion::player

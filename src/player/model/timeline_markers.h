@@ -1,0 +1,37 @@
+// Markers on a timeline: its keys, and the changes of topology.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "topology/timeline/timeline_header.h"
+
+namespace isomotion::player {
+
+struct TimelineMarker {
+    enum class Kind { key, event, unresolved };
+    Kind kind = Kind::key;
+    double frame = 1;  // counts from 1, has a fraction
+    std::string label; // "keys of m, camera.position", "merge at frame 12.41"
+};
+
+// One marker for all tracks that have a key at the same time, in order, within the scene's frames.
+std::vector<TimelineMarker> key_markers(const scene::Scene& scene);
+
+// Markers of a scene's topology: events, with a note where they are not proved, and unresolved
+// places. Events on the bounds that change nothing are left out.
+struct TopologyMarkers {
+    std::vector<TimelineMarker> markers;
+    std::string refusal; // why a timeline was refused: another scene's, or broken; else empty
+};
+// Refuses the timeline of another scene, by its fingerprint.
+TopologyMarkers topology_markers(const scene::Scene& scene, const topology::TimelineRecord& record,
+                                 const std::string& file);
+// No markers and no refusal where there is no such file.
+TopologyMarkers read_topology_markers(const scene::Scene& scene, const std::filesystem::path& file);
+// NAME.timeline.json beside NAME.toml.
+std::filesystem::path timeline_path(const scene::Scene& scene);
+
+} // namespace isomotion::player

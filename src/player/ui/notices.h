@@ -1,0 +1,25 @@
+// Notices over the picture: progress, errors, help.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace isomotion::player {
+
+class Notices {
+public:
+    std::string load_error; // a scene file's; the last good scene stays in view
+    std::string draw_error; // a shader's or a value's
+    bool help = false;
+
+    // `compiling`: when the compilation under way began.
+    void show(std::optional<std::chrono::steady_clock::time_point> compiling);
+
+private:
+    void show_error(const std::string& text);
+    void show_progress(double seconds);
+    void show_help();
+};
+
+} // namespace isomotion::player

@@ -1,0 +1,45 @@
+// Shows the picture, and moves the camera by the mouse.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <glm/glm.hpp>
+
+#include "gpu/screen.h"
+#include "player/draw/draw_thread.h"
+#include "scene/scene_at.h"
+
+namespace isomotion::player {
+
+class PictureArea {
+public:
+    // Takes a picture in; the window's context is current.
+    void take(Shown shown);
+    const std::optional<Shown>& shown() const { return shown_; }
+
+    // Shows the last picture in the middle of Dear ImGui's current window, `size` pixels large. In
+    // View::difference the first method is left of the line; right of it the second, or the `map`
+    // of their differences.
+    void show(glm::ivec2 size, bool map);
+    // Returns the camera as the mouse moved it; none if it did not.
+    std::optional<scene::CameraAt> steer(const scene::CameraAt& camera);
+    // Whether a button that moves the camera is held.
+    bool held() const { return held_; }
+
+    // Upper left corner of the picture shown last, pixels of the window.
+    glm::ivec2 corner() const { return corner_; }
+    glm::ivec2 size() const { return size_; }
+
+private:
+    void show_split(bool map);
+    glm::dvec2 in_heights(float x, float y) const; // from the picture's middle, to the right and up
+
+    std::optional<Shown> shown_;
+    gpu::ScreenTexture picture_, left_, right_;
+    glm::ivec2 corner_{0}, size_{1};
+    float split_ = 0.5f;
+    bool held_ = false, splitting_ = false, holes_ = false;
+};
+
+} // namespace isomotion::player

@@ -1,0 +1,332 @@
+#include "player/ui/sections.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "player/ui/theme.h"
+#include "player/ui/widget_rects.h"
+#include "scene/method_domain.h"
+
+namespace isomotion::player {
+namespace {
+
+// The width of the column of names.
+float name_width() { return 6.6f * ImGui::GetFontSize(); }
+
+void color_line(Rgb color, const std::string& text) {
+    const float side = 0.7f * ImGui::GetFontSize();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float down = 0.2f * ImGui::GetFontSize();
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + down},
+                                              {at.x + side, at.y + down + side},
+                                              IM_COL32(color[0], color[1], color[2], 255), 2);
+    ImGui::Dummy({side, side});
+    ImGui::SameLine();
+    ImGui::TextUnformatted(text.c_str());
+}
+
+std::string percent(std::int64_t part, std::int64_t whole) {
+    if (whole == 0) return "-";
+    const double p = 100.0 * double(part) / double(whole);
+    return part > 0 && p < 0.01 ? fmt::format("{} px", part) : fmt::format("{:.2f} %", p);
+}
+
+void heat_legend(double end) {
+    const float width = ImGui::GetContentRegionAvail().x, height = 0.7f * ImGui::GetFontSize();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    constexpr int bands = 32;
+    for (int k = 0; k < bands; ++k) {
+        const Rgb color = heat((k + 0.5) / bands);
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            {at.x + width * float(k) / bands, at.y},
+            {at.x + width * float(k + 1) / bands, at.y + height},
+            IM_COL32(color[0], color[1], color[2], 255));
+    }
+    ImGui::Dummy({width, height});
+    ImGui::TextDisabled("0");
+    const std::string most = fmt::format("{:g} evaluations", end);
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(most.c_str()).x);
+    ImGui::TextDisabled("%s", most.c_str());
+}
+
+void normal_legend() { ImGui::TextDisabled("x, y, z of the normal as red, green, blue"); }
+
+void difference_legend(const Difference& found, const RayCounts& left, const RayCounts& right) {
+    const std::int64_t all =
+        found.both_hit + found.both_miss + found.only_first + found.only_second + found.other;
+    color_line(
+        agree_hit,
+        fmt::format("agree: {}", percent(found.both_hit + found.both_miss - found.apart, all)));
+    color_line(far_apart, fmt::format("at other depths: {}", percent(found.apart, all)));
+    color_line(first_alone,
+               fmt::format("hit by the first alone: {}", percent(found.only_first, all)));
+    color_line(second_alone,
+               fmt::format("hit by the second alone: {}", percent(found.only_second, all)));
+    if (found.other > 0) color_line(other_pair, fmt::format("other: {}", found.other));
+    const auto each = [](const RayCounts& tally) {
+        return fmt::format("{:.1f} ms, {:.1f} evaluations a ray", 1e3 * tally.drawing.count(),
+                           double(tally.evaluations) /
+                               double(std::max<std::int64_t>(1, tally.rays())));
+    };
+    ImGui::TextDisabled("first: %s", each(left).c_str());
+    ImGui::TextDisabled("second: %s", each(right).c_str());
+}
+
+bool method_combo(const char* id, scene::Method& method, const scene::Scene& scene) {
+    bool changed = false;
+    ImGui::SetNextItemWidth(-1);
+    if (!ImGui::BeginCombo(id, std::string(scene::name(method)).c_str(),
+                           ImGuiComboFlags_HeightLarge)) {
+        return false;
+    }
+    for (const auto& entry : scene::method_traits) {
+        const std::string why = scene::refusal(entry.method, *scene.surface.field);
+        const auto flags = why.empty() ? 0 : ImGuiSelectableFlags_Disabled;
+        if (ImGui::Selectable(std::string(entry.name).c_str(), entry.method == method, flags)) {
+            method = entry.method;
+            changed = true;
+        }
+        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+            ImGui::SetTooltip("%s", why.empty() ? std::string(entry.summary).c_str() : why.c_str());
+        }
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+// A slider for a length or a threshold: over six decades about the scene's own.
+bool magnitude(const char* name, double& value, double own) {
+    row(name);
+    const double middle = own > 0 ? own : 1e-2;
+    const double least = middle * 1e-3, most = middle * 1e3;
+    double wanted = value;
+    const bool touched = ImGui::SliderScalar(
+        fmt::format("##{}", name).c_str(), ImGuiDataType_Double, &wanted, &least, &most, "%.3g",
+        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    if (!touched || !(wanted > 0)) return false; // a NaN can be typed
+    value = wanted;
+    return true;
+}
+
+bool integer(const char* name, int& value, int least, int most, bool logarithmic = false) {
+    row(name);
+    const auto flags = ImGuiSliderFlags_AlwaysClamp |
+                       (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+    return ImGui::SliderInt(fmt::format("##{}", name).c_str(), &value, least, most, "%d", flags);
+}
+
+void settings(scene::Isolation& isolation, const scene::Isolation& own) {
+    const scene::Method method = isolation.method;
+    if (scene::takes_steps(method)) magnitude("step", isolation.step, own.step);
+    if (method == scene::Method::amp_sign || method == scene::Method::amp_taylor) {
+        magnitude("near", isolation.near, own.near);
+        magnitude("far", isolation.far, own.far);
+        magnitude("horizon", isolation.horizon, own.horizon);
+    }
+    if (scene::takes_steps(method)) integer("bisections", isolation.bisections, 0, 32);
+    if (method == scene::Method::hermite) {
+        row("safety");
+        constexpr double least = 1, most = 1024;
+        ImGui::SliderScalar("##safety", ImGuiDataType_Double, &isolation.safety, &least, &most,
+                            "%.3g", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+        isolation.safety = std::max(1.0, isolation.safety);
+    }
+    integer("limit", isolation.limit, 1, 100'000, true);
+}
+
+bool parameter_slider(const Slider& slider, Overrides& overrides,
+                      std::map<std::string, double>& held) {
+    const float button = slider.overridden ? ImGui::GetFrameHeight() + 4 : 0;
+    row(slider.name.substr(slider.name.find('.') + 1).c_str(), button);
+    double value = slider.value;
+    ImGui::PushID(slider.name.c_str());
+    const bool touched =
+        ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &slider.least, &slider.most,
+                            "%.4g", ImGuiSliderFlags_NoRoundToFormat);
+    record_widget_rect("slider " + slider.name);
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
+        ImGui::SetTooltip(slider.overridden ? "held; Ctrl + click to type"
+                          : slider.moves    ? "moves; a touch holds it, Ctrl + click to type"
+                                            : "Ctrl + click to type");
+    }
+    if (touched && std::isfinite(value)) held[slider.name] = value;
+    if (slider.overridden) {
+        ImGui::SameLine(0, 4);
+        if (ImGui::Button("x", {ImGui::GetFrameHeight(), 0})) {
+            overrides.values.erase(slider.name);
+            overrides.factors.erase(slider.name);
+        }
+        record_widget_rect("give back " + slider.name);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("give it back to the scene");
+    }
+    ImGui::PopID();
+    return touched;
+}
+
+} // namespace
+
+bool heading(const char* title) {
+    ImGui::Spacing();
+    return ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
+}
+
+void row(const char* name, float less) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    ImGui::TextUnformatted(name);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + name_width());
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - less);
+}
+
+void view_section(Look& look, const scene::Scene& scene, const std::optional<Shown>& shown) {
+    if (!heading("View")) return;
+    const float gap = 4;
+    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+    for (std::size_t k = 0; k < std::size(view_names); ++k) {
+        if (k % 3 != 0) ImGui::SameLine(0, gap);
+        const bool chosen = look.view == view_names[k].view;
+        if (chosen) {
+            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
+        }
+        if (ImGui::Button(std::string(view_names[k].name).c_str(), {width, 0})) {
+            look.view = view_names[k].view;
+        }
+        if (chosen) ImGui::PopStyleColor();
+    }
+    if (look.view == View::difference) {
+        row("second");
+        method_combo("##second", look.other.method, scene);
+        ImGui::Checkbox("right of the line: what differs", &look.map);
+    }
+    if (!shown || shown->view != look.view) return;
+    switch (look.view) {
+    case View::normal:
+        return normal_legend();
+    case View::evaluations:
+        return heat_legend(shown->heat_end);
+    case View::verdicts:
+        for (const VerdictColour& entry : verdict_colours()) {
+            const auto k = std::size_t(entry.verdict);
+            color_line(entry.colour,
+                       fmt::format("{}: {}", render::verdict_names[k],
+                                   percent(shown->counts.verdicts[k], shown->counts.rays())));
+        }
+        return;
+    case View::difference:
+        if (shown->difference) {
+            difference_legend(*shown->difference, shown->counts, shown->other);
+        }
+        return;
+    case View::shaded:
+    case View::depth:
+        return;
+    }
+}
+
+std::optional<Command> camera_section(Look& look, const scene::CameraAt& camera) {
+    if (!heading("Camera")) return std::nullopt;
+    std::optional<Command> wish;
+    const float gap = 4;
+    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+    const auto button = [&](const char* name, const char* tip, Command command) {
+        if (ImGui::Button(name, {width, 0})) wish = command;
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+    };
+    ImGui::BeginDisabled(!look.camera);
+    button("reset", "the scene's own camera (R)", Command::reset_camera);
+    ImGui::EndDisabled();
+    ImGui::SameLine(0, gap);
+    button("fit", "the bounds fill the picture (F)", Command::fit_camera);
+    ImGui::SameLine(0, gap);
+    button("copy", "as [camera] of a scene file, to the clipboard", Command::copy_camera);
+    const bool parallel = camera.projection == scene::Camera::Projection::orthographic;
+    if (!parallel) {
+        row("view angle");
+        double fov = camera.fov;
+        constexpr double least = 5, most = 120;
+        if (ImGui::SliderScalar("##fov", ImGuiDataType_Double, &fov, &least, &most, "%.1f degrees",
+                                ImGuiSliderFlags_AlwaysClamp)) {
+            look.camera = camera;
+            look.camera->fov = fov;
+        }
+    }
+    return wish;
+}
+
+void parameter_section(Look& look, const Session& session, const animation::Values& values) {
+    const auto all = sliders(session.slider_ranges(), values, look.overrides);
+    const auto arrays = array_controls(session.scene(), values, look.overrides);
+    if (all.empty() && arrays.empty()) return;
+    if (!heading("Parameters")) return;
+    const Overrides before = look.overrides;
+    for (const Slider& slider : all) {
+        if (slider.name.find('.') == std::string::npos) {
+            parameter_slider(slider, look.overrides, look.overrides.values);
+        }
+    }
+    for (const ArrayControls& array : arrays) {
+        ImGui::PushID(array.name.c_str());
+        row(array.name.c_str());
+        ImGui::Text("%d elements", array.count);
+        for (const Slider& slider : all) {
+            if (slider.name.starts_with(array.name + ".")) {
+                parameter_slider(slider, look.overrides, look.overrides.values);
+            }
+        }
+        for (const Slider& slider : array.factors) {
+            parameter_slider(slider, look.overrides, look.overrides.factors);
+        }
+        ImGui::PopID();
+    }
+    if (!before.empty() && ImGui::Button("give all back", {-1, 0})) look.overrides = {};
+}
+
+void method_section(Look& look, const scene::Scene& scene) {
+    if (!heading("Method")) return;
+    method_combo("##method", look.isolation.method, scene);
+    settings(look.isolation, scene.isolation);
+    if (ImGui::Button("as the scene says", {-1, 0})) look.isolation = scene.isolation;
+    ImGui::Checkbox("smooth edges at rest", &look.smooth);
+}
+
+void reading_section(const std::optional<Shown>& shown, glm::ivec2 size) {
+    if (!heading("Reading") || !shown) return;
+    const RayCounts& tally = shown->counts;
+    const auto line = [](const char* name, const std::string& text) {
+        row(name);
+        ImGui::TextUnformatted(text.c_str());
+    };
+    const double rays = double(std::max<std::int64_t>(1, tally.rays()));
+    const double seconds = std::max(1e-9, tally.drawing.count());
+    line("drawing", fmt::format("{:.1f} ms", 1e3 * seconds));
+    line("evaluations", fmt::format("{:.1f} a ray", double(tally.evaluations) / rays));
+    line("rays", fmt::format("{:.2f} million/s", 1e-6 * rays / seconds));
+    line("size", fmt::format("{} x {} of {} x {}", shown->raster.width, shown->raster.height,
+                             size.x, size.y));
+    line("samples", fmt::format("{} of {}", shown->samples, shown->asked));
+    for (std::size_t k = 0; k < tally.verdicts.size(); ++k) {
+        if (tally.verdicts[k] == 0) continue;
+        line(render::verdict_names[k], percent(tally.verdicts[k], tally.rays()));
+    }
+}
+
+void reading_line(const std::optional<Shown>& shown) {
+    if (!shown) return;
+    const RayCounts& tally = shown->counts;
+    const double rays = double(std::max<std::int64_t>(1, tally.rays()));
+    const std::string text = fmt::format(
+        "{} x {}   {:.1f} ms   {:.1f} evaluations a ray", shown->raster.width, shown->raster.height,
+        1e3 * tally.drawing.count(), double(tally.evaluations) / rays);
+    const float begin = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SameLine();
+    if (ImGui::GetCursorPosX() > begin) return ImGui::NewLine(); // no room
+    ImGui::SetCursorPosX(begin);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", text.c_str());
+}
+
+} // namespace isomotion::player

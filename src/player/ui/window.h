@@ -1,0 +1,96 @@
+// The window: GLFW's events and Dear ImGui's frames in it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "gpu/glfw_context.h"
+#include "player/model/memory.h"
+
+struct GLFWwindow;
+struct ImGuiContext;
+
+namespace isomotion::player {
+
+// A key that went down, or repeats: GLFW's code, or 0 and the character where text was typed.
+struct KeyPress {
+    int key = 0;
+    int mods = 0; // GLFW_MOD_*
+    char32_t character = 0;
+    bool repeats = false;
+};
+
+// No display, or no OpenGL on it.
+class NoWindow : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+// The main thread has one at a time. Its context is current there as long as it lives.
+class Window {
+public:
+    // Opens at the remembered place, moved onto a screen; else where the desktop puts it.
+    // Throws NoWindow.
+    Window(const std::string& title, const std::optional<WindowPlace>& remembered);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    // Sleeps until an event comes, or for so many seconds (below 0: for as long as it takes).
+    void wait(double seconds);
+    // Wakes wait(); from any thread.
+    static void wake();
+
+    void make_current();
+
+    // Make Dear ImGui's widgets between the two. False if there is nothing to draw into (minimised,
+    // or of no size): don't call end_frame() then.
+    bool begin_frame();
+    void end_frame(); // throws gpu::ContextLost
+    // In place of end_frame(): the widgets have taken their events, and nothing is drawn, which
+    // would take a software renderer as long as a small picture. Another frame has to follow.
+    void skip_frame();
+
+    // Whether frames have yet to show events that came. Dear ImGui takes some frames to settle.
+    bool stale() const { return stale_frames_ > 0; }
+    void refresh(); // asks for frames though no event came
+
+    bool closing() const;
+    void close();
+    void set_title(const std::string& title);
+    void toggle_full_screen();
+    WindowPlace place() const;
+    void copy(const std::string& text); // to the clipboard
+
+    glm::ivec2 pixels() const; // of the framebuffer
+    bool hidden() const;       // there is nothing to draw into: minimised, or of no size
+
+    // Keys and dropped files since the last call.
+    std::vector<KeyPress> take_keys();
+    std::vector<std::filesystem::path> take_dropped();
+
+private:
+    struct Events; // GLFW's callbacks
+    void rescale();
+
+    std::shared_ptr<gpu::Glfw> glfw_;
+    GLFWwindow* window_ = nullptr;
+    std::unique_ptr<gpu::Context> context_;
+    ImGuiContext* widgets_ = nullptr;
+    int stale_frames_ = 0;
+    bool full_screen_ = false;
+    WindowPlace windowed_; // the place that full screen goes back to
+    std::vector<KeyPress> keys_;
+    std::vector<std::filesystem::path> dropped_;
+    // Dear ImGui reads the state of keys once a frame: a key that goes down and up between two
+    // frames is released in the next.
+    std::vector<int> pressed_, released_;
+};
+
+} // namespace isomotion::player

@@ -1,0 +1,129 @@
+#include "render/frame_inputs.h"
+
+#include <limits>
+#include <span>
+#include <variant>
+
+#include "render/effect_uniforms.h"
+#include "render/light_beams.h"
+#include "synthesis/proof_text.h"
+
+namespace isomotion::render {
+namespace {
+
+template<class T> void add_value(base::Fingerprint& print, const T& value) {
+    print.add_values(std::span<const T>(&value, 1));
+}
+
+void add(base::Fingerprint& print, const FieldInputs& field) {
+    const auto& [parameters, arrays] = field;
+    print.add(parameters);
+    for (const auto& texels : arrays) print.add_values(std::span<const glm::vec4>(texels));
+}
+
+void add(base::Fingerprint& print, const ViewInputs& view) {
+    const auto& [frame, beams] = view;
+    add_value(print, frame);
+    print.add_values(std::span<const glm::vec4>(beams));
+}
+
+void add(base::Fingerprint& print, const Uniforms& uniforms) {
+    for (const auto& [name, value] : uniforms) {
+        print.add(name);
+        std::visit(
+            [&](const auto& v) {
+                using Value = std::decay_t<decltype(v)>;
+                if constexpr (std::is_same_v<Value, std::vector<glm::vec4>>) {
+                    print.add_values(std::span<const glm::vec4>(v));
+                } else {
+                    add_value(print, v);
+                }
+            },
+            value);
+    }
+}
+
+FieldInputs field_inputs(const scene::Scene& scene, const scene::SceneAt& at,
+                         const synthesis::Passes& passes) {
+    FieldInputs field{parameter_block(passes, at), {}};
+    for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
+        field.arrays.push_back(array_texels(scene, passes, at, a));
+    }
+    return field;
+}
+
+} // namespace
+
+ViewInputs view_inputs(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+                       const scene::Aim& aim, const synthesis::Passes& passes,
+                       ElementRadius* element_radius) {
+    const bool by_cubics = scene::traits(scene.isolation.method).steps == scene::Steps::cubics;
+    const double radius = by_cubics && element_radius ? element_radius->least(scene, now)
+                                                      : std::numeric_limits<double>::infinity();
+    ViewInputs view{frame_block(scene, now, width, height, aim, radius), {}};
+    for (const synthesis::BeamLevel& level : passes.beams) {
+        view.beams.push_back(beam_range(now, width, height, aim, level.block));
+    }
+    return view;
+}
+
+void PictureInputs::add_to(base::Fingerprint& print) const {
+    // A member more does not compile here until it is part of the fingerprint.
+    const auto& [of_eye, of_field, of_shading, of_effects, of_lights, of_proofs, of_motion] = *this;
+    add(print, of_eye);
+    add(print, of_field);
+    print.add_values(std::span<const glm::vec4>(of_shading));
+    add(print, of_effects);
+    for (const auto& [light, view, to_light] : of_lights) {
+        add_value(print, light);
+        add(print, view);
+        add_value(print, to_light);
+    }
+    if (of_proofs) {
+        const auto& [frame, beam, floats, doubles] = *of_proofs;
+        add_value(print, frame);
+        add_value(print, beam);
+        for (const auto& [tube, shortest_piece] : {floats, doubles}) {
+            add_value(print, tube);
+            add_value(print, shortest_piece);
+        }
+    }
+    if (of_motion) {
+        // What velocities take of the two times beside these is in their frames.
+        const auto& [now, motion_about, frame_before, frame_after, before, after] = *of_motion;
+        add_value(print, motion_about.seconds);
+        add_value(print, frame_before);
+        add_value(print, frame_after);
+        add(print, before);
+        add(print, after);
+    }
+}
+
+PictureInputs picture_inputs(const scene::Scene& scene, const scene::SceneAt& now,
+                             const scene::Aim& aim, const Motion* motion, const InputLayout& layout,
+                             ElementRadius& element_radius) {
+    const synthesis::Passes& passes = layout.passes;
+    const int width = layout.width, height = layout.height;
+    PictureInputs inputs;
+    inputs.eye = view_inputs(scene, now, width, height, aim, passes, &element_radius);
+    inputs.field = field_inputs(scene, now, passes);
+    inputs.shading = shading_block(scene, now, width, height);
+    inputs.effects = effect_uniforms(scene, now);
+    if (passes.light_beams != 0) {
+        inputs.lights = light_inputs(scene, now, passes, layout.light_pixels);
+    }
+    if (passes.has(synthesis::Role::proof)) {
+        inputs.proofs = proof_rays(scene, now, width, height, aim);
+    }
+    if (motion) {
+        inputs.motion = MotionInputs{now,
+                                     *motion,
+                                     frame_block(scene, motion->before, width, height, aim),
+                                     frame_block(scene, motion->after, width, height, aim),
+                                     field_inputs(scene, motion->before, passes),
+                                     field_inputs(scene, motion->after, passes)};
+    }
+    return inputs;
+}
+
+} // namespace isomotion::render

@@ -1,0 +1,35 @@
+// March and picture of a tile in one draw, for plain pictures whose rays end within one pass.
+#pragma once
+
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "gpu/depth_mask.h"
+#include "gpu/target.h"
+#include "render/pass_table.h"
+#include "render/scene_plan.h"
+
+namespace isomotion::render {
+
+class FusedPass {
+public:
+    // Draws into `result`, which outlives it: colour, record and the attachments of `passes`.
+    FusedPass(const synthesis::Passes& passes, const gpu::Target& result);
+
+    // Where beams or bounds leave a ray no way to march the shader is not run: such pixels are
+    // misses, of which `background` is the colour.
+    void draw(PassTable& table, const gpu::Rectangle& tile, const ScenePlan& plan,
+              glm::vec4 background) const;
+    // After a draw: the pixels whose rays had a way to march.
+    const gpu::DepthMask& mask() const { return mask_; }
+
+private:
+    void clear_to_misses(glm::vec4 background) const;
+
+    const gpu::Target& result_;
+    std::vector<synthesis::Channel> channels_; // of the attachments from the third on
+    gpu::DepthMask mask_;
+};
+
+} // namespace isomotion::render

@@ -1,0 +1,147 @@
+#include "render/pass_table.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "gpu/compute.h"
+
+namespace isomotion::render {
+namespace {
+
+// What fills a block of a pass. Proofs see bounds that are wider by what rounding may do.
+std::string block_for(const synthesis::Pass& pass, const std::string& block) {
+    return block == "Frame" && synthesis::is_proof(pass.role) ? "ProofFrame" : block;
+}
+
+gpu::Program compiled(const synthesis::Pass& pass) {
+    return pass.stage == synthesis::Stage::compute
+               ? gpu::Program::compute(pass.text, pass.name)
+               : gpu::Program(pass.vertex, pass.text, pass.name);
+}
+
+void set_on(const gpu::Program& program, const Uniforms& uniforms) {
+    for (const Uniform& uniform : uniforms) {
+        std::visit(
+            [&](const auto& value) {
+                using Value = std::decay_t<decltype(value)>;
+                if constexpr (std::is_same_v<Value, std::vector<glm::vec4>>) {
+                    program.set(uniform.name, std::span<const glm::vec4>(value));
+                } else {
+                    program.set(uniform.name, value);
+                }
+            },
+            uniform.value);
+    }
+}
+
+} // namespace
+
+PassTable::PassTable(const synthesis::Passes& passes)
+    : passes_(passes)
+    , programs_(passes.list.size()) {
+    for (const synthesis::Pass& pass : passes.list) {
+        for (const auto& sampler : pass.samplers) units_.emplace(sampler, int(units_.size()));
+        for (const auto& block : pass.blocks) {
+            bindings_.emplace(block_for(pass, block), int(bindings_.size()));
+        }
+    }
+    if (int(units_.size()) > gpu::editing_unit) {
+        throw std::length_error(fmt::format("the scene's passes read {} textures; {} can be bound",
+                                            units_.size(), gpu::editing_unit));
+    }
+    for (std::size_t k = 0; k < passes.list.size(); ++k) {
+        if (!synthesis::is_exceptional(passes.list[k].when)) compile(k);
+    }
+}
+
+void PassTable::compile(std::size_t index) {
+    const synthesis::Pass& pass = passes_.list[index];
+    programs_[index] = compiled(pass);
+    connect(pass, *programs_[index]);
+    set_on(*programs_[index], uniforms_);
+}
+
+void PassTable::connect(const synthesis::Pass& pass, const gpu::Program& program) const {
+    for (const auto& sampler : pass.samplers) {
+        program.bind_sampler(sampler, units_.find(sampler)->second);
+    }
+    for (const auto& block : pass.blocks) {
+        program.bind_block(block, unsigned(bindings_.find(block_for(pass, block))->second));
+    }
+}
+
+const gpu::Program& PassTable::program(synthesis::Role role, int level) {
+    const auto index = std::size_t(&passes_.at(role, level) - passes_.list.data());
+    if (!programs_[index]) compile(index);
+    return *programs_[index];
+}
+
+bool PassTable::is_compiled(synthesis::Role role) const {
+    const synthesis::Pass* pass = passes_.find(role);
+    return pass && programs_[std::size_t(pass - passes_.list.data())];
+}
+
+void PassTable::set(const Uniforms& uniforms) {
+    uniforms_ = uniforms;
+    for (const auto& program : programs_) {
+        if (program) set_on(*program, uniforms_);
+    }
+}
+
+void PassTable::bind(std::string_view sampler, const gpu::Texture& texture) const {
+    if (const auto unit = units_.find(sampler); unit != units_.end()) texture.bind(unit->second);
+}
+
+void PassTable::bind(std::string_view sampler, const gpu::TextureBuffer& buffer) const {
+    if (const auto unit = units_.find(sampler); unit != units_.end()) buffer.bind(unit->second);
+}
+
+void PassTable::bind_numbered(const std::string& sampler, const gpu::Target& target) const {
+    for (int k = 0; k < target.attachments(); ++k) {
+        bind(fmt::format("{}_{}", sampler, k), target.texture(k));
+    }
+}
+
+void PassTable::bind(std::string_view block, const gpu::UniformBuffer& buffer) {
+    const auto binding = bindings_.find(block);
+    if (binding == bindings_.end()) return;
+    buffer.bind(unsigned(binding->second));
+    bound_.insert_or_assign(binding->first, &buffer);
+}
+
+PassTable::Instead::Instead(PassTable& table, std::string block, const gpu::UniformBuffer& buffer)
+    : table_(table)
+    , block_(std::move(block))
+    , before_(table.bound_[block_]) {
+    table_.bind(block_, buffer);
+}
+
+PassTable::Instead::~Instead() {
+    if (before_) table_.bind(block_, *before_);
+}
+
+void PassTable::draw(const gpu::Program& program, const gpu::Rectangle& tile) const {
+    gpu::set_viewport({0, 0, tile.width, tile.height});
+    program.set("tile_origin", glm::ivec2(tile.x, tile.y));
+    triangle_.draw();
+}
+
+void PassTable::draw(const gpu::Program& program, const gpu::Rectangle& tile,
+                     const gpu::Target& target) const {
+    target.bind();
+    draw(program, tile);
+}
+
+void PassTable::march(const gpu::Program& program, const gpu::Rectangle& tile,
+                      const gpu::Target& target) const {
+    if (passes_.stage == synthesis::Stage::fragment) return draw(program, tile, target);
+    for (int k = 0; k < target.attachments(); ++k) gpu::bind_image(target.texture(k), k);
+    const glm::ivec2 size(tile.width, tile.height);
+    program.set("tile_origin", glm::ivec2(tile.x, tile.y));
+    program.set("tile_size", size);
+    gpu::dispatch((size + synthesis::workgroup_side - 1) / synthesis::workgroup_side);
+}
+
+} // namespace isomotion::render

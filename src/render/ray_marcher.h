@@ -1,0 +1,45 @@
+// Marches the rays of a tile to their ends, in as many passes as that takes.
+#pragma once
+
+#include <functional>
+
+#include "gpu/query.h"
+#include "gpu/target.h"
+#include "render/pass_table.h"
+#include "render/scene_plan.h"
+#include "scene/scene.h"
+
+namespace isomotion::render {
+
+// Two targets that hold the states of a tile's rays, before and after a pass.
+struct RayTargets {
+    RayTargets(const synthesis::Passes& passes, const MarchPlan& tile)
+        : even(tile.tile_width, tile.tile_height, passes.state_textures)
+        , odd(tile.tile_width, tile.tile_height, passes.state_textures) {}
+    gpu::Target even, odd;
+};
+
+class RayMarcher {
+public:
+    // `stop_if_asked` is called between passes; it may throw.
+    RayMarcher(const synthesis::Passes& passes, const scene::Scene& scene, const ScenePlan& plan,
+               std::function<void()> stop_if_asked);
+
+    // Marches a tile's rays by the pass of that role: march, mirror or shadow. Returns the one of
+    // the targets that holds their ends, which is bound as state textures. `counted_into` is any
+    // target as large as a tile; its pixels change. Adds its draws to `draws`.
+    const gpu::Target& march(PassTable& table, synthesis::Role role, const gpu::Rectangle& tile,
+                             const RayTargets& targets, const gpu::Target& counted_into,
+                             int& draws) const;
+
+private:
+    int evaluations_of(synthesis::Role role) const;
+
+    const synthesis::Passes& passes_;
+    const ScenePlan& plan_;
+    int shadow_lights_;
+    std::function<void()> stop_if_asked_;
+    mutable gpu::SamplesQuery still_active_;
+};
+
+} // namespace isomotion::render

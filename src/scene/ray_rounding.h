@@ -1,0 +1,61 @@
+// How far float32 may carry a ray from where it is: what truth's tubes, the boxes around beams and
+// the proofs are thickened by.
+//
+// The exact ray of a pixel is the one of the uniforms as floats, in real arithmetic. The shader's
+// (shaders/march/ray.glsl) differs from it by its rounding, and nothing else. Let u = 2^-24, the
+// relative error of a sum or a product; GLSL allows 5 u for a quotient and 9 u for a square root
+// (made of 1 / inversesqrt), any order of evaluation, and fused or unfused products. To first
+// order:
+//
+//   at        = (pixel + shift) * (2 / size) - 1; the sum, 2 / size and the product carry u each of
+//               at + 1, which is 2 at most, and the difference one of itself: 7 u
+//   across    = at.x right + at.y up; a product and a sum more: 9 u of |right| + |up|, the spread S
+//   anchor    = origin + across: 9 u S + u |anchor| <= 10 u S + u |origin|
+//   from_eye  = axis + across: 9 u S + u |from_eye|
+//   direction = from_eye / length(from_eye): its length by 5 u for the quotient, 9 u for the root
+//               and 1.5 u for the squares and their sums below it, 15.5 u in all; aside by
+//               u + 9 u S / |from_eye|, for normalising takes the part along it. The two are
+//               perpendicular: 15.6 u + 9 u s, where s = S / depth and the depth is how far the
+//               plane of the anchors is from the eye, as |from_eye| is no less. A coordinate of
+//               what is aside is 1.37 times its largest coordinate before: 15.6 u + 12.3 u s.
+//   point     = anchor + t direction: those of the two, and u |t| + u |point| more; a point of the
+//               bounds is no farther from 0 than their centre and their radius, and the users'
+//               distances are no less than the radius.
+//
+// The model counts 16 u for each of origin, spread, 1 and s, which leaves room for terms of u^2 and
+// for depths that are rounded.
+#pragma once
+
+#include "scene/rays.h"
+#include "scene/scene_at.h"
+
+namespace isomotion::scene {
+
+struct RayRounding {
+    double anchor = 0;
+    double direction = 0; // of parallel rays s is 0
+    double centre = 0;    // of points near the bounds' centre, for how far that is from 0
+    double slant = 1;     // a ray is no longer than this for each unit of depth that it crosses
+
+    // Of a point of a ray that is `distance` from its anchor or nearer.
+    double at_distance(double distance) const {
+        return anchor + distance * (direction + 2 * unit) + centre;
+    }
+    // Of a point of any ray that is so far from the plane of the anchors or nearer. There |t| is f
+    // times that, f = |from_eye| / depth, and the direction off by 15.5 u along itself and
+    // u + 9 u s / f aside; f times both is less than 16 u slant, whatever s is. (Only of pictures
+    // that are many times as wide as high, and more than 160 degrees, the root must be closer than
+    // 9 u for that.)
+    double at_depth(double depth) const { return anchor + 18 * unit * depth * slant + centre; }
+
+    static constexpr double unit = 0x1p-24; // relative error of one float32 rounding
+};
+
+// What is bounded: each coordinate of an error, which is what boxes want; or its length, which is
+// more, for spheres and distances along rays.
+enum class Norm { coordinate, length };
+
+// The rays of all pixels, or of parts of pixels, of one picture.
+RayRounding ray_rounding(const Rays& rays, const BoundsAt& bounds, Norm norm);
+
+} // namespace isomotion::scene

@@ -1,0 +1,109 @@
+#include "sequence/describe.h"
+
+#include <algorithm>
+
+#include "base/fingerprint.h"
+#include "sequence/scene_fingerprint.h"
+
+namespace isomotion::sequence {
+namespace {
+
+std::vector<double> components(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+std::vector<std::string> layers(const std::vector<synthesis::Channel>& channels) {
+    std::vector<std::string> names{"R", "G", "B", "A"};
+    for (const auto& entry : synthesis::channel_names()) {
+        if (std::ranges::find(channels, entry.channel) == channels.end()) continue;
+        names.insert(names.end(), entry.layers.begin(), entry.layers.end());
+    }
+    return names;
+}
+
+} // namespace
+
+image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& now,
+                               const animation::Values& values, int frame) {
+    const auto& fps = scene.timeline.fps;
+    const scene::Isolation& isolation = scene.isolation;
+    image::Metadata metadata{
+        {"FramesPerSecond", image::Rational{fps.numerator, fps.denominator}},
+        {"Software", std::string("isomotion " ISOMOTION_VERSION)},
+        {"isomotion:title", scene.title},
+        {"isomotion:frame", frame},
+        {"isomotion:time", values.time},
+        {"isomotion:formula", scene.surface.field->text},
+        {"isomotion:method", std::string(scene::name(isolation.method))},
+        {"isomotion:step", isolation.step},
+        {"isomotion:near", isolation.near},
+        {"isomotion:far", isolation.far},
+        {"isomotion:horizon", isolation.horizon},
+        {"isomotion:bisections", isolation.bisections},
+        {"isomotion:safety", isolation.safety},
+        {"isomotion:camera.position", components(now.camera.position)},
+        {"isomotion:camera.target", components(now.camera.target)},
+        {"isomotion:camera.up", components(now.camera.up)},
+    };
+    if (now.camera.zoom != 1) metadata.push_back({"isomotion:camera.zoom", now.camera.zoom});
+    if (now.camera.projection == scene::Camera::Projection::orthographic) {
+        metadata.push_back({"isomotion:camera.height", now.camera.height});
+    } else {
+        metadata.push_back({"isomotion:camera.fov", now.camera.fov});
+    }
+    if (const int samples = scene.output.samples; samples > 1) {
+        metadata.push_back({"isomotion:samples", samples});
+        metadata.push_back({"isomotion:camera.shutter", scene.camera.shutter});
+        metadata.push_back({"isomotion:camera.aperture", now.camera.aperture});
+        metadata.push_back({"isomotion:camera.focus", now.camera.focus});
+    }
+    for (int k = 0; k < scene.surface.parameters; ++k) {
+        const auto index = std::size_t(k);
+        metadata.push_back({"isomotion:parameter." + scene.timeline.animation.tracks()[index].name,
+                            values.tracks[index]});
+    }
+    metadata.push_back({fingerprint_key, std::string()});
+    return metadata;
+}
+
+std::string file_fingerprint(const std::string& pixels, const std::string& renderer,
+                             image::Format format, const image::Metadata& metadata) {
+    base::Fingerprint print;
+    print.add(pixels).add(renderer).add(ISOMOTION_VERSION).add(std::to_string(int(format)));
+    for (const auto& entry : metadata) print.add(entry.name).add(image::to_text(entry.value));
+    return print.text();
+}
+
+Sequence sequence_of(const scene::Scene& scene, const SequenceName& name, image::Format format,
+                     const std::vector<synthesis::Channel>& channels, std::vector<int> frames,
+                     const gpu::ContextInfo& driver, synthesis::Stage stage,
+                     const std::string& shaders_fingerprint) {
+    Sequence all;
+    all.title = scene.title;
+    all.scene_file = scene.file.filename().string();
+    all.backend = driver.backend;
+    all.provenance = {scene_fingerprint(scene), shaders_fingerprint, ISOMOTION_VERSION,
+                      driver.renderer + ", OpenGL " + driver.version,
+                      std::string(render::name(stage))};
+    all.format = {name.pattern(),      scene.output.width,
+                  scene.output.height, std::string(image::name(format)),
+                  layers(channels),    animation::to_string(scene.timeline.fps)};
+    all.asked = std::move(frames);
+    std::ranges::sort(all.asked);
+    return all;
+}
+
+FrameRecord record_of(const scene::Scene& scene, int frame, const animation::Values& values,
+                      const render::Picture& picture) {
+    FrameRecord record;
+    record.frame = frame;
+    record.time = values.time;
+    for (std::size_t k = 0; k < std::size_t(scene.surface.parameters); ++k) {
+        record.parameters.emplace_back(scene.timeline.animation.tracks()[k].name, values.tracks[k]);
+    }
+    record.verdicts = picture.verdicts;
+    if (scene.isolation.certify) record.proofs = picture.proofs;
+    record.evaluations = picture.evaluations;
+    record.drawing = picture.drawing.count();
+    return record;
+}
+
+} // namespace isomotion::sequence

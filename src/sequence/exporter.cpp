@@ -1,0 +1,279 @@
+#include "sequence/exporter.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/file.h"
+#include "render/exposure.h"
+#include "sequence/describe.h"
+#include "sequence/manifest.h"
+#include "sequence/movie.h"
+#include "sequence/writer.h"
+
+namespace isomotion::sequence {
+namespace fs = std::filesystem;
+namespace {
+
+void make_folder(const fs::path& file) {
+    const fs::path folder = file.parent_path();
+    if (folder.empty()) return;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error && !fs::is_directory(folder)) {
+        throw base::FileError(folder, "the folder cannot be created", error.value());
+    }
+}
+
+image::Rational movie_rate(const scene::Scene& scene) {
+    return {scene.timeline.fps.numerator, scene.timeline.fps.denominator};
+}
+
+bool stopped(const ExportWatcher& watcher) { return watcher.stop && watcher.stop(); }
+
+void check_options(const scene::Scene& scene, const ExportOptions& options, image::Format format) {
+    if (format == image::Format::exr && options.bits != 8) {
+        throw OptionError("bits is of a PNG; an EXR holds half floats");
+    }
+    if (format != image::Format::exr && !options.channels.empty()) {
+        throw OptionError(fmt::format("channels: a PNG holds the picture alone; write an EXR: {}",
+                                      fs::path(options.output).replace_extension(".exr").string()));
+    }
+    if (!scene.isolation.certify &&
+        std::ranges::find(options.channels, synthesis::Channel::proof) != options.channels.end()) {
+        throw OptionError("channels proof: nothing is proved without isolation.certify");
+    }
+    if (options.movie.empty()) return;
+    try {
+        check_movie(options.movie, movie_rate(scene));
+    } catch (const MovieError& error) {
+        throw OptionError(fmt::format("movie {}", error.what()));
+    }
+}
+
+// A frame that waits for its picture, or has it.
+struct PendingFrame {
+    int frame = 0;
+    animation::Values values;
+    image::Metadata metadata;
+    std::string fingerprint; // of its file
+    bool draws = true;       // not what the frame before it shows
+};
+
+// One run over the frames. A frame is drawn while the one before is read back, and encoded and
+// written by another thread after that.
+class Run {
+public:
+    // Begins or joins the manifest, if there is to be one.
+    Run(gpu::Context& context, const scene::Scene& scene, const ExportOptions& options,
+        const SequenceName& name, image::Format format, const ExportWatcher& watcher,
+        std::optional<ManifestWriter>& manifest)
+        : scene_(scene)
+        , options_(options)
+        , name_(name)
+        , format_(format)
+        , watcher_(watcher)
+        , renderer_(context, scene, render_options())
+        , sequence_(sequence_of(scene, name, format, options.channels, options.frames,
+                                context.info(), render::choose_stage(options.stage, context.info()),
+                                renderer_.shaders_fingerprint()))
+        , manifest_(name.holds_many() ? &manifest.emplace(name, sequence_) : nullptr)
+        , writer_(name, format) {}
+
+    ExportTotals run() {
+        try {
+            for (std::size_t k = 0; k < options_.frames.size() && !stopped(watcher_); ++k) {
+                begin(int(k));
+                add(options_.frames[k]);
+            }
+            finish();
+        } catch (const render::Stopped&) { // frames that are not whole are not written
+        }
+        writer_.finish();
+        totals_.stopped = stopped(watcher_);
+        return totals_;
+    }
+
+private:
+    render::RenderOptions render_options() {
+        render::RenderOptions options;
+        options.width = scene_.output.width;
+        options.height = scene_.output.height;
+        options.channels = options_.channels;
+        options.stage = options_.stage;
+        options.warn = [this](const std::string& text) { warn(text); };
+        options.stop = [this] { return stopped(watcher_); };
+        options.progress = [this](double part) { tell(part); };
+        return options;
+    }
+
+    void warn(const std::string& text) const {
+        if (watcher_.warn) watcher_.warn(text);
+    }
+
+    void begin(int done) {
+        const int frame = options_.frames[std::size_t(done)];
+        progress_ = {done, frame, name_.path(frame), 0};
+        picture_ = 0;
+        part_ = 0;
+        if (watcher_.progress) watcher_.progress(progress_);
+    }
+
+    // `part` of one of the pictures that the frame is the mean of.
+    void tell(double part) {
+        if (part < part_) ++picture_;
+        part_ = part;
+        progress_.part = (picture_ + part) / scene_.output.samples;
+        if (watcher_.progress) watcher_.progress(progress_);
+    }
+
+    void add(int frame) {
+        const render::FrameInputs inputs = renderer_.prepare(scene_, frame);
+        const std::string& pixels = inputs.fingerprint;
+        PendingFrame next{frame, inputs.values, {}, {}};
+        next.metadata = frame_metadata(scene_, inputs.now, next.values, frame);
+        next.fingerprint =
+            file_fingerprint(pixels, sequence_.provenance.renderer, format_, next.metadata);
+        next.metadata.back().value = next.fingerprint;
+        if (options_.resume && is_finished(next)) return;
+        // A scene that stands still is drawn once.
+        next.draws = pixels != drawn_;
+        if (!next.draws) {
+            ++totals_.reused;
+            if (!waiting_.empty()) return waiting_.push_back(std::move(next));
+            return write(next);
+        }
+        const bool on_its_way = render::ask(renderer_, inputs);
+        finish(); // while this one is drawn
+        drawn_ = pixels;
+        waiting_.push_back(std::move(next));
+        if (on_its_way) return;
+        picture_drawn_ = render::expose(renderer_, inputs);
+        release();
+    }
+
+    // Takes the picture that frames wait for, if any do.
+    void finish() {
+        if (waiting_.empty()) return;
+        picture_drawn_ = renderer_.take();
+        release();
+    }
+
+    void release() {
+        const render::Picture& picture = *picture_drawn_;
+        for (std::size_t v = 0; v < totals_.verdicts.size(); ++v) {
+            totals_.verdicts[v] += picture.verdicts[v];
+        }
+        for (std::size_t p = 0; p < totals_.proofs.size(); ++p) {
+            totals_.proofs[p] += picture.proofs[p];
+        }
+        totals_.evaluations += picture.evaluations;
+        totals_.drawing += picture.drawing;
+        ++totals_.drawn;
+        warn_of_verdicts(waiting_.front().frame, picture);
+        for (PendingFrame& frame : std::exchange(waiting_, {})) write(frame);
+    }
+
+    void warn_of_verdicts(int frame, const render::Picture& picture) const {
+        for (const auto verdict : {render::Verdict::nan, render::Verdict::step_limit}) {
+            const auto count = picture.verdicts[std::size_t(verdict)];
+            if (count == 0) continue;
+            warn(fmt::format("frame {}: {} {}{} ended with the verdict {}", frame, count,
+                             scene_.output.samples == 1 ? "pixel" : "ray", count == 1 ? "" : "s",
+                             render::verdict_names[std::size_t(verdict)]));
+        }
+    }
+
+    void write(PendingFrame& pending) {
+        image::Frame image = picture_drawn_->frame;
+        image.metadata = std::move(pending.metadata);
+        if (!manifest_) {
+            writer_.submit(pending.frame, std::move(image));
+            return;
+        }
+        FrameRecord record = record_of(scene_, pending.frame, pending.values, *picture_drawn_);
+        if (!pending.draws) record.drawing = 0;
+        record.fingerprint = pending.fingerprint;
+        record.provenance = sequence_.provenance;
+        const auto then = [manifest = manifest_, record](const WrittenFile& file) mutable {
+            sequence::add(file, record);
+            manifest->record(record);
+        };
+        writer_.submit(pending.frame, std::move(image), then);
+    }
+
+    // Whether the file is what these options would write, by the records of earlier runs.
+    bool is_finished(const PendingFrame& pending) {
+        const int frame = pending.frame;
+        const auto record = manifest_ ? find_record(manifest_->folder(), frame) : std::nullopt;
+        const FrameStatus status = frame_status(name_.path(frame), record, pending.fingerprint);
+        totals_.found[status].push_back(frame);
+        if (status != FrameStatus::whole) return false;
+        if (record->provenance != sequence_.provenance) { // of a changed scene, as it was here
+            FrameRecord again = *record;
+            again.provenance = sequence_.provenance;
+            manifest_->record(again);
+        }
+        return true;
+    }
+
+    const scene::Scene& scene_;
+    const ExportOptions& options_;
+    const SequenceName& name_;
+    const image::Format format_;
+    const ExportWatcher& watcher_;
+
+    render::Renderer renderer_;
+    const Sequence sequence_;
+    const ManifestWriter* const manifest_; // none for a name that holds one frame
+    ExportTotals totals_;
+
+    ExportProgress progress_;
+    int picture_ = 0; // of the frame's
+    double part_ = 0; // of the picture
+
+    std::string drawn_; // fingerprint of the picture drawn last or on its way
+    std::optional<render::Picture> picture_drawn_;
+    std::vector<PendingFrame> waiting_; // for the picture on its way
+
+    SequenceWriter writer_; // last: its thread uses the above
+};
+
+} // namespace
+
+Exporter::Exporter(scene::Scene scene, ExportOptions options)
+    : scene_(std::move(scene))
+    , options_(std::move(options))
+    , name_(SequenceName::parse(options_.output))
+    , format_(image::format_of(options_.output, options_.bits == 16 ? image::PngDepth::bits16
+                                                                    : image::PngDepth::bits8)) {
+    name_.check_holds(options_.frames.size());
+    check_options(scene_, options_, format_);
+    for (const int frame : options_.frames) render::check_exposure(scene_, frame);
+}
+
+void Exporter::make_folders() const {
+    make_folder(name_.path(options_.frames.front()));
+    if (!options_.movie.empty()) make_folder(options_.movie);
+}
+
+ExportTotals Exporter::export_frames(gpu::Context& context, const ExportWatcher& watcher) {
+    make_folders();
+    manifest_.reset();
+    return Run(context, scene_, options_, name_, format_, watcher, manifest_).run();
+}
+
+bool Exporter::write_movie(const ExportWatcher& watcher) const {
+    std::vector<fs::path> pictures;
+    for (const int frame : options_.frames) pictures.push_back(name_.path(frame));
+    try {
+        sequence::write_movie(options_.movie, pictures, movie_rate(scene_));
+        return true;
+    } catch (const MovieError&) {
+        if (stopped(watcher)) return false; // a terminal's Ctrl-C reaches ffmpeg too
+        throw;
+    }
+}
+
+} // namespace isomotion::sequence

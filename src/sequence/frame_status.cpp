@@ -1,0 +1,31 @@
+#include "sequence/frame_status.h"
+
+#include "base/content_hash.h"
+#include "base/file.h"
+
+namespace isomotion::sequence {
+namespace fs = std::filesystem;
+namespace {
+
+bool has_the_bytes(const fs::path& file, const FrameRecord& record) {
+    std::error_code error;
+    if (fs::file_size(file, error) != record.bytes || error) return false;
+    try {
+        return base::content_hash(base::read_whole(file)) == record.hash;
+    } catch (const base::FileError&) {
+        return false;
+    }
+}
+
+} // namespace
+
+FrameStatus frame_status(const fs::path& file, const std::optional<FrameRecord>& record,
+                         std::string_view fingerprint) {
+    std::error_code error;
+    if (!fs::exists(file, error)) return FrameStatus::missing;
+    if (!record) return FrameStatus::foreign;
+    if (record->fingerprint != fingerprint) return FrameStatus::stale;
+    return has_the_bytes(file, *record) ? FrameStatus::whole : FrameStatus::changed;
+}
+
+} // namespace isomotion::sequence

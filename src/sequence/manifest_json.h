@@ -1,0 +1,26 @@
+// Manifests as text: JSON, one key a line.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "sequence/record.h"
+
+namespace isomotion::sequence {
+
+// Text that is no manifest, or of another format.
+class ManifestError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+// What is no UTF-8 in a name becomes U+FFFD.
+std::string to_json(const Sequence& sequence);
+std::string to_json(const FrameRecord& record);
+
+// Throw ManifestError.
+Sequence parse_sequence(std::string_view text);
+FrameRecord parse_frame_record(std::string_view text);
+
+} // namespace isomotion::sequence

@@ -1,0 +1,128 @@
+#include "sequence/manifest_writer.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <optional>
+#include <string_view>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include <fmt/format.h>
+
+#include "base/file.h"
+#include "base/partial_file.h"
+#include "sequence/manifest.h"
+#include "sequence/manifest_json.h"
+
+namespace isomotion::sequence {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view about_writers =
+    "Locked by every process that renders frames of this sequence.\n";
+
+fs::path writers_file(const fs::path& manifest) { return manifest / "writers"; }
+
+std::span<const std::byte> bytes_of(std::string_view text) {
+    return std::as_bytes(std::span(text));
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directory(folder, error);
+    if (error || !fs::is_directory(folder)) {
+        throw base::FileError(folder, "the folder cannot be created",
+                              error ? error.value() : ENOTDIR);
+    }
+}
+
+base::FileDescriptor open_writers(const fs::path& manifest) {
+    const fs::path file = writers_file(manifest);
+    base::FileDescriptor writers(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    if (!writers) throw base::FileError(file, "cannot be created", errno);
+    struct stat found = {};
+    if (::fstat(writers.number(), &found) == 0 && found.st_size == 0) {
+        base::write_all(writers.number(), bytes_of(about_writers), file);
+    }
+    return writers;
+}
+
+// False if others hold a lock that stands against it.
+bool lock(const base::FileDescriptor& writers, int how) {
+    while (::flock(writers.number(), how | LOCK_NB) != 0) {
+        if (errno == EINTR) continue;
+        return errno != EWOULDBLOCK;
+    }
+    return true;
+}
+
+std::optional<Sequence> sequence_there(const fs::path& manifest) {
+    try {
+        return read_sequence(manifest);
+    } catch (const base::FileError&) {
+    } catch (const ManifestError&) {
+    }
+    return {};
+}
+
+std::vector<int> united(std::vector<int> frames, const std::vector<int>& more) {
+    frames.insert(frames.end(), more.begin(), more.end());
+    std::ranges::sort(frames);
+    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+    return frames;
+}
+
+} // namespace
+
+ManifestWriter::ManifestWriter(const SequenceName& name, const Sequence& sequence)
+    : folder_(manifest_folder(name)) {
+    make_folder(folder_);
+    writers_ = open_writers(folder_);
+    join(parse_sequence(to_json(sequence))); // names as a file gives them back
+}
+
+void ManifestWriter::join(const Sequence& wanted) {
+    // Of those who join at the same time, one after the other has this file.
+    base::PartialFile file(sequence_file(folder_));
+    const std::optional<Sequence> there = sequence_there(folder_);
+    Sequence joined = there.value_or(wanted);
+    const std::string other = difference(joined, wanted);
+    if (!other.empty()) {
+        if (!lock(writers_, LOCK_EX)) {
+            throw ConflictError(
+                fmt::format("{}: somebody is rendering these frames from {}; wait for them, "
+                            "or give these frames another name with -o",
+                            folder_.string(), other));
+        }
+        joined = wanted;
+    }
+    lock(writers_, LOCK_SH); // before the next one may join
+    const std::vector<int> asked = united(joined.asked, wanted.asked);
+    if (there && other.empty() && asked == there->asked) return;
+    joined.asked = asked;
+    file.write(bytes_of(to_json(joined)));
+    file.publish();
+}
+
+void ManifestWriter::expect_manifest() const {
+    struct stat joined = {}, named = {};
+    const bool same = ::fstat(writers_.number(), &joined) == 0 &&
+                      ::stat(writers_file(folder_).c_str(), &named) == 0 &&
+                      joined.st_dev == named.st_dev && joined.st_ino == named.st_ino;
+    if (!same) {
+        throw base::FileError(folder_, "was removed or replaced while its frames were rendered",
+                              ENOENT);
+    }
+}
+
+void ManifestWriter::record(const FrameRecord& frame) const {
+    expect_manifest();
+    base::PartialFile file(frame_file(folder_, frame.frame));
+    file.write(bytes_of(to_json(frame)));
+    // A record that a power cut loses costs a frame to be rendered again, no more.
+    file.publish(base::Durability::at_ease);
+}
+
+} // namespace isomotion::sequence

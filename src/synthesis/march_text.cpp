@@ -1,0 +1,138 @@
+#include "synthesis/march_text.h"
+
+#include <fmt/format.h>
+
+#include "synthesis/beam_text.h"
+#include "synthesis/bernstein_text.h"
+#include "synthesis/effect_text.h"
+
+namespace isomotion::synthesis {
+namespace {
+
+void add_files(ShaderText& text, std::span<const std::string_view> names) {
+    for (const std::string_view name : names) {
+        if (!name.empty()) text.file(fmt::format("march/{}.glsl", name));
+    }
+}
+
+// What finds a root between two samples, or in a piece.
+void add_isolation(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
+    const scene::MethodTraits& method = scene::traits(scene.isolation.method);
+    const bool directional = passes.samples.front() == FieldFunction::along;
+    if (method.samples == scene::Samples::value_and_bounds) {
+        text.file("march/piece_bounds.glsl");
+    } else {
+        text.file(directional ? "march/sample_along.glsl" : "march/sample_value.glsl");
+    }
+    add_files(text, method.test);
+}
+
+// turn(), which takes a ray on by what one sample of the field tells.
+void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
+    if (passes.degree > 0) {
+        text.generated("generated: from samples to Bernstein's form",
+                       bernstein_text(passes.degree));
+    }
+    add_files(text, scene::traits(scene.isolation.method).turn);
+}
+
+} // namespace
+
+std::vector<FieldFunction> samples_of(scene::Method method, bool march_takes_gradient) {
+    switch (scene::traits(method).samples) {
+    case scene::Samples::value_and_bounds:
+        return {FieldFunction::value, FieldFunction::along_interval};
+    case scene::Samples::value:
+        if (!march_takes_gradient) return {FieldFunction::value};
+        break;
+    case scene::Samples::directional:
+        break;
+    }
+    return {FieldFunction::along};
+}
+
+void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin) {
+    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+    text.file_of_stage("frame.glsl", "stage/frame.glsl");
+    text.file("march/verdict.glsl");
+    text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
+    if (origin == Origin::eye) {
+        text.file("march/ray.glsl");
+    } else {
+        text.generated("the eye's ray by another name", "#define pixel_ray eye_ray\n");
+        text.file("march/ray.glsl");
+        text.generated("and the mirrored one by its", "#undef pixel_ray\n");
+        text.file("effects/surface_point.glsl");
+        text.file("effects/load_surface.glsl");
+        text.file("effects/mirror_ray.glsl");
+    }
+    text.file("march/state.glsl");
+}
+
+void define_state(ShaderText& text, const Passes& passes) {
+    if (passes.state_textures == 3) text.define("THREE_SAMPLES", 1);
+    if (passes.degree > 0) text.define("DEGREE", passes.degree);
+}
+
+void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes, Origin origin) {
+    const bool beam = uses_beams(scene) && origin == Origin::eye;
+    if (beam && has_lists(passes)) text.define("LISTS", 1);
+    add_entrance(text, passes, beam);
+    add_isolation(text, scene, passes);
+    text.file(passes.march_takes_gradient ? "march/gradient_at_root.glsl"
+                                          : "march/end_at_root.glsl");
+    add_turn(text, scene, passes);
+    text.file("march/march.glsl");
+}
+
+Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when) {
+    ShaderText text(passes.stage);
+    define_state(text, passes);
+    add_field(text, *scene.surface.field, passes, passes.samples);
+    add_ray(text, scene, origin);
+    add_march(text, scene, passes, origin);
+    text.file_of_stage("march/store_state.glsl", "stage/store_state.glsl");
+    text.file("march/march_pixel.glsl");
+    text.file_of_stage("stage/march.frag", "stage/march.comp");
+    return origin == Origin::eye ? std::move(text).pass(Role::march, "march", when)
+                                 : std::move(text).pass(Role::mirror, "mirror", when);
+}
+
+Pass active_pass(When when) {
+    ShaderText text;
+    text.file("march/state.glsl");
+    text.file("march/active.frag");
+    return std::move(text).pass(Role::active, "active", when);
+}
+
+Pass shadow_pass(const scene::Scene& scene, const Passes& passes) {
+    const scene::MethodTraits& method = scene::traits(scene.isolation.method);
+    ShaderText text(passes.stage);
+    define_state(text, passes);
+    text.define("LIGHTS", int(scene.lights.size()));
+    text.define("SHADOWS", shadow_mask(scene));
+    if (passes.light_beams != 0) {
+        text.define("LIGHT_BEAMS", passes.light_beams);
+        if (has_lists(passes)) text.define("LISTS", 1);
+    }
+    add_field(text, *scene.surface.field, passes, passes.samples);
+    add_ray(text, scene);
+    add_isolation(text, scene, passes);
+    text.file_of_stage("march/store_state.glsl", "stage/store_state.glsl");
+    text.file("shade/shading.glsl");
+    text.file("shade/hit.glsl");
+    add_lights(text, scene);
+    text.file("effects/surface_point.glsl");
+    text.file("effects/load_surface.glsl");
+    if (passes.light_beams != 0) add_light_beams(text, passes);
+    if (method.any_hit_turns) {
+        text.file("march/end_at_root.glsl");
+        add_turn(text, scene, passes);
+    }
+    text.file(fmt::format("march/{}.glsl", method.any_hit));
+    text.file("effects/shadow.glsl");
+    text.file_of_stage("stage/march.frag", "stage/march.comp");
+    return std::move(text).pass(Role::shadow, "shadow", When::until_rays_end);
+}
+
+} // namespace isomotion::synthesis

@@ -1,0 +1,28 @@
+// The shaders that march rays: the eye's, mirrored ones, and shadow rays.
+#pragma once
+
+#include "scene/scene.h"
+#include "synthesis/shader_text.h"
+
+namespace isomotion::synthesis {
+
+enum class Origin { eye, mirror };
+
+// What a turn of the method's march asks of the field.
+std::vector<FieldFunction> samples_of(scene::Method method, bool march_takes_gradient);
+
+// Defines Ray, pixel_ray() and RayState: where rays come from and what is kept of them.
+void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin = Origin::eye);
+// Tells the ray's state what else it keeps; before the ray.
+void define_state(ShaderText& text, const Passes& passes);
+// Defines begin() and march(), after the field and the ray.
+void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes, Origin origin);
+
+// One pass of rays. `when`: of the eye's rays, whether they are tried in one draw before.
+Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when);
+// Asks whether rays still march.
+Pass active_pass(When when);
+// One pass of shadow rays.
+Pass shadow_pass(const scene::Scene& scene, const Passes& passes);
+
+} // namespace isomotion::synthesis

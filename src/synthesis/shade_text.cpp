@@ -1,0 +1,192 @@
+#include "synthesis/shade_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "synthesis/beam_text.h"
+#include "synthesis/effect_text.h"
+#include "synthesis/paint_text.h"
+
+namespace isomotion::synthesis {
+namespace {
+
+bool contains(const std::vector<Channel>& channels, Channel channel) {
+    return std::find(channels.begin(), channels.end(), channel) != channels.end();
+}
+
+struct ChannelShader {
+    Channel channel;
+    const char* file;
+    const char* function;
+    const char* location;
+};
+
+constexpr ChannelShader channel_shaders[] = {
+    {Channel::depth, "channels/depth.glsl", "write_depth", "DEPTH_LOCATION"},
+    {Channel::normal, "channels/normal.glsl", "write_normal", "NORMAL_LOCATION"},
+    {Channel::position, "channels/position.glsl", "write_position", "POSITION_LOCATION"},
+    {Channel::ending, "channels/ending.glsl", "write_ending", "ENDING_LOCATION"},
+};
+
+// write_channels(), to the attachments from the third on.
+void add_channels(ShaderText& text, const std::vector<Channel>& written) {
+    std::string calls;
+    int location = 2;
+    for (const ChannelShader& shader : channel_shaders) {
+        if (!contains(written, shader.channel)) continue;
+        text.define(shader.location, location++);
+        text.file(shader.file);
+        calls += fmt::format("    {}(ray, hit, verdict);\n", shader.function);
+    }
+    text.generated("generated: the channels asked for",
+                   "void write_channels(Ray ray, Hit hit, int verdict) {\n" + calls + "}\n");
+}
+
+bool has_flat_shading(const scene::Scene& scene) {
+    return scene.lights.size() == 1 && !keeps_surfaces(scene);
+}
+
+void add_gradient(ShaderText& text, const Passes& passes) {
+    text.file(passes.march_takes_gradient ? "shade/gradient_from_state.glsl"
+                                          : "shade/gradient_from_field.glsl");
+}
+
+void add_side_color(ShaderText& text, const scene::Scene& scene) {
+    text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
+}
+
+// Shading, Hit and the record of a pixel.
+void add_picture(ShaderText& text, const scene::Scene& scene) {
+    text.file(has_flat_shading(scene) ? "shade/shading_flat.glsl" : "shade/shading.glsl");
+    text.file("shade/hit.glsl");
+    text.file("shade/record.glsl");
+}
+
+} // namespace
+
+std::vector<Channel> written_channels(const std::vector<Channel>& channels) {
+    std::vector<Channel> written;
+    for (const ChannelShader& shader : channel_shaders) {
+        if (contains(channels, shader.channel)) written.push_back(shader.channel);
+    }
+    return written;
+}
+
+bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels) {
+    return !keeps_surfaces(scene) && !scene.material.paint &&
+           !contains(channels, Channel::velocity);
+}
+
+Pass fused_pass(const scene::Scene& scene, const Passes& passes) {
+    ShaderText text;
+    define_state(text, passes);
+    text.define("LIGHTS", int(scene.lights.size()));
+    std::vector<FieldFunction> functions = passes.samples;
+    if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
+    add_field(text, *scene.surface.field, passes, functions);
+    add_ray(text, scene);
+    add_march(text, scene, passes, Origin::eye);
+    add_picture(text, scene);
+    add_side_color(text, scene);
+    text.file("shade/lambert.glsl");
+    add_gradient(text, passes);
+    add_channels(text, passes.attachments);
+    text.file("shade/shade.glsl");
+    text.file("shade/fused.frag");
+    return std::move(text).pass(Role::fused, "fused", When::once_a_tile, has_flat_shading(scene));
+}
+
+Pass mask_pass(const scene::Scene& scene, const Passes& passes) {
+    ShaderText text;
+    text.file("math/bits.glsl");
+    add_ray(text, scene);
+    add_way(text, passes, uses_beams(scene));
+    text.file("march/mask.frag");
+    return std::move(text).pass(Role::mask, "mask", When::once_a_tile);
+}
+
+Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin) {
+    ShaderText text;
+    std::vector<FieldFunction> functions{FieldFunction::value};
+    if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
+    add_field(text, *scene.surface.field, passes, functions);
+    add_ray(text, scene, origin);
+    const bool by_lists = origin == Origin::eye && has_lists(passes);
+    if (by_lists) {
+        text.define("LISTS", 1);
+        add_entrance(text, passes, true);
+    }
+    if (origin == Origin::eye) {
+        text.file("effects/eye_begin.glsl");
+        text.file("effects/surface_point.glsl");
+    }
+    add_gradient(text, passes);
+    text.file("effects/end_of_ray.glsl");
+    text.file("effects/store_surface.glsl");
+    if (scene.ground) text.file("effects/ground.glsl");
+    text.generated("generated: the first of what there is",
+                   fmt::format("void main() {{\n    Ray ray = pixel_ray();\n"
+                               "    RayState s = load_state();\n{}"
+                               "    SurfacePoint p = end_of_ray(ray, s);\n{}"
+                               "    store_surface(p);\n}}\n",
+                               by_lists ? "    Ray in_beam = ray;\n    enter_beam(in_beam);\n"
+                                          "    choose_list(s.low);\n"
+                                        : "",
+                               scene.ground ? "    p = before_ground(ray, p);\n" : ""));
+    const bool of_eye = origin == Origin::eye;
+    return std::move(text).pass(of_eye ? Role::surface : Role::mirror_surface,
+                                of_eye ? "surface" : "mirror surface", When::once_a_tile);
+}
+
+Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
+    ShaderText text;
+    text.define("LIGHTS", int(scene.lights.size()));
+    const bool from_surface = keeps_surfaces(scene);
+    const formula::Field& field = *scene.surface.field;
+    const auto& paint = scene.material.paint;
+    std::vector<GeneratedFunction> painting;
+    if (paint) painting = paint_functions(*paint->value, field);
+    std::vector<FieldFunction> functions;
+    // Paint may ask for the gradient too.
+    const bool needs_gradient = !from_surface || paint;
+    if (!passes.march_takes_gradient && needs_gradient) {
+        functions.push_back(FieldFunction::gradient);
+    }
+    if (from_surface && scene.occlusion) functions.push_back(FieldFunction::value);
+    if (!functions.empty() || paint) {
+        add_field(text, field, passes, functions, painting);
+    } else {
+        text.file("math/bits.glsl");
+    }
+    add_ray(text, scene);
+    add_picture(text, scene);
+    if (paint) {
+        add_paint(text, *paint);
+    } else {
+        add_side_color(text, scene);
+    }
+    if (from_surface) {
+        text.file("effects/eye_begin.glsl");
+        text.file("effects/surface_point.glsl");
+        text.file("effects/load_surface.glsl");
+        add_shading(text, scene);
+    } else {
+        text.file("shade/lambert.glsl");
+    }
+    if (needs_gradient) add_gradient(text, passes);
+    add_channels(text, passes.attachments);
+    if (!from_surface) text.file("shade/shade.glsl");
+    text.file(from_surface ? "effects/shade.frag" : "shade/shade.frag");
+    return std::move(text).pass(Role::shade, "shade", when, has_flat_shading(scene));
+}
+
+Pass motion_pass(const scene::Scene& scene, const Passes& passes) {
+    ShaderText text;
+    add_field(text, *scene.surface.field, passes, {FieldFunction::value, FieldFunction::gradient});
+    add_ray(text, scene);
+    text.file("effects/motion.frag");
+    return std::move(text).pass(Role::motion, "motion", When::at_two_times);
+}
+
+} // namespace isomotion::synthesis

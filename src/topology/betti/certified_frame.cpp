@@ -1,0 +1,383 @@
+#include "topology/betti/certified_frame.h"
+
+#include <algorithm>
+#include <cassert>
+#include <vector>
+
+#include "topology/betti/sign_grid.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Interval;
+
+constexpr int deepest = 10;
+// Boxes are evaluated with a rim of this part of their side, so that gradients beside a wall
+// between two boxes are in the enclosures of both.
+constexpr double rim = 0x1p-30;
+
+// One value of each enclosure. The topology is the same for all (docs/topology-proofs.md), so the
+// signs may be those of any.
+formula::Bindings<Interval> one_of(formula::Bindings<Interval> bindings) {
+    for (Interval& value : bindings.parameters) value = mid(value);
+    for (auto& array : bindings.arrays) {
+        for (auto& column : array.fields) {
+            for (Interval& value : column) value = mid(value);
+        }
+    }
+    return bindings;
+}
+
+Elements one_of(Elements elements) {
+    elements.bindings = one_of(std::move(elements.bindings));
+    return elements;
+}
+
+// A box of the octree: cell (x, y, z) of the 2^depth in each direction.
+struct Cell {
+    int depth = 0;
+    std::array<int, 3> at{};
+
+    int last() const { return (1 << depth) - 1; }
+    bool touches_wall(std::size_t axis) const { return at[axis] == 0 || at[axis] == last(); }
+};
+
+// Where grids are. One function says where a vertex is for all depths, so that grids share theirs.
+class Places {
+public:
+    explicit Places(const scene::BoundsAt& bounds)
+        : bounds_(bounds) {}
+
+    double vertex(std::size_t axis, int index, int depth) const {
+        const int k = int(axis);
+        const double part = double(index) / (1 << depth);
+        return bounds_.min[k] + part * (bounds_.max[k] - bounds_.min[k]);
+    }
+
+    SpaceBox box(const Cell& cell) const {
+        SpaceBox box;
+        for (std::size_t i = 0; i < 3; ++i) {
+            box[i] = {vertex(i, cell.at[i], cell.depth), vertex(i, cell.at[i] + 1, cell.depth)};
+        }
+        return box;
+    }
+
+    // Of the bounds, if they are a sphere.
+    bool is_outside(const SpaceBox& box) const {
+        return is_sphere() && squared_distance(box).lo > squared_radius().hi;
+    }
+    bool is_inside(const SpaceBox& box) const {
+        return !is_sphere() || squared_distance(box).hi <= squared_radius().lo;
+    }
+
+private:
+    bool is_sphere() const { return bounds_.shape == scene::Bounds::Shape::sphere; }
+    Interval squared_radius() const { return formula::square(bounds_.radius); }
+    Interval squared_distance(const SpaceBox& box) const {
+        Interval sum = 0;
+        for (int i = 0; i < 3; ++i)
+            sum = sum + formula::square(box[std::size_t(i)] - Interval(bounds_.centre[i]));
+        return sum;
+    }
+
+    const scene::BoundsAt& bounds_;
+};
+
+SpaceBox with_rim(const SpaceBox& box) {
+    SpaceBox wide;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double more = rim * (box[i].hi - box[i].lo);
+        wide[i] = {box[i].lo - more, box[i].hi + more};
+    }
+    return wide;
+}
+
+// Whether <g, h> > 0 for all g and h of two boxes of gradients, also without the components across
+// any of the walls that the cell touches.
+bool agree(const Cell& cell, const std::array<Interval, 3>& g, const std::array<Interval, 3>& h) {
+    Interval product = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Interval term = g[i] * h[i];
+        product = product + (cell.touches_wall(i) ? hull(term, 0.0) : term);
+    }
+    return product.lo > 0;
+}
+
+// Vertices along an axis on which G is monotone, counted from where it is lowest: the first `solid`
+// are in the solid, and the one with number `not_solid` isn't known to be. It becomes known from a
+// guess by steps that double, then by halving.
+struct Column {
+    int solid = 0, not_solid = -1; // -1: not begun
+    int guess = 0, step = 0;
+    Interval beyond{}; // G at not_solid
+
+    bool is_known() const { return solid == not_solid; }
+    int next(int last) const {
+        if (step == 0) return std::min(guess, last);
+        if (not_solid > last) return std::min(last, solid - 1 + step);
+        if (solid == 0) return std::max(0, not_solid - step);
+        return (solid + not_solid) / 2;
+    }
+    void learn(Interval value, int last) {
+        const int asked = next(last);
+        step = step == 0 ? 1 : 2 * step;
+        if (value.hi < 0) {
+            solid = asked + 1;
+        } else {
+            not_solid = asked;
+            beyond = value;
+        }
+    }
+};
+
+class Octree {
+public:
+    // `one` is the field for one member of the bindings.
+    Octree(FrameField& field, FrameField& one, const Places& places, const FrameLimits& limits)
+        : field_(field)
+        , one_(one)
+        , all_of_one_(one.everything())
+        , places_(places)
+        , limits_(limits) {}
+
+    CertifiedFrame certify();
+
+private:
+    using Near = std::shared_ptr<const Elements>;
+    struct Crossed { // a leaf with agreeing gradients
+        Cell cell;
+        std::array<Interval, 3> gradient;
+        Near near;
+    };
+    struct Failure {
+        const char* why;
+        Cell cell;
+    };
+
+    void divide(const Cell& cell, const Near& near);
+    // Settles the cell, or says that it must be divided.
+    bool settle(const Cell& cell, const SpaceBox& box, const ValueAndGradient& g, const Near& near);
+    bool is_interrupted(const Cell& cell);
+    bool may_go_on(const Cell& cell);
+    void fill(const Cell& cell, SignGrid& grid) const;
+    // The signs of the grid's vertices in a crossed leaf; false if one is lost in rounding that
+    // matters.
+    bool draw(const Crossed& leaf, SignGrid& grid);
+
+    FrameField& field_;
+    FrameField& one_;
+    const Elements all_of_one_;
+    const Places& places_;
+    FrameLimits limits_;
+    int boxes_ = 0;
+    int depth_ = 0;
+    std::vector<Cell> solid_; // leaves inside the solid
+    std::vector<Crossed> crossed_;
+    std::optional<Failure> failure_;
+};
+
+CertifiedFrame Octree::certify() {
+    divide(Cell{}, std::make_shared<const Elements>(field_.everything()));
+    CertifiedFrame frame;
+    frame.depth = depth_;
+    frame.boxes = boxes_;
+    if (!failure_) {
+        SignGrid grid((1 << depth_) + 1);
+        for (const Cell& cell : solid_) fill(cell, grid);
+        for (const Crossed& leaf : crossed_) {
+            if (!is_interrupted(leaf.cell) && draw(leaf, grid)) continue;
+            if (failure_) break;
+            failure_ = Failure{"a sign is lost in rounding", leaf.cell};
+            break;
+        }
+        if (!failure_) frame.betti = betti(grid);
+    }
+    if (failure_) {
+        frame.why = failure_->why;
+        frame.where = places_.box(failure_->cell);
+    }
+    return frame;
+}
+
+bool Octree::is_interrupted(const Cell& cell) {
+    if (!failure_ && limits_.stopped && limits_.stopped()) failure_ = Failure{"interrupted", cell};
+    return failure_.has_value();
+}
+
+bool Octree::may_go_on(const Cell& cell) {
+    if (is_interrupted(cell)) return false;
+    if (!failure_ && cell.depth >= limits_.depth)
+        failure_ = Failure{"not settled at the greatest depth", cell};
+    if (!failure_ && boxes_ >= limits_.boxes) failure_ = Failure{"too many boxes", cell};
+    return !failure_;
+}
+
+void Octree::divide(const Cell& cell, const Near& near) {
+    std::array<Cell, 8> cells;
+    std::array<SpaceBox, 8> boxes, evaluated;
+    std::array<ValueAndGradient, 8> g;
+    for (std::size_t k = 0; k < 8; ++k) {
+        cells[k].depth = cell.depth + 1;
+        for (std::size_t i = 0; i < 3; ++i) cells[k].at[i] = 2 * cell.at[i] + int(k >> i & 1);
+        boxes[k] = places_.box(cells[k]);
+        evaluated[k] = with_rim(boxes[k]);
+    }
+    field_.over(*near, evaluated, g);
+    boxes_ += 8;
+    depth_ = std::max(depth_, cell.depth + 1);
+    std::size_t open = 0; // these are moved to the front
+    for (std::size_t k = 0; k < 8 && !failure_; ++k) {
+        if (settle(cells[k], boxes[k], g[k], near)) continue;
+        cells[open] = cells[k];
+        boxes[open] = boxes[k];
+        evaluated[open] = evaluated[k];
+        g[open++] = g[k];
+    }
+    if (open == 0) return;
+    field_.tighten(*near, std::span(evaluated).first(open), std::span(g).first(open));
+    std::vector<std::pair<Cell, Near>> undecided;
+    for (std::size_t k = 0; k < open && !failure_; ++k) {
+        if (settle(cells[k], boxes[k], g[k], near)) continue;
+        undecided.emplace_back(
+            cells[k], std::make_shared<const Elements>(field_.nearer(*near, evaluated[k])));
+    }
+    for (const auto& [child, of_child] : undecided) {
+        if (!may_go_on(child)) return;
+        divide(child, of_child);
+    }
+}
+
+bool Octree::settle(const Cell& cell, const SpaceBox& box, const ValueAndGradient& g,
+                    const Near& near) {
+    if (g.value.lo > 0 || places_.is_outside(box)) return true;
+    if (!places_.is_inside(box)) {
+        if (g.value.hi < 0) failure_ = Failure{"the solid reaches the bounds", cell};
+        return false;
+    }
+    if (g.value.hi < 0) {
+        solid_.push_back(cell);
+        return true;
+    }
+    if (!agree(cell, g.gradient, g.gradient)) return false;
+    crossed_.push_back({cell, g.gradient, near});
+    return true;
+}
+
+void Octree::fill(const Cell& cell, SignGrid& grid) const {
+    const int cubes = 1 << (depth_ - cell.depth);
+    const auto [x, y, z] = cell.at;
+    for (int k = z * cubes; k <= (z + 1) * cubes; ++k) {
+        for (int j = y * cubes; j <= (y + 1) * cubes; ++j)
+            grid.set_run(x * cubes, (x + 1) * cubes, j, k);
+    }
+}
+
+bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
+    // Some component of agreeing gradients keeps its sign: along that axis G is monotone, and each
+    // column of vertices changes sign once at most.
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+        if (mignitude(leaf.gradient[i]) > mignitude(leaf.gradient[axis])) axis = i;
+    }
+    assert(mignitude(leaf.gradient[axis]) > 0);
+    const bool rises = leaf.gradient[axis].lo > 0;
+    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const int cubes = 1 << (depth_ - leaf.cell.depth);
+
+    std::vector<Column> columns(std::size_t(cubes + 1) * std::size_t(cubes + 1));
+    const auto column = [&](int i, int j) -> Column& {
+        return columns[std::size_t(j) * std::size_t(cubes + 1) + std::size_t(i)];
+    };
+    // Of the vertex with this number in a column.
+    const auto index = [&](int i, int j, int number) {
+        std::array<int, 3> at{};
+        at[axis] = leaf.cell.at[axis] * cubes + (rises ? number : cubes - number);
+        at[u] = leaf.cell.at[u] * cubes + i;
+        at[v] = leaf.cell.at[v] * cubes + j;
+        return at;
+    };
+    const Elements near = one_of(*leaf.near);
+    std::vector<std::array<int, 2>> open;
+    std::vector<SpaceBox> points;
+    std::vector<Interval> values;
+    // The columns of a level all at once.
+    const auto search = [&] {
+        while (!open.empty()) {
+            points.clear();
+            for (const auto& [i, j] : open) {
+                const auto at = index(i, j, column(i, j).next(cubes));
+                SpaceBox& point = points.emplace_back();
+                for (std::size_t k = 0; k < 3; ++k) point[k] = places_.vertex(k, at[k], depth_);
+            }
+            values.resize(open.size());
+            one_.values(near, points, values);
+            for (std::size_t k = 0; k < open.size(); ++k) {
+                // What is left out of sums blurs the sign.
+                if (contains(values[k], 0.0))
+                    one_.values(all_of_one_, std::span(points).subspan(k, 1),
+                                std::span(values).subspan(k, 1));
+                column(open[k][0], open[k][1]).learn(values[k], cubes);
+            }
+            std::erase_if(open, [&](const auto& c) { return column(c[0], c[1]).is_known(); });
+        }
+    };
+    // Coarse to fine: each column is guessed from those about it.
+    for (int stride = cubes; stride > 0; stride /= 2) {
+        for (int j = 0; j <= cubes; j += stride) {
+            for (int i = 0; i <= cubes; i += stride) {
+                Column& made = column(i, j);
+                if (made.is_known()) continue;
+                made.not_solid = cubes + 1;
+                made.guess = cubes / 2;
+                if (stride < cubes) {
+                    const int di = i / stride % 2 ? stride : 0, dj = j / stride % 2 ? stride : 0;
+                    made.guess = (column(i - di, j - dj).solid + column(i + di, j + dj).solid) / 2;
+                }
+                open.push_back({i, j});
+            }
+        }
+        search();
+    }
+
+    // Vertices beyond are taken for G >= 0; where G is below, by `lost` at most.
+    double lost = 0;
+    for (int j = 0; j <= cubes; ++j) {
+        for (int i = 0; i <= cubes; ++i) {
+            const Column& done = column(i, j);
+            if (done.not_solid <= cubes) lost = std::max(lost, -done.beyond.lo);
+            if (done.solid == 0) continue;
+            const auto first = index(i, j, 0), last = index(i, j, done.solid - 1);
+            if (axis == 0) {
+                grid.set_run(std::min(first[0], last[0]), std::max(first[0], last[0]), first[1],
+                             first[2]);
+                continue;
+            }
+            for (int number = 0; number < done.solid; ++number) {
+                const auto at = index(i, j, number);
+                grid.set(at[0], at[1], at[2]);
+            }
+        }
+    }
+    if (lost == 0) return true;
+    std::array<Interval, 3> gradient = leaf.gradient;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double across = places_.vertex(i, 1, depth_) - places_.vertex(i, 0, depth_);
+        const Interval change = Interval(-lost, lost) / Interval(across / 2);
+        gradient[i] = gradient[i] + change;
+    }
+    return agree(leaf.cell, leaf.gradient, gradient);
+}
+
+} // namespace
+
+CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt& bounds,
+                             const FrameLimits& limits) {
+    FrameField one({formula.graph, formula.root, one_of(formula.bindings), formula.solid});
+    FrameField all(formula);
+    const Places places(bounds);
+    FrameLimits within = limits;
+    within.depth = std::min(limits.depth, deepest);
+    return Octree(all, one, places, within).certify();
+}
+
+} // namespace isomotion::topology

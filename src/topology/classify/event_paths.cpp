@@ -1,0 +1,194 @@
+#include "topology/classify/event_paths.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "base/workers.h"
+#include "topology/classify/field_snapshot.h"
+#include "topology/classify/morse_graph.h"
+#include "topology/classify/saddle_tracks.h"
+
+namespace isomotion::topology {
+namespace {
+
+constexpr int most_routes = 16, most_bridges = 3, most_seeds = 4096;
+// Parts of the box: minima that are one, and saddles that are the event's own.
+constexpr double same_minimum = 1e-5, own = 1e-6;
+
+Domain domain_of(const FieldSnapshot& snapshot, bool is_solid) {
+    return {snapshot.box, is_solid, snapshot.is_inside,
+            [&](const SpacePoint& p) { return snapshot.is_outside(point_box(p)); }};
+}
+
+// Looks for passes where a route is missing: its gaps themselves where all of them seems to be low
+// enough, and saddles near their highest points. False where there are no gaps.
+bool bridge(MorseGraph& graph, std::span<const DescentPath> ends, PointField& field,
+            const Domain& domain, const std::function<void(std::span<const SpacePoint>)>& add) {
+    constexpr int samples = 16;
+    const auto gaps = graph.gaps(ends[0], ends[1], domain);
+    std::vector<SpacePoint> points, tops;
+    for (const auto& gap : gaps) {
+        const SpacePoint across = difference(gap.to, gap.from);
+        for (int k = 1; k < samples; ++k)
+            points.push_back(along(gap.from, double(k) / samples, across));
+    }
+    std::vector<PointJet> jets;
+    field.jets(points, jets);
+    std::vector<SaddleConnection> straight;
+    for (std::size_t g = 0; g < gaps.size(); ++g) {
+        const auto first = jets.begin() + std::ptrdiff_t(g * (samples - 1));
+        const auto top = std::ranges::max_element(first, first + samples - 1, {}, &PointJet::value);
+        const SpacePoint at = points[std::size_t(top - jets.begin())];
+        tops.push_back(at);
+        if (!(top->value < 0)) continue;
+        const auto end = [&](const SpacePoint& p) {
+            return domain.is_outside(p) ? DescentPath::End::outside : DescentPath::End::minimum;
+        };
+        straight.push_back({top->value,
+                            {DescentPath{{at, gaps[g].from}, end(gaps[g].from)},
+                             DescentPath{{at, gaps[g].to}, end(gaps[g].to)}}});
+    }
+    const double size = longest_side(domain.box);
+    std::vector<SpacePoint> saddles;
+    for (const auto& saddle : saddles_near(field, tops, size, size / 8)) {
+        if (saddle) saddles.push_back(*saddle);
+    }
+    add(saddles);
+    graph.add(std::move(straight));
+    return !gaps.empty();
+}
+
+} // namespace
+
+// Of one thread: made once for each piece, then given the values of one event after the other.
+struct EventPaths::Fields {
+    std::map<const TimedFormula*, std::unique_ptr<PointField>> points;
+    std::map<const TimedFormula*, std::shared_ptr<FrameField>> boxes;
+
+    PointField& at(const TimedFormula& piece, const formula::Bindings<formula::Interval>& bindings,
+                   int index) {
+        auto& field = points[&piece];
+        if (!field) field = std::make_unique<PointField>(piece.formula());
+        field->bind(bindings, index == 2);
+        return *field;
+    }
+    const std::shared_ptr<FrameField>& over(const TimedFormula& piece,
+                                            const formula::Bindings<formula::Interval>& bindings) {
+        auto& field = boxes[&piece];
+        if (!field) field = std::make_shared<FrameField>(piece.formula());
+        field->bind(bindings);
+        return field;
+    }
+};
+
+EventPaths::EventPaths(std::span<const TimedFormula> pieces, std::vector<Event> events)
+    : pieces_(pieces)
+    , events_(std::move(events)) {}
+
+const TimedFormula& EventPaths::piece_of(double time) const {
+    const auto now = std::ranges::find_if(
+        pieces_, [&](const TimedFormula& piece) { return contains(piece.clock(), time); });
+    return now == pieces_.end() ? pieces_.back() : *now;
+}
+
+void EventPaths::follow_saddles(int index, const std::function<bool()>& stopped) {
+    Fields fields;
+    const FieldAt field = [&](double time) -> PointField& {
+        const TimedFormula& piece = piece_of(time);
+        return fields.at(piece, piece.bindings(time), index);
+    };
+    SpaceBox box;
+    const scene::BoundsAt bounds = pieces_.front().bounds(mid(pieces_.front().clock()));
+    for (std::size_t i = 0; i < 3; ++i) box[i] = {bounds.min[int(i)], bounds.max[int(i)]};
+    saddles_[std::size_t(index - 1)] = saddles_at_events(field, events_, index, box, stopped);
+}
+
+std::vector<Sides> EventPaths::seek(std::span<const std::size_t> which, const PathOptions& how) {
+    std::vector<int> to_follow;
+    for (const int index : {1, 2}) {
+        const bool is_asked =
+            std::ranges::any_of(which, [&](std::size_t k) { return events_[k].index == index; });
+        bool& is_followed = is_followed_[std::size_t(index - 1)];
+        if (is_asked && !is_followed) to_follow.push_back(index);
+        is_followed |= is_asked;
+    }
+    const auto loop = [&](std::size_t count) {
+        return base::SharedLoop{count, how.threads, how.stopped, how.progress};
+    };
+    base::share(loop(to_follow.size()),
+                [&] { return [&](std::size_t k) { follow_saddles(to_follow[k], how.stopped); }; });
+    std::vector<Sides> found(which.size(), Sides::unknown);
+    base::share(loop(which.size()), [&] {
+        return [&, fields = Fields{}](std::size_t k) mutable {
+            found[k] = sides(fields, which[k], how.effort);
+        };
+    });
+    return found;
+}
+
+Sides EventPaths::sides(Fields& fields, std::size_t which, int effort) const {
+    const Event& event = events_[which];
+    const bool is_solid = event.index == 1;
+    // Of a critical point of index 2 on a wall the sides are the inside and the outside.
+    if (event.index != 1 && (event.index != 2 || event.stratum != 3)) return Sides::unknown;
+    const TimedFormula& piece = piece_of(mid(event.time));
+    // At a knot another piece has a rule of its own.
+    if (!contains(piece.clock(), event.time)) return Sides::unknown;
+    const auto bindings = piece.bindings(event.time);
+    const FieldSnapshot snapshot =
+        field_snapshot(fields.over(piece, bindings), piece.bounds(event.time));
+    const SublevelSet region(snapshot, is_solid);
+    const auto starts = both_sides(region, event);
+    if (!starts) return Sides::unknown;
+
+    PointField& field = fields.at(piece, bindings, event.index);
+    const Domain domain = domain_of(snapshot, is_solid);
+    Domain with_short_steps = domain;
+    with_short_steps.longest /= 8;
+    const std::vector<DescentPath> own_ways =
+        descent_paths(field, domain, std::array{Start{(*starts)[0], {}}, Start{(*starts)[1], {}}});
+
+    const double size = longest_side(snapshot.box);
+    MorseGraph graph(same_minimum * size);
+    // No way leads over the event itself, nor over others at its time.
+    std::vector<SpacePoint> known;
+    for (const Event& other : events_) {
+        if (other.time.lo <= event.time.hi && other.time.hi >= event.time.lo)
+            known.push_back(middle(other.where));
+    }
+    const auto add = [&](std::span<const SpacePoint> saddles) {
+        const std::size_t before = known.size();
+        std::vector<SpacePoint> inside;
+        std::ranges::copy_if(saddles, std::back_inserter(inside),
+                             [&](const SpacePoint& p) { return region.may_hold(p); });
+        add_points(known, inside, own * size);
+        const auto added = std::span(known).subspan(before);
+        graph.add(saddle_connections(field, domain, added));
+        // Ways by short steps may end elsewhere.
+        if (effort > 0) graph.add(saddle_connections(field, with_short_steps, added));
+    };
+    add(saddles_[std::size_t(event.index - 1)][which]);
+    if (effort > 1) add(saddles_from_seeds(field, snapshot.box, most_seeds));
+    for (int tries = 0, bridges = effort > 0 ? most_bridges : 0; tries < most_routes;) {
+        const auto route = graph.route(own_ways[0], own_ways[1]);
+        if (!route) {
+            if (bridges-- > 0 && bridge(graph, own_ways, field, domain, add)) continue;
+            return Sides::unknown;
+        }
+        ++tries;
+        std::size_t failed = 0;
+        if (is_path(region, route->points, &failed)) return Sides::joined;
+        if (route->over[failed] == Route::none) break;
+        // A long step may have crossed a ridge.
+        const DescentPath& path = graph.connection(route->over[failed]).paths[0];
+        graph.close(route->over[failed]);
+        if (path.points.size() < 2) continue;
+        const SpacePoint across = difference(path.points[1], path.points[0]);
+        const Start again{path.points[0], along({}, 1 / length(across), across)};
+        graph.add(saddle_connections(field, with_short_steps, {&again, 1}));
+    }
+    return Sides::unknown;
+}
+
+} // namespace isomotion::topology

@@ -1,0 +1,30 @@
+// The field and the bounds at the time of an event.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "topology/field/enclosed_bounds.h"
+#include "topology/field/frame_field.h"
+#include "topology/field/space_point.h"
+
+namespace isomotion::topology {
+
+// G at the time of an event, formula coordinates. What is enclosed is enclosed for all times in
+// Event::time. The bounds are convex and lie in `box`; both tests are proofs.
+struct FieldSnapshot {
+    std::function<void(std::span<const SpaceBox>, std::span<ValueAndGradient>)> over;
+    std::function<void(std::span<const SpaceBox>, std::span<formula::Interval>)> values;
+    std::function<SpaceHessian(const SpaceBox&)> hessian;
+    SpaceBox box;
+    SpaceBox low, high; // the walls of the bounds, or of the box around them
+    std::function<bool(const SpacePoint&)> is_inside;
+    std::function<bool(const SpaceBox&)> is_outside;
+};
+
+// The field's bindings enclose the values at all times of the event's enclosure, and so do the
+// bounds. Not for several threads at once, and until the field is given other values.
+FieldSnapshot field_snapshot(std::shared_ptr<FrameField> field, const EnclosedBounds& bounds);
+
+} // namespace isomotion::topology

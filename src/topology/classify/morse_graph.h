@@ -1,0 +1,54 @@
+// Minima joined by passes: the part of a field's Morse complex that says which places below a level
+// are connected (Edelsbrunner, Harer and Zomorodian 2003).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "topology/classify/descent.h"
+
+namespace isomotion::topology {
+
+// Down a way, over passes, up another way.
+struct Route {
+    static constexpr std::size_t none = std::size_t(-1);
+    std::vector<SpacePoint> points;
+    std::vector<std::size_t> over; // of each point, which pass it belongs to, or none
+};
+
+class MorseGraph {
+public:
+    // Minima nearer to each other than `same` are one.
+    explicit MorseGraph(double same)
+        : same_(same) {}
+
+    void add(std::vector<SaddleConnection> connections);
+    const SaddleConnection& connection(std::size_t number) const { return connections_[number]; }
+    // No route is over it from now on.
+    void close(std::size_t connection) { is_closed_[connection] = true; }
+
+    // Between the ends of two ways, over passes as low as can be; empty if there is none.
+    std::optional<Route> route(const DescentPath& from, const DescentPath& to);
+
+    // Where there is no route: from minima that are joined to one of the ends, the one with fewer
+    // of them, to the nearest that aren't, and out of the bounds.
+    struct Gap {
+        SpacePoint from, to;
+    };
+    std::vector<Gap> gaps(const DescentPath& from, const DescentPath& to, const Domain& domain);
+
+private:
+    using Parts = std::vector<int>; // a forest of nodes
+
+    int node(const DescentPath& path);
+    static int root(Parts& parts, int node);
+
+    double same_;
+    std::vector<SaddleConnection> connections_;
+    std::vector<bool> is_closed_;
+    std::vector<std::array<int, 2>> ends_; // of each pass
+    std::vector<SpacePoint> minima_;       // of node 1 and up; 0 is all that is outside
+};
+
+} // namespace isomotion::topology

@@ -1,0 +1,232 @@
+#include "topology/field/box_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "formula/graph/substitute.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Graph;
+using formula::Interval;
+using formula::Node;
+using formula::NodeId;
+using formula::Op;
+
+// The sums over each array whose sums hold no others.
+std::map<int, std::vector<NodeId>> sums_to_cull(const Graph& graph, std::span<const NodeId> roots) {
+    std::map<int, std::vector<NodeId>> sums;
+    std::set<int> nested;
+    for (const NodeId id : formula::nodes_below(graph, roots)) {
+        if (graph[id].op != Op::sum) continue;
+        sums[graph[id].index].push_back(id);
+        const NodeId body = graph[id].children[0];
+        for (const NodeId below : formula::nodes_below(graph, std::array{body})) {
+            if (graph[below].op == Op::sum) nested.insert(graph[id].index);
+        }
+        if (graph[id].arrays != 0) nested.insert(graph[id].index);
+    }
+    std::erase_if(sums, [&](const auto& array) { return nested.contains(array.first); });
+    return sums;
+}
+
+} // namespace
+
+BoxField::BoxField(Graph graph, std::span<const NodeId> jet, Inputs inputs, std::size_t rows)
+    : inputs_(inputs)
+    , rows_(rows) {
+    const std::size_t first_order = 1 + inputs.unknowns;
+    std::vector<Node> sums;
+    for (const auto& [array, of_array] : sums_to_cull(graph, jet)) {
+        cullings_.push_back(culling(graph, of_array, jet.first(first_order)));
+        cullings_.back().first_sum = sums.size();
+        for (const NodeId id : of_array) sums.push_back(graph[id]);
+    }
+    sums_ = sums.size();
+    const auto with_rest = [&](Graph& g, const Node& node, NodeId rebuilt) {
+        const auto at = std::find(sums.begin(), sums.end(), node);
+        if (at == sums.end()) return rebuilt;
+        return g.add(g.input(int(inputs_.count()) + int(at - sums.begin())), rebuilt);
+    };
+    const std::vector<NodeId> roots = sums.empty()
+                                          ? std::vector<NodeId>(jet.begin(), jet.end())
+                                          : formula::substitute(graph, graph, jet, with_rest);
+    value_ = formula::schedule(graph, std::span(roots).first(1));
+    gradient_ = formula::schedule(graph, std::span(roots).first(first_order));
+    jet_ = formula::schedule(graph, roots);
+}
+
+BoxField::Culling BoxField::culling(Graph& graph, std::span<const NodeId> sums,
+                                    std::span<const NodeId> first_order) const {
+    Culling made;
+    made.array = graph[sums[0]].index;
+    const std::vector<NodeId> below = formula::nodes_below(graph, first_order);
+    std::vector<NodeId> bodies;
+    bodies.reserve(sums.size());
+    for (const NodeId id : sums) {
+        made.is_first_order.push_back(std::ranges::binary_search(below, id));
+        bodies.push_back(graph[id].children[0]);
+    }
+    std::map<int, int> place_of;
+    const auto as_input = [&](Graph& g, const Node& node, NodeId rebuilt) {
+        if (node.op != Op::element) return rebuilt;
+        const auto [it, is_new] =
+            place_of.try_emplace(node.second, int(inputs_.count() + place_of.size()));
+        if (is_new) made.fields.push_back(node.second);
+        return g.input(it->second);
+    };
+    made.terms = formula::schedule(graph, formula::substitute(graph, graph, bodies, as_input));
+    return made;
+}
+
+BoxEvaluator::BoxEvaluator(const BoxField& field, formula::Bindings<Interval> bindings)
+    : field_(field)
+    , all_{std::move(bindings), std::vector<Interval>(field.sums_, Interval(0))}
+    , value_(field.value_)
+    , gradient_(field.gradient_)
+    , jet_(field.jet_) {
+    for (const auto& culling : field.cullings_) terms_.emplace_back(culling.terms);
+}
+
+void BoxEvaluator::load(std::size_t lane, const Box& box) {
+    const std::size_t n = field_.inputs_.unknowns;
+    for (std::size_t k = 0; k < n; ++k) inputs_[k][lane] = box[k];
+    if (!field_.inputs_.has_ends) return;
+    inputs_[n][lane] = box[n - 1].lo;
+    inputs_[n + 1][lane] = box[n - 1].hi;
+    inputs_[n + 2][lane] = {-1, 1};
+}
+
+void BoxEvaluator::load(const Elements& elements, std::span<const Box> boxes) {
+    const std::size_t own = field_.inputs_.count();
+    inputs_.resize(std::max(inputs_.size(), own + elements.rest.size()));
+    for (std::size_t k = 0; k < own; ++k) inputs_[k].resize(boxes.size());
+    for (std::size_t b = 0; b < boxes.size(); ++b) load(b, boxes[b]);
+    for (std::size_t j = 0; j < elements.rest.size(); ++j)
+        inputs_[own + j].assign(boxes.size(), elements.rest[j]);
+}
+
+void BoxEvaluator::run(formula::Evaluator<Interval>& program, const Elements& elements,
+                       std::size_t outputs) {
+    const std::size_t lanes = inputs_[0].size();
+    outputs_.resize(std::max(outputs_.size(), outputs));
+    const std::vector<std::span<const Interval>> from(inputs_.begin(), inputs_.end());
+    std::vector<std::span<Interval>> to;
+    for (std::size_t k = 0; k < outputs; ++k) {
+        outputs_[k].resize(lanes);
+        to.emplace_back(outputs_[k]);
+    }
+    program.points(elements.bindings, from, to);
+}
+
+void BoxEvaluator::values(const Elements& elements, std::span<const Box> boxes,
+                          std::vector<Interval>& values) {
+    load(elements, boxes);
+    run(value_, elements, 1);
+    values = outputs_[0];
+}
+
+void BoxEvaluator::gradients(const Elements& elements, std::span<const Box> boxes,
+                             std::vector<Jet<Interval>>& jets) {
+    const std::size_t n = field_.inputs_.unknowns;
+    load(elements, boxes);
+    run(gradient_, elements, 1 + n);
+    jets.resize(boxes.size());
+    for (std::size_t b = 0; b < boxes.size(); ++b)
+        unpack(jets[b], n, 0, [&](std::size_t k) { return outputs_[k][b]; });
+}
+
+void BoxEvaluator::jets(const Elements& elements, std::span<const Box> boxes,
+                        std::vector<Jet<Interval>>& jets) {
+    load(elements, boxes);
+    run(jet_, elements, field_.jet_.outputs.size());
+    jets.assign(boxes.size(), {});
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        unpack(jets[b], field_.inputs_.unknowns, field_.rows_,
+               [&](std::size_t k) { return outputs_[k][b]; });
+    }
+}
+
+Jet<Interval> BoxEvaluator::jet(const Box& box) {
+    std::vector<Jet<Interval>> one;
+    jets(all_, {&box, 1}, one);
+    return one[0];
+}
+
+void BoxEvaluator::run_terms(std::size_t which, const Box& box, const Elements& from) {
+    const BoxField::Culling& culling = field_.cullings_[which];
+    const auto& columns = from.bindings.arrays[std::size_t(culling.array)];
+    const std::size_t own = field_.inputs_.count();
+    inputs_.resize(std::max(inputs_.size(), own + culling.fields.size()));
+    for (std::size_t k = 0; k < own; ++k) inputs_[k].resize(1);
+    load(0, box);
+    for (std::size_t k = 0; k < own; ++k)
+        inputs_[k].assign(std::size_t(columns.count), Interval(inputs_[k][0]));
+    for (std::size_t f = 0; f < culling.fields.size(); ++f)
+        inputs_[own + f] = columns.fields[std::size_t(culling.fields[f])];
+    run(terms_[which], from, culling.is_first_order.size());
+}
+
+template<class Size, class Matters>
+Elements BoxEvaluator::cull(const Box& box, const Elements& from, Size&& size, Matters&& matters) {
+    Elements kept = from;
+    for (std::size_t which = 0; which < terms_.size(); ++which) {
+        const BoxField::Culling& culling = field_.cullings_[which];
+        formula::ArrayColumns<Interval>& columns = kept.bindings.arrays[std::size_t(culling.array)];
+        const auto count = std::size_t(columns.count), sums = culling.is_first_order.size();
+        if (count <= 1) continue;
+        run_terms(which, box, from);
+        std::vector<double> sizes;
+        for (std::size_t j = 0; j < sums; ++j)
+            sizes.push_back(size(std::span<const Interval>(outputs_[j]).first(count)));
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            bool is_kept = false;
+            for (std::size_t j = 0; j < sums; ++j)
+                is_kept |= matters(outputs_[j][i], sizes[j], culling.is_first_order[j] != 0);
+            if (!is_kept) {
+                for (std::size_t j = 0; j < sums; ++j) {
+                    Interval& rest = kept.rest[culling.first_sum + j];
+                    rest = rest + outputs_[j][i];
+                }
+                continue;
+            }
+            for (auto& field : columns.fields) {
+                if (!field.empty()) field[next] = field[i];
+            }
+            ++next;
+        }
+        columns.count = int(next);
+        for (auto& field : columns.fields) {
+            if (!field.empty()) field.resize(next);
+        }
+    }
+    return kept;
+}
+
+Elements BoxEvaluator::near(const Box& box, const Elements& from, double negligible) {
+    const auto largest = [](std::span<const Interval> terms) {
+        double most = 0;
+        for (const Interval& term : terms) most = std::max(most, magnitude(term));
+        return most;
+    };
+    return cull(box, from, largest, [&](const Interval& term, double most, bool) {
+        return std::isinf(magnitude(term)) || !(magnitude(term) <= negligible * most);
+    });
+}
+
+Elements BoxEvaluator::changing(const Box& box, const Elements& from, double negligible) {
+    const auto all = [](std::span<const Interval> terms) {
+        double sum = 0;
+        for (const Interval& term : terms) sum += magnitude(term);
+        return sum;
+    };
+    return cull(box, from, all, [&](const Interval& term, double size, bool is_first_order) {
+        return is_first_order && (std::isinf(size) || !(width(term) <= negligible * size));
+    });
+}
+
+} // namespace isomotion::topology

@@ -1,0 +1,112 @@
+// F over boxes of n unknowns, with its derivatives, in intervals.
+//
+// Of sums over an array only the elements that matter in a box are evaluated; what the others add
+// to each sum is enclosed once, for a box, and holds for all boxes in it (Elements).
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "formula/evaluate/evaluate.h"
+#include "formula/graph/program.h"
+#include "topology/field/jet.h"
+
+namespace isomotion::topology {
+
+// The programs. One for all threads.
+class BoxField {
+public:
+    // Inputs of the graph: the unknowns, then `ends`: the least and the greatest value of the last
+    // unknown in a box, and [-1, 1].
+    struct Inputs {
+        std::size_t unknowns = 0;
+        bool has_ends = false;
+
+        std::size_t count() const { return unknowns + (has_ends ? 3 : 0); }
+    };
+
+    BoxField() = default;
+    // `jet` is that of jet_over_boxes(), with the first `rows` rows of second derivatives.
+    // Elements may be left out of those arrays whose sums hold no other sums.
+    BoxField(formula::Graph graph, std::span<const formula::NodeId> jet, Inputs inputs,
+             std::size_t rows);
+
+    std::size_t unknowns() const { return inputs_.unknowns; }
+
+private:
+    friend class BoxEvaluator;
+
+    struct Culling {
+        int array = 0;             // whose elements are left out
+        std::vector<int> fields;   // of the array, that terms depend on
+        formula::Program terms;    // inputs: all of the field's, then fields; one element's part of
+                                   // each sum
+        std::size_t first_sum = 0; // position among the sums of all arrays
+        std::vector<char> is_first_order; // of each sum: F or its gradient has it
+    };
+
+    Culling culling(formula::Graph& graph, std::span<const formula::NodeId> sums,
+                    std::span<const formula::NodeId> first_order) const;
+
+    Inputs inputs_;
+    std::size_t rows_ = 0;
+    std::vector<Culling> cullings_;
+    std::size_t sums_ = 0; // whose elements may be left out
+    // Inputs: the field's, then what is added to each sum.
+    formula::Program value_, gradient_, jet_;
+};
+
+// The elements that matter, and what the others add to each sum.
+struct Elements {
+    formula::Bindings<formula::Interval> bindings;
+    std::vector<formula::Interval> rest;
+};
+
+// Evaluates over boxes. One a thread.
+class BoxEvaluator {
+public:
+    BoxEvaluator(const BoxField& field, formula::Bindings<formula::Interval> bindings);
+
+    // Other values for the same names.
+    void bind(formula::Bindings<formula::Interval> bindings) {
+        all_.bindings = std::move(bindings);
+    }
+
+    const Elements& all() const { return all_; }
+    // Those of `from` that matter in the box, which `from` must hold for: of which some term is
+    // more than `negligible` times the largest such term.
+    Elements near(const Box& box, const Elements& from, double negligible);
+    // Those of which a term of F or of its gradient changes in the box, by more than `negligible`
+    // times the size of all such terms.
+    Elements changing(const Box& box, const Elements& from, double negligible);
+
+    void values(const Elements& elements, std::span<const Box> boxes,
+                std::vector<formula::Interval>& values);
+    // Jets without second derivatives, and with them.
+    void gradients(const Elements& elements, std::span<const Box> boxes,
+                   std::vector<Jet<formula::Interval>>& jets);
+    void jets(const Elements& elements, std::span<const Box> boxes,
+              std::vector<Jet<formula::Interval>>& jets);
+    Jet<formula::Interval> jet(const Box& box);
+
+private:
+    void load(std::size_t lane, const Box& box);
+    void load(const Elements& elements, std::span<const Box> boxes);
+    void run(formula::Evaluator<formula::Interval>& program, const Elements& elements,
+             std::size_t outputs);
+    // Without the elements of which no term matters: a term of a sum is compared with what `size`
+    // makes of all terms of that sum over the box.
+    template<class Size, class Matters>
+    Elements cull(const Box& box, const Elements& from, Size&& size, Matters&& matters);
+    // The terms of each element over the box are then in the outputs.
+    void run_terms(std::size_t culling, const Box& box, const Elements& from);
+
+    const BoxField& field_;
+    Elements all_;
+    formula::Evaluator<formula::Interval> value_, gradient_, jet_;
+    std::vector<formula::Evaluator<formula::Interval>> terms_; // of each culling
+    std::vector<std::vector<formula::Interval>> inputs_, outputs_;
+};
+
+} // namespace isomotion::topology

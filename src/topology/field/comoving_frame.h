@@ -1,0 +1,32 @@
+// Coordinates that drift with a moving surface: where parts of it move, boxes that move along hold
+// the same part for longer, and fewer of them fill the search.
+//
+// x = p (1 + (t - from) growth) + (t - from) by, for points p that rest in the new coordinates. At
+// each time that is a similarity, so a surface has the same critical points in both, of the same
+// index; and where dF/dx = 0 dF/dt is the same along both.
+#pragma once
+
+#include <array>
+
+#include "formula/interval/interval.h"
+
+namespace isomotion::topology {
+
+struct ComovingFrame {
+    double from = 0; // a time; coordinates are x there
+    std::array<double, 3> by{};
+    double growth = 0;
+
+    bool rests() const { return by == std::array<double, 3>{} && growth == 0; }
+    // Of coordinate k.
+    template<class T> T x(std::size_t k, T p, T t) const {
+        const T since = t - T(from);
+        return p * (T(1.0) + since * T(growth)) + since * T(by[k]);
+    }
+    template<class T> T p(std::size_t k, T x, T t) const {
+        const T since = t - T(from);
+        return (x - since * T(by[k])) / (T(1.0) + since * T(growth));
+    }
+};
+
+} // namespace isomotion::topology

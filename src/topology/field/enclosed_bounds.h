@@ -1,0 +1,28 @@
+// Bounds over a short span of time: where their walls may be.
+#pragma once
+
+#include "scene/scene_at.h"
+#include "topology/field/space_box.h"
+
+namespace isomotion::topology {
+
+struct EnclosedBounds {
+    scene::Bounds::Shape shape = scene::Bounds::Shape::sphere;
+    SpaceBox low{}, high{}; // the box's walls; of a sphere, the box around it
+    SpaceBox centre{};      // of a sphere, as its radius
+    formula::Interval radius{};
+};
+
+// Those of one moment, taken for exact.
+inline EnclosedBounds enclosed(const scene::BoundsAt& bounds) {
+    EnclosedBounds exact{.shape = bounds.shape, .radius = bounds.radius};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int k = int(i);
+        exact.low[i] = bounds.min[k];
+        exact.high[i] = bounds.max[k];
+        exact.centre[i] = bounds.centre[k];
+    }
+    return exact;
+}
+
+} // namespace isomotion::topology

@@ -1,0 +1,90 @@
+#include "topology/field/frame_field.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Interval;
+
+// Elements are left out of a sum where their terms' widths are this part of the terms' size, and
+// their derivatives' likewise.
+constexpr double negligible = 0x1p-20;
+
+BoxField over_space(const SpaceFormula& formula) {
+    formula::Graph graph = formula.graph;
+    constexpr std::array<std::size_t, 3> axes{0, 1, 2};
+    const std::vector<formula::NodeId> jet = jet_over_boxes(graph, formula.root, axes, axes.size());
+    return {std::move(graph), jet, {.unknowns = axes.size()}, axes.size()};
+}
+
+} // namespace
+
+FrameField::FrameField(const SpaceFormula& formula)
+    : solid_(formula.solid)
+    , field_(over_space(formula))
+    , evaluator_(field_, formula.bindings) {}
+
+void FrameField::load(std::span<const SpaceBox> boxes) {
+    boxes_.clear();
+    for (const SpaceBox& box : boxes) boxes_.push_back({box[0], box[1], box[2]});
+}
+
+void FrameField::over(const Elements& near, std::span<const SpaceBox> boxes,
+                      std::span<ValueAndGradient> out) {
+    load(boxes);
+    evaluator_.gradients(near, boxes_, jets_);
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        out[b].value = of_solid(jets_[b].value);
+        for (std::size_t i = 0; i < 3; ++i) out[b].gradient[i] = of_solid(jets_[b].gradient[i]);
+    }
+}
+
+void FrameField::values(const Elements& near, std::span<const SpaceBox> boxes,
+                        std::span<Interval> out) {
+    load(boxes);
+    evaluator_.values(near, boxes_, values_);
+    for (std::size_t b = 0; b < boxes.size(); ++b) out[b] = of_solid(values_[b]);
+}
+
+void FrameField::tighten(const Elements& near, std::span<const SpaceBox> boxes,
+                         std::span<ValueAndGradient> out) {
+    load(boxes);
+    evaluator_.jets(near, boxes_, jets_);
+    for (Box& box : boxes_) {
+        for (Interval& side : box) side = mid(side);
+    }
+    evaluator_.gradients(near, boxes_, at_middles_);
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        const auto &middle = at_middles_[b], &over = jets_[b];
+        std::array<Interval, 3> step;
+        for (std::size_t i = 0; i < 3; ++i) step[i] = boxes[b][i] - boxes_[b][i];
+        Interval value = middle.value;
+        for (std::size_t i = 0; i < 3; ++i) value = value + middle.gradient[i] * step[i];
+        for (std::size_t i = 0; i < 3; ++i) {
+            Interval gradient = middle.gradient[i];
+            for (std::size_t j = 0; j < 3; ++j) {
+                const Interval second = over.hessian[i][j];
+                gradient = gradient + second * step[j];
+                if (j == i) value = value + second * square(step[i]) * Interval(0.5);
+                if (j > i) value = value + second * (step[i] * step[j]);
+            }
+            out[b].gradient[i] = intersect(out[b].gradient[i], of_solid(gradient));
+        }
+        out[b].value = intersect(out[b].value, of_solid(value));
+    }
+}
+
+SpaceHessian FrameField::hessian(const Elements& near, const SpaceBox& box) {
+    load({&box, 1});
+    evaluator_.jets(near, boxes_, jets_);
+    SpaceHessian hessian;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) hessian[i][j] = of_solid(jets_[0].hessian[i][j]);
+    }
+    return hessian;
+}
+
+Elements FrameField::nearer(const Elements& near, const SpaceBox& box) {
+    return evaluator_.changing({box[0], box[1], box[2]}, near, negligible);
+}
+
+} // namespace isomotion::topology

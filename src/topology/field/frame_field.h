@@ -1,0 +1,61 @@
+// A frame's field over boxes of space, with its gradient; of sums only the elements that matter.
+//
+// G is F where the solid is {F < 0}, else -F. Slopes are generalized (formula/enclosure.h): a
+// gradient encloses all difference quotients between points of the box, also across kinks. In a
+// small box most elements of a sum are far away and hardly change: those are left out.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "topology/field/box_field.h"
+#include "topology/field/space_box.h"
+#include "topology/field/space_formula.h"
+
+namespace isomotion::topology {
+
+// One a thread.
+class FrameField {
+public:
+    explicit FrameField(const SpaceFormula& formula);
+    FrameField(const FrameField&) = delete; // the evaluator refers to the programs
+    FrameField& operator=(const FrameField&) = delete;
+
+    // Other values for the same names.
+    void bind(formula::Bindings<formula::Interval> bindings) {
+        evaluator_.bind(std::move(bindings));
+    }
+
+    const Elements& everything() const { return evaluator_.all(); }
+
+    // Over boxes that `near` holds for.
+    void over(const Elements& near, std::span<const SpaceBox> boxes,
+              std::span<ValueAndGradient> out);
+    // Narrows these by Taylor's formula about the middle, to second order: tighter in small boxes.
+    // Leaves `out` as it is where a box has a kink.
+    void tighten(const Elements& near, std::span<const SpaceBox> boxes,
+                 std::span<ValueAndGradient> out);
+    void values(const Elements& near, std::span<const SpaceBox> boxes,
+                std::span<formula::Interval> out);
+
+    // Second derivatives; without bounds where the box has a kink.
+    SpaceHessian hessian(const Elements& near, const SpaceBox& box);
+
+    // Without the elements that hardly change in the box.
+    Elements nearer(const Elements& near, const SpaceBox& box);
+
+private:
+    void load(std::span<const SpaceBox> boxes);
+    formula::Interval of_solid(formula::Interval f) const {
+        return solid_ == Side::negative ? f : -f;
+    }
+
+    Side solid_;
+    BoxField field_;
+    BoxEvaluator evaluator_;
+    std::vector<Box> boxes_;
+    std::vector<Jet<formula::Interval>> jets_, at_middles_;
+    std::vector<formula::Interval> values_;
+};
+
+} // namespace isomotion::topology

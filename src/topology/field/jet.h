@@ -1,0 +1,55 @@
+// A field with its first and second derivatives in n unknowns, for every arithmetic: the nodes of a
+// graph, and what a program of them puts out.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "formula/graph/graph.h"
+#include "formula/interval/interval.h"
+
+namespace isomotion::topology {
+
+inline constexpr std::size_t most_variables = 4;
+
+using Box = std::array<formula::Interval, most_variables>; // those beyond the variables stay 0
+using Point = std::array<double, most_variables>;
+
+inline Box at_point(const Point& p) { return {p[0], p[1], p[2], p[3]}; }
+
+// Enclosures of all that F does over a box, or its values at a point.
+template<class T> struct Jet {
+    T value{};
+    std::array<T, most_variables> gradient{};
+    // Rows are for the coordinates; that of the clock stays 0, which nothing asks for.
+    std::array<std::array<T, most_variables>, most_variables> hessian{};
+};
+
+// F, its derivatives by the unknowns (inputs of the graph), then its second derivatives: rows for
+// the first `rows` unknowns, each from the diagonal on.
+//
+// Over boxes: all difference quotients between two points, and second derivatives that have no
+// bounds where a kink of min, max or select is.
+std::vector<formula::NodeId> jet_over_boxes(formula::Graph& graph, formula::NodeId field,
+                                            std::span<const std::size_t> unknowns,
+                                            std::size_t rows);
+// For numbers, one at each point.
+std::vector<formula::NodeId> jet_at_points(formula::Graph& graph, formula::NodeId field,
+                                           std::span<const std::size_t> unknowns, std::size_t rows);
+
+// `output` gives the value of each of those nodes.
+template<class T, class Output>
+void unpack(Jet<T>& jet, std::size_t n, std::size_t rows, Output&& output) {
+    jet.value = output(0);
+    for (std::size_t k = 0; k < n; ++k) jet.gradient[k] = output(1 + k);
+    std::size_t at = 1 + n;
+    for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t j = i; j < n; ++j, ++at) {
+            jet.hessian[i][j] = output(at);
+            if (j < rows) jet.hessian[j][i] = jet.hessian[i][j];
+        }
+    }
+}
+
+} // namespace isomotion::topology

@@ -1,0 +1,261 @@
+#include "topology/field/motion.h"
+
+#include <algorithm>
+#include <bit>
+
+#include <fmt/format.h>
+
+#include "animation/rules.h"
+#include "formula/graph/lowering.h"
+#include "formula/graph/substitute.h"
+#include "topology/field/monotone_track.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Graph;
+using formula::Interval;
+using formula::Node;
+using formula::NodeId;
+using formula::Op;
+
+constexpr int time_input = clock_input + 1; // where the clock is a track
+
+std::vector<NodeId> roots(const Motion& motion) {
+    std::vector<NodeId> roots{motion.field};
+    roots.insert(roots.end(), motion.low.begin(), motion.low.end());
+    roots.insert(roots.end(), motion.high.begin(), motion.high.end());
+    return roots;
+}
+
+bool reads(const Motion& motion, int input) {
+    const std::vector<NodeId> all = formula::nodes_below(motion.graph, roots(motion));
+    return std::any_of(all.begin(), all.end(), [&](NodeId id) {
+        return motion.graph[id].op == Op::input && motion.graph[id].index == input;
+    });
+}
+
+// Of each node: no input below it.
+std::vector<bool> resting(const Graph& graph, std::span<const NodeId> below) {
+    std::vector<bool> rests(graph.size(), false);
+    for (const NodeId id : below) {
+        const Node& node = graph[id];
+        bool rest = node.op != Op::input;
+        for (std::size_t k = 0; k < node.arity; ++k) rest = rest && rests[node.children[k]];
+        rests[id] = rest;
+    }
+    return rests;
+}
+
+// What an element is computed from and doesn't move is computed once, in double, as constants are
+// folded: floor(i/2) is then what the animation says, not what an enclosure of i/2 leaves of it.
+void fold_elements(Motion& motion) {
+    Graph& g = motion.graph;
+    const std::vector<NodeId> below = formula::nodes_below(g, std::array{motion.field});
+    const std::vector<bool> rests = resting(g, below);
+    const auto folds = [&](NodeId id) {
+        return rests[id] && std::has_single_bit(g[id].arrays) && g[id].op != Op::sum;
+    };
+    std::vector<bool> is_whole(g.size(), false); // folds, and some parent doesn't
+    for (const NodeId id : below) {
+        for (std::size_t k = 0; k < g[id].arity; ++k) {
+            const NodeId child = g[id].children[k];
+            is_whole[child] = is_whole[child] || (folds(child) && !folds(id));
+        }
+    }
+    std::vector<Node> wholes;
+    std::vector<NodeId> columns;
+    for (const NodeId id : below) {
+        if (!is_whole[id] || g[id].arity == 0) continue;
+        const Node node = g[id];
+        const int array = std::countr_zero(node.arrays);
+        formula::ArrayColumns<double>& of = motion.bindings.arrays[std::size_t(array)];
+        std::vector<int> fields;
+        NodeId alone = formula::substitute(
+            g, g, std::array{id}, [&](Graph& to, const Node& leaf, NodeId rebuilt) {
+                if (leaf.op != Op::element) return rebuilt;
+                const auto at = std::find(fields.begin(), fields.end(), leaf.second);
+                const auto input = int(at - fields.begin());
+                if (at == fields.end()) fields.push_back(leaf.second);
+                return to.input(input);
+            })[0];
+        const formula::Program program = formula::schedule_lowered(g, alone);
+        formula::Evaluator<double> evaluator(program);
+        std::vector<double> column(std::size_t(of.count));
+        for (std::size_t i = 0; i < column.size(); ++i) {
+            std::vector<double> inputs;
+            inputs.reserve(fields.size());
+            for (const int field : fields) inputs.push_back(of.fields[std::size_t(field)][i]);
+            evaluator.point(motion.bindings, inputs, {&column[i], 1});
+        }
+        wholes.push_back(node);
+        columns.push_back(g.element(array, int(of.fields.size())));
+        of.fields.push_back(std::move(column));
+    }
+    motion.field = formula::substitute(
+        g, g, std::array{motion.field}, [&](Graph&, const Node& node, NodeId rebuilt) {
+            const auto at = std::find(wholes.begin(), wholes.end(), node);
+            return at == wholes.end() ? rebuilt : columns[std::size_t(at - wholes.begin())];
+        })[0];
+}
+
+Motion piece(const scene::Scene& scene, Side side, double within, std::optional<int> driver,
+             animation::Parts* used = nullptr) {
+    Motion motion;
+    motion.driver = driver;
+    Graph& g = motion.graph;
+    std::optional<animation::Driver> by;
+    if (driver) by = {*driver, g.input(clock_input)};
+    animation::Rules rules(scene.timeline.animation, within, g,
+                           g.input(driver ? time_input : clock_input), by);
+    const auto in_place = [&](Graph&, const Node& node, NodeId rebuilt) {
+        if (node.op == Op::parameter) return rules.track(node.index);
+        if (node.op == Op::element) return rules.field(node.index, node.second);
+        return rebuilt;
+    };
+    const formula::Field& field = *scene.surface.field;
+    motion.field = formula::substitute(g, field.graph, std::array{field.root}, in_place)[0];
+    if (side == Side::positive) motion.field = g.unary(Op::negate, motion.field);
+
+    const scene::Bounds& bounds = scene.surface.bounds;
+    motion.shape = bounds.shape;
+    if (bounds.shape == scene::Bounds::Shape::sphere) motion.radius = rules.track(bounds.radius);
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (bounds.shape == scene::Bounds::Shape::box) {
+            motion.low[k] = rules.track(bounds.min[k]);
+            motion.high[k] = rules.track(bounds.max[k]);
+        } else {
+            motion.centre[k] = rules.track(bounds.centre[k]);
+            motion.low[k] = g.subtract(motion.centre[k], motion.radius);
+            motion.high[k] = g.add(motion.centre[k], motion.radius);
+        }
+    }
+    motion.bindings.arrays = rules.columns();
+    motion.bindings.seed = scene.timeline.animation.seed();
+    if (used) *used = rules.used();
+    fold_elements(motion);
+    motion.moves = reads(motion, clock_input) || reads(motion, time_input);
+    return motion;
+}
+
+// The track that all motion goes through, with the surface as it depends on it. No rule beside the
+// track's own may change in the range: where something rests at one time, it may move at another.
+std::optional<Motion> through_one_track(const scene::Scene& scene, const animation::Parts& parts,
+                                        Side side, Interval range) {
+    const animation::Animation& animation = scene.timeline.animation;
+    for (const int k : parts.arrays) {
+        const auto& samples = animation.arrays()[std::size_t(k)].samples;
+        if (samples && samples->times().size() > 1) return std::nullopt;
+    }
+    for (const int k : parts.tracks) {
+        if (std::holds_alternative<double>(animation.tracks()[std::size_t(k)].source)) continue;
+        animation::Parts beside;
+        Motion motion = piece(scene, side, mid(range), k, &beside);
+        beside.tracks.erase(k);
+        if (!animation::knots(animation, beside, range).empty()) continue;
+        if (reads(motion, clock_input) && !reads(motion, time_input)) return motion;
+    }
+    return std::nullopt;
+}
+
+// Of one piece: operations that may step from one value to another. Where they do there is no
+// derivative.
+void find_steps(const Motion& motion, std::vector<std::string>& doubts) {
+    const std::vector<NodeId> below = formula::nodes_below(motion.graph, roots(motion));
+    const std::vector<bool> rests = resting(motion.graph, below);
+    for (const NodeId id : below) {
+        const Op op = motion.graph[id].op;
+        if (op != Op::floor && op != Op::sign && op != Op::random) continue;
+        if (rests[id]) continue;
+        const std::string doubt = fmt::format(
+            "'{}' steps from value to value; what changes at a step is not seen", name(op));
+        if (std::find(doubts.begin(), doubts.end(), doubt) == doubts.end()) doubts.push_back(doubt);
+    }
+}
+
+// Spans of the piece's clock, which is the time, in which the bounds may be empty or turned inside
+// out: scenes are refused for that at the times of frames only.
+void find_collapses(const Motion& motion, std::vector<Interval>& collapses) {
+    Graph g;
+    const auto of_clock = [&](NodeId root) {
+        return formula::substitute(g, motion.graph, std::array{root},
+                                   [](Graph& to, const Node& node, NodeId rebuilt) {
+                                       return node.op == Op::input ? to.input(0) : rebuilt;
+                                   })[0];
+    };
+    std::vector<NodeId> wholes; // greater than 0 while the bounds hold anything
+    if (motion.shape == scene::Bounds::Shape::sphere) {
+        wholes.push_back(of_clock(motion.radius));
+    } else {
+        for (std::size_t k = 0; k < 3; ++k)
+            wholes.push_back(g.subtract(of_clock(motion.high[k]), of_clock(motion.low[k])));
+    }
+    const formula::Program program = formula::schedule(g, wholes);
+    formula::Bindings<Interval> bindings;
+    bindings.seed = motion.bindings.seed;
+    formula::Evaluator<Interval> evaluator(program);
+    std::vector<Interval> values(wholes.size());
+    // Two halves that touch are one span.
+    const auto add = [&](Interval time) {
+        if (!collapses.empty() && collapses.back().hi == time.lo) {
+            collapses.back().hi = time.hi;
+        } else {
+            collapses.push_back(time);
+        }
+    };
+    constexpr int most_halvings = 14;
+    std::vector<std::pair<Interval, int>> stack{{motion.clock, 0}};
+    while (!stack.empty()) {
+        const auto [time, halvings] = stack.back();
+        stack.pop_back();
+        evaluator.point(bindings, {&time, 1}, values);
+        if (std::ranges::all_of(values, [](Interval value) { return value.lo > 0; })) continue;
+        const double middle = mid(time);
+        const bool collapses_all =
+            std::ranges::any_of(values, [](Interval value) { return value.hi <= 0; });
+        if (collapses_all || halvings == most_halvings || !(time.lo < middle && middle < time.hi)) {
+            add(time);
+            continue;
+        }
+        stack.push_back({{middle, time.hi}, halvings + 1});
+        stack.push_back({{time.lo, middle}, halvings + 1});
+    }
+}
+
+} // namespace
+
+Motions motions(const scene::Scene& scene, Side side, Interval range, Clock clock) {
+    Motions all;
+    const animation::Animation& animation = scene.timeline.animation;
+    animation::Parts parts;
+    piece(scene, side, mid(range), std::nullopt, &parts);
+    std::vector<animation::Knot> knots = animation::knots(animation, parts, range);
+    for (const animation::Knot& knot : knots) {
+        if (knot.jumps) all.jumps.push_back(knot.time);
+    }
+    if (!knots.empty() && knots.back().time == range.hi) {
+        all.at_end = piece(scene, side, range.hi, std::nullopt);
+        all.at_end->clock = range.hi;
+        knots.pop_back();
+    }
+    double from = range.lo;
+    for (std::size_t k = 0; k <= knots.size(); ++k) {
+        const double to = k < knots.size() ? knots[k].time : range.hi;
+        Motion motion = piece(scene, side, from + (to - from) / 2, std::nullopt);
+        motion.clock = {from, to};
+        find_steps(motion, all.doubts);
+        find_collapses(motion, all.collapses);
+        all.pieces.push_back(std::move(motion));
+        from = to;
+    }
+    if (clock == Clock::track_if_one && all.jumps.empty()) {
+        if (auto motion = through_one_track(scene, parts, side, range)) {
+            motion->clock = MonotoneTrack(scene, *motion->driver, range).values();
+            all.pieces.clear();
+            all.pieces.push_back(std::move(*motion));
+        }
+    }
+    return all;
+}
+
+} // namespace isomotion::topology

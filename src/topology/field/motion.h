@@ -1,0 +1,55 @@
+// A moving surface and its bounds as expressions of x, y, z and one clock.
+//
+// The values of the animation are put into the formula as expressions, so that a derivative by the
+// clock is one of the formula's own. They are the real numbers that the scene's text says
+// (constants folded in double), not the floats that a frame is drawn with.
+//
+// The clock is the time; or, if all that moves does so through one track, that track: an animation
+// that swings to and fro is then searched once, and a turn of the track, where everything rests, is
+// nothing special.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formula/evaluate/evaluate.h"
+#include "formula/interval/interval.h"
+#include "scene/scene.h"
+#include "topology/field/solid.h"
+
+namespace isomotion::topology {
+
+inline constexpr int clock_input = 3; // of the graph; 0, 1, 2 are x, y, z
+
+struct Motion {
+    formula::Graph graph;
+    formula::NodeId field{}; // negative in the solid
+    scene::Bounds::Shape shape = scene::Bounds::Shape::sphere;
+    std::array<formula::NodeId, 3> low{}, high{}; // the box, or the one around the sphere
+    std::array<formula::NodeId, 3> centre{};
+    formula::NodeId radius{};
+    formula::Bindings<double> bindings; // what elements in the graph refer to
+
+    formula::Interval clock;
+    std::optional<int> driver; // the track that is the clock
+    bool moves = true;
+};
+
+struct Motions {
+    std::vector<Motion> pieces;   // one, or one between each two knots of the animation
+    std::vector<double> jumps;    // times at which the surface is not continuous
+    std::optional<Motion> at_end; // of the range's end alone, if it jumps there: what is after
+    // Spans of time in which the bounds may hold nothing. Ascending.
+    std::vector<formula::Interval> collapses;
+    std::vector<std::string> doubts; // what the expressions don't tell
+};
+
+enum class Clock { time, track_if_one };
+
+// Of the scene's surface while the time is in `range`.
+Motions motions(const scene::Scene& scene, Side side, formula::Interval range,
+                Clock clock = Clock::track_if_one);
+
+} // namespace isomotion::topology

@@ -1,0 +1,100 @@
+// F and its derivatives in space and by the clock, over boxes as intervals and at points as
+// doubles.
+//
+// A stratum of the bounds is its inside, a face, an edge or a corner: there the coordinates that
+// are not free follow the bounds, and F is a function of those that are, and of the clock.
+// Everything below is about these variables: x, y, z without the fixed ones, then the clock. Where
+// all three are free they may drift with the surface (ComovingFrame): then it is about their places
+// at rest.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "formula/evaluate/evaluate.h"
+#include "formula/graph/program.h"
+#include "formula/interval/interval.h"
+#include "topology/field/box_field.h"
+#include "topology/field/comoving_frame.h"
+#include "topology/field/motion.h"
+#include "topology/field/point_evaluator.h"
+
+namespace isomotion::topology {
+
+struct Stratum {
+    enum class End : char { free, low, high };
+    std::array<End, 3> axes{End::free, End::free, End::free};
+
+    int dimension() const;
+    bool operator==(const Stratum&) const = default;
+};
+
+// All strata of a box, its inside first.
+std::vector<Stratum> strata_of_box();
+
+class MovingField {
+public:
+    MovingField(const Motion& motion, const Stratum& stratum, const ComovingFrame& drift = {});
+
+    int variables() const { return variables_; }
+    int dimension() const { return variables_ - 1; }
+    const Stratum& stratum() const { return stratum_; }
+    // Holds the stratum at all times.
+    const Box& domain() const { return domain_; }
+    // Free coordinate k of the points in a box.
+    formula::Interval x(const Box& box, std::size_t k) const;
+
+private:
+    friend class Enclosures;
+    friend class Numbers;
+
+    // The roots with what is linear in the clock by its values at the clock's ends.
+    std::vector<formula::NodeId> between_ends(formula::Graph& graph,
+                                              std::span<const formula::NodeId> roots) const;
+
+    Stratum stratum_;
+    ComovingFrame comoving_;
+    int variables_ = 0;
+    Box domain_;
+    formula::Bindings<double> bindings_;
+    BoxField over_boxes_;
+    formula::Program numbers_; // the same jet for doubles
+    formula::Program place_;   // at least 0 in the closed stratum, for each condition
+    formula::Program inward_;  // derivatives of F inwards along the fixed axes
+};
+
+// Evaluates over boxes. One a thread.
+class Enclosures : public BoxEvaluator {
+public:
+    explicit Enclosures(const MovingField& field);
+
+    enum class Place { outside, inside, unknown };
+    Place place(const Box& box); // in the stratum
+    // r^2 - |x - c|^2 of the sphere that bounds the inside.
+    formula::Interval reach(const Box& box);
+    // The derivatives of F inwards along the fixed axes.
+    std::vector<formula::Interval> inward(const Box& box);
+
+private:
+    // At least 0 in the closed stratum.
+    std::span<const formula::Interval> conditions(const Box& box);
+
+    formula::Evaluator<formula::Interval> place_, inward_;
+    std::vector<formula::Interval> conditions_, inward_values_;
+};
+
+// Evaluates at points, with all elements.
+class Numbers {
+public:
+    explicit Numbers(const MovingField& field);
+
+    Jet<double> jet(const Point& point);
+    void jets(std::span<const Point> points, std::vector<Jet<double>>& jets);
+
+private:
+    const MovingField& field_;
+    PointEvaluator evaluator_;
+};
+
+} // namespace isomotion::topology

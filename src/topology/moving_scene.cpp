@@ -1,0 +1,48 @@
+#include "topology/moving_scene.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace isomotion::topology {
+
+using formula::Interval;
+
+MovingScene::MovingScene(const scene::Scene& scene, Side solid, Interval range) {
+    const Motions all = motions(scene, solid, range, Clock::time);
+    for (const Motion& piece : all.pieces) pieces_.emplace_back(piece);
+    if (all.at_end) at_end_.emplace(*all.at_end);
+}
+
+const TimedFormula& MovingScene::piece_at(Interval time) const {
+    if (at_end_ && time.lo == at_end_->clock().hi) return *at_end_;
+    const auto now = std::ranges::find_if(
+        pieces_, [&](const TimedFormula& piece) { return contains(piece.clock(), mid(time)); });
+    return now == pieces_.end() ? pieces_.back() : *now;
+}
+
+MovingScene::Still MovingScene::at(Interval time) const {
+    const TimedFormula& piece = piece_at(time);
+    Still frame{piece.formula(), piece.bounds(mid(time))};
+    frame.formula.bindings = piece.bindings(time);
+    return frame;
+}
+
+CertifiedFrame MovingScene::certify(double time, const FrameLimits& limits) const {
+    const Still frame = at(time);
+    return certify_frame(frame.formula, frame.bounds, limits);
+}
+
+KindProofs MovingScene::proofs(std::vector<Event> events, const PathOptions& seeking,
+                               const FrameLimits& limits) const {
+    KindProofs proofs;
+    const auto paths = std::make_shared<EventPaths>(pieces_, std::move(events));
+    proofs.paths = [paths, seeking](std::span<const std::size_t> which, int effort) {
+        PathOptions how = seeking;
+        how.effort = effort;
+        return paths->seek(which, how);
+    };
+    proofs.frame = [this, limits](double time) { return certify(time, limits).betti; };
+    return proofs;
+}
+
+} // namespace isomotion::topology

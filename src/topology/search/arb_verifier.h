@@ -1,0 +1,64 @@
+// The proof of events once more, by another arithmetic: balls (Arb; Johansson 2017).
+//
+// Nothing is taken of the first proof but the formula and its derivatives: functions are enclosed
+// by Arb and not by the C library, roundings have 128 bits and more, and the unknowns are the place
+// and the time, whatever clock the search had. A mistake in intervals, or in the times at which a
+// track has a value, does not pass twice.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "scene/scene.h"
+#include "topology/field/motion.h"
+#include "topology/field/moving_field.h"
+#include "topology/timeline/event.h"
+
+namespace isomotion::ball {
+class Ball;
+}
+
+namespace isomotion::topology {
+
+class ArbVerifier {
+public:
+    // Of the scene's events in `range`.
+    ArbVerifier(const scene::Scene& scene, Side side, formula::Interval range);
+
+    // That the event's enclosure of place and time holds exactly one point where the surface is
+    // singular along the stratum, that F has the event's index there, and that it falls where the
+    // event grows.
+    enum class Answer { holds, open, fails };
+    // From any thread.
+    Answer ask(const Event& event) const;
+
+private:
+    // One piece of the motion in one stratum.
+    struct System {
+        Stratum stratum;
+        formula::Interval clock;
+        std::vector<std::size_t> unknowns; // of x, y, z, time
+        formula::Program walls;            // low and high along x, y, z
+        formula::Program jet;              // inputs x, y, z, time
+        const formula::Bindings<double>* bindings;
+    };
+    static System system(const Motion& motion, const Stratum& stratum);
+    static Answer ask(const System& system, const Event& event, long precision);
+    static bool may_hold(const System& system, const Event& event);
+    static Answer on_walls(const System& system, const Event& event, const ball::Ball& time,
+                           long precision);
+
+    Motions motions_;
+    std::vector<System> systems_;
+};
+
+struct VerifyOptions {
+    int threads = 1;                 // the result doesn't depend on it
+    std::function<bool()> stopped{}; // from any thread
+};
+
+// Asks of all proved events: Event::is_proved_again where it holds. One of which it fails is not
+// proved any more, and a doubt says so.
+void prove_again(Timeline& timeline, const ArbVerifier& proof, const VerifyOptions& how = {});
+
+} // namespace isomotion::topology

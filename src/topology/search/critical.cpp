@@ -1,0 +1,207 @@
+#include "topology/search/critical.h"
+#include "topology/search/comoving_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "topology/field/monotone_track.h"
+#include "topology/field/motion.h"
+#include "topology/field/moving_field.h"
+#include "topology/search/krawczyk.h"
+#include "topology/search/morse.h"
+#include "topology/search/search.h"
+#include "topology/search/seeded.h"
+#include "topology/search/sphere.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Interval;
+
+int sign_of(const Interval& a) { return a.lo > 0 ? 1 : a.hi < 0 ? -1 : 0; }
+
+// Searches the strata of one piece of the motion, and turns points into events.
+class Stratified {
+public:
+    Stratified(const Motion& motion, const MonotoneTrack* driven, Timeline& timeline)
+        : motion_(motion)
+        , track_(driven)
+        , timeline_(timeline) {}
+
+    void add(const MovingField& field, const SearchResult& found) {
+        Enclosures enclosures(field);
+        for (const CriticalPoint& point : found.points) add(field, enclosures, point);
+        for (const Box& box : found.unresolved) {
+            unresolved(field, box, "a critical point may be degenerate, or there may be several");
+        }
+    }
+
+    void add_reaching(const MovingField& field, const std::function<bool()>& stopped) {
+        constexpr std::size_t most = 4096;
+        const std::vector<Box> boxes =
+            merged(on_the_sphere(field, most, stopped), field.domain(), 1e-6);
+        for (const Box& box : boxes) unresolved(field, box, "the surface may reach the sphere");
+    }
+
+private:
+    std::array<Interval, 3> place(const MovingField& field, const Box& box) const {
+        std::array<Interval, 3> where{};
+        const Interval clock = box[std::size_t(field.dimension())];
+        std::size_t next = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Stratum::End end = field.stratum().axes[k];
+            where[k] =
+                end == Stratum::End::free
+                    ? field.x(box, next++)
+                    : at_clock(end == Stratum::End::low ? motion_.low[k] : motion_.high[k], clock);
+        }
+        return where;
+    }
+
+    Interval at_clock(formula::NodeId node, Interval clock) const {
+        const std::array<Interval, 4> inputs{0.0, 0.0, 0.0, clock};
+        Interval value;
+        const formula::Program program = formula::schedule(motion_.graph, std::array{node});
+        formula::Evaluator<Interval>(program).point(formula::convert<Interval>(motion_.bindings),
+                                                    inputs, {&value, 1});
+        return value;
+    }
+
+    std::vector<MonotoneTrack::Time> times(Interval clock) const {
+        if (track_) return track_->times(clock);
+        return {{clock, contains(motion_.clock, clock) ? 1 : 0}};
+    }
+
+    void unresolved(const MovingField& field, const Box& box, const std::string& why) {
+        for (const MonotoneTrack::Time& time : times(box[std::size_t(field.dimension())])) {
+            timeline_.unresolved.push_back({time.at, place(field, box), why, {}, {}});
+        }
+    }
+
+    void add(const MovingField& field, Enclosures& enclosures, const CriticalPoint& point) {
+        const auto d = std::size_t(field.dimension());
+        switch (enclosures.place(point.where)) {
+        case Enclosures::Place::outside:
+            return;
+        case Enclosures::Place::unknown:
+            return unresolved(field, point.where, "a critical point is on the edge of the bounds");
+        case Enclosures::Place::inside:
+            break;
+        }
+        const Interval clock = point.where[d];
+        if (!track_ && is_empty(intersect(clock, motion_.clock))) return;
+        const int by_clock = sign_of(point.jet.gradient[d]);
+        const auto index = negative_eigenvalues(point.jet.hessian, int(d));
+        if (by_clock == 0 || !index) {
+            return unresolved(field, point.where, "the index of a critical point is not certain");
+        }
+        // A face matters where F rises inwards: there the solid has a side of its own on it.
+        bool changes_solid = true;
+        for (const Interval& inward : enclosures.inward(point.where)) {
+            if (sign_of(inward) == 0) {
+                return unresolved(field, point.where,
+                                  "the surface touches an edge of the bounds from both sides");
+            }
+            changes_solid &= inward.lo > 0;
+        }
+        for (const MonotoneTrack::Time& time : times(clock)) {
+            const std::array<Interval, 3> where = place(field, point.where);
+            if (time.direction == 0) {
+                timeline_.unresolved.push_back(
+                    {time.at,
+                     where,
+                     track_ ? "the motion turns, rests or ends where the surface is singular"
+                            : "the surface is singular where the motion changes its rule or ends",
+                     {},
+                     {}});
+                continue;
+            }
+            Event event;
+            event.time = time.at;
+            event.where = where;
+            event.stratum = int(d);
+            event.index = *index;
+            event.grows = by_clock * time.direction < 0;
+            event.is_proved = true;
+            const std::vector<Kind> kinds = kinds_of(event.index, event.grows);
+            if (!changes_solid) {
+                event.kind = Kind::none;
+            } else if (kinds.size() == 1) {
+                event.kind = kinds[0];
+            }
+            if (event.kind != Kind::unknown) event.kind_proof = "index";
+            timeline_.events.push_back(event);
+        }
+    }
+
+    const Motion& motion_;
+    const MonotoneTrack* track_;
+    Timeline& timeline_;
+};
+
+std::vector<Stratum> strata(const Motion& motion) {
+    if (motion.shape == scene::Bounds::Shape::box) return strata_of_box();
+    return {Stratum{}};
+}
+
+// About how much of the time a stratum takes.
+double effort(const Stratum& stratum) { return std::pow(8, stratum.dimension()); }
+
+} // namespace
+
+Timeline find_events(const scene::Scene& scene, Side side, Interval range,
+                     const EventSearchOptions& how, SearchCost* cost) {
+    Timeline timeline;
+    timeline.range = range;
+    timeline.is_proved = true;
+    const Motions all = motions(scene, side, range);
+    timeline.doubts = all.doubts;
+    if (how.seeds > 0) timeline.doubts.emplace_back("found from seeds: events may be missing");
+    for (const double jump : all.jumps) {
+        timeline.unresolved.push_back(
+            {Interval(jump), {}, "the surface jumps from one shape to another", {}, {}});
+    }
+    for (const Interval& time : all.collapses) {
+        timeline.unresolved.push_back(
+            {time, {}, "the bounds may be empty or turned inside out", {}, {}});
+    }
+    const auto is_stopped = [&] { return how.stopped && how.stopped(); };
+    double done = 0;
+    for (const Motion& motion : all.pieces) {
+        if (!motion.moves || is_stopped()) continue;
+        std::optional<MonotoneTrack> driven;
+        if (motion.driver) driven.emplace(scene, *motion.driver, range);
+        Stratified events(motion, driven ? &*driven : nullptr, timeline);
+        const std::vector<Stratum> parts = strata(motion);
+        double whole = 0;
+        for (const Stratum& part : parts) whole += effort(part);
+        whole *= double(all.pieces.size());
+        for (const Stratum& part : parts) {
+            const MovingField field =
+                how.seeds > 0 ? MovingField(motion, part) : comoving_field(motion, part);
+            const double share = effort(part) / whole;
+            std::function<void(double)> progress;
+            if (how.progress) {
+                progress = [&](double of_this) { how.progress(done + of_this * share); };
+            }
+            const SearchResult found =
+                how.seeds > 0 ? from_seeds(field, {how.seeds, how.threads, how.stopped, progress})
+                              : search(field, {how.smallest, how.threads, how.stopped, progress});
+            done += share;
+            if (cost) cost->boxes += found.work.boxes;
+            events.add(field, found);
+            if (motion.shape == scene::Bounds::Shape::sphere)
+                events.add_reaching(field, how.stopped);
+        }
+    }
+    if (is_stopped()) timeline.doubts.emplace_back("the search was interrupted");
+    if (!timeline.doubts.empty() || !timeline.unresolved.empty()) timeline.is_proved = false;
+    const auto earlier = [](const auto& a, const auto& b) { return mid(a.time) < mid(b.time); };
+    std::stable_sort(timeline.events.begin(), timeline.events.end(), earlier);
+    std::stable_sort(timeline.unresolved.begin(), timeline.unresolved.end(), earlier);
+    return timeline;
+}
+
+} // namespace isomotion::topology

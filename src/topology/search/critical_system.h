@@ -1,0 +1,42 @@
+// The equations of a critical point, F = 0 and dF/dx_i = 0 for the d free coordinates x_i: n = d +
+// 1 of them in as many variables, the coordinates and the clock.
+#pragma once
+
+#include "topology/field/moving_field.h"
+#include "topology/search/krawczyk.h"
+
+namespace isomotion::topology {
+
+// What the left sides are.
+template<class T> std::array<T, most_variables> residual(const Jet<T>& jet, std::size_t n) {
+    std::array<T, most_variables> f{};
+    f[0] = jet.value;
+    for (std::size_t i = 0; i + 1 < n; ++i) f[1 + i] = jet.gradient[i];
+    return f;
+}
+
+// Their derivatives, a row an equation.
+template<class T>
+std::array<std::array<T, most_variables>, most_variables> jacobian(const Jet<T>& jet,
+                                                                   std::size_t n) {
+    std::array<std::array<T, most_variables>, most_variables> rows{};
+    for (std::size_t k = 0; k < n; ++k) {
+        rows[0][k] = jet.gradient[k];
+        for (std::size_t i = 0; i + 1 < n; ++i) rows[1 + i][k] = jet.hessian[i][k];
+    }
+    return rows;
+}
+
+// What Newton's method takes from the variables; empty where the derivatives are singular, nearly.
+inline std::optional<Point> newton_step(const Jet<double>& jet, std::size_t n) {
+    const auto y = inverse(jacobian(jet, n), int(n));
+    if (!y) return std::nullopt;
+    const Point f = residual(jet, n);
+    Point step{};
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) step[i] += (*y)[i][j] * f[j];
+    }
+    return step;
+}
+
+} // namespace isomotion::topology

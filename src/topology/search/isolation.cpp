@@ -1,0 +1,73 @@
+#include "topology/search/isolation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "topology/search/critical_system.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Interval;
+
+// The limit of Newton's method, or where it is after some steps. Empty if it leaves: the root that
+// it may find is not this box's.
+std::optional<Point> limit(const Box& domain, Numbers& numbers, const Box& box, std::size_t n) {
+    Point x{};
+    for (std::size_t k = 0; k < n; ++k) x[k] = mid(box[k]);
+    bool converges = false;
+    for (int k = 0; k < 20 && !converges; ++k) {
+        const auto step = newton_step(numbers.jet(x), n);
+        if (!step) return std::nullopt;
+        converges = true;
+        for (std::size_t i = 0; i < n; ++i) {
+            x[i] -= (*step)[i];
+            const double reach = box[i].hi - box[i].lo, whole = domain[i].hi - domain[i].lo;
+            if (!(std::abs(x[i] - mid(box[i])) <= 2 * reach + 1e-9 * whole)) return std::nullopt;
+            const double scale = std::max(std::abs(x[i]), magnitude(domain[i]));
+            converges &= std::abs((*step)[i]) <= 1e-14 * scale;
+        }
+    }
+    return x;
+}
+
+} // namespace
+
+std::optional<CriticalPoint> isolate(const MovingField& field, Enclosures& enclosures,
+                                     Numbers& numbers, const Box& box) {
+    const auto n = std::size_t(field.variables());
+    const auto x = limit(field.domain(), numbers, box, n);
+    if (!x) return std::nullopt;
+    Box alone{};
+    for (std::size_t k = 0; k < n; ++k) {
+        const double margin = 0.1 * (box[k].hi - box[k].lo) +
+                              1e-13 * std::max(std::abs((*x)[k]), magnitude(field.domain()[k]));
+        alone[k] = {std::min(box[k].lo, (*x)[k]) - margin, std::max(box[k].hi, (*x)[k]) + margin};
+    }
+    const auto contract = [&](const Box& in) -> std::optional<Krawczyk> {
+        Point m = *x;
+        for (std::size_t k = 0; k < n; ++k) m[k] = std::clamp(m[k], in[k].lo, in[k].hi);
+        const IntervalMatrix slopes = jacobian(enclosures.jet(in), n);
+        const auto y = middle_inverse(slopes, int(n));
+        if (!y) return std::nullopt;
+        return krawczyk(in, m, residual(enclosures.jet(at_point(m)), n), slopes, *y, int(n));
+    };
+    const auto first = contract(alone);
+    if (!first || !first->is_inside) return std::nullopt;
+    CriticalPoint point{first->image, alone, {}};
+    for (int k = 0; k < 20; ++k) {
+        const auto next = contract(point.where);
+        if (!next) break;
+        bool shrinks = false;
+        for (std::size_t i = 0; i < n; ++i) {
+            const Interval both = intersect(point.where[i], next->image[i]);
+            shrinks |= both.hi - both.lo < 0.8 * (point.where[i].hi - point.where[i].lo);
+            point.where[i] = both;
+        }
+        if (!shrinks) break;
+    }
+    point.jet = enclosures.jet(point.where);
+    return point;
+}
+
+} // namespace isomotion::topology

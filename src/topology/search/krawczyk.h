@@ -1,0 +1,34 @@
+// Krawczyk's operator (Krawczyk 1969; Moore 1977): where a system of equations has roots in a box.
+//
+// K(X) = m - Y f(m) + (I - Y S)(X - m), with S the slopes of f over X, m a point of X and Y any
+// matrix, best the inverse of the slopes' middle. All roots in X lie in K(X). If K(X) is inside X,
+// X holds exactly one root, and Y and every matrix in S are regular.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "topology/field/moving_field.h"
+
+namespace isomotion::topology {
+
+using Matrix = std::array<std::array<double, most_variables>, most_variables>;
+using IntervalMatrix = std::array<std::array<formula::Interval, most_variables>, most_variables>;
+
+// The inverse of the first n rows and columns, nearly; empty if it is singular, nearly.
+std::optional<Matrix> inverse(const Matrix& matrix, int n);
+// That of the middle of each entry: a Y. Empty where one has no bounds, too.
+std::optional<Matrix> middle_inverse(const IntervalMatrix& slopes, int n);
+
+struct Krawczyk {
+    Box image;
+    bool is_inside = false; // the image, in the box: one root
+    bool is_empty = false;  // the intersection with the box: no root
+    // Bounds what I - Y S stretches boxes shaped like X by. Below 1: at most one root in X.
+    double contraction = 0;
+};
+
+Krawczyk krawczyk(const Box& x, const Point& middle, const Box& at_middle,
+                  const IntervalMatrix& slopes, const Matrix& y, int n);
+
+} // namespace isomotion::topology

@@ -1,0 +1,504 @@
+#include "topology/search/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/workers.h"
+#include "topology/search/critical_system.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Interval;
+using IntervalJet = Jet<Interval>;
+
+bool holds_zero(const Interval& a) { return a.lo <= 0 && 0 <= a.hi; }
+
+// A box is divided into this many tasks, whatever the number of threads.
+constexpr std::size_t tasks_at_least = 64;
+// Boxes this much smaller than the one whose elements they share get elements of their own, so
+// many together at most.
+constexpr double family = 0.4;
+constexpr std::size_t family_size = 64;
+// Smaller boxes than this part of the domain keep what they have.
+constexpr double last_family = 1e-3;
+// What no box below may miss, as a part of the largest term; and with the square of the box's size
+// what the box itself won't notice.
+constexpr double negligible = 1e-12, coarse = 5e-2;
+// Boxes evaluated together.
+constexpr std::size_t together = 64;
+// Where second derivatives end fewer boxes than this part they cost more than they save. After so
+// many boxes of one size that is known.
+constexpr double worth_hessians = 0.25;
+constexpr std::int64_t hessians_to_judge = 16;
+// With more unresolved boxes than this in a task the smallest box grows: a curve of them.
+constexpr std::size_t too_many = 256;
+
+bool meet(const Box& a, const Box& b) {
+    for (std::size_t k = 0; k < most_variables; ++k) {
+        if (a[k].hi < b[k].lo || b[k].hi < a[k].lo) return false;
+    }
+    return true;
+}
+bool contains(const Box& a, const Box& b) {
+    for (std::size_t k = 0; k < most_variables; ++k) {
+        if (!formula::contains(a[k], b[k])) return false;
+    }
+    return true;
+}
+
+// How much the equations vary along each side of a box, as a part of all.
+using Smear = std::array<double, most_variables>;
+
+class Task {
+public:
+    Task(const MovingField& field, const SearchOptions& searching, Enclosures& enclosures,
+         Numbers& numbers)
+        : field_(field)
+        , searching_(searching)
+        , n_(std::size_t(field.variables()))
+        , d_(n_ - 1)
+        , smallest_(searching.smallest)
+        , enclosures_(enclosures)
+        , numbers_(numbers) {}
+
+    SearchResult run(const Box& box) {
+        std::vector<Family> families{{{box}, std::make_shared<Elements>(enclosures_.all())}};
+        std::vector<Box> batch, smaller;
+        while (!families.empty()) {
+            Family now = std::move(families.back());
+            families.pop_back();
+            const Box around = hull_of(now.boxes);
+            const double size = spatial_size(around);
+            const bool narrows = size > last_family;
+            Elements own;
+            if (narrows) {
+                now.elements =
+                    std::make_shared<Elements>(enclosures_.near(around, *now.elements, negligible));
+                own = enclosures_.near(around, *now.elements, coarse * size * size);
+            } else {
+                own = *now.elements;
+            }
+            smaller.clear();
+            const bool inside = enclosures_.place(around) == Enclosures::Place::inside;
+            while (!now.boxes.empty() || !waiting_.empty()) {
+                if (searching_.stopped && searching_.stopped()) return std::move(found_);
+                next_.clear();
+                if (!now.boxes.empty() && waiting_.size() < together) {
+                    const std::size_t count = std::min(together, now.boxes.size());
+                    batch.assign(now.boxes.end() - std::ptrdiff_t(count), now.boxes.end());
+                    now.boxes.resize(now.boxes.size() - count);
+                    sift(own, batch, inside);
+                } else {
+                    settle(own);
+                }
+                for (const Box& child : next_) {
+                    const bool leaves = narrows && spatial_size(child) <= family * size;
+                    (leaves ? smaller : now.boxes).push_back(child);
+                }
+            }
+            split_family(smaller, now.elements, families);
+        }
+        return std::move(found_);
+    }
+
+private:
+    // Boxes near each other that share the elements that matter there.
+    struct Family {
+        std::vector<Box> boxes;
+        std::shared_ptr<const Elements> elements;
+    };
+
+    Box hull_of(const std::vector<Box>& boxes) const {
+        Box all = boxes[0];
+        for (const Box& box : boxes) {
+            for (std::size_t k = 0; k < n_; ++k) all[k] = hull(all[k], box[k]);
+        }
+        return all;
+    }
+
+    // By halves of the longest side, until each family is small or few.
+    void split_family(std::vector<Box> boxes, const std::shared_ptr<const Elements>& elements,
+                      std::vector<Family>& families) const {
+        if (boxes.size() <= family_size) {
+            if (!boxes.empty()) families.push_back({std::move(boxes), elements});
+            return;
+        }
+        const Box around = hull_of(boxes);
+        std::size_t side = 0;
+        for (std::size_t k = 1; k < n_; ++k) {
+            if (part(around, k) > part(around, side)) side = k;
+        }
+        const double at = mid(around[side]);
+        const auto upper = std::partition(boxes.begin(), boxes.end(),
+                                          [&](const Box& box) { return mid(box[side]) <= at; });
+        std::vector<Box> rest(upper, boxes.end());
+        boxes.erase(upper, boxes.end());
+        if (boxes.empty() || rest.empty()) {
+            families.push_back({boxes.empty() ? std::move(rest) : std::move(boxes), elements});
+            return;
+        }
+        split_family(std::move(boxes), elements, families);
+        split_family(std::move(rest), elements, families);
+    }
+
+    // The largest side in space, as a part of the domain's; on corners the clock's.
+    double spatial_size(const Box& box) const {
+        double size = 0;
+        for (std::size_t k = 0; k < std::max<std::size_t>(d_, 1); ++k) {
+            size = std::max(size, part(box, k));
+        }
+        return size;
+    }
+    double part(const Box& box, std::size_t k) const {
+        const double whole = field_.domain()[k].hi - field_.domain()[k].lo;
+        return whole > 0 ? (box[k].hi - box[k].lo) / whole : 0;
+    }
+
+    bool is_known(const Box& box) const {
+        return std::any_of(found_.points.begin(), found_.points.end(), [&](const auto& point) {
+            for (std::size_t k = 0; k < n_; ++k) {
+                if (!contains(point.alone[k], box[k])) return false;
+            }
+            return true;
+        });
+    }
+
+    bool may_be_critical(const IntervalJet& jet) const {
+        if (!holds_zero(jet.value)) return false;
+        for (std::size_t k = 0; k < d_; ++k) {
+            if (!holds_zero(jet.gradient[k])) return false;
+        }
+        return true;
+    }
+
+    Point middle(const Box& box) const {
+        Point m{};
+        for (std::size_t k = 0; k < n_; ++k) m[k] = mid(box[k]);
+        return m;
+    }
+
+    // By F and first derivatives; what is left and worth it waits for second ones.
+    void sift(const Elements& elements, std::vector<Box>& wave, bool inside) {
+        std::erase_if(wave, [&](const Box& box) {
+            ++found_.work.boxes;
+            if (is_known(box)) return is_done(Test::known);
+            return !inside && enclosures_.place(box) == Enclosures::Place::outside &&
+                   is_done(Test::place);
+        });
+        enclosures_.gradients(elements, wave, jets_);
+        for (std::size_t b = 0; b < wave.size(); ++b) {
+            const Box& box = wave[b];
+            if (!holds_zero(jets_[b].value)) {
+                is_done(Test::value);
+            } else if (!may_be_critical(jets_[b])) {
+                is_done(Test::gradient);
+            } else if (is_worth_hessians(box)) {
+                waiting_.push_back(box);
+            } else {
+                divide(box, typical_smear(box));
+            }
+        }
+    }
+
+    void settle(const Elements& elements) {
+        const std::size_t count = std::min(together, waiting_.size());
+        now_.assign(waiting_.end() - std::ptrdiff_t(count), waiting_.end());
+        waiting_.resize(waiting_.size() - count);
+        centres_.clear();
+        for (const Box& box : now_) centres_.push_back(at_point(middle(box)));
+        enclosures_.jets(elements, now_, jets_);
+        enclosures_.gradients(elements, centres_, at_centres_);
+        for (std::size_t b = 0; b < now_.size(); ++b) {
+            const auto divided = found_.work.removed[std::size_t(Test::divided)];
+            settle(now_[b], jets_[b], at_centres_[b]);
+            if (found_.work.removed[std::size_t(Test::divided)] == divided) {
+                ++hessians_[size_class(now_[b])].ended;
+            }
+        }
+    }
+
+    // Of boxes of one size, whether second derivatives have ended enough of them so far; every
+    // sixteenth is tried all the same.
+    bool is_worth_hessians(const Box& box) {
+        Hessians& hessians = hessians_[size_class(box)];
+        const bool is_worth = hessians.tried < hessians_to_judge ||
+                              double(hessians.ended) >= worth_hessians * double(hessians.tried) ||
+                              ++hessians.skipped % 16 == 0;
+        hessians.tried += is_worth;
+        return is_worth;
+    }
+
+    // Halvings of the domain's sides that lead to the box.
+    std::size_t size_class(const Box& box) const {
+        double volume = 1;
+        for (std::size_t k = 0; k < n_; ++k) {
+            const double side = part(box, k);
+            if (side > 0) volume *= side;
+        }
+        return std::min(std::size_t(std::max(-std::log2(volume), 0.0)), hessians_.size() - 1);
+    }
+
+    bool is_done(Test test) {
+        found_.work.count(test);
+        return true;
+    }
+
+    // F over the box by its value in the middle and its slopes.
+    Interval mean_value(const Box& box, const Box& centre, Interval value,
+                        const std::array<Interval, most_variables>& gradient) const {
+        for (std::size_t k = 0; k < n_; ++k) value = value + gradient[k] * (box[k] - centre[k]);
+        return value;
+    }
+
+    // Mean values: with the derivatives over the box, values keep near those in its middle.
+    bool sharpen(const Box& box, const Point& m, IntervalJet& jet, const IntervalJet& at_m) const {
+        Box off{};
+        for (std::size_t k = 0; k < n_; ++k) off[k] = box[k] - Interval(m[k]);
+        for (std::size_t i = 0; i < d_; ++i) {
+            Interval gradient = at_m.gradient[i];
+            for (std::size_t j = 0; j < n_; ++j) gradient = gradient + jet.hessian[i][j] * off[j];
+            jet.gradient[i] = intersect(jet.gradient[i], gradient);
+            if (is_empty(jet.gradient[i]) || !holds_zero(jet.gradient[i])) return false;
+        }
+        if (!holds_zero(mean_value(box, at_point(m), at_m.value, jet.gradient))) return false;
+        // In space to second order.
+        Interval second = at_m.value + jet.gradient[d_] * off[d_];
+        for (std::size_t i = 0; i < d_; ++i) {
+            Interval gradient = at_m.gradient[i] + Interval(0.5) * jet.hessian[i][i] * off[i];
+            for (std::size_t j = 0; j < i; ++j) gradient = gradient + jet.hessian[i][j] * off[j];
+            second = second + gradient * off[i];
+        }
+        return holds_zero(second);
+    }
+
+    void settle(Box box, IntervalJet jet, const IntervalJet& at_m) {
+        const Point m = middle(box);
+        if (!may_be_critical(jet) || !sharpen(box, m, jet, at_m)) {
+            return found_.work.count(Test::hessian);
+        }
+        const IntervalMatrix slopes = jacobian(jet, n_);
+        if (const auto y = middle_inverse(slopes, int(n_))) {
+            const Krawczyk k = krawczyk(box, m, residual(at_m, n_), slopes, *y, int(n_));
+            if (k.is_empty) return found_.work.count(Test::krawczyk);
+            if (k.is_inside || k.contraction < 1 || spatial_size(box) < 1e-3) {
+                if (const auto point = isolate(field_, enclosures_, numbers_, box)) {
+                    found_.points.push_back(*point);
+                    return found_.work.count(Test::isolated);
+                }
+            }
+            double shrinks = 1;
+            for (std::size_t i = 0; i < n_; ++i) {
+                const double before = box[i].hi - box[i].lo;
+                box[i] = intersect(box[i], k.image[i]);
+                if (is_empty(box[i])) return found_.work.count(Test::krawczyk);
+                if (before > 0) shrinks *= (box[i].hi - box[i].lo) / before;
+            }
+            if (shrinks < 0.6) {
+                next_.push_back(box);
+                return found_.work.count(Test::narrowed);
+            }
+        }
+        divide(box, slopes);
+    }
+
+    // Halves twice the side by which the equations vary most: of each equation its part by each
+    // side, summed. Into four since second derivatives cost more than they exclude: they are worth
+    // evaluating at every other halving.
+    void divide(const Box& box, const IntervalMatrix& slopes) {
+        Smear smear{};
+        for (std::size_t i = 0; i < n_; ++i) {
+            std::array<double, most_variables> parts{};
+            double all = 0;
+            for (std::size_t k = 0; k < n_; ++k) {
+                parts[k] = magnitude(slopes[i][k]) * (box[k].hi - box[k].lo);
+                all += parts[k];
+            }
+            if (!(all > 0) || std::isinf(all)) continue;
+            for (std::size_t k = 0; k < n_; ++k) smear[k] += parts[k] / all;
+        }
+        for (std::size_t k = 0; k < n_; ++k) {
+            const double side = part(box, k);
+            if (side > 0) smear_[k] += 0.01 * (smear[k] / side - smear_[k]);
+        }
+        divide(box, smear);
+    }
+
+    void divide(const Box& box, Smear smear) {
+        const auto first = side_to_halve(box, smear);
+        if (!first) {
+            found_.unresolved.push_back(box);
+            found_.work.count(Test::smallest);
+            if (found_.unresolved.size() % too_many == 0) smallest_ *= 4;
+            return;
+        }
+        found_.work.count(Test::divided);
+        smear[*first] /= 2;
+        for (const Box& half : halves(box, *first)) {
+            const auto second = side_to_halve(half, smear);
+            if (second) {
+                for (const Box& quarter : halves(half, *second)) next_.push_back(quarter);
+            } else {
+                next_.push_back(half);
+            }
+        }
+    }
+
+    Smear typical_smear(const Box& box) const {
+        Smear smear{};
+        for (std::size_t k = 0; k < n_; ++k) smear[k] = smear_[k] * part(box, k);
+        return smear;
+    }
+
+    std::optional<std::size_t> side_to_halve(const Box& box, const Smear& smear) const {
+        double most = 0, widest = 0;
+        for (std::size_t k = 0; k < n_; ++k) widest = std::max(widest, part(box, k));
+        std::optional<std::size_t> side;
+        for (std::size_t k = 0; k < n_; ++k) {
+            const double width = part(box, k);
+            // Slivers help nobody.
+            if (!(width > smallest_) || width < widest / 64) continue;
+            const double by = smear[k] + 1e-3 * width / widest;
+            if (by <= most) continue;
+            most = by;
+            side = k;
+        }
+        return side;
+    }
+
+    static std::array<Box, 2> halves(const Box& box, std::size_t side) {
+        std::array<Box, 2> two{box, box};
+        two[0][side].hi = two[1][side].lo = mid(box[side]);
+        return two;
+    }
+
+    const MovingField& field_;
+    const SearchOptions& searching_;
+    std::size_t n_, d_;
+    double smallest_;
+    Enclosures& enclosures_;
+    Numbers& numbers_;
+    SearchResult found_;
+    struct Hessians {
+        std::int64_t tried = 0, ended = 0, skipped = 0;
+    };
+    std::array<Hessians, 128> hessians_{};
+    Smear smear_{}; // of late, for each whole side
+    std::vector<Box> next_, waiting_, now_, centres_;
+    std::vector<IntervalJet> jets_, at_centres_;
+};
+
+std::vector<Box> tasks(const MovingField& field) {
+    const auto n = std::size_t(field.variables());
+    std::vector<Box> boxes{field.domain()};
+    for (std::size_t side = 0; boxes.size() < tasks_at_least; side = (side + 1) % n) {
+        std::vector<Box> halves;
+        for (const Box& box : boxes) {
+            Box low = box, high = box;
+            low[side].hi = high[side].lo = mid(box[side]);
+            halves.push_back(low);
+            halves.push_back(high);
+        }
+        boxes = std::move(halves);
+    }
+    return boxes;
+}
+
+} // namespace
+
+const char* name_of(Test test) {
+    constexpr std::array<const char*, std::size_t(Test::count)> names{
+        "inside a known point's box",
+        "outside of the bounds",
+        "F",
+        "a derivative",
+        "second derivatives",
+        "Krawczyk: none",
+        "Krawczyk: one",
+        "narrowed",
+        "divided",
+        "smallest",
+    };
+    return names[std::size_t(test)];
+}
+
+Work& Work::operator+=(const Work& other) {
+    boxes += other.boxes;
+    for (std::size_t k = 0; k < removed.size(); ++k) removed[k] += other.removed[k];
+    return *this;
+}
+
+void put_together(SearchResult& all) {
+    std::sort(all.points.begin(), all.points.end(), [](const auto& a, const auto& b) {
+        return std::tuple(a.where[3].lo, a.where[2].lo, a.where[1].lo, a.where[0].lo) <
+               std::tuple(b.where[3].lo, b.where[2].lo, b.where[1].lo, b.where[0].lo);
+    });
+    std::vector<CriticalPoint> points;
+    for (const CriticalPoint& point : all.points) {
+        const bool is_new =
+            std::none_of(points.begin(), points.end(), [&](const CriticalPoint& known) {
+                if (!meet(known.where, point.where)) return false;
+                if (contains(known.alone, point.where) || contains(point.alone, known.where)) {
+                    return true;
+                }
+                all.unresolved.push_back(point.where);
+                return false;
+            });
+        if (is_new) points.push_back(point);
+    }
+    all.points = std::move(points);
+    std::erase_if(all.unresolved, [&](const Box& box) {
+        return std::any_of(all.points.begin(), all.points.end(),
+                           [&](const auto& point) { return contains(point.alone, box); });
+    });
+}
+
+std::vector<Box> merged(std::vector<Box> boxes, const Box& domain, double gap) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        std::vector<Box> fewer;
+        for (const Box& box : boxes) {
+            Box wide = box;
+            for (std::size_t k = 0; k < most_variables; ++k) {
+                const double by = gap * (domain[k].hi - domain[k].lo);
+                wide[k] = {wide[k].lo - by, wide[k].hi + by};
+            }
+            const auto near = std::find_if(fewer.begin(), fewer.end(),
+                                           [&](const Box& other) { return meet(wide, other); });
+            if (near == fewer.end()) {
+                fewer.push_back(box);
+                continue;
+            }
+            for (std::size_t k = 0; k < most_variables; ++k) {
+                (*near)[k] = hull((*near)[k], box[k]);
+            }
+            changed = true;
+        }
+        boxes = std::move(fewer);
+    }
+    return boxes;
+}
+
+SearchResult search(const MovingField& field, const SearchOptions& searching) {
+    const std::vector<Box> boxes = tasks(field);
+    std::vector<SearchResult> parts(boxes.size());
+    const auto seek = [&] {
+        return
+            [&, enclosures = Enclosures(field), numbers = Numbers(field)](std::size_t k) mutable {
+                parts[k] = Task(field, searching, enclosures, numbers).run(boxes[k]);
+            };
+    };
+    base::share({boxes.size(), searching.threads, searching.stopped, searching.progress}, seek);
+    SearchResult all;
+    for (SearchResult& part : parts) {
+        all.points.insert(all.points.end(), part.points.begin(), part.points.end());
+        all.unresolved.insert(all.unresolved.end(), part.unresolved.begin(), part.unresolved.end());
+        all.work += part.work;
+    }
+    put_together(all);
+    all.unresolved = merged(std::move(all.unresolved), field.domain(), 4 * searching.smallest);
+    return all;
+}
+
+} // namespace isomotion::topology

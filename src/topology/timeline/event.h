@@ -1,0 +1,102 @@
+// What happens to the topology of a moving surface, and when: the events of an animation in order.
+//
+// The solid is where F has the sign that it doesn't have on the bounds (solid.h); below it is {F <
+// 0} and for the other sign F is -F. An event is a point (x, y, z, t) with F = 0 and grad F = 0:
+// there the solid gains or loses a handle of the critical point's Morse index (Milnor 1963; Hart
+// 1998; Stander and Hart 1997). On a face, an edge or at the corner of the bounds the gradient is
+// that along the face or the edge (stratified Morse theory): `stratum` counts the coordinates that
+// are free.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formula/interval/interval.h"
+#include "topology/timeline/betti.h"
+
+namespace isomotion::topology {
+
+enum class Kind {
+    unknown, // not told apart: see Event::proof
+    birth,
+    death,
+    merge,
+    split,
+    tunnel_forms,
+    tunnel_closes,
+    tunnel_opens,
+    tunnel_breaks,
+    void_forms,
+    void_fills,
+    void_opens,
+    void_born,
+    none, // on the bounds, where the capped solid does not change
+};
+
+std::string_view name(Kind kind); // "tunnel forms"
+std::optional<Kind> parse_kind(std::string_view text);
+
+// What an event of this kind adds to the solid's Betti numbers.
+Betti change(Kind kind);
+
+// The kinds that a critical point may have by its index (0 to 3) and direction: one or two.
+// `grows`: F falls there, the solid gains a handle.
+std::vector<Kind> kinds_of(int index, bool grows);
+
+struct Event {
+    formula::Interval time;                 // seconds; holds the exact time
+    std::array<formula::Interval, 3> where; // formula coordinates; hold the exact point
+    int stratum = 3;                        // 3: inside; 2, 1, 0: on a face, an edge, a corner
+    int index = 0;                          // of F along the stratum
+    bool grows = false;
+    Kind kind = Kind::unknown;
+    // That it exists, its index and direction; and that it is alone in the box of coordinates and
+    // clock that it was found in, of which `time` and `where` are a hull: these may hold more.
+    bool is_proved = false;
+    // That it exists and is alone in `time` and `where`, its index and direction: in another
+    // arithmetic (arb_verifier.h).
+    bool is_proved_again = false;
+    // How the kind is known: "index", "path", "counting", "frames"; empty if it isn't. "together":
+    // only how many events of its moment are of this kind is known, not that this one is.
+    std::string kind_proof;
+    std::optional<Betti> before, after; // of the solid; empty where unknown
+
+    bool operator==(const Event&) const = default;
+};
+
+// Their kinds are known of both together only, and may be the other way round.
+bool are_interchangeable(const Event& a, const Event& b);
+
+// What the event adds to the solid's Euler number b0 - b1 + b2, whatever its kind: (-1)^index if it
+// grows, and that from it if it shrinks.
+int euler_change(const Event& event);
+
+// A place where events may be that are not told apart: a degenerate critical point, a singular
+// curve. Never given a kind.
+struct Unresolved {
+    formula::Interval time;
+    std::array<formula::Interval, 3> where;
+    std::string why;
+    std::optional<Betti> before, after;
+
+    bool operator==(const Unresolved&) const = default;
+};
+
+// All that is known of an animation from one time to another.
+struct Timeline {
+    formula::Interval range;            // of time, seconds
+    std::vector<Event> events;          // by time
+    std::vector<Unresolved> unresolved; // by time
+    std::optional<Betti> start, end;    // of the solid
+    bool start_is_proved = false, end_is_proved = false;
+    bool is_proved = false;          // that no event is missing (Events::is_proved and kinds apart)
+    std::vector<std::string> doubts; // failed consistency checks and interruptions, in words
+    // Everything: no event missing, each proved and its kind known, both ends proved, no doubts.
+    bool is_complete() const;
+    bool operator==(const Timeline&) const = default;
+};
+
+} // namespace isomotion::topology

@@ -1,0 +1,244 @@
+#include "topology/timeline/expectation.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "topology/timeline/compare.h"
+#include "topology/timeline/document.h"
+#include "topology/timeline/steps.h"
+#include "topology/timeline/text_file.h"
+#include "topology/timeline/timeline_file.h"
+#include "topology/timeline/words.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Interval;
+
+struct NumberName {
+    const char* name;
+    int Betti::*number;
+};
+constexpr NumberName number_names[] = {
+    {"components", &Betti::components}, {"tunnels", &Betti::tunnels}, {"voids", &Betti::voids}};
+
+std::optional<double> decimal(std::string_view text) {
+    if (text.empty() || text.front() == '.') return {}; // "5...9" has a dot too many
+    double value = 0;
+    const char* last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, value, std::chars_format::fixed);
+    if (error != std::errc{} || end != last || !std::isfinite(value)) return {};
+    return value;
+}
+
+// "12", "40.5", "5..9".
+std::optional<Interval> parse_frames(std::string_view text) {
+    const std::size_t dots = text.find("..");
+    if (dots == text.npos) {
+        if (const auto frame = decimal(text)) return Interval(*frame);
+        return {};
+    }
+    const auto from = decimal(text.substr(0, dots)), to = decimal(text.substr(dots + 2));
+    if (!from || !to || *from > *to) return {};
+    return Interval{*from, *to};
+}
+
+void read_betti(const JsonValue& node, const NumberName& which, std::vector<BettiClaim>& claims) {
+    JsonObject frames = node.object();
+    for (const JsonValue& each : frames.all()) {
+        const std::string key = frames.key_of(each);
+        const auto when = parse_frames(key);
+        if (!when) {
+            each.fail(fmt::format("'{}' is no frame; write \"12\", \"40.5\" or \"5..9\"", key));
+        }
+        if (each.is_object()) {
+            each.fail("TOML takes the dots for tables of tables; put the frame in quotes: "
+                      "\"40.5\" = 2");
+        }
+        claims.push_back({each.key(), which.number, *when, each.integer(0, 1'000'000'000)});
+    }
+}
+
+Claims read_claims(const Document& document, const std::string& file, animation::FrameRate fps) {
+    JsonObject root(JsonValue(document, file));
+    Claims claims;
+    for (const NumberName& which : number_names) {
+        if (const auto node = root.find(which.name)) read_betti(*node, which, claims.betti);
+    }
+    if (const auto events = root.find("events")) {
+        for (const JsonValue& each : events->list()) {
+            try {
+                claims.events.push_back(parse_statement(each.text(), fps));
+            } catch (const DocumentError&) {
+                throw;
+            } catch (const std::invalid_argument& error) {
+                each.fail(fmt::format("\"{}\": {}", each.text(), error.what()));
+            }
+        }
+    }
+    root.refuse_rest();
+    if (claims.betti.empty() && claims.events.empty()) {
+        throw DocumentError(fmt::format("{}: claims nothing; write {{ \"components\": {{ \"1\": 2 "
+                                        "}}, \"events\": [\"merge at frame 12..13\"] }}",
+                                        file));
+    }
+    return claims;
+}
+
+// All that happens in the instant is known, and none of it changes the number: it is the same all
+// the time, in whatever order things happen.
+bool keeps(const Timeline& timeline, const Instant& instant, int Betti::*number) {
+    return instant.unresolved.empty() &&
+           std::ranges::all_of(instant.events, [&](const std::size_t k) {
+               const Event& event = timeline.events[k];
+               return event.is_proved && event.kind != Kind::unknown &&
+                      change(event.kind).*number == 0;
+           });
+}
+
+// At one frame, or at all of a span: each step that lasts in it says the number, and no instant in
+// it may change that.
+Judgement judge(const BettiClaim& claim, const TimelineRecord& found, const Steps& steps) {
+    const auto fps = found.header.fps;
+    const Timeline& timeline = found.timeline;
+    const double first = frame_at(fps, timeline.range.lo), last = frame_at(fps, timeline.range.hi);
+    constexpr double slack = 1e-6;
+    if (claim.frames.lo < first - slack || claim.frames.hi > last + slack) {
+        return {Truth::open,
+                fmt::format("searched were frames {} to {}", frame_text(first), frame_text(last))};
+    }
+    // An event at the very end of a span is not in it, however its time was rounded.
+    const Interval asked = claim.frames.hi - claim.frames.lo > 2 * slack
+                               ? Interval{claim.frames.lo + slack, claim.frames.hi - slack}
+                               : claim.frames;
+    const auto touches = [&](Interval time) {
+        const Interval frames = frames_at(fps, time);
+        return frames.lo <= asked.hi && asked.lo <= frames.hi;
+    };
+    const bool is_moment = is_point(asked);
+    // Of a span, a step that is over as it begins says nothing.
+    const auto lasts_in = [&](Interval time) {
+        const Interval frames = frames_at(fps, time);
+        return touches(time) &&
+               (is_moment || std::min(frames.hi, asked.hi) > std::max(frames.lo, asked.lo));
+    };
+    Judgement judgement{Truth::holds, ""};
+    const auto open = [&](std::string why) {
+        if (judgement.truth == Truth::holds) judgement = {Truth::open, std::move(why)};
+    };
+    for (const Instant& instant : steps.instants) {
+        if (!touches(instant.time)) continue;
+        if (is_moment) {
+            return {Truth::open, "that is the instant of an event; ask a little before or "
+                                 "after it"};
+        }
+        if (keeps(timeline, instant, claim.number)) continue;
+        open(fmt::format("what the number is all through frame {} is not known",
+                         frame_text(frames_at(fps, instant.time))));
+    }
+    bool is_seen = false;
+    for (const Step& step : steps.steps) {
+        if (!lasts_in(step.time)) continue;
+        is_seen = true;
+        const std::string frame =
+            frame_text(std::max(claim.frames.lo, frame_at(fps, step.time.lo)));
+        if (!step.solid) {
+            open(fmt::format("not known from frame {} on", frame));
+            continue;
+        }
+        const int number = (*step.solid).*claim.number;
+        if (number == claim.value && step.is_proved) continue;
+        if (number == claim.value) {
+            open(fmt::format("found, but not proved from frame {} on", frame));
+        } else if (step.is_proved) {
+            return {Truth::fails, fmt::format("{} at frame {}", number, frame)};
+        } else {
+            open(fmt::format("{} at frame {}, but not proved", number, frame));
+        }
+    }
+    if (!is_seen) open("no time between events is among the frames asked for");
+    return judgement;
+}
+
+} // namespace
+
+Claims parse_claims(std::string_view text, const std::string& file, animation::FrameRate fps) {
+    const bool is_toml = file.ends_with(".toml");
+    return read_claims(is_toml ? parse_toml(text, file) : parse_json(text, file), file, fps);
+}
+
+Expectation read_expectation(const std::filesystem::path& file, animation::FrameRate fps) {
+    const std::string text = read_text(file);
+    if (file.extension() != ".toml") {
+        const nlohmann::json document = parse_json(text, file.string());
+        if (document.is_object() && document.contains("format")) {
+            return parse_timeline(text, file.string());
+        }
+    }
+    return parse_claims(text, file.string(), fps);
+}
+
+Check check(const Claims& claims, const TimelineRecord& found) {
+    Check result;
+    const auto add = [&](const std::string& claim, const Judgement& judgement) {
+        switch (judgement.truth) {
+        case Truth::holds:
+            ++result.agreed;
+            return;
+        case Truth::fails:
+            result.differences.push_back(fmt::format("{}: {}", claim, judgement.why));
+            return;
+        case Truth::open:
+            result.undecided.push_back(fmt::format("{}: {}", claim, judgement.why));
+            return;
+        }
+    };
+    const Steps steps = steps_of(found.timeline);
+    for (const BettiClaim& claim : claims.betti) {
+        add(fmt::format("{} = {}", claim.key, claim.value), judge(claim, found, steps));
+    }
+    for (std::size_t k = 0; k < claims.events.size(); ++k) {
+        const Statement& statement = claims.events[k];
+        add(fmt::format("events[{}] \"{}\"", k, statement.text),
+            judge(statement, claims.events, found.timeline, found.header.fps));
+    }
+    if (result.outcome() != Outcome::passes) {
+        for (const std::string& reason : gaps(found.timeline, found.header.fps)) {
+            result.notes.push_back("found: " + reason);
+        }
+    }
+    return result;
+}
+
+Check check(const Expectation& expectation, const TimelineRecord& found, double dt) {
+    if (const auto* record = std::get_if<TimelineRecord>(&expectation))
+        return compare(*record, found, dt);
+    return check(std::get<Claims>(expectation), found);
+}
+
+std::string text(const Check& check, const std::string& file) {
+    std::string lines;
+    for (const std::string& line : check.differences) lines += line + "\n";
+    for (const std::string& line : check.undecided) {
+        lines += fmt::format("undecided: {}\n", line);
+    }
+    for (const std::string& line : check.notes) lines += fmt::format("note: {}\n", line);
+    const std::size_t different = check.differences.size(), open = check.undecided.size();
+    switch (check.outcome()) {
+    case Outcome::passes:
+        return lines + fmt::format("{}: passes, {} agree\n", file, check.agreed);
+    case Outcome::differs:
+        return lines + fmt::format("{}: differs, {} difference{}, {} undecided, {} agree\n", file,
+                                   different, different == 1 ? "" : "s", open, check.agreed);
+    case Outcome::incomplete:
+        break;
+    }
+    return lines +
+           fmt::format("{}: INCOMPLETE, neither passed nor failed: {} undecided, {} agree\n", file,
+                       open, check.agreed);
+}
+
+} // namespace isomotion::topology

@@ -1,0 +1,16 @@
+// The few frames of an animation that tell most of its topology.
+#pragma once
+
+#include <vector>
+
+#include "topology/timeline/timeline_header.h"
+
+namespace isomotion::topology {
+
+// At most so many frames, ascending, each in the middle of a quiet span between events: the first
+// and the last span, then always the one whose Betti numbers differ most from those chosen and that
+// lasts longest (farthest-point sampling, weighted). Where no Betti numbers are known, spread over
+// the range.
+std::vector<double> representative_frames(const TimelineRecord& record, std::size_t most);
+
+} // namespace isomotion::topology

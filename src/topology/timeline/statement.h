@@ -1,0 +1,48 @@
+// What a person says of an animation's events, in words: "merge at frame 12..13".
+//
+//     statement = [number] events [when] | "nothing else"
+//     number    = 3 | 2..4 | "no" | "a" | "an" | "at least" 3 | "at most" 3       (else: exactly 1)
+//     events    = "merge" | "merges" | "tunnel closes" | "tunnels close" | ... | "event" | "events"
+//     when      = "at frame" F | "at frame" F..F | "between frames" F "and" F |
+//                 "before frame" F | "after frame" F           (else: at any time; "time" and
+//                                                               seconds instead of "frame" too)
+//
+// A frame F is meant as precisely as it is written: 12 is 11.5 to 12.5, 40.2 is 40.15 to 40.25. The
+// ends of F..F and of "between" are exact (to a millionth of a frame) and belong to it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "animation/timeline.h"
+#include "topology/timeline/event.h"
+
+namespace isomotion::topology {
+
+struct Statement {
+    std::string text;
+    bool is_nothing_else = false; // every event is meant by one of the other statements
+    int least = 1, most = 1;      // how many; `most` may be INT_MAX
+    std::optional<Kind> kind;     // empty: of any kind
+    formula::Interval frames = formula::Interval::entire();
+
+    bool admits(Kind found) const { return !kind || *kind == found; }
+};
+
+// Throws std::invalid_argument with what is wrong and what would be right.
+Statement parse_statement(std::string_view text, animation::FrameRate fps);
+
+enum class Truth { holds, fails, open };
+
+struct Judgement {
+    Truth truth = Truth::open;
+    std::string why; // what was found instead, or what is missing to decide
+};
+
+// Holds or fails only by what the timeline proves. Kind::none is no event.
+Judgement judge(const Statement& statement, const std::vector<Statement>& all,
+                const Timeline& timeline, animation::FrameRate fps);
+
+} // namespace isomotion::topology

@@ -1,0 +1,100 @@
+#include "topology/timeline/timeline_header.h"
+
+#include <cctype>
+#include <set>
+
+#include "base/fingerprint.h"
+#include "scene/scene_at.h"
+#include "scene/source_print.h"
+
+namespace isomotion::topology {
+namespace {
+
+using animation::Animation;
+using base::Fingerprint;
+
+// Tracks that something in the formula's surface moves by, what their expressions name included.
+class Needed {
+public:
+    explicit Needed(const Animation& animation)
+        : animation_(animation) {}
+
+    void track(int id) {
+        if (!tracks_.insert(id).second) return;
+        const auto& source = animation_.tracks()[std::size_t(id)].source;
+        if (const auto* expression = std::get_if<animation::Expression>(&source)) {
+            text(expression->text);
+        }
+    }
+    // Every word that is a track's name: a word that stands for something else at most makes the
+    // fingerprint depend on too much.
+    void text(std::string_view expression) {
+        const auto part = [](char c) {
+            return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+        };
+        for (std::size_t k = 0; k < expression.size();) {
+            std::size_t end = k;
+            while (end < expression.size() && part(expression[end])) ++end;
+            if (end > k) {
+                if (const auto id = animation_.find(expression.substr(k, end - k))) track(*id);
+            }
+            k = end + 1;
+        }
+    }
+    const std::set<int>& tracks() const { return tracks_; }
+
+private:
+    const Animation& animation_;
+    std::set<int> tracks_;
+};
+
+TimelineHeader::Box box_of(const scene::BoundsAt& bounds) {
+    TimelineHeader::Box box;
+    for (int k = 0; k < 3; ++k) box[std::size_t(k)] = {bounds.min[k], bounds.max[k]};
+    return box;
+}
+
+} // namespace
+
+std::string fingerprint(const scene::Scene& scene) {
+    const Animation& animation = scene.timeline.animation;
+    const scene::Bounds& bounds = scene.surface.bounds;
+    Needed needed(animation);
+    for (int id = 0; id < scene.surface.parameters; ++id) needed.track(id);
+    for (const animation::Array& array : animation.arrays()) {
+        for (const animation::ArrayField& field : array.fields) {
+            if (const auto* expression = std::get_if<animation::Expression>(&field.source)) {
+                needed.text(expression->text);
+            }
+        }
+    }
+    std::vector<scene::TrackId> placed;
+    if (bounds.shape == scene::Bounds::Shape::box) {
+        placed.insert(placed.end(), bounds.min.begin(), bounds.min.end());
+        placed.insert(placed.end(), bounds.max.begin(), bounds.max.end());
+    } else {
+        placed.insert(placed.end(), bounds.centre.begin(), bounds.centre.end());
+        placed.push_back(bounds.radius);
+    }
+    for (const scene::TrackId id : placed) needed.track(id);
+
+    Fingerprint print;
+    print.add("isomotion topology 1").add(scene.surface.field->text);
+    print.add(std::to_string(animation.seed())).add(std::to_string(scene.surface.parameters));
+    print.add(std::to_string(int(bounds.shape)));
+    for (const int id : needed.tracks()) {
+        scene::add(print, animation.tracks()[std::size_t(id)]);
+    }
+    for (const animation::Array& array : animation.arrays()) scene::add(print, array);
+    return print.text();
+}
+
+TimelineHeader header_of(const scene::Scene& scene, formula::Interval range) {
+    const auto bounds = [&](double time) {
+        return box_of(scene::at(scene, scene.timeline.animation.at(time)).bounds);
+    };
+    return {scene.title,      fingerprint(scene), scene.timeline.fps, scene.surface.bounds.shape,
+            bounds(range.lo), bounds(range.hi)};
+}
+
+} // namespace isomotion::topology

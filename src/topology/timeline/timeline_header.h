@@ -1,0 +1,42 @@
+// What a timeline is a timeline of.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "animation/timeline.h"
+#include "formula/interval/interval.h"
+#include "scene/scene.h"
+#include "topology/timeline/event.h"
+
+namespace isomotion::topology {
+
+struct TimelineHeader {
+    using Box = std::array<formula::Interval, 3>;
+
+    std::string title;
+    // Changes with all that decides topology: the formula, the sources of its parameters and
+    // elements, the bounds. Cameras, lights, materials, placement and frame rate don't.
+    std::string fingerprint;
+    animation::FrameRate fps;
+    scene::Bounds::Shape shape = scene::Bounds::Shape::box;
+    Box start_bounds{}, end_bounds{}; // formula coordinates; of a sphere the box around it
+
+    bool operator==(const TimelineHeader&) const = default;
+};
+
+// A timeline and what it is of: what a file holds.
+struct TimelineRecord {
+    TimelineHeader header;
+    Timeline timeline;
+
+    bool operator==(const TimelineRecord&) const = default;
+};
+
+std::string fingerprint(const scene::Scene& scene);
+
+// The bounds are those at the ends of `range` (seconds). Throws SceneError where values have left
+// their range there.
+TimelineHeader header_of(const scene::Scene& scene, formula::Interval range);
+
+} // namespace isomotion::topology

@@ -1,0 +1,252 @@
+// Proved Betti numbers of frames: closed forms, the bounds, rounding, and what must not be proved.
+#include "topology/betti/certified_frame.h"
+
+#include <gtest/gtest.h>
+
+#include "topology/betti/frame_signs.h"
+#include "topology/scenes.h"
+#include "topology/solids.h"
+#include "unit/formula/testing.h"
+
+namespace isomotion::topology {
+namespace {
+
+const std::string box = "{ box = [[-1, -1, -1], [1, 1, 1]] }";
+
+CertifiedFrame certified(const scene::Scene& scene, double time = 0,
+                         const FrameLimits& limits = {}) {
+    const StillScene frame(scene, time);
+    return certify_frame(frame.formula(solid_side(scene)), frame.bounds, limits);
+}
+
+std::string describe(const CertifiedFrame& frame) {
+    return fmt::format("{} at ({}, {}, {}), depth {}", frame.why, frame.where[0].lo,
+                       frame.where[1].lo, frame.where[2].lo, frame.depth);
+}
+
+struct Known {
+    std::string formula, bounds;
+    Betti betti;
+};
+
+void PrintTo(const Known& known, std::ostream* out) { *out << known.formula; }
+
+class ClosedForms : public testing::TestWithParam<Known> {};
+
+TEST_P(ClosedForms, AreProved) {
+    const scene::Scene scene = still(GetParam().formula, GetParam().bounds);
+    const CertifiedFrame frame = certified(scene);
+    ASSERT_TRUE(frame.betti) << describe(frame);
+    EXPECT_EQ(*frame.betti, GetParam().betti);
+}
+
+const Known known[] = {
+    {"x^2 + y^2 + z^2 - 1", "{ sphere = 1.5 }", {1, 0, 0}},
+    // Vertices lie on the surface.
+    {"x^2 + y^2 + z^2 - 1", "{ box = [[-2, -2, -2], [2, 2, 2]] }", {1, 0, 0}},
+    {"1 - x^2 - y^2 - z^2", "{ sphere = 1.5 }", {1, 0, 0}},
+    {"x^2 + y^2 + z^2 + 1", "{ sphere = 1.5 }", {0, 0, 0}},
+    {"(0.7 - sqrt(x^2 + y^2))^2 + z^2 - 0.04", box, {1, 1, 0}},
+    {"(x^2 + y^2 + z^2 + 0.45)^2 - 1.96*(x^2 + y^2)", "{ sphere = 1.2 }", {1, 1, 0}},
+    {"(x^2 + y^2 + z^2 - 0.2)*(x^2 + y^2 + z^2 - 0.7)", box, {1, 0, 1}},
+    {"x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8", "{ sphere = 4.4 }", {1, 5, 0}},
+    {"x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 15", "{ sphere = 4.4 }", {8, 0, 0}},
+    // Closer than a cube of the coarsest grids that a sample would try.
+    {"((x - 0.5)^2 + y^2 + z^2 - 0.25)*((x + 0.51)^2 + y^2 + z^2 - 0.25)",
+     "{ box = [[-1.3, -0.7, -0.7], [1.3, 0.7, 0.7]] }",
+     {2, 0, 0}},
+    // With creases.
+    {"x^2 + y^2 + z^2 + 0.4*abs(x + 0.3*y) - 0.5", box, {1, 0, 0}},
+    {"max(x^2 + y^2 + z^2 - 0.6, z - 0.1*x - 0.6)", box, {1, 0, 0}},
+    {"min((x - 0.5)^2, (x + 0.5)^2) + y^2 + z^2 - 0.1", box, {2, 0, 0}},
+};
+
+INSTANTIATE_TEST_SUITE_P(CertifiedFrame, ClosedForms, testing::ValuesIn(known));
+
+// Surfaces across the walls: the solid is what the box holds.
+const Known reaching[] = {
+    {"x + 0.3*y - 0.21", box, {1, 0, 0}},
+    {"z - 0.2", box, {1, 0, 0}},
+    {"x^2 - 0.3", box, {1, 0, 0}},
+    {"0.3 - x^2", box, {2, 0, 0}},
+    {"x^2 + y^2 - 0.3", box, {1, 0, 0}},
+    {"0.3 - x^2 - y^2", box, {1, 1, 0}},
+    // Half of a ball, an eighth of one, and a box that lacks an eighth of a ball.
+    {"(x - 1)^2 + y^2 + z^2 - 0.5", box, {1, 0, 0}},
+    {"(x - 1)^2 + (y - 1)^2 + (z - 1)^2 - 0.5", box, {1, 0, 0}},
+    {"sin(4*x)*cos(4*y) + sin(4*y)*cos(4*z) + sin(4*z)*cos(4*x) - 0.3", box, {}},
+};
+class Reaching : public testing::TestWithParam<Known> {};
+
+TEST_P(Reaching, TheWalls) {
+    const scene::Scene scene = still(GetParam().formula, GetParam().bounds);
+    const StillScene frame(scene, 0);
+    const CertifiedFrame proved = certify_frame(frame.formula(Side::negative), frame.bounds);
+    ASSERT_TRUE(proved.betti) << describe(proved);
+    const SignGrid grid =
+        frame_signs(*scene.surface.field, frame.numbers, frame.bounds, Side::negative, 128);
+    EXPECT_EQ(*proved.betti, betti(grid));
+    if (GetParam().betti != Betti{}) {
+        EXPECT_EQ(*proved.betti, GetParam().betti);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(CertifiedFrame, Reaching, testing::ValuesIn(reaching));
+
+// Degenerate frames have no proof, at any depth.
+TEST(CertifiedFrame, SingularFramesAreNotProved) {
+    for (const char* formula : {
+             "x^2 + y^2 - z^2",                        // a cone
+             "x^2 + y^2 + z^2",                        // a point
+             "x*y*z",                                  // planes that cross
+             "(x^2 + y^2 + z^2 - 0.25)^2",             // a double sphere: no sign changes
+             "(0.5 - sqrt(x^2 + y^2))^2 + z^2 - 0.25", // a torus whose hole has just closed
+             "x^2 + y^2 + (z - 0.5)^2 - 2.25",         // inside of the wall z = -1 it touches
+         }) {
+        const CertifiedFrame frame = certified(still(formula, box), 0, {.depth = 7});
+        EXPECT_FALSE(frame.betti) << formula;
+        EXPECT_FALSE(frame.why.empty()) << formula;
+    }
+}
+
+TEST(CertifiedFrame, BesideACriticalValue) {
+    // The two sheets join at c = 0.
+    for (double c : {1e-3, -1e-3}) {
+        const CertifiedFrame frame = certified(
+            still(fmt::format("x^2 + y^2 - z^2 + {}", c), "{ box = [[-2, -2, -1], [2, 2, 1]] }"));
+        ASSERT_TRUE(frame.betti) << c << ": " << describe(frame);
+        EXPECT_EQ(frame.betti->components, c > 0 ? 2 : 1);
+    }
+}
+
+TEST(CertifiedFrame, ASphereThatIsReachedIsNotProved) {
+    const CertifiedFrame frame = certified(still("x - 0.1", "{ sphere = 1 }"), 0, {.depth = 6});
+    EXPECT_FALSE(frame.betti);
+}
+
+// An enclosure of the parameters proves all frames in it.
+TEST(CertifiedFrame, ASpanOfParameters) {
+    const scene::Scene scene =
+        scene_of("[surface]\nformula = 'x^2 + y^2 + z^2 - r^2'\nbounds = { sphere = 1.5 }\n"
+                 "[parameters]\nr = 1\n");
+    StillScene frame(scene, 0);
+    frame.intervals.parameters[0] = {0.95, 1.05};
+    const auto proved = certify_frame(frame.formula(Side::negative), frame.bounds);
+    ASSERT_TRUE(proved.betti) << describe(proved);
+    EXPECT_EQ(*proved.betti, (Betti{1, 0, 0}));
+    frame.intervals.parameters[0] = {0, 1}; // the sphere vanishes
+    EXPECT_FALSE(certify_frame(frame.formula(Side::negative), frame.bounds, {.depth = 6}).betti);
+}
+
+TEST(CertifiedFrame, OfTheCatalogue) {
+    struct Named {
+        const char* name;
+        Betti betti;
+    };
+    for (const Named& named : {Named{"torus", {1, 1, 0}}, Named{"tangle", {1, 5, 0}},
+                               Named{"torus_quartic", {1, 1, 0}}}) {
+        const scene::Scene scene = scene_of(fmt::format("[surface]\nuse = '{}'\n", named.name));
+        const CertifiedFrame frame = certified(scene);
+        ASSERT_TRUE(frame.betti) << named.name << ": " << describe(frame);
+        EXPECT_EQ(*frame.betti, named.betti) << named.name;
+    }
+}
+
+TEST(CertifiedFrame, Superquadrics) {
+    for (double m : {2.0, 3.5, 6.0}) {
+        const CertifiedFrame frame = certified(
+            scene_of(fmt::format("[surface]\nuse = 'superquadric'\n[parameters]\nm = {}\n", m)));
+        ASSERT_TRUE(frame.betti) << m << ": " << describe(frame);
+        EXPECT_EQ(*frame.betti, (Betti{1, 0, 0})) << m;
+    }
+}
+
+TEST(CertifiedFrame, BlobbyFallsTogether) {
+    const scene::Scene scene = animated("blobby75");
+    for (const auto& [time, expected] :
+         {std::pair{0.0, Betti{75, 0, 0}}, std::pair{2.0, Betti{1, 0, 0}}}) {
+        const CertifiedFrame frame = certified(scene, time);
+        ASSERT_TRUE(frame.betti) << time << ": " << describe(frame);
+        EXPECT_EQ(*frame.betti, expected) << time;
+    }
+}
+
+// Frames of blobs that move, against fine grids. What isn't proved at this depth is beside an
+// event.
+TEST(CertifiedFrame, FramesAgreeWithGrids) {
+    int proved = 0;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const scene::Scene scene = scene_of(
+            fmt::format("[time]\nseed = {}\n[surface]\n"
+                        "formula = 'sum(blobs, exp(-12*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))) - 0.4'\n"
+                        "bounds = {{ sphere = 2.6 }}\n[arrays.blobs]\ncount = 8\n"
+                        "cx = '2.2*random(i, 0) - 1.1'\ncy = '2.2*random(i, 1) - 1.1'\n"
+                        "cz = '2.2*random(i, 2) - 1.1'\n",
+                        seed));
+        const CertifiedFrame frame = certified(scene, 0, {.depth = 8});
+        if (!frame.betti) continue;
+        ++proved;
+        const StillScene numbers(scene, 0);
+        const SignGrid grid =
+            frame_signs(*scene.surface.field, numbers.numbers, numbers.bounds, Side::positive, 160);
+        EXPECT_EQ(*frame.betti, betti(grid)) << "seed " << seed;
+    }
+    EXPECT_GE(proved, 3);
+}
+
+// Boxes hold what the field has at their points, with elements left out or not.
+TEST(FrameField, EnclosesValuesAndSlopes) {
+    const scene::Scene scene = animated("blobby75");
+    const StillScene frame(scene, 1.1);
+    formula::FieldEvaluator<double> field(*scene.surface.field);
+    FrameField boxes(frame.formula(Side::positive));
+    formula::Random random(3);
+    for (int trial = 0; trial < 200; ++trial) {
+        Elements near = boxes.everything();
+        SpaceBox at{{{-1.5, 1.5}, {-1.5, 1.5}, {-1.5, 1.5}}};
+        for (int halvings = 0; halvings < 9; ++halvings) {
+            for (auto& side : at) {
+                const double middle = mid(side);
+                side = random.below(2) ? formula::Interval(side.lo, middle)
+                                       : formula::Interval(middle, side.hi);
+            }
+            ValueAndGradient g;
+            boxes.over(near, {&at, 1}, {&g, 1});
+            boxes.tighten(near, {&at, 1}, {&g, 1});
+            near = boxes.nearer(near, at);
+            std::array<double, 3> p{};
+            for (std::size_t i = 0; i < 3; ++i) p[i] = random.in(at[i].lo, at[i].hi);
+            const double slack = 1e-9; // the reference is rounded
+            const double f = -field.value(frame.numbers, p);
+            EXPECT_TRUE(g.value.lo - slack <= f && f <= g.value.hi + slack);
+            const auto gradient = field.gradient(frame.numbers, p);
+            for (std::size_t i = 0; i < 3; ++i) {
+                EXPECT_TRUE(g.gradient[i].lo - slack <= -gradient[i] &&
+                            -gradient[i] <= g.gradient[i].hi + slack);
+            }
+        }
+        EXPECT_LT(near.bindings.arrays[0].count, 75);
+    }
+}
+
+// Asked in between, after little work each time.
+TEST(CertifiedFrame, StopsWhenAsked) {
+    const scene::Scene tangle =
+        still("x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8", "{ sphere = 4.4 }");
+    int asked = 0;
+    const CertifiedFrame whole = certified(tangle, 0, {.stopped = [&] { return ++asked < 0; }});
+    EXPECT_TRUE(whole.betti);
+    EXPECT_GE(asked, whole.boxes / 8 - 1);
+    const int times = asked;
+    for (const int after : {1, times / 4, times - 1}) {
+        asked = 0;
+        const CertifiedFrame some =
+            certified(tangle, 0, {.stopped = [&] { return ++asked > after; }});
+        EXPECT_FALSE(some.betti) << after;
+        EXPECT_EQ(some.why, "interrupted") << after;
+        EXPECT_EQ(asked, after + 1);
+    }
+}
+
+} // namespace
+} // namespace isomotion::topology

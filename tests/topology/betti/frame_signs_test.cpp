@@ -1,0 +1,76 @@
+// Frames on grids, and which side of a surface is the solid.
+#include "topology/betti/frame_signs.h"
+
+#include <gtest/gtest.h>
+
+#include "topology/scenes.h"
+#include "topology/solids.h"
+
+namespace isomotion::topology {
+namespace {
+
+struct Known {
+    const char* formula;
+    const char* bounds;
+    Side side;
+    Betti betti;
+};
+
+const Known known[] = {
+    {"x^2 + y^2 + z^2 - 1", "{ sphere = 1.5 }", Side::negative, {1, 0, 0}},
+    {"1 - x^2 - y^2 - z^2",
+     "{ box = [[-1.2, -1.2, -1.2], [1.2, 1.3, 1.4]] }",
+     Side::positive,
+     {1, 0, 0}},
+    {"(1 - sqrt(x^2 + y^2))^2 + z^2 - 0.16",
+     "{ box = [[-1.65, -1.65, -1.65], [1.65, 1.65, 1.65]] }",
+     Side::negative,
+     {1, 1, 0}},
+    // Eight blobs joined by twelve necks.
+    {"x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8",
+     "{ box = [[-2.5, -2.5, -2.5], [2.5, 2.5, 2.5]] }",
+     Side::negative,
+     {1, 5, 0}},
+    // A plane touches the bounds with both sides; the solid is capped.
+    {"x + 0.1", "{ sphere = 1 }", Side::negative, {1, 0, 0}},
+    {"x^2 - 0.25", "{ box = [[-1, -1, -1], [1, 1, 1]] }", Side::negative, {1, 0, 0}},
+    {"0.25 - x^2", "{ box = [[-1, -1, -1], [1, 1, 1]] }", Side::negative, {2, 0, 0}},
+};
+
+TEST(FrameSigns, Known) {
+    for (const Known& one : known) {
+        const scene::Scene scene = still(one.formula, one.bounds);
+        EXPECT_EQ(solid_side(scene), one.side) << one.formula;
+        const StillScene frame(scene, 0);
+        for (int threads : {1, 3}) {
+            const SignGrid grid = frame_signs(*scene.surface.field, frame.numbers, frame.bounds,
+                                              one.side, 60, threads);
+            EXPECT_EQ(betti(grid), one.betti) << one.formula;
+        }
+    }
+}
+
+TEST(FrameSigns, TheSameForAnyNumberOfThreads) {
+    const scene::Scene scene = still("sin(5*x) + sin(6*y) + sin(7*z) - 0.3", "{ sphere = 2 }");
+    const StillScene frame(scene, 0);
+    const auto signs = [&](int threads) {
+        return frame_signs(*scene.surface.field, frame.numbers, frame.bounds, Side::negative, 70,
+                           threads);
+    };
+    EXPECT_EQ(signs(1), signs(4));
+}
+
+TEST(FrameSigns, BlobbyFallsTogether) {
+    const scene::Scene scene = animated("blobby75");
+    EXPECT_EQ(solid_side(scene), Side::positive);
+    for (const auto& [time, expected] :
+         {std::pair{0.0, Betti{75, 0, 0}}, std::pair{2.0, Betti{1, 0, 0}}}) {
+        const StillScene frame(scene, time);
+        const SignGrid grid =
+            frame_signs(*scene.surface.field, frame.numbers, frame.bounds, Side::positive, 96);
+        EXPECT_EQ(betti(grid), expected) << time;
+    }
+}
+
+} // namespace
+} // namespace isomotion::topology

@@ -1,0 +1,107 @@
+#include "base/document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/input_error.h"
+
+namespace isomotion::base {
+namespace {
+
+using testing::ElementsAre;
+
+Document json(const std::string& text) { return Document::from_json(text, "a.json"); }
+Document toml(const std::string& text) { return Document::from_toml(text, "a.toml"); }
+
+// What the reading of a document says.
+template<class Read> std::string mistake(const Document& document, Read&& read) {
+    try {
+        DocumentTable table = document.table();
+        read(table);
+        table.refuse_rest();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "none";
+}
+
+std::string refused_json(const std::string& text) {
+    try {
+        json(text);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "none";
+}
+
+TEST(Document, GivesWhatIsWritten) {
+    for (const Document& document :
+         {json(R"({"b": 1.5, "a": {"d": [1, "x"], "c": true}, "n": 9007199254740993})"),
+          toml("b = 1.5\nn = 9007199254740993\n[a]\nd = [1, 'x']\nc = true\n")}) {
+        DocumentTable root = document.table();
+        EXPECT_EQ(root.at("b").number(), 1.5);
+        EXPECT_EQ(root.at("n").whole(), 9007199254740993);
+        DocumentTable a = root.at("a").table();
+        EXPECT_TRUE(a.at("c").boolean());
+        const auto list = a.at("d").list(2);
+        EXPECT_EQ(list[0].integer(1, 1), 1);
+        EXPECT_EQ(list[1].text(), "x");
+        EXPECT_FALSE(root.find("none"));
+        EXPECT_NO_THROW(root.refuse_rest());
+    }
+}
+
+TEST(Document, KeepsTheOrderOfJson) {
+    const Document document = json(R"({"b": 1, "a": 2, "c": 3})");
+    DocumentTable root = document.table();
+    std::vector<std::string> keys;
+    for (const DocumentNode& each : root.all()) keys.push_back(root.key_of(each));
+    EXPECT_THAT(keys, ElementsAre("b", "a", "c"));
+}
+
+TEST(Document, SaysWhereAMistakeIs) {
+    const Document from_toml = toml("[a]\nb = [1,\n2,\n'x']\n");
+    const auto numbers = [](DocumentTable& root) {
+        DocumentTable a = root.at("a").table();
+        for (const DocumentNode& each : a.at("b").list()) each.number();
+    };
+    EXPECT_EQ(mistake(from_toml, numbers), "a.toml:4: a.b[2]: must be a number");
+    EXPECT_EQ(mistake(json(R"({"a": {"b": [1, "x"]}})"), numbers),
+              "a.json: a.b[1]: must be a number");
+    const auto nothing = [](DocumentTable&) {};
+    EXPECT_EQ(mistake(json("[]"), nothing), "a.json: must be an object, in { }");
+    EXPECT_EQ(mistake(json("{}"), [](DocumentTable& root) { root.at("b"); }),
+              "a.json: has no key 'b', which it needs");
+    const auto radius = [](DocumentTable& root) { root.find("radius"); };
+    EXPECT_EQ(mistake(json(R"({"radus": 1})"), radius),
+              "a.json: unknown key 'radus'; did you mean 'radius'?");
+    EXPECT_EQ(mistake(json(R"({"x": 1})"), radius), "a.json: unknown key 'x'; known: radius");
+}
+
+TEST(Document, NumbersAreInTheirRange) {
+    const auto read = [](const std::string& text, auto&& get) {
+        return mistake(json("{\"a\": " + text + "}"),
+                       [&](DocumentTable& root) { get(root.at("a")); });
+    };
+    const auto small = [](const DocumentNode& node) { node.integer(-2, 5); };
+    EXPECT_EQ(read("-2", small), "none");
+    for (const char* text : {"6", "-3", "1.5", "1e0", "99999999999", "18446744073709551615"}) {
+        EXPECT_EQ(read(text, small), "a.json: a: must be a whole number from -2 to 5") << text;
+    }
+    const auto whole = [](const DocumentNode& node) { node.whole(); };
+    EXPECT_EQ(read("-9223372036854775808", whole), "none");
+    EXPECT_EQ(read("9223372036854775807", whole), "none");
+    EXPECT_EQ(read("9223372036854775808", whole), "a.json: a: must be a whole number");
+}
+
+TEST(Document, MalformedTextIsRefused) {
+    EXPECT_EQ(refused_json(R"({"a": 1, "b": {"a": 2}, "a": 3})"),
+              "a.json: a: is given twice; keep one of them");
+    EXPECT_THAT(refused_json("{"), testing::StartsWith("a.json: not valid JSON: parse error"));
+    EXPECT_THROW(toml("a = 1\na = 2\n"), InputError);
+    EXPECT_THROW(toml("a = " + std::string(100'000, '[')), InputError);
+    EXPECT_THROW(toml("a = 2020-01-01"), InputError);
+}
+
+} // namespace
+} // namespace isomotion::base
