@@ -31,7 +31,7 @@ struct Budget {
     int evaluations = 20'000; // of the field, for one ray
     // The shortest pieces that are told from zero, in footprints: where the sign is unknown at an
     // end of them, and where it is known at both.
-    static constexpr double narrow = 0x1p-5, narrowest = 0x1p-20;
+    double narrow = 0x1p-5, narrowest = 0x1p-20;
     double bracket = 1e-3; // width of a hit's enclosure, in footprints
 };
 

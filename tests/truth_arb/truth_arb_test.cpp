@@ -78,7 +78,7 @@ protected:
         , programs(formula::enclosure_programs(scene.field()))
         , rays(programs, scene.at.bindings)
         , finder(programs, scene.at)
-        , patient_finder(programs, scene.at, {.narrow = 0x1p-30}) {}
+        , patient_finder(programs, scene.at, {.narrow = 0x1p-30, .narrowest = 0x1p-30}) {}
 
     void check(const truth::Tube& tube, const FirstRoot& root) {
         bool proven = true;
