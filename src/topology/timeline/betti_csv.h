@@ -1,4 +1,4 @@
-// NAME.betti.csv: what an independent program's frames can be held against.
+// NAME.betti.csv: Betti numbers to compare an independent program's frames with.
 #pragma once
 
 #include <string>
