@@ -23,7 +23,7 @@ public:
     Still at(formula::Interval time) const;
 
     CertifiedFrame certify(double time, const FrameLimits& limits = {}) const;
-    // Of these events, by time. Refer to this.
+    // For the kinds of these events, ordered by time. The proofs refer to this scene.
     KindProofs proofs(std::vector<Event> events, const PathOptions& seeking = {},
                       const FrameLimits& limits = {}) const;
 

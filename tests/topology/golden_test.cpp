@@ -56,7 +56,7 @@ TEST_P(Golden, IsProvedAgainInBalls) {
     const ArbVerifier proof(scene, solid_side(scene), timeline.range);
     for (const Event& event : timeline.events) {
         EXPECT_TRUE(event.is_proved_again);
-        EXPECT_EQ(proof.ask(event), ArbVerifier::Answer::holds) << event.time.lo;
+        EXPECT_EQ(proof.verify(event), ArbVerifier::Answer::holds) << event.time.lo;
     }
 }
 

@@ -1,7 +1,7 @@
-// Ways down a field from its saddles to its minima, in doubles.
+// Paths down a field from its saddles to its minima, in doubles.
 //
-// A proof of the way is to follow, so it need not be the gradient's own: where the field is convex
-// Newton's method is faster.
+// Each is proved afterwards, so it need not follow the gradient: where the field is convex Newton's
+// method is faster.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,12 @@
 
 namespace isomotion::topology {
 
-// Where ways may go. Of the region outside of the bounds a way has reached its end.
+// Where paths may go. A path that leaves the bounds has reached its end.
 struct Domain {
     SpaceBox box;
-    bool is_solid = true;                              // ways stay inside of the bounds
+    bool is_solid = true;                              // paths stay inside of the bounds
     std::function<bool(const SpacePoint&)> is_inside;  // the bounds
-    std::function<bool(const SpacePoint&)> is_outside; // of the bounds, for certain
+    std::function<bool(const SpacePoint&)> is_outside; // certainly out of the bounds
     double longest = 0.03;                             // step, as a part of the box
 };
 
@@ -29,19 +29,19 @@ struct DescentPath {
 
 struct Start {
     SpacePoint from;
-    SpacePoint direction; // a unit vector; 0: down the slope
+    SpacePoint direction; // a unit vector; 0: down the gradient
 };
 
 // Each by steps over which H falls.
 std::vector<DescentPath> descent_paths(PointField& field, const Domain& domain,
                                        std::span<const Start> starts);
 
-// A saddle and its two ways.
+// A saddle and the two paths down from it.
 struct SaddleConnection {
     double height = 0; // H there
     std::array<DescentPath, 2> paths;
 };
-// Of saddles along the direction that H bends down in; of other points along a given one.
+// Saddles are left along the direction of least curvature, other points along a given one.
 std::vector<SaddleConnection> saddle_connections(PointField& field, const Domain& domain,
                                                  std::span<const SpacePoint> saddles);
 std::vector<SaddleConnection> saddle_connections(PointField& field, const Domain& domain,

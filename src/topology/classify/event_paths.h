@@ -2,8 +2,8 @@
 // own time, and proved.
 //
 // The components of {H < 0} are the minima below 0, joined by the saddles of index 1 below 0, each
-// of which joins those that its two descending ways end in (Morse). So the sides of an event are
-// joined where its own two ways end in one minimum, or in two that other saddles join.
+// of which joins those that its two descending paths end in (Morse). So the sides of an event are
+// joined where its own two paths end in one minimum, or in two that other saddles join.
 #pragma once
 
 #include <functional>
@@ -33,7 +33,7 @@ public:
     // Refers to the pieces. Events by time; of one that is not all in one piece nothing is known.
     EventPaths(std::span<const TimedFormula> pieces, std::vector<Event> events);
 
-    // Of the events at these positions.
+    // Answers for the events at these positions.
     std::vector<Sides> seek(std::span<const std::size_t> which, const PathOptions& how);
 
 private:

@@ -1,5 +1,5 @@
-// What the events of a timeline do: the kinds of index and direction alone don't tell, and Betti
-// numbers between events.
+// Finds the kinds of events that index and direction leave open, and the Betti numbers between
+// events.
 //
 // Index and direction leave two kinds for events of index 1 and 2. A proved path between the two
 // sides of the saddle says that it is the one that changes b1 ("path"). The others are counted
@@ -17,7 +17,7 @@
 namespace isomotion::topology {
 
 struct KindProofs {
-    // Of the events at these positions, with an effort of 0 to 2.
+    // Seeks paths for the events at these positions, with an effort of 0 to 2.
     std::function<std::vector<Sides>(std::span<const std::size_t> which, int effort)> paths{};
     // Proved Betti numbers at a time without an event; may be missing, or fail.
     std::function<std::optional<Betti>(double time)> frame{};
@@ -33,8 +33,8 @@ struct KindProofs {
 void find_kinds(Timeline& timeline, const KindProofs& proofs);
 
 // Kinds of those events that are forced by the Betti numbers before the first and after the last.
-// Of events at one time, which have no order, as many are of each kind as these say, the first ones
-// of those that change b0 or b2. False if no kinds agree with them.
+// Events at one time have no order: they get as many of each kind as these numbers say, and the
+// first ones get the kind that changes b0 or b2. False if no kinds agree with the numbers.
 bool count_kinds(std::span<Event> events, const Betti& before, const Betti& after);
 
 } // namespace isomotion::topology

@@ -1,5 +1,5 @@
-// Minima joined by passes: the part of a field's Morse complex that says which places below a level
-// are connected (Edelsbrunner, Harer and Zomorodian 2003).
+// Minima joined by saddle connections: the part of a field's Morse complex that says which places
+// below a level are connected (Edelsbrunner, Harer and Zomorodian 2003).
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace isomotion::topology {
 
-// Down a way, over passes, up another way.
+// Down a path, over saddles, up another path.
 struct Route {
     static constexpr std::size_t none = std::size_t(-1);
     std::vector<SpacePoint> points;
-    std::vector<std::size_t> over; // of each point, which pass it belongs to, or none
+    std::vector<std::size_t> over; // the connection each point belongs to, or none
 };
 
 class MorseGraph {
@@ -28,7 +28,7 @@ public:
     // No route is over it from now on.
     void close(std::size_t connection) { is_closed_[connection] = true; }
 
-    // Between the ends of two ways, over passes as low as can be; empty if there is none.
+    // Joins the ends of two paths over saddles as low as can be; empty if nothing joins them.
     std::optional<Route> route(const DescentPath& from, const DescentPath& to);
 
     // Where there is no route: from minima that are joined to one of the ends, the one with fewer
@@ -47,8 +47,8 @@ private:
     double same_;
     std::vector<SaddleConnection> connections_;
     std::vector<bool> is_closed_;
-    std::vector<std::array<int, 2>> ends_; // of each pass
-    std::vector<SpacePoint> minima_;       // of node 1 and up; 0 is all that is outside
+    std::vector<std::array<int, 2>> ends_; // of each connection
+    std::vector<SpacePoint> minima_;       // nodes 1 and up; node 0 is all that is outside
 };
 
 } // namespace isomotion::topology

@@ -26,12 +26,12 @@ std::vector<std::vector<SpacePoint>> saddles_at_events(const FieldAt& field,
                                                        const SpaceBox& box,
                                                        const std::function<bool()>& stopped = {});
 
-// Those with H < 0 that Newton's method gets to from these points, over `most` at most; empty where
-// it doesn't.
+// The saddles with H < 0 that Newton's method gets to from these points, over `most` at most; empty
+// where it doesn't.
 std::vector<std::optional<SpacePoint>>
 saddles_near(PointField& field, std::span<const SpacePoint> points, double size, double most);
 
-// From so many seeds in the box.
+// Saddles that Newton's method gets to from so many seeds in the box.
 std::vector<SpacePoint> saddles_from_seeds(PointField& field, const SpaceBox& box, int seeds);
 
 // Adds those of `more` that are not there yet.

@@ -1,7 +1,7 @@
 // F over boxes of n unknowns, with its derivatives, in intervals.
 //
-// Of sums over an array only the elements that matter in a box are evaluated; what the others add
-// to each sum is enclosed once, for a box, and holds for all boxes in it (Elements).
+// A sum is evaluated over those elements alone that matter in a box. What the others add to it is
+// enclosed once, for that box, and holds for all boxes in it (Elements).
 #pragma once
 
 #include <span>
@@ -39,11 +39,11 @@ private:
 
     struct Culling {
         int array = 0;             // whose elements are left out
-        std::vector<int> fields;   // of the array, that terms depend on
+        std::vector<int> fields;   // columns of the array that terms depend on
         formula::Program terms;    // inputs: all of the field's, then fields; one element's part of
                                    // each sum
         std::size_t first_sum = 0; // position among the sums of all arrays
-        std::vector<char> is_first_order; // of each sum: F or its gradient has it
+        std::vector<char> is_first_order; // whether F or its gradient has the sum
     };
 
     Culling culling(formula::Graph& graph, std::span<const formula::NodeId> sums,
@@ -74,11 +74,11 @@ public:
     }
 
     const Elements& all() const { return all_; }
-    // Those of `from` that matter in the box, which `from` must hold for: of which some term is
-    // more than `negligible` times the largest such term.
+    // Keeps the elements of which some term over the box is more than `negligible` times the
+    // largest term of its sum. `from` must hold for the box.
     Elements near(const Box& box, const Elements& from, double negligible);
-    // Those of which a term of F or of its gradient changes in the box, by more than `negligible`
-    // times the size of all such terms.
+    // Keeps the elements of which some term of F or of its gradient changes in the box by more than
+    // `negligible` times the size of all terms of its sum.
     Elements changing(const Box& box, const Elements& from, double negligible);
 
     void values(const Elements& elements, std::span<const Box> boxes,
@@ -105,7 +105,7 @@ private:
     const BoxField& field_;
     Elements all_;
     formula::Evaluator<formula::Interval> value_, gradient_, jet_;
-    std::vector<formula::Evaluator<formula::Interval>> terms_; // of each culling
+    std::vector<formula::Evaluator<formula::Interval>> terms_; // one for each culling
     std::vector<std::vector<formula::Interval>> inputs_, outputs_;
 };
 

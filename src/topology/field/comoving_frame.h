@@ -1,5 +1,5 @@
-// Coordinates that drift with a moving surface: where parts of it move, boxes that move along hold
-// the same part for longer, and fewer of them fill the search.
+// Coordinates that move with a surface: a box that moves along holds the same part of the surface
+// for longer, so that a search takes fewer boxes.
 //
 // x = p (1 + (t - from) growth) + (t - from) by, for points p that rest in the new coordinates. At
 // each time that is a similarity, so a surface has the same critical points in both, of the same
@@ -18,7 +18,7 @@ struct ComovingFrame {
     double growth = 0;
 
     bool rests() const { return by == std::array<double, 3>{} && growth == 0; }
-    // Of coordinate k.
+    // Coordinate k, from one frame to the other.
     template<class T> T x(std::size_t k, T p, T t) const {
         const T since = t - T(from);
         return p * (T(1.0) + since * T(growth)) + since * T(by[k]);

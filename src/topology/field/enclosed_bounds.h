@@ -9,11 +9,11 @@ namespace isomotion::topology {
 struct EnclosedBounds {
     scene::Bounds::Shape shape = scene::Bounds::Shape::sphere;
     SpaceBox low{}, high{}; // the box's walls; of a sphere, the box around it
-    SpaceBox centre{};      // of a sphere, as its radius
+    SpaceBox centre{};      // for a sphere, as is the radius
     formula::Interval radius{};
 };
 
-// Those of one moment, taken for exact.
+// Takes the bounds of one time for exact.
 inline EnclosedBounds enclosed(const scene::BoundsAt& bounds) {
     EnclosedBounds exact{.shape = bounds.shape, .radius = bounds.radius};
     for (std::size_t i = 0; i < 3; ++i) {

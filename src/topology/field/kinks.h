@@ -1,11 +1,11 @@
-// Where slopes jump: second derivatives are enclosed by slopes of slopes only where none does.
+// Where gradients jump. Elsewhere slopes of slopes enclose the second derivatives.
 #pragma once
 
 #include "formula/graph/graph.h"
 
 namespace isomotion::topology {
 
-// What to add to slopes of slopes of `root`: 0 over a box without a kink of min, max and select,
+// A term to add to slopes of slopes of `root`: 0 over a box without a kink of min, max and select,
 // without bounds over others. Slopes over a box hold across these kinks, but slopes of those slopes
 // don't. At the ends of sqrt, asin and acos nothing need be added: slopes of slopes are quotients
 // 0/0 there, which have no bounds.

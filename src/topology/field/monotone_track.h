@@ -1,4 +1,4 @@
-// One track as a function of time: the times at which it has a value.
+// One track as a function of time, in pieces that rise or fall: the times at which it has a value.
 #pragma once
 
 #include <vector>

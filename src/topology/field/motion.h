@@ -40,7 +40,7 @@ struct Motion {
 struct Motions {
     std::vector<Motion> pieces;   // one, or one between each two knots of the animation
     std::vector<double> jumps;    // times at which the surface is not continuous
-    std::optional<Motion> at_end; // of the range's end alone, if it jumps there: what is after
+    std::optional<Motion> at_end; // the surface after a jump at the range's very end
     // Spans of time in which the bounds may hold nothing. Ascending.
     std::vector<formula::Interval> collapses;
     std::vector<std::string> doubts; // what the expressions don't tell
@@ -48,7 +48,7 @@ struct Motions {
 
 enum class Clock { time, track_if_one };
 
-// Of the scene's surface while the time is in `range`.
+// The motions of the scene's surface while the time is in `range`.
 Motions motions(const scene::Scene& scene, Side side, formula::Interval range,
                 Clock clock = Clock::track_if_one);
 

@@ -17,10 +17,10 @@ using formula::Node;
 using formula::NodeId;
 using formula::Op;
 
-NodeId drifting(Graph& g, const ComovingFrame& drift, std::size_t k, NodeId p, NodeId clock) {
-    const NodeId since = g.subtract(clock, g.constant(drift.from));
-    const NodeId scale = g.add(g.constant(1), g.multiply(since, g.constant(drift.growth)));
-    return g.add(g.multiply(p, scale), g.multiply(since, g.constant(drift.by[k])));
+NodeId from_rest(Graph& g, const ComovingFrame& frame, std::size_t k, NodeId p, NodeId clock) {
+    const NodeId since = g.subtract(clock, g.constant(frame.from));
+    const NodeId scale = g.add(g.constant(1), g.multiply(since, g.constant(frame.growth)));
+    return g.add(g.multiply(p, scale), g.multiply(since, g.constant(frame.by[k])));
 }
 
 // The largest parts of the roots that depend on coordinates and are linear in the clock. Not so
@@ -88,9 +88,9 @@ std::vector<Stratum> strata_of_box() {
     return strata;
 }
 
-MovingField::MovingField(const Motion& motion, const Stratum& stratum, const ComovingFrame& drift)
+MovingField::MovingField(const Motion& motion, const Stratum& stratum, const ComovingFrame& frame)
     : stratum_(stratum)
-    , comoving_(drift)
+    , comoving_(frame)
     , variables_(stratum.dimension() + 1)
     , bindings_(motion.bindings) {
     Graph g = motion.graph;
@@ -112,7 +112,7 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Com
         high[k] = of_clock(motion.high[k]);
         if (stratum.axes[k] == Stratum::End::free) {
             stands_for[k] = g.input(int(free_axes.size()));
-            if (!drift.rests()) stands_for[k] = drifting(g, drift, k, stands_for[k], clock);
+            if (!frame.rests()) stands_for[k] = from_rest(g, frame, k, stands_for[k], clock);
             free_axes.push_back(k);
         } else {
             stands_for[k] = stratum.axes[k] == Stratum::End::low ? low[k] : high[k];
@@ -132,8 +132,8 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Com
     Graph lowered = g;
     numbers_ = formula::schedule(lowered, formula::lower(lowered, jet));
 
-    if (!drift.rests()) jet = between_ends(g, jet);
-    over_boxes_ = BoxField(g, jet, {n, !drift.rests()}, d);
+    if (!frame.rests()) jet = between_ends(g, jet);
+    over_boxes_ = BoxField(g, jet, {n, !frame.rests()}, d);
 
     std::vector<NodeId> conditions;
     for (std::size_t k = 0; k < d; ++k) {
@@ -170,8 +170,8 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Com
         }
         return ends;
     }());
-    // Of coordinates that drift there is more to be had from short times.
-    const int times = drift.rests() ? 1 : 64;
+    // Coordinates that move have tighter domains over short times.
+    const int times = frame.rests() ? 1 : 64;
     formula::Evaluator<Interval> evaluator(corners);
     std::vector<Interval> ends(2 * d);
     double from = motion.clock.lo;
@@ -185,7 +185,7 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Com
         evaluator.point({}, at, ends);
         for (std::size_t k = 0; k < d; ++k) {
             Interval side{ends[2 * k].lo, ends[2 * k + 1].hi};
-            if (!drift.rests()) side = drift.p(k, side, at[d]);
+            if (!frame.rests()) side = frame.p(k, side, at[d]);
             domain_[k] = time == 1 ? side : hull(domain_[k], side);
         }
     }
@@ -197,7 +197,7 @@ Interval MovingField::x(const Box& box, std::size_t k) const {
 }
 
 // A function that is linear in the clock takes values between those at the clock's ends, whatever
-// else it depends on. So x - c of an x that drifts and a c that moves is known as well as if
+// else it depends on. So x - c of an x that moves along and a c that moves is known as well as if
 // neither moved: no enclosure by parts would know.
 std::vector<NodeId> MovingField::between_ends(Graph& graph, std::span<const NodeId> roots) const {
     const int clock = dimension();

@@ -4,7 +4,7 @@
 // A stratum of the bounds is its inside, a face, an edge or a corner: there the coordinates that
 // are not free follow the bounds, and F is a function of those that are, and of the clock.
 // Everything below is about these variables: x, y, z without the fixed ones, then the clock. Where
-// all three are free they may drift with the surface (ComovingFrame): then it is about their places
+// all three are free they may move with the surface (ComovingFrame): then it is about their places
 // at rest.
 #pragma once
 
@@ -35,7 +35,7 @@ std::vector<Stratum> strata_of_box();
 
 class MovingField {
 public:
-    MovingField(const Motion& motion, const Stratum& stratum, const ComovingFrame& drift = {});
+    MovingField(const Motion& motion, const Stratum& stratum, const ComovingFrame& frame = {});
 
     int variables() const { return variables_; }
     int dimension() const { return variables_ - 1; }

@@ -17,7 +17,7 @@ public:
     explicit TimedFormula(const Motion& motion);
 
     formula::Interval clock() const { return clock_; }
-    // Of x, y, z; at any time but for its bindings, which are those of the clock's middle.
+    // A formula of x, y, z for any time. Its bindings are those of the clock's middle.
     const SpaceFormula& formula() const { return formula_; }
     // For all times of the enclosure.
     formula::Bindings<formula::Interval> bindings(formula::Interval time) const;

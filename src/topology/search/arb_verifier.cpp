@@ -237,7 +237,7 @@ bool ArbVerifier::may_hold(const System& system, const Event& event) {
                Answer::fails;
 }
 
-ArbVerifier::Answer ArbVerifier::ask(const System& system, const Event& event, long precision) {
+ArbVerifier::Answer ArbVerifier::verify(const System& system, const Event& event, long precision) {
     const std::size_t n = system.unknowns.size();
     const auto enclosure = [&](std::size_t k) {
         const std::size_t unknown = system.unknowns[k];
@@ -298,7 +298,7 @@ ArbVerifier::Answer ArbVerifier::ask(const System& system, const Event& event, l
     return index == event.index && (by_time < 0) == event.grows ? Answer::holds : Answer::fails;
 }
 
-ArbVerifier::Answer ArbVerifier::ask(const Event& event) const {
+ArbVerifier::Answer ArbVerifier::verify(const Event& event) const {
     bool is_somewhere = false, fails_everywhere = true;
     for (const System& system : systems_) {
         if (!may_hold(system, event)) continue;
@@ -306,7 +306,7 @@ ArbVerifier::Answer ArbVerifier::ask(const Event& event) const {
         Answer answer = Answer::open;
         for (long bits = first_precision; bits <= last_precision && answer == Answer::open;
              bits *= 2) {
-            answer = ask(system, event, bits);
+            answer = verify(system, event, bits);
         }
         if (answer == Answer::holds) return answer;
         fails_everywhere = fails_everywhere && answer == Answer::fails;
@@ -319,12 +319,13 @@ void prove_again(Timeline& timeline, const ArbVerifier& proof, const VerifyOptio
     struct Caches { // of a thread
         ~Caches() { flint_cleanup(); }
     };
-    const auto ask = [&] {
+    const auto verify_one = [&] {
         return [&, caches = Caches{}](std::size_t k) {
-            if (timeline.events[k].is_proved) answers[k] = proof.ask(timeline.events[k]);
+            if (timeline.events[k].is_proved) answers[k] = proof.verify(timeline.events[k]);
         };
     };
-    base::share({.count = answers.size(), .threads = how.threads, .stopped = how.stopped}, ask);
+    base::share({.count = answers.size(), .threads = how.threads, .stopped = how.stopped},
+                verify_one);
     for (std::size_t k = 0; k < answers.size(); ++k) {
         Event& event = timeline.events[k];
         event.is_proved_again = answers[k] == ArbVerifier::Answer::holds;

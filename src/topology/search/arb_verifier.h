@@ -22,15 +22,15 @@ namespace isomotion::topology {
 
 class ArbVerifier {
 public:
-    // Of the scene's events in `range`.
+    // Verifies the scene's events in `range`.
     ArbVerifier(const scene::Scene& scene, Side side, formula::Interval range);
 
-    // That the event's enclosure of place and time holds exactly one point where the surface is
-    // singular along the stratum, that F has the event's index there, and that it falls where the
-    // event grows.
+    // `holds`: the event's enclosure of place and time holds exactly one point where the surface is
+    // singular along the stratum, F has the event's index there, and it falls where the event
+    // grows.
     enum class Answer { holds, open, fails };
-    // From any thread.
-    Answer ask(const Event& event) const;
+    // May be called from any thread.
+    Answer verify(const Event& event) const;
 
 private:
     // One piece of the motion in one stratum.
@@ -43,7 +43,7 @@ private:
         const formula::Bindings<double>* bindings;
     };
     static System system(const Motion& motion, const Stratum& stratum);
-    static Answer ask(const System& system, const Event& event, long precision);
+    static Answer verify(const System& system, const Event& event, long precision);
     static bool may_hold(const System& system, const Event& event);
     static Answer on_walls(const System& system, const Event& event, const ball::Ball& time,
                            long precision);
@@ -57,8 +57,8 @@ struct VerifyOptions {
     std::function<bool()> stopped{}; // from any thread
 };
 
-// Asks of all proved events: Event::is_proved_again where it holds. One of which it fails is not
-// proved any more, and a doubt says so.
+// Verifies all proved events and sets Event::is_proved_again where that holds. Events that it
+// refutes lose `is_proved`, and a doubt says so.
 void prove_again(Timeline& timeline, const ArbVerifier& proof, const VerifyOptions& how = {});
 
 } // namespace isomotion::topology

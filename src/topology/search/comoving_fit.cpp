@@ -18,8 +18,8 @@ constexpr double worth_it = 0.5;
 // The space may grow or shrink by this much to either end of the clock's range, so that it never
 // turns inside out.
 constexpr double most_growth = 0.75;
-// Of what the surface moves in all, as a part of the domain: drifts are told in such steps. What is
-// at rest but for rounding then rests.
+// Velocities are rounded to such a part of the domain over the whole range, so that what is at rest
+// but for rounding rests.
 constexpr double step = 0x1p-5;
 
 double rounded(double rate, double unit) { return std::round(rate / unit) * unit; }
@@ -77,12 +77,12 @@ ComovingFrame fit_comoving_frame(const MovingField& field) {
         explained += fit[j] * right[j];
     }
     if (!(explained >= worth_it * change)) return {};
-    ComovingFrame drift;
-    drift.from = mid(domain[d]);
-    for (std::size_t k = 0; k < d; ++k) drift.by[k] = rounded(fit[k], step * size / range);
+    ComovingFrame frame;
+    frame.from = mid(domain[d]);
+    for (std::size_t k = 0; k < d; ++k) frame.by[k] = rounded(fit[k], step * size / range);
     const double most = 2 * most_growth / range;
-    drift.growth = std::clamp(rounded(fit[d], step / range), -most, most);
-    return drift;
+    frame.growth = std::clamp(rounded(fit[d], step / range), -most, most);
+    return frame;
 }
 
 MovingField comoving_field(const Motion& motion, const Stratum& stratum) {

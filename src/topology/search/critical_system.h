@@ -7,7 +7,7 @@
 
 namespace isomotion::topology {
 
-// What the left sides are.
+// The left sides.
 template<class T> std::array<T, most_variables> residual(const Jet<T>& jet, std::size_t n) {
     std::array<T, most_variables> f{};
     f[0] = jet.value;
@@ -27,7 +27,8 @@ std::array<std::array<T, most_variables>, most_variables> jacobian(const Jet<T>&
     return rows;
 }
 
-// What Newton's method takes from the variables; empty where the derivatives are singular, nearly.
+// The step that Newton's method subtracts from the variables; empty where the derivatives are
+// nearly singular.
 inline std::optional<Point> newton_step(const Jet<double>& jet, std::size_t n) {
     const auto y = inverse(jacobian(jet, n), int(n));
     if (!y) return std::nullopt;

@@ -14,7 +14,7 @@
 namespace isomotion::topology {
 
 struct TrackOptions {
-    int seeds = 1 << 16; // of all moments together
+    int seeds = 1 << 16; // for all moments together
     int moments = 64;
     int threads = 1;                        // the result doesn't depend on it
     std::function<bool()> stopped{};        // asked often, from any thread

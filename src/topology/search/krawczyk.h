@@ -17,7 +17,7 @@ using IntervalMatrix = std::array<std::array<formula::Interval, most_variables>,
 
 // The inverse of the first n rows and columns, nearly; empty if it is singular, nearly.
 std::optional<Matrix> inverse(const Matrix& matrix, int n);
-// That of the middle of each entry: a Y. Empty where one has no bounds, too.
+// The inverse of the entries' middles: a Y. Empty also where an entry has no bounds.
 std::optional<Matrix> middle_inverse(const IntervalMatrix& slopes, int n);
 
 struct Krawczyk {

@@ -24,7 +24,7 @@ struct SearchOptions {
     std::function<void(double)> progress{}; // part of the domain that is done; see SharedLoop
 };
 
-// What ended a box.
+// The test that ended a box.
 enum class Test {
     known,    // inside the box of a point that was found
     place,    // outside of the bounds

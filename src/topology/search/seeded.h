@@ -9,7 +9,7 @@
 namespace isomotion::topology {
 
 struct SeedOptions {
-    int seeds = 1 << 16; // of a stratum with all coordinates free; fewer where there are fewer
+    int seeds = 1 << 16; // for a stratum with all coordinates free, and fewer for others
     int threads = 1;     // the result doesn't depend on it
     std::function<bool()> stopped{};        // asked often, from any thread
     std::function<void(double)> progress{}; // part of the seeds that is done; see SharedLoop

@@ -1,4 +1,4 @@
-// NAME.betti.csv: a table that an independent program's frames can be compared with.
+// NAME.betti.csv: Betti numbers to compare an independent program's frames with.
 #pragma once
 
 #include <string>

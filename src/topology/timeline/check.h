@@ -1,4 +1,4 @@
-// What came of holding a timeline against an expectation.
+// The result of comparing a timeline with an expectation.
 #pragma once
 
 #include <string>

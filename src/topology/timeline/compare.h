@@ -1,4 +1,4 @@
-// Compares two timelines: finds events that are missing, new, moved or of another kind.
+// Compares two timelines: events that are missing, new, moved or of another kind.
 #pragma once
 
 #include "topology/timeline/check.h"

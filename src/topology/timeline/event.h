@@ -1,4 +1,4 @@
-// What happens to the topology of a moving surface, and when: the events of an animation in order.
+// The events of an animation in order: what happens to the topology of its surface, and when.
 //
 // The solid is where F has the sign that it doesn't have on the bounds (solid.h); below it is {F <
 // 0} and for the other sign F is -F. An event is a point (x, y, z, t) with F = 0 and grad F = 0:
@@ -53,11 +53,11 @@ struct Event {
     int index = 0;                          // of F along the stratum
     bool grows = false;
     Kind kind = Kind::unknown;
-    // That it exists, its index and direction; and that it is alone in the box of coordinates and
-    // clock that it was found in, of which `time` and `where` are a hull: these may hold more.
+    // Its existence, index and direction are proved, and that it is alone in the box of coordinates
+    // and clock that it was found in. `time` and `where` are a hull of that box and may hold more.
     bool is_proved = false;
-    // That it exists and is alone in `time` and `where`, its index and direction: in another
-    // arithmetic (arb_verifier.h).
+    // In another arithmetic (arb_verifier.h): its existence, index and direction are proved, and
+    // that it is alone in `time` and `where`.
     bool is_proved_again = false;
     // How the kind is known: "index", "path", "counting", "frames"; empty if it isn't. "together":
     // only how many events of its moment are of this kind is known, not that this one is.
@@ -92,7 +92,7 @@ struct Timeline {
     std::vector<Unresolved> unresolved; // by time
     std::optional<Betti> start, end;    // of the solid
     bool start_is_proved = false, end_is_proved = false;
-    bool is_proved = false;          // that no event is missing (Events::is_proved and kinds apart)
+    bool is_proved = false; // no event is missing; each event says whether it is proved itself
     std::vector<std::string> doubts; // failed consistency checks and interruptions, in words
     // Everything: no event missing, each proved and its kind known, both ends proved, no doubts.
     bool is_complete() const;

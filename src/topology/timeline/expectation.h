@@ -18,7 +18,7 @@
 
 namespace isomotion::topology {
 
-// That one of the solid's Betti numbers is `value` at all these frames.
+// Claims that one of the solid's Betti numbers is `value` at all these frames.
 struct BettiClaim {
     std::string key; // "components.5..9"
     int Betti::*number = &Betti::components;

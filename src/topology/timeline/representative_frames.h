@@ -1,4 +1,4 @@
-// The few frames of an animation that tell most of its topology.
+// The few frames of an animation that show most of its topology.
 #pragma once
 
 #include <vector>

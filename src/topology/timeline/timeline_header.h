@@ -1,4 +1,4 @@
-// What a timeline is a timeline of.
+// Identity of the analysed scene.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct TimelineHeader {
     bool operator==(const TimelineHeader&) const = default;
 };
 
-// A timeline and what it is of: what a file holds.
+// A timeline with the identity of its scene, as a file holds it.
 struct TimelineRecord {
     TimelineHeader header;
     Timeline timeline;

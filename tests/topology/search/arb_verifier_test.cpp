@@ -61,16 +61,16 @@ protected:
 TEST_P(SecondProofs, HoldOfAllEvents) {
     ASSERT_FALSE(timeline.events.empty());
     for (const Event& event : timeline.events)
-        EXPECT_EQ(proof.ask(event), Answer::holds) << testing::PrintToString(event);
+        EXPECT_EQ(proof.verify(event), Answer::holds) << testing::PrintToString(event);
 }
 
 TEST_P(SecondProofs, FailOfAnotherIndexOrDirection) {
     for (Event event : timeline.events) {
         event.grows = !event.grows;
-        EXPECT_EQ(proof.ask(event), Answer::fails);
+        EXPECT_EQ(proof.verify(event), Answer::fails);
         event.grows = !event.grows;
         event.index = event.index == 0 ? 1 : event.index - 1;
-        EXPECT_EQ(proof.ask(event), Answer::fails);
+        EXPECT_EQ(proof.verify(event), Answer::fails);
     }
 }
 
@@ -82,7 +82,7 @@ TEST_P(SecondProofs, FailOfABoxBesideTheEvent) {
             Interval& side = k < 3 ? moved.where[k] : moved.time;
             const double by = std::max(2 * (side.hi - side.lo), 1e-15 * magnitude(side));
             side = side + Interval(by);
-            const Answer answer = proof.ask(moved);
+            const Answer answer = proof.verify(moved);
             const auto where = [&] {
                 return fmt::format("side {} of ", k) + testing::PrintToString(event);
             };
@@ -113,7 +113,7 @@ TEST(ArbVerifier, DoesNotHoldOfABoxAroundTwo) {
             if (both.stratum < 3 || next.stratum < 3) continue; // perhaps on two faces
             both.time = hull(both.time, next.time);
             for (std::size_t i = 0; i < 3; ++i) both.where[i] = hull(both.where[i], next.where[i]);
-            EXPECT_NE(proof.ask(both), Answer::holds);
+            EXPECT_NE(proof.verify(both), Answer::holds);
             ++asked;
         }
     }
@@ -132,9 +132,9 @@ TEST(ArbVerifier, FailsWhereTheWallIsElsewhereAtTheTime) {
         ++on_walls;
         // Wide in time, so that the wall passes by; it isn't there at the event.
         event.time = {event.time.lo - 1e-3, event.time.hi + 1e-3};
-        EXPECT_EQ(proof.ask(event), Answer::holds);
+        EXPECT_EQ(proof.verify(event), Answer::holds);
         event.where[2] = event.where[2] + Interval(1e-4);
-        EXPECT_EQ(proof.ask(event), Answer::fails);
+        EXPECT_EQ(proof.verify(event), Answer::fails);
     }
     EXPECT_GT(on_walls, 0);
 }
@@ -147,7 +147,7 @@ TEST(ArbVerifier, OfADegeneratePointIsOpen) {
     event.time = {0.5 - 1e-9, 0.5 + 1e-9};
     event.where.fill({-1e-9, 1e-9});
     event.index = 1;
-    EXPECT_EQ(proof.ask(event), Answer::open);
+    EXPECT_EQ(proof.verify(event), Answer::open);
 }
 
 TEST(ArbVerifier, MakesADoubtOfWhatFails) {
