@@ -39,7 +39,8 @@ std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, in
     add_values({double(now.bounds.shape == scene::Bounds::Shape::box), now.bounds.radius,
                 place.scale, camera.fov, camera.height, camera.zoom,
                 double(camera.projection == scene::Camera::Projection::orthographic), double(width),
-                double(height), double(budget.evaluations), budget.narrow, budget.narrowest, budget.bracket});
+                double(height), double(budget.evaluations), budget.narrow, budget.narrowest,
+                budget.bracket});
     return print.text();
 }
 

@@ -7,10 +7,10 @@
 
 #include "base/file.h"
 #include "gallery/animations.h"
-#include "unit/image/compare.h"
 #include "image/decode.h"
 #include "image/encode.h"
 #include "render/drawing.h"
+#include "unit/image/compare.h"
 
 namespace isomotion::render {
 namespace {

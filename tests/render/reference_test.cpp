@@ -4,10 +4,10 @@
 // Pixels on a silhouette may fall to either side on another processor: the software renderer makes
 // its code for the one it runs on.
 #include "base/file.h"
-#include "unit/image/compare.h"
 #include "image/decode.h"
 #include "image/encode.h"
 #include "render/drawing.h"
+#include "unit/image/compare.h"
 
 #include <cstdlib>
 
