@@ -12,6 +12,7 @@
 #include "app/commands.h"
 #include "app/progress.h"
 #include "base/file.h"
+#include "base/printable.h"
 #include "sequence/manifest.h"
 #include "sequence/names/sequence_name.h"
 #include "sequence/verification.h"
@@ -71,6 +72,11 @@ void tell(const sequence::Verification& found) {
         if (frames.empty()) return;
         fmt::print("  {}: {} ({})\n", what, frames.size(), animation::frame_range(frames));
     };
+    if (sequence.provenance.version != ISOMOTION_VERSION) {
+        fmt::print("  made by isomotion {}: --resume by {} draws its frames again, as versions may "
+                   "differ in pixels\n",
+                   base::printable(sequence.provenance.version), ISOMOTION_VERSION);
+    }
     list("missing", found.missing);
     list("truncated or changed", found.changed);
     list("foreign, without a record", found.unrecorded);

@@ -208,7 +208,8 @@ private:
     bool is_finished(const PendingFrame& pending) {
         const int frame = pending.frame;
         const auto record = manifest_ ? find_record(manifest_->folder(), frame) : std::nullopt;
-        const FrameStatus status = frame_status(name_.path(frame), record, pending.fingerprint);
+        const FrameStatus status =
+            frame_status(name_.path(frame), record, pending.fingerprint, ISOMOTION_VERSION);
         totals_.found[status].push_back(frame);
         if (status != FrameStatus::whole) return false;
         if (record->provenance != sequence_.provenance) { // of a changed scene, as it was here

@@ -20,11 +20,13 @@ bool has_the_bytes(const fs::path& file, const FrameRecord& record) {
 } // namespace
 
 FrameStatus frame_status(const fs::path& file, const std::optional<FrameRecord>& record,
-                         std::string_view fingerprint) {
+                         std::string_view fingerprint, std::string_view version) {
     std::error_code error;
     if (!fs::exists(file, error)) return FrameStatus::missing;
     if (!record) return FrameStatus::foreign;
-    if (record->fingerprint != fingerprint) return FrameStatus::stale;
+    if (record->fingerprint != fingerprint) {
+        return record->provenance.version == version ? FrameStatus::stale : FrameStatus::outdated;
+    }
     return has_the_bytes(file, *record) ? FrameStatus::whole : FrameStatus::changed;
 }
 

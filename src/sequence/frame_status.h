@@ -13,17 +13,21 @@ namespace isomotion::sequence {
 enum class FrameStatus {
     whole,
     missing,
-    changed, // since it was recorded: cut off, or other bytes
-    stale,   // recorded with another fingerprint
-    foreign, // nobody recorded it
+    changed,  // since it was recorded: cut off, or other bytes
+    stale,    // recorded with another fingerprint
+    outdated, // the same, by another version of the program
+    foreign,  // nobody recorded it
 };
-inline constexpr std::array status_names{"whole", "missing", "truncated or changed",
-                                         "of other settings", "foreign"};
+inline constexpr std::array status_names{
+    "whole",  "missing", "truncated or changed", "of other settings", "of another version",
+    "foreign"};
 
 constexpr std::string_view name(FrameStatus status) { return status_names[std::size_t(status)]; }
 
-// By its record and the hash of its bytes; neither dates nor what the file says of itself count.
+// Goes by its record and the hash of its bytes; neither dates nor what the file says of itself
+// count. `version` is that of the program that would draw it.
 FrameStatus frame_status(const std::filesystem::path& file,
-                         const std::optional<FrameRecord>& record, std::string_view fingerprint);
+                         const std::optional<FrameRecord>& record, std::string_view fingerprint,
+                         std::string_view version);
 
 } // namespace isomotion::sequence

@@ -49,7 +49,7 @@ bool has_the_pixels(const fs::path& file, const FrameRecord& record) {
 
 void look_at(int frame, const fs::path& file, bool pixels, Verification& found) {
     const auto record = find_record(found.manifest, frame);
-    switch (frame_status(file, record, record ? record->fingerprint : "")) {
+    switch (frame_status(file, record, record ? record->fingerprint : "", ISOMOTION_VERSION)) {
     case FrameStatus::missing:
         found.missing.push_back(frame);
         return;
@@ -58,6 +58,7 @@ void look_at(int frame, const fs::path& file, bool pixels, Verification& found) 
         return;
     case FrameStatus::changed:
     case FrameStatus::stale:
+    case FrameStatus::outdated:
         found.changed.push_back(frame);
         return;
     case FrameStatus::whole:

@@ -85,11 +85,31 @@ TEST_F(Information, ShowTellsTheStage) {
     EXPECT_THAT(told({"show", "sphere.toml"}), HasSubstr("\nstage     fragment\n"));
     const Words by_compute{"show", "sphere.toml", "--stage", "compute"};
     EXPECT_THAT(told(by_compute), HasSubstr("\nstage     compute\n"));
-    EXPECT_THAT(told({"show", "sphere.toml", "--stage", "compute", "--shader"}),
-                StartsWith("#version 430 core\n"));
+    EXPECT_THAT(told({"show", "sphere.toml", "--stage", "compute", "--pass", "march"}),
+                HasSubstr("\n// ----- compute shader\n#version 430 core\n"));
     const Ending ending = run({"show", "sphere.toml", "--stage", "auto"});
     EXPECT_EQ(ending.code, 2) << ending;
     EXPECT_THAT(ending.err, HasSubstr("show one of fragment, compute"));
+}
+
+// A plain scene is drawn by these passes and, where they are too few, by others.
+TEST_F(Information, ShowPrintsThePassesThatFramesRunInOrder) {
+    const std::string all = told({"show", "sphere.toml", "--shader"});
+    std::size_t before = 0;
+    for (const char* name : {"beams of 8 pixels", "mask", "fused"}) {
+        const std::size_t at = all.find(fmt::format("// ===== pass '{}', once a tile\n", name));
+        ASSERT_NE(at, all.npos) << name;
+        EXPECT_GE(at, before);
+        before = at;
+    }
+    EXPECT_THAT(all, HasSubstr("// not printed: pass 'march', where one draw is too few"));
+    EXPECT_THAT(all, Not(HasSubstr("// ===== pass 'march'")));
+    const std::string march = told({"show", "sphere.toml", "--pass", "march"});
+    EXPECT_THAT(march, HasSubstr("// shaders/march/march_pixel.glsl"));
+    EXPECT_THAT(march, Not(HasSubstr("pass 'fused'")));
+    const Ending ending = run({"show", "sphere.toml", "--pass", "marhc"});
+    EXPECT_EQ(ending.code, 2) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("it has 'beams of 8 pixels', 'mask', 'fused', 'march'"));
 }
 
 // A frame changes uniforms only.

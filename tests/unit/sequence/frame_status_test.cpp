@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 class FrameStatusTest : public Recorded {
 protected:
     FrameStatus of(const FrameRecord& record) const {
-        return frame_status(file_, record, record.fingerprint);
+        return frame_status(file_, record, record.fingerprint, "0.1.0");
     }
     const FrameRecord record_ = write(1);
     const fs::path file_ = name().path(1);
@@ -44,11 +44,13 @@ TEST_F(FrameStatusTest, DatesDoNotCount) {
 }
 
 TEST_F(FrameStatusTest, TellsWhy) {
-    EXPECT_EQ(frame_status(file_, record_, "another"), FrameStatus::stale);
-    EXPECT_EQ(frame_status(file_, {}, record_.fingerprint), FrameStatus::foreign);
+    EXPECT_EQ(frame_status(file_, record_, "another", "0.1.0"), FrameStatus::stale);
+    EXPECT_EQ(frame_status(file_, record_, "another", "0.2.0"), FrameStatus::outdated);
+    EXPECT_EQ(frame_status(file_, record_, record_.fingerprint, "0.2.0"), FrameStatus::whole);
+    EXPECT_EQ(frame_status(file_, {}, record_.fingerprint, "0.1.0"), FrameStatus::foreign);
     fs::remove(file_);
     EXPECT_EQ(of(record_), FrameStatus::missing);
-    EXPECT_EQ(frame_status(file_, {}, "x"), FrameStatus::missing);
+    EXPECT_EQ(frame_status(file_, {}, "x", "0.1.0"), FrameStatus::missing);
     fs::create_directory(file_);
     EXPECT_EQ(of(record_), FrameStatus::changed);
 }

@@ -46,6 +46,8 @@ cx = "i/n"
 cy = [1, 2, 3, 4, 5]
 k = 3
 w = 1
+[[lights]]
+direction = [1, 0, 0]
 [material]
 color = [1, 0, 0]
 )";
