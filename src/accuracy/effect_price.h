@@ -5,12 +5,12 @@
 
 #include "gpu/context.h"
 #include "render/stage.h"
-#include "scene/effect.h"
+#include "synthesis/effect.h"
 
 namespace isomotion::accuracy {
 
 struct EffectPrice {
-    scene::Effect effect;
+    synthesis::Effect effect;
     double with = 0, without = 0; // ms per frame, medians
     double price = 0;             // ms: the median of the differences of paired runs
 };

@@ -79,7 +79,7 @@ int price_effects(const AccuracyArguments& arguments) {
     const int frame = arguments.frames.empty()
                           ? scene.output.poster
                           : animation::parse_frame_range(arguments.frames).front();
-    if (scene::effects(scene).empty()) {
+    if (synthesis::effects(scene).empty()) {
         fmt::print("{} calls for no effect\n", scene.title);
         return exit_done;
     }
@@ -92,7 +92,7 @@ int price_effects(const AccuracyArguments& arguments) {
                context->info().renderer, context->info().version);
     fmt::print("{:<18}{:>10}{:>12}{:>12}\n", "effect", "with ms", "without ms", "price ms");
     for (const accuracy::EffectPrice& price : prices) {
-        fmt::print("{:<18}{:>10.2f}{:>12.2f}{:>12.2f}\n", scene::name(price.effect), price.with,
+        fmt::print("{:<18}{:>10.2f}{:>12.2f}{:>12.2f}\n", synthesis::name(price.effect), price.with,
                    price.without, price.price);
     }
     return exit_done;

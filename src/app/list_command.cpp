@@ -3,7 +3,7 @@
 
 #include "app/commands.h"
 #include "scene/data_folder.h"
-#include "scene/effect.h"
+#include "synthesis/effect.h"
 #include "scene/method.h"
 #include "scene/reading/load.h"
 
@@ -18,7 +18,7 @@ int list(const std::string& what) {
         return exit_done;
     }
     if (what == "effects") {
-        for (const auto& effect : scene::effect_names) {
+        for (const auto& effect : synthesis::effect_traits()) {
             fmt::print("{:<16} {}\n", effect.name, effect.summary);
         }
         return exit_done;

@@ -6,7 +6,7 @@
 #include "app/commands.h"
 #include "base/printable.h"
 #include "render/stage.h"
-#include "scene/effect.h"
+#include "synthesis/effect.h"
 #include "scene/reading/load.h"
 #include "scene/scene_at.h"
 #include "synthesis/assemble.h"
@@ -115,7 +115,7 @@ int show(const ShowArguments& arguments) {
         fmt::print("    {:<28} {} elements\n", array.name, values.arrays[a].count);
     }
     std::vector<std::string_view> called;
-    for (const scene::Effect effect : scene::effects(scene)) called.push_back(scene::name(effect));
+    for (const synthesis::Effect effect : synthesis::effects(scene)) called.push_back(synthesis::name(effect));
     fmt::print("effects   {}\n",
                called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
     fmt::print("stage     {}\n", render::name(passes.stage));

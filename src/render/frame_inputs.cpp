@@ -4,9 +4,8 @@
 #include <span>
 #include <variant>
 
-#include "render/effect_uniforms.h"
 #include "render/light_beams.h"
-#include "synthesis/proof_text.h"
+#include "synthesis/effect.h"
 
 namespace isomotion::render {
 namespace {
@@ -27,7 +26,7 @@ void add(base::Fingerprint& print, const ViewInputs& view) {
     print.add_values(std::span<const glm::vec4>(beams));
 }
 
-void add(base::Fingerprint& print, const Uniforms& uniforms) {
+void add(base::Fingerprint& print, const synthesis::Uniforms& uniforms) {
     for (const auto& [name, value] : uniforms) {
         print.add(name);
         std::visit(
@@ -108,7 +107,7 @@ PictureInputs picture_inputs(const scene::Scene& scene, const scene::SceneAt& no
     inputs.eye = view_inputs(scene, now, width, height, aim, passes, &element_radius);
     inputs.field = field_inputs(scene, now, passes);
     inputs.shading = shading_block(scene, now, width, height);
-    inputs.effects = effect_uniforms(scene, now);
+    inputs.effects = synthesis::effect_uniforms(scene, now);
     if (passes.light_beams != 0) {
         inputs.lights = light_inputs(scene, now, passes, layout.light_pixels);
     }

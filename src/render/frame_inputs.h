@@ -17,10 +17,10 @@
 #include "render/element_radius.h"
 #include "render/motion.h"
 #include "render/proof_rays.h"
-#include "render/uniform.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
 #include "synthesis/pass.h"
+#include "synthesis/uniform.h"
 
 namespace isomotion::render {
 
@@ -55,7 +55,7 @@ struct PictureInputs {
     ViewInputs eye;
     FieldInputs field;
     std::vector<glm::vec4> shading; // block Shading
-    Uniforms effects;
+    synthesis::Uniforms effects;
     std::vector<LightInputs> lights;
     std::optional<ProofRays> proofs;
     std::optional<MotionInputs> motion;

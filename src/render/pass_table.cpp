@@ -21,8 +21,8 @@ gpu::Program compiled(const synthesis::Pass& pass) {
                : gpu::Program(pass.vertex, pass.text, pass.name);
 }
 
-void set_on(const gpu::Program& program, const Uniforms& uniforms) {
-    for (const Uniform& uniform : uniforms) {
+void set_on(const gpu::Program& program, const synthesis::Uniforms& uniforms) {
+    for (const synthesis::Uniform& uniform : uniforms) {
         std::visit(
             [&](const auto& value) {
                 using Value = std::decay_t<decltype(value)>;
@@ -83,7 +83,7 @@ bool PassTable::is_compiled(synthesis::Role role) const {
     return pass && programs_[std::size_t(pass - passes_.list.data())];
 }
 
-void PassTable::set(const Uniforms& uniforms) {
+void PassTable::set(const synthesis::Uniforms& uniforms) {
     uniforms_ = uniforms;
     for (const auto& program : programs_) {
         if (program) set_on(*program, uniforms_);

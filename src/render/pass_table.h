@@ -15,8 +15,8 @@
 #include "gpu/draw.h"
 #include "gpu/program.h"
 #include "gpu/target.h"
-#include "render/uniform.h"
 #include "synthesis/pass.h"
+#include "synthesis/uniform.h"
 
 namespace isomotion::render {
 
@@ -32,7 +32,7 @@ public:
     bool is_compiled(synthesis::Role role) const;
 
     // Gives these uniforms to every program, those compiled later included.
-    void set(const Uniforms& uniforms);
+    void set(const synthesis::Uniforms& uniforms);
 
     // Textures that the passes read by these names: "state_texture" has the numbers 0 and up.
     void bind(std::string_view sampler, const gpu::Texture& texture) const;
@@ -79,7 +79,7 @@ private:
     std::vector<std::optional<gpu::Program>> programs_; // as in passes_.list
     Numbers units_, bindings_;
     std::map<std::string, const gpu::UniformBuffer*, std::less<>> bound_;
-    Uniforms uniforms_; // as set last
+    synthesis::Uniforms uniforms_; // as set last
     gpu::Fullscreen triangle_;
 };
 

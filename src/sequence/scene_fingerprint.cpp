@@ -1,7 +1,7 @@
 #include "sequence/scene_fingerprint.h"
 
 #include "base/fingerprint.h"
-#include "scene/effect.h"
+#include "synthesis/effect.h"
 #include "scene/source_print.h"
 
 namespace isomotion::sequence {
@@ -40,7 +40,7 @@ std::string scene_fingerprint(const scene::Scene& scene) {
     print.add(animation::to_string(scene.timeline.fps)).add(std::to_string(animation.seed()));
     for (const animation::Track& track : animation.tracks()) scene::add(print, track);
     for (const animation::Array& array : animation.arrays()) scene::add(print, array);
-    for (const scene::Effect effect : scene::effects(scene)) print.add(scene::name(effect));
+    for (const synthesis::Effect effect : synthesis::effects(scene)) print.add(synthesis::name(effect));
     print.add(std::to_string(int(scene.surface.bounds.shape)));
     add(print, scene.isolation);
     add_numbers(print, {double(scene.camera.projection), scene.camera.shutter});

@@ -5,6 +5,7 @@
 #include "formula/linear_sum.h"
 #include "scene/method_domain.h"
 #include "synthesis/beam_text.h"
+#include "synthesis/effect.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/march_text.h"
 #include "synthesis/proof_text.h"

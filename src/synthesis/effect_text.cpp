@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "synthesis/effect.h"
 #include "synthesis/shader_files.h"
 
 namespace isomotion::synthesis {
@@ -68,14 +69,6 @@ std::string mirrored(const scene::Scene& scene) {
 
 } // namespace
 
-bool keeps_surfaces(const scene::Scene& scene) {
-    const bool more_light = std::any_of(scene.lights.begin(), scene.lights.end(),
-                                        [](const auto& l) { return l.is_point || l.shadow; });
-    return more_light || scene.material.model != scene::Material::Model::lambert ||
-           scene.environment || scene.output.gradient || scene.ground || scene.fog ||
-           scene.occlusion || scene.material.reflection != Reflection::none;
-}
-
 int shadow_mask(const scene::Scene& scene) {
     int mask = 0;
     for (std::size_t k = 0; k < scene.lights.size(); ++k) mask |= int(scene.lights[k].shadow) << k;
@@ -99,29 +92,19 @@ void add_shading(ShaderText& text, const scene::Scene& scene) {
     const Reflection reflection = scene.material.reflection;
     const bool has_shadows = shadow_mask(scene) != 0;
     add_lights(text, scene);
-    switch (scene.material.model) {
-    case scene::Material::Model::lambert:
+    if (scene.material.model == scene::Material::Model::lambert) {
         text.file("effects/brdf_lambert.glsl");
-        break;
-    case scene::Material::Model::blinn_phong:
-        for (const auto& kernel : kernel_files({"pow"})) text.file(kernel);
-        text.file("effects/brdf_blinn_phong.glsl");
-        break;
-    case scene::Material::Model::ggx:
-        text.file("effects/brdf_ggx.glsl");
-        break;
     }
-    if (scene.environment) {
-        for (const auto& kernel : kernel_files({"atan"})) text.file(kernel);
-        text.file("effects/environment.glsl");
+    for (const Effect effect : effects(scene)) {
+        const EffectTraits& row = traits(effect);
+        if (!row.kernel.empty()) {
+            for (const auto& file : kernel_files({std::string(row.kernel)})) text.file(file);
+        }
+        if (!row.file.empty()) text.file(fmt::format("effects/{}.glsl", row.file));
     }
     text.file(scene.environment && scene.environment->background ? "effects/sky_environment.glsl"
               : scene.output.gradient                            ? "effects/sky_gradient.glsl"
                                                                  : "effects/sky_flat.glsl");
-    if (has_shadows) text.file("effects/shadow_mask.glsl");
-    if (scene.occlusion) text.file("effects/occlusion.glsl");
-    if (scene.fog) text.file("effects/fog.glsl");
-    if (reflection == Reflection::self) text.file("effects/load_mirrored.glsl");
 
     std::string glue = scene.ground ? "uniform vec4 ground_color;\n" : "";
     glue += lit(scene, "lit", true);

@@ -7,8 +7,6 @@
 
 namespace isomotion::synthesis {
 
-// Whether anything of this is needed.
-bool keeps_surfaces(const scene::Scene& scene);
 // A bit for each light that casts shadows.
 int shadow_mask(const scene::Scene& scene);
 int far_lights(const scene::Scene& scene);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "synthesis/beam_text.h"
+#include "synthesis/effect.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/paint_text.h"
 

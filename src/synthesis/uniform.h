@@ -7,7 +7,7 @@
 
 #include <glm/glm.hpp>
 
-namespace isomotion::render {
+namespace isomotion::synthesis {
 
 using UniformValue = std::variant<int, float, glm::vec2, glm::vec3, glm::vec4, glm::ivec2,
                                   glm::ivec3, std::vector<glm::vec4>>;
@@ -19,4 +19,4 @@ struct Uniform {
 
 using Uniforms = std::vector<Uniform>;
 
-} // namespace isomotion::render
+} // namespace isomotion::synthesis

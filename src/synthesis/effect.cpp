@@ -1,0 +1,169 @@
+#include "synthesis/effect.h"
+
+#include <algorithm>
+#include <array>
+
+namespace isomotion::synthesis {
+namespace {
+
+using scene::Light, scene::Scene, scene::SceneAt;
+using Model = scene::Material::Model;
+using Reflection = scene::Material::Reflection;
+
+bool any_light(const Scene& scene, bool Light::*has) {
+    return std::any_of(scene.lights.begin(), scene.lights.end(),
+                       [&](const Light& light) { return light.*has; });
+}
+
+void add(Uniforms& to, const char* name, const glm::dvec3& v, double w = 0) {
+    to.push_back({name, glm::vec4(glm::dvec4(v, w))});
+}
+void add_vector(Uniforms& to, const char* name, const glm::dvec3& v) {
+    to.push_back({name, glm::vec3(v)});
+}
+
+void add_gloss(const Scene&, const SceneAt& now, Uniforms& to) {
+    to.push_back({"gloss", glm::vec4(now.gloss)});
+}
+void become_matt(Scene& scene) { scene.material.model = Model::lambert; }
+
+const std::array table{
+    EffectTraits{Effect::point_lights, "point-lights", "lights.position: lights at a place",
+                 [](const Scene& s) { return any_light(s, &Light::is_point); },
+                 [](Scene& s) {
+                     // As many lights, from over the viewer's shoulder.
+                     for (Light& light : s.lights) {
+                         light.headlight |= light.is_point;
+                         light.is_point = false;
+                     }
+                 },
+                 true},
+    EffectTraits{Effect::shadows, "shadows", "lights.shadow = true: rays to the lights",
+                 [](const Scene& s) { return any_light(s, &Light::shadow); },
+                 [](Scene& s) {
+                     for (Light& light : s.lights) light.shadow = false;
+                 },
+                 true, "", "shadow_mask"},
+    EffectTraits{Effect::blinn_phong, "blinn-phong", "material.model: a highlight",
+                 [](const Scene& s) { return s.material.model == Model::blinn_phong; }, become_matt,
+                 true, "pow", "brdf_blinn_phong", add_gloss},
+    EffectTraits{Effect::ggx, "ggx", "material.model: from plastic to metal",
+                 [](const Scene& s) { return s.material.model == Model::ggx; }, become_matt, true,
+                 "", "brdf_ggx", add_gloss},
+    EffectTraits{Effect::two_sides, "two-sides",
+                 "material.back_color: a colour for the side where F < 0",
+                 [](const Scene& s) { return s.material.inside.has_value(); },
+                 [](Scene& s) { s.material.inside.reset(); }, false, "", "",
+                 [](const Scene&, const SceneAt& now, Uniforms& to) {
+                     add(to, "inside_color", now.inside_color);
+                 }},
+    EffectTraits{Effect::paint, "paint", "material.colormap: colours by an expression",
+                 [](const Scene& s) { return s.material.paint.has_value(); },
+                 [](Scene& s) { s.material.paint.reset(); }, false, "", "",
+                 [](const Scene& s, const SceneAt& now, Uniforms& to) {
+                     to.push_back({"paint_range", glm::vec2(now.paint_range)});
+                     // Where it is not asked for, it would tell still frames apart.
+                     if (s.material.paint->value->uses("t")) {
+                         to.push_back({"paint_time", float(now.time)});
+                     }
+                 }},
+    EffectTraits{Effect::mirror, "mirror", "material.reflection = \"sky\": mirrors what is around",
+                 [](const Scene& s) { return s.material.reflection == Reflection::sky; },
+                 [](Scene& s) { s.material.reflection = Reflection::none; }, true},
+    EffectTraits{Effect::self_reflection, "self-reflection",
+                 "material.reflection = \"self\": and the surface itself, by a second ray",
+                 [](const Scene& s) { return s.material.reflection == Reflection::self; },
+                 [](Scene& s) { s.material.reflection = Reflection::sky; }, true, "",
+                 "load_mirrored"},
+    EffectTraits{Effect::occlusion, "occlusion",
+                 "[occlusion]: less light from around where something is near",
+                 [](const Scene& s) { return s.occlusion.has_value(); },
+                 [](Scene& s) { s.occlusion.reset(); }, true, "", "occlusion",
+                 [](const Scene&, const SceneAt& now, Uniforms& to) {
+                     add(to, "occlusion",
+                         {now.occlusion.reach / now.placement.scale, now.occlusion.strength, 0});
+                 }},
+    EffectTraits{Effect::ground, "ground", "[ground]: a plane",
+                 [](const Scene& s) { return s.ground.has_value(); },
+                 [](Scene& s) { s.ground.reset(); }, true, "", "",
+                 [](const Scene&, const SceneAt& now, Uniforms& to) {
+                     // In double: the ground may be far from the world's origin and near the
+                     // surface.
+                     const scene::PlacementAt& place = now.placement;
+                     add(to, "ground_plane", glm::transpose(place.rotate) * glm::dvec3(0, 0, 1),
+                         (place.translate.z - now.ground.height) / place.scale);
+                     add(to, "ground_color", now.ground.color);
+                 }},
+    EffectTraits{Effect::fog, "fog", "[fog]: fades with the distance",
+                 [](const Scene& s) { return s.fog.has_value(); }, [](Scene& s) { s.fog.reset(); },
+                 true, "", "fog",
+                 [](const Scene&, const SceneAt& now, Uniforms& to) {
+                     add(to, "fog", {now.fog.density, now.fog.start, now.placement.scale});
+                     add(to, "fog_color", now.fog.color);
+                 }},
+    EffectTraits{Effect::environment, "environment", "[environment]: a map of what is around",
+                 [](const Scene& s) { return s.environment.has_value(); },
+                 [](Scene& s) { s.environment.reset(); }, true, "atan", "environment",
+                 [](const Scene&, const SceneAt& now, Uniforms& to) {
+                     const glm::dmat3 to_local = glm::transpose(now.placement.rotate);
+                     add_vector(to, "environment_ahead", to_local * now.environment->ahead);
+                     add_vector(to, "environment_left", to_local * now.environment->left);
+                     add_vector(to, "environment_top", to_local * now.environment->top);
+                     to.push_back({"environment_intensity", float(now.environment->intensity)});
+                 }},
+    EffectTraits{Effect::gradient, "gradient", "output.background = { top, bottom }",
+                 [](const Scene& s) { return s.output.gradient.has_value(); },
+                 [](Scene& s) { s.output.gradient.reset(); }, true, "", "",
+                 [](const Scene& s, const SceneAt&, Uniforms& to) {
+                     const auto& [top, bottom] = *s.output.gradient;
+                     add_vector(to, "sky_top", {top[0], top[1], top[2]});
+                     add_vector(to, "sky_bottom", {bottom[0], bottom[1], bottom[2]});
+                 }},
+    EffectTraits{Effect::samples, "samples",
+                 "output.samples: a frame is the mean of pictures, smooth edges",
+                 [](const Scene& s) { return s.output.samples > 1; },
+                 [](Scene& s) { s.output.samples = 1; }},
+    EffectTraits{Effect::motion_blur, "motion-blur",
+                 "camera.shutter: at times while the shutter is open",
+                 [](const Scene& s) { return s.camera.shutter > 0; },
+                 [](Scene& s) { s.camera.shutter = 0; }},
+    EffectTraits{Effect::depth_of_field, "depth-of-field",
+                 "camera.aperture: from points of the lens",
+                 [](const Scene& s) { return s.camera.aperture.has_value(); },
+                 [](Scene& s) { s.camera.aperture.reset(); }},
+};
+
+} // namespace
+
+std::span<const EffectTraits> effect_traits() { return table; }
+
+const EffectTraits& traits(Effect effect) { return table[std::size_t(effect)]; }
+
+std::vector<Effect> effects(const Scene& scene) {
+    std::vector<Effect> found;
+    for (const EffectTraits& row : table) {
+        if (row.is_called(scene)) found.push_back(row.effect);
+    }
+    return found;
+}
+
+Scene without(Effect effect, Scene scene) {
+    traits(effect).drop(scene);
+    return scene;
+}
+
+bool keeps_surfaces(const Scene& scene) {
+    return std::any_of(table.begin(), table.end(), [&](const EffectTraits& row) {
+        return row.keeps_surfaces && row.is_called(scene);
+    });
+}
+
+Uniforms effect_uniforms(const Scene& scene, const SceneAt& now) {
+    Uniforms uniforms;
+    for (const EffectTraits& row : table) {
+        if (row.add_uniforms && row.is_called(scene)) row.add_uniforms(scene, now, uniforms);
+    }
+    return uniforms;
+}
+
+} // namespace isomotion::synthesis

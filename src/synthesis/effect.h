@@ -1,0 +1,64 @@
+// The effects that a scene may call for, a row each. An effect is its row, its keys of a scene file
+// (scene/reading) and its files of shaders/effects/: what a scene does not name is neither compiled
+// nor run.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene_at.h"
+#include "synthesis/uniform.h"
+
+namespace isomotion::synthesis {
+
+enum class Effect {
+    point_lights,
+    shadows,
+    blinn_phong,
+    ggx,
+    two_sides,
+    paint,
+    mirror,
+    self_reflection,
+    occlusion,
+    ground,
+    fog,
+    environment,
+    gradient,
+    samples,
+    motion_blur,
+    depth_of_field,
+};
+
+struct EffectTraits {
+    Effect effect;
+    std::string_view name;
+    std::string_view summary; // with the key that calls for it
+    bool (*is_called)(const scene::Scene&);
+    // Changes a scene as if it did not call for it.
+    void (*drop)(scene::Scene&);
+    // Whether it needs to be kept where rays ended: further rays or the light start there.
+    bool keeps_surfaces = false;
+    // A kernel of shaders/math/ that its part of the shade pass calls, and the file of
+    // shaders/effects/ which that is; each may be empty.
+    std::string_view kernel = {}, file = {};
+    // Adds its values at a time, by the names that its files declare; or null.
+    void (*add_uniforms)(const scene::Scene&, const scene::SceneAt&, Uniforms&) = nullptr;
+};
+
+// All of them, in the order of the enumeration.
+std::span<const EffectTraits> effect_traits();
+const EffectTraits& traits(Effect effect);
+inline std::string_view name(Effect effect) { return traits(effect).name; }
+
+// The effects that a scene calls for, in that order.
+std::vector<Effect> effects(const scene::Scene& scene);
+// The scene as if it did not call for the effect.
+scene::Scene without(Effect effect, scene::Scene scene);
+// Whether any that it calls for needs where rays ended.
+bool keeps_surfaces(const scene::Scene& scene);
+// The plain uniforms of what it calls for.
+Uniforms effect_uniforms(const scene::Scene& scene, const scene::SceneAt& now);
+
+} // namespace isomotion::synthesis
