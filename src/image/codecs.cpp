@@ -12,11 +12,13 @@ namespace {
 
 constexpr const char* module_file = "isomotion_codecs.so";
 
+// The entry has the version in its name: a program built against other headers finds none.
+//
 // The loader finds it by the run path of the program, which CMake gives to those that link this
 // library. It is never closed: what it throws and the threads of OpenImageIO live on.
 const Codecs* loaded() {
     void* const library = ::dlopen(module_file, RTLD_NOW | RTLD_LOCAL);
-    void* const entry = library ? ::dlsym(library, "isomotion_codecs") : nullptr;
+    void* const entry = library ? ::dlsym(library, ISOMOTION_CODECS_ENTRY) : nullptr;
     if (!entry) {
         throw std::runtime_error(fmt::format("pictures cannot be read or written: {}; it comes "
                                              "with isomotion, in lib/isomotion",

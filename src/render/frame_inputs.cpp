@@ -42,6 +42,19 @@ void add(base::Fingerprint& print, const synthesis::Uniforms& uniforms) {
     }
 }
 
+// Where a surface and a camera are: what velocities are differences of.
+void add_places(base::Fingerprint& print, const scene::SceneAt& at) {
+    const auto& [translate, rotate, scale] = at.placement;
+    const scene::CameraAt& camera = at.camera;
+    for (const glm::dvec3& v :
+         {translate, rotate[0], rotate[1], rotate[2], camera.position, camera.target, camera.up}) {
+        add_value(print, v);
+    }
+    for (const double number : {scale, camera.fov, camera.height, camera.zoom}) {
+        add_value(print, number);
+    }
+}
+
 FieldInputs field_inputs(const scene::Scene& scene, const scene::SceneAt& at,
                          const synthesis::Passes& passes) {
     FieldInputs field{parameter_block(passes, at), {}};
@@ -68,9 +81,13 @@ ViewInputs view_inputs(const scene::Scene& scene, const scene::SceneAt& now, int
 
 void PictureInputs::add_to(base::Fingerprint& print) const {
     // A member more does not compile here until it is part of the fingerprint.
-    const auto& [of_eye, of_field, of_shading, of_effects, of_lights, of_proofs, of_motion] = *this;
+    const auto& [across, up, of_eye, of_field, of_shading, of_effects, of_lights, of_proofs,
+                 of_motion, no_pixel] = *this;
+    (void)no_pixel;
+    add_value(print, across);
+    add_value(print, up);
     add(print, of_eye);
-    add(print, of_field);
+    add(print, *of_field);
     print.add_values(std::span<const glm::vec4>(of_shading));
     add(print, of_effects);
     for (const auto& [light, view, to_light] : of_lights) {
@@ -88,8 +105,10 @@ void PictureInputs::add_to(base::Fingerprint& print) const {
         }
     }
     if (of_motion) {
-        // What velocities take of the two times beside these is in their frames.
         const auto& [now, motion_about, frame_before, frame_after, before, after] = *of_motion;
+        for (const scene::SceneAt* at : {&now, &motion_about.before, &motion_about.after}) {
+            add_places(print, *at);
+        }
         add_value(print, motion_about.seconds);
         add_value(print, frame_before);
         add_value(print, frame_after);
@@ -98,14 +117,26 @@ void PictureInputs::add_to(base::Fingerprint& print) const {
     }
 }
 
+std::shared_ptr<const FieldInputs> SharedField::at(const scene::Scene& scene,
+                                                   const scene::SceneAt& now,
+                                                   const synthesis::Passes& passes) {
+    if (!of_ || *of_ != now.bindings) {
+        of_ = now.bindings;
+        made_ = std::make_shared<const FieldInputs>(field_inputs(scene, now, passes));
+    }
+    return made_;
+}
+
 PictureInputs picture_inputs(const scene::Scene& scene, const scene::SceneAt& now,
                              const scene::Aim& aim, const Motion* motion, const InputLayout& layout,
-                             ElementRadius& element_radius) {
+                             ElementRadius& element_radius, SharedField& field) {
     const synthesis::Passes& passes = layout.passes;
     const int width = layout.width, height = layout.height;
     PictureInputs inputs;
+    inputs.width = width;
+    inputs.height = height;
     inputs.eye = view_inputs(scene, now, width, height, aim, passes, &element_radius);
-    inputs.field = field_inputs(scene, now, passes);
+    inputs.field = field.at(scene, now, passes);
     inputs.shading = shading_block(scene, now, width, height);
     inputs.effects = synthesis::effect_uniforms(scene, now);
     if (passes.light_beams != 0) {

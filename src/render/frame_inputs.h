@@ -6,6 +6,8 @@
 #pragma once
 
 #include <array>
+#include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,13 +54,15 @@ struct MotionInputs {
 };
 
 struct PictureInputs {
+    int width = 0, height = 0;
     ViewInputs eye;
-    FieldInputs field;
-    std::vector<glm::vec4> shading; // block Shading
+    std::shared_ptr<const FieldInputs> field; // that pictures of one time share
+    std::vector<glm::vec4> shading;           // block Shading
     synthesis::Uniforms effects;
     std::vector<LightInputs> lights;
     std::optional<ProofRays> proofs;
     std::optional<MotionInputs> motion;
+    std::chrono::duration<double> preparing{}; // the time it took; decides no pixel
 
     glm::vec4 background() const { return shading[1]; }
     void add_to(base::Fingerprint& print) const;
@@ -83,9 +87,20 @@ ViewInputs view_inputs(const scene::Scene& scene, const scene::SceneAt& now, int
                        const scene::Aim& aim, const synthesis::Passes& passes,
                        ElementRadius* element_radius);
 
+// The field's values that were made last, for pictures of the same elements and parameters.
+class SharedField {
+public:
+    std::shared_ptr<const FieldInputs> at(const scene::Scene& scene, const scene::SceneAt& now,
+                                          const synthesis::Passes& passes);
+
+private:
+    std::optional<formula::Bindings<float>> of_;
+    std::shared_ptr<const FieldInputs> made_;
+};
+
 // One picture. `element_radius` remembers between pictures of the same elements.
 PictureInputs picture_inputs(const scene::Scene& scene, const scene::SceneAt& now,
                              const scene::Aim& aim, const Motion* motion, const InputLayout& layout,
-                             ElementRadius& element_radius);
+                             ElementRadius& element_radius, SharedField& field);
 
 } // namespace isomotion::render

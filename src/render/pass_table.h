@@ -39,7 +39,7 @@ public:
     void bind(std::string_view sampler, const gpu::TextureBuffer& buffer) const;
     void bind_numbered(const std::string& sampler, const gpu::Target& target) const;
 
-    // The first texture unit that no pass reads.
+    // The first of two texture units that no pass reads.
     int spare_unit() const { return int(units_.size()); }
 
     // Uniform blocks. What a pass reads as "Frame" is "ProofFrame" for passes of proofs.

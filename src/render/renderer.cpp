@@ -34,6 +34,20 @@ int texels_for_lists(const gpu::ContextInfo& info) {
                      info.max_storage_block_size / int(sizeof(glm::vec4)), 1 << 24});
 }
 
+// A scene's passes, and how its pictures are cut into draws of them.
+struct Planned {
+    Planned(const scene::Scene& scene, const RenderOptions& options, const gpu::ContextInfo& info)
+        : passes(synthesis::assemble(scene, options.channels, choose_stage(options.stage, info),
+                                     info.has(4, 3), options.finest_beam))
+        , plan(plan_scene(scene, passes, options.width, options.height, info.max_texture_size,
+                          options.plan)) {
+        const bool too_little = plan.march.evaluations_per_pass <= 1; // to end a ray in one draw
+        if (too_little) passes = synthesis::without_fused_pass(std::move(passes));
+    }
+    synthesis::Passes passes;
+    ScenePlan plan;
+};
+
 // The formats of the shade pass's attachments.
 std::vector<gpu::Format> formats(const synthesis::Passes& passes, const Record& record) {
     std::vector<gpu::Format> all(2 + passes.attachments.size(), gpu::Format::rgba32f);
@@ -56,11 +70,7 @@ struct Renderer::Parts {
         : context(made_in)
         , scene(drawn)
         , options(std::move(wanted))
-        , passes(synthesis::assemble(scene, options.channels,
-                                     choose_stage(options.stage, context.info()),
-                                     context.info().has(4, 3), options.finest_beam))
-        , plan(plan_scene(scene, passes, options.width, options.height,
-                          context.info().max_texture_size, options.plan))
+        , planned(scene, options, context.info())
         , table(passes)
         , record(plan.march.tile_width * plan.march.tile_height, passes.has(Role::surface))
         , planes(options.width, options.height)
@@ -79,10 +89,7 @@ struct Renderer::Parts {
             listed += light_beams->listed();
         }
         field.emplace(passes, listed);
-        if (passes.has(Role::fused) && plan.march.evaluations_per_pass > 1 &&
-            passes.stage == synthesis::Stage::fragment) {
-            fused.emplace(passes, result);
-        }
+        if (passes.has(Role::fused)) fused.emplace(passes, result);
         one_draw = fused.has_value();
         if (!one_draw) eye_rays.emplace(passes, plan.march);
         if (passes.has(Role::surface)) secondary.emplace(passes, plan.march);
@@ -102,7 +109,6 @@ struct Renderer::Parts {
         environment.emplace(gpu::Format::rgba32f, map.width, map.height, map.texels);
         environment_print =
             base::Fingerprint().add_values(std::span<const float>(map.texels)).text();
-        table.bind("environment_map", *environment);
     }
 
     // ----- what a frame is drawn from
@@ -114,8 +120,13 @@ struct Renderer::Parts {
         return {passes, options.width, options.height, light_side};
     }
 
-    PictureInputs prepare(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion) {
-        return picture_inputs(scene, now, aim, motion, layout(), element_radius);
+    PictureInputs prepare(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion,
+                          SharedField& field_of_frame) {
+        const auto begin = std::chrono::steady_clock::now();
+        PictureInputs inputs =
+            picture_inputs(scene, now, aim, motion, layout(), element_radius, field_of_frame);
+        inputs.preparing = std::chrono::steady_clock::now() - begin;
+        return inputs;
     }
 
     std::string fingerprint(const std::vector<PictureInputs>& pictures) const {
@@ -123,8 +134,6 @@ struct Renderer::Parts {
         print.add(passes_print);
         for (const PictureInputs& picture : pictures) picture.add_to(print);
         print.add(environment_print);
-        const std::array size{options.width, options.height};
-        print.add_values(std::span<const int>(size));
         for (const auto wanted : options.channels) print.add(std::to_string(int(wanted)));
         return print.text();
     }
@@ -137,11 +146,20 @@ struct Renderer::Parts {
         table.bind("Frame", frame);
         shading.update(std::as_bytes(std::span(inputs.shading)));
         table.bind("Shading", shading);
-        field->upload(table, inputs.field);
+        field->upload(table, *inputs.field);
         table.set(inputs.effects);
+        if (environment) table.bind("environment_map", *environment);
         if (light_beams) {
             light_beams->draw(table, inputs.lights, layout().light_pixels, field->listed());
         }
+    }
+
+    // Inputs are of pictures of one size.
+    void expect_own_size(const PictureInputs& inputs) const {
+        if (inputs.width == options.width && inputs.height == options.height) return;
+        throw std::logic_error(fmt::format("inputs of {} x {} pixels for a picture of {} x {}",
+                                           inputs.width, inputs.height, options.width,
+                                           options.height));
     }
 
     Picture draw(const PictureInputs& inputs) {
@@ -160,7 +178,7 @@ struct Renderer::Parts {
                 fill_counts(tile, picture.frame);
                 if (proofs) prove_tile(inputs, tile, picture);
                 if (moved && inputs.motion) {
-                    draw_velocity(*inputs.motion, inputs.field, *rays, tile, picture.frame);
+                    draw_velocity(*inputs.motion, *inputs.field, *rays, tile, picture.frame);
                 }
                 layers.for_each_attachment(picture.frame, [&](int k, const auto& channels) {
                     planes.read(result, k, tile, channels);
@@ -331,9 +349,10 @@ struct Renderer::Parts {
     gpu::Context& context;
     scene::Scene scene;
     RenderOptions options;
-    synthesis::Passes passes;
+    Planned planned;
+    const synthesis::Passes& passes = planned.passes;
+    const ScenePlan& plan = planned.plan;
     const std::string passes_print = passes.fingerprint();
-    ScenePlan plan;
     PassTable table;
     Record record; // of the tile drawn last
     Planes planes;
@@ -410,7 +429,8 @@ void Renderer::keep_beams(bool keep) {
 
 PictureInputs Renderer::prepare(const scene::SceneAt& now, const scene::Aim& aim,
                                 const Motion* motion) const {
-    return parts_->prepare(now, aim, motion);
+    SharedField field;
+    return parts_->prepare(now, aim, motion, field);
 }
 
 FrameInputs Renderer::prepare(const scene::Scene& scene, int frame) const {
@@ -418,11 +438,12 @@ FrameInputs Renderer::prepare(const scene::Scene& scene, int frame) const {
     inputs.values = scene.timeline.values(frame);
     std::optional<Motion> motion;
     if (needs_motion()) motion = motion_about(scene, frame);
+    SharedField field;
     for_each_picture(scene, frame, inputs.values, [&](const auto& now, const scene::Aim& aim) {
         const bool is_first = inputs.pictures.empty();
         if (is_first) inputs.now = now;
         inputs.pictures.push_back(
-            parts_->prepare(now, aim, motion && is_first ? &*motion : nullptr));
+            parts_->prepare(now, aim, motion && is_first ? &*motion : nullptr, field));
     });
     inputs.fingerprint = parts_->fingerprint(inputs.pictures);
     return inputs;
@@ -433,8 +454,9 @@ Picture Renderer::draw(const PictureInputs& inputs) {
     p.flights.expect_at_most(0);
     const auto begin = std::chrono::steady_clock::now();
     p.context.make_current();
+    p.expect_own_size(inputs);
     Picture picture = p.draw(inputs);
-    picture.drawing = std::chrono::steady_clock::now() - begin;
+    picture.drawing = inputs.preparing + (std::chrono::steady_clock::now() - begin);
     return picture;
 }
 
@@ -446,8 +468,10 @@ void Renderer::start(PictureInputs inputs) {
     Parts& p = *parts_;
     p.flights.expect_at_most(most_in_flight() - 1);
     const auto begin = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> preparing = inputs.preparing;
     p.context.make_current();
     p.flights.guard([&] {
+        p.expect_own_size(inputs);
         if (p.overlaps() && !inputs.motion) {
             p.launch(std::move(inputs));
         } else {
@@ -455,7 +479,7 @@ void Renderer::start(PictureInputs inputs) {
             p.flights.add({std::move(inputs), {}, std::move(picture), {}});
         }
     });
-    p.flights.last().begun = std::chrono::steady_clock::now() - begin;
+    p.flights.last().begun = preparing + (std::chrono::steady_clock::now() - begin);
 }
 
 Picture Renderer::take() {

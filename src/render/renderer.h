@@ -31,7 +31,7 @@ struct Picture {
     ProofCounts proofs{};                   // pixels by Proof; none unless certified
     int passes = 0;                         // march draws, all tiles together
     bool compiled = false;                  // a shader, the first time that one draw is too few
-    // Upload to read-back; of one that was asked for and taken, those two alone.
+    // Preparing its inputs, upload to read-back; of one that was asked for and taken, those alone.
     std::chrono::duration<double> drawing{};
 };
 
@@ -76,6 +76,7 @@ public:
     PictureInputs prepare(const scene::SceneAt& now, const scene::Aim& aim = {},
                           const Motion* motion = nullptr) const;
 
+    // Throws std::logic_error for inputs that were prepared for another size.
     Picture draw(const PictureInputs& inputs);
     Picture draw(const scene::SceneAt& now, const scene::Aim& aim = {},
                  const Motion* motion = nullptr) {

@@ -41,7 +41,7 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
                       const std::vector<int>& counts) {
     const formula::Field& field = *scene.surface.field;
     if (passes.has(synthesis::Role::surface)) {
-        // Up to eight samples at the end of a ray (passes/effects/end_of_ray.glsl) and five of
+        // Up to eight samples at the end of a ray (shaders/effects/end_of_ray.glsl) and five of
         // its surroundings, each in one draw.
         const double end = loops_of(field.gradient, counts) + 8 * loops_of(field.value, counts);
         if (end > loop_iterations_per_pass) {

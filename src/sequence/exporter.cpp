@@ -267,6 +267,7 @@ ExportTotals Exporter::export_frames(gpu::Context& context, const ExportWatcher&
 }
 
 bool Exporter::write_movie(const ExportWatcher& watcher) const {
+    if (options_.movie.empty()) return true;
     std::vector<fs::path> pictures;
     for (const int frame : options_.frames) pictures.push_back(name_.path(frame));
     try {

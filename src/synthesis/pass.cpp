@@ -83,6 +83,17 @@ void note_declarations(Pass& pass) {
     note_text(pass.text, pass, true);
 }
 
+Passes without_fused_pass(Passes passes) {
+    std::erase_if(passes.list, [](const Pass& pass) {
+        return pass.role == Role::mask || pass.role == Role::fused;
+    });
+    for (Pass& pass : passes.list) {
+        if (pass.when != When::where_fused_ends) continue;
+        pass.when = pass.role == Role::shade ? When::once_a_tile : When::until_rays_end;
+    }
+    return passes;
+}
+
 const Pass* Passes::find(Role role, int level) const {
     const auto found = std::find_if(list.begin(), list.end(), [&](const Pass& pass) {
         return pass.role == role && pass.level == level;

@@ -90,6 +90,10 @@ inline int lists_of_a_block(const BeamLevel& level) {
     return level.lists == BeamLists::whole && level.front < 1 ? 2 : 1;
 }
 
+struct Passes;
+// The same where one draw is never enough: without the fused pass and its mask.
+Passes without_fused_pass(Passes passes);
+
 // What draws a scene: the passes in the order of a frame, and how values are laid out for them.
 struct Passes : FieldStorage {
     std::vector<Pass> list;

@@ -135,6 +135,34 @@ TEST_P(InFlight, NoneIsLeftWhereOneIsGivenUp) {
     EXPECT_GT(renderer.draw(at(scene, 2)).evaluations, 0);
 }
 
+// Each renderer has textures of its own in units that another of the context may give to others.
+TEST_P(InFlight, RenderersOfOneContextKeepTheirSurroundings) {
+    const std::string text = "[surface]\nformula = 'x^2 + y^2 + z^2 - 1'\nbounds = { sphere = 1.2 }\n"
+                             "[environment]\nmap = 'studio.exr'\n[material]\nmodel = 'ggx'\n"
+                             "reflection = 'self'\n";
+    const scene::Scene scene = render::scene_of(text);
+    scene::Scene other = scene;
+    other.isolation.method = scene::Method::amp_sign;
+    other.isolation.step = 0.05;
+    Renderer first(*context, scene, {40, 30, {}, {}});
+    const Picture before = first.draw(at(scene, 1));
+    {
+        Renderer second(*context, other, {40, 30, {}, {}});
+        second.draw(at(other, 1));
+        expect_same(first.draw(at(scene, 1)), before);
+    }
+    expect_same(first.draw(at(scene, 1)), before);
+}
+
+TEST_P(InFlight, InputsOfAnotherSizeAreRefused) {
+    const scene::Scene scene = scene_of("torus");
+    Renderer renderer = renderer_of(scene);
+    const PictureInputs inputs = renderer.prepare(at(scene, 1));
+    renderer.resize(32, 32);
+    EXPECT_THROW(renderer.draw(inputs), std::logic_error);
+    EXPECT_THROW(renderer.start(inputs), std::logic_error);
+}
+
 TEST_P(InFlight, AFrameOfOnePictureIsAskedFor) {
     scene::Scene scene = scene_of("torus");
     Renderer renderer = renderer_of(scene);

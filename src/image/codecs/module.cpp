@@ -3,7 +3,7 @@
 #include "image/codecs.h"
 
 extern "C" __attribute__((visibility("default"))) const isomotion::image::Codecs*
-isomotion_codecs() {
+ISOMOTION_CODECS_FUNCTION() {
     using namespace isomotion::image;
     static constexpr Codecs functions{oiio::encode, oiio::decode, oiio::pixel_hash,
                                       oiio::read_environment};

@@ -32,13 +32,13 @@ public:
     void over(const Elements& near, std::span<const SpaceBox> boxes,
               std::span<ValueAndGradient> out);
     // Narrows these by Taylor's formula about the middle, to second order: tighter in small boxes.
-    // Leaves `out` as it is where a box has a kink.
+    // Leaves `out` as it is where second derivatives have no bounds: at kinks and jumps.
     void tighten(const Elements& near, std::span<const SpaceBox> boxes,
                  std::span<ValueAndGradient> out);
     void values(const Elements& near, std::span<const SpaceBox> boxes,
                 std::span<formula::Interval> out);
 
-    // Second derivatives; without bounds where the box has a kink.
+    // Second derivatives; without bounds where the box has a kink or a jump.
     SpaceHessian hessian(const Elements& near, const SpaceBox& box);
 
     // Without the elements that hardly change in the box.

@@ -30,7 +30,7 @@ template<class T> struct Jet {
 // the first `rows` unknowns, each from the diagonal on.
 //
 // Over boxes: all difference quotients between two points, and second derivatives that have no
-// bounds where a kink of min, max or select is.
+// bounds where kinks() finds a kink or a jump.
 std::vector<formula::NodeId> jet_over_boxes(formula::Graph& graph, formula::NodeId field,
                                             std::span<const std::size_t> unknowns,
                                             std::size_t rows);

@@ -40,6 +40,16 @@ TEST_P(ClosedForms, AreProved) {
     EXPECT_EQ(*frame.betti, GetParam().betti);
 }
 
+// Where F jumps, second derivatives tell nothing of values on the other side.
+TEST(CertifiedFrame, IsNotWrongOfFormulasThatJump) {
+    for (const char* formula :
+         {"sign((x-0.3)^2 + y^2 + z^2 - 0.01)", "floor(1 + 4*((x-0.3)^2 + y^2 + z^2 - 0.01)) - 0.5",
+          "x^2 + y^2 + z^2 - 0.5 + 0.3*sign((x-0.3)^2 + (y-0.2)^2 + z^2 - 0.01)"}) {
+        const CertifiedFrame frame = certified(still(formula, box));
+        if (frame.betti) EXPECT_EQ(*frame.betti, (Betti{1, 0, 0})) << formula;
+    }
+}
+
 const Known known[] = {
     {"x^2 + y^2 + z^2 - 1", "{ sphere = 1.5 }", {1, 0, 0}},
     // Vertices lie on the surface.
