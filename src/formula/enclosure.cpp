@@ -1,5 +1,6 @@
 #include "formula/enclosure.h"
 
+#include "formula/graph/continuity.h"
 #include "formula/graph/degree.h"
 #include "formula/graph/derivative.h"
 
@@ -30,7 +31,7 @@ EnclosurePrograms enclosure_programs(const Field& field) {
     const std::array gradient{slope({one, zero, zero}), slope({zero, one, zero}),
                               slope({zero, zero, one})};
     return {schedule(g, std::array{field.root}), schedule(g, std::array{field.root, along}),
-            schedule(g, gradient)};
+            schedule(g, gradient), schedule(g, std::array{jumps(g, field.root)})};
 }
 
 std::optional<Program> bend_program(const Field& field) {

@@ -3,8 +3,9 @@
 // They differ from Field's own programs, which numbers run, in two ways. chebyshev stays whole, for
 // its enclosure is exact where that of its products is useless. And slopes are generalized
 // (derivative.h): over a box, `along` and `gradient` enclose not only the derivatives but all
-// difference quotients between points of the box, also across kinks, jumps and ends of roots. So
-// where dF/dt doesn't hold 0 a ray has at most one root, whatever the formula.
+// difference quotients between points of the box, also across kinks and ends of roots. Over boxes
+// that may hold a jump or a pole they are the entire line. So where dF/dt has a bound F is
+// continuous, and where it doesn't hold 0, a ray has at most one root, whatever the formula.
 //
 //     const EnclosurePrograms programs = enclosure_programs(field);
 //     Evaluator<Interval> along(programs.along);
@@ -24,6 +25,7 @@ struct EnclosurePrograms {
     Program value;
     Program along;
     Program gradient;
+    Program jumps; // 0 where F is continuous, else the entire line (graph/continuity.h)
 };
 
 EnclosurePrograms enclosure_programs(const Field& field);

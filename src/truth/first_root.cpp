@@ -86,10 +86,10 @@ struct RootFinder::Lane {
         phase = Phase::done;
     }
 
-    // F crosses zero in [low, high], which is as narrow as it gets. Where the shader's interval may
-    // have ended already, the crossing may be seen or not.
-    void end_crossing() {
-        if (low >= tube.near_inside && high <= tube.far_inside) {
+    // F changes its sign in [low, high], which is as narrow as it gets. Where the shader's interval
+    // may have ended already, the crossing may be seen or not; where F may jump there may be none.
+    void end_crossing(bool has_root) {
+        if (has_root && low >= tube.near_inside && high <= tube.far_inside) {
             end(true);
             return;
         }
@@ -105,6 +105,7 @@ RootFinder::RootFinder(const formula::EnclosurePrograms& field, const scene::Sce
     : value_(field.value)
     , along_(field.along)
     , gradient_(field.gradient)
+    , jumps_(field.jumps)
     , bindings_(formula::convert<Interval>(scene.bindings))
     , budget_(budget) {}
 
@@ -262,12 +263,11 @@ void RootFinder::refine(Lane& lane, const Interval& f) const {
     }
     // Too near zero to be told from it: the enclosure is as narrow as the tube allows.
     if (sign == 0 || lane.high - lane.low <= budget_.bracket * lane.tube.footprint) {
-        lane.end_crossing();
+        lane.end_crossing(true);
     }
 }
 
-void RootFinder::march(Lane& lane, const Interval& at_b, const Interval& f,
-                       const Interval& slope) const {
+void RootFinder::march(Lane& lane, const Interval& at_b, const Interval& f, const Interval& slope) {
     const double b = lane.b(), h = b - lane.a;
     const int sign_a = sign_of(lane.at_a), sign_b = sign_of(at_b);
     int piece_sign = sign_of(f);
@@ -291,7 +291,7 @@ void RootFinder::march(Lane& lane, const Interval& at_b, const Interval& f,
         go_on();
         return;
     }
-    // One crossing and no more, if the slope has one sign.
+    // One crossing and no more, if the slope has one sign: F is continuous then.
     const bool crosses = sign_a != 0 && sign_b == -sign_a;
     if (crosses && sign_of(slope) != 0 && !lane.in_run) {
         lane.low = lane.a;
@@ -319,7 +319,7 @@ void RootFinder::march(Lane& lane, const Interval& at_b, const Interval& f,
 }
 
 // The sign is known again: a run between two signs is a crossing, of odd order or of several roots.
-void RootFinder::end_run(Lane& lane, int sign) const {
+void RootFinder::end_run(Lane& lane, int sign) {
     lane.in_run = false;
     const bool crossed = lane.sign != 0 && sign == -lane.sign;
     if (!crossed) {
@@ -328,7 +328,15 @@ void RootFinder::end_run(Lane& lane, int sign) const {
     }
     lane.low = lane.run_begin;
     lane.high = lane.a;
-    lane.end_crossing();
+    lane.end_crossing(is_continuous(lane.tube, lane.low, lane.high));
+}
+
+// Whether F has all values between those at the ends of a piece.
+bool RootFinder::is_continuous(const Tube& tube, double low, double high) {
+    Request piece;
+    piece.add(tube, low, high, false);
+    piece.evaluate(jumps_, bindings_, 3, 1);
+    return piece.outputs[0][0] != Interval::entire();
 }
 
 void RootFinder::finish(Lane& lane) const {

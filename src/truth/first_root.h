@@ -15,8 +15,8 @@ namespace isomotion::truth {
 enum class Answer : std::uint8_t {
     miss,      // no root
     hit,       // the first root is in [low, high], a simple one, and nothing touches zero before
-    touching,  // before what `after` says there may be roots of even order in [touch_low,
-               // touch_high]
+    touching,  // before what `after` says there may be roots in [touch_low, touch_high]: of even
+               // order, or a change of sign that may be a jump or a pole
     undecided, // the budget of evaluations ended; no root before `low`
 };
 
@@ -54,12 +54,13 @@ private:
     void begin(Lane& lane, const formula::Interval& f) const;
     void resume(Lane& lane, const formula::Interval& f) const;
     void march(Lane& lane, const formula::Interval& at_b, const formula::Interval& f,
-               const formula::Interval& slope) const;
+               const formula::Interval& slope);
     void refine(Lane& lane, const formula::Interval& f) const;
-    void end_run(Lane& lane, int sign) const;
+    void end_run(Lane& lane, int sign);
+    bool is_continuous(const Tube& tube, double low, double high);
     void finish(Lane& lane) const;
 
-    formula::Evaluator<formula::Interval> value_, along_, gradient_;
+    formula::Evaluator<formula::Interval> value_, along_, gradient_, jumps_;
     formula::Bindings<formula::Interval> bindings_;
     Budget budget_;
     std::int64_t evaluations_ = 0;

@@ -63,7 +63,7 @@ TEST(FirstRoot, OfSeveralDoubleRootsHasThemAllBetween) {
 }
 
 TEST(FirstRoot, OfOddOrderIsACrossing) {
-    for (const char* formula : {"z^3", "-z^5", "sign(z)*z^2", "sign(z)*sqrt(abs(z))"}) {
+    for (const char* formula : {"z^3", "-z^5", "z*abs(z)", "z*abs(z)^0.5"}) {
         const View view = along_z(formula);
         EXPECT_TRUE(holds(answer(view), view.tubes[0], {0})) << formula;
         EXPECT_EQ(answer(view).answer, Answer::hit) << formula;
@@ -82,17 +82,38 @@ TEST(FirstRoot, WhereTheFieldIsZeroInAVolume) {
     EXPECT_GE(root.answer == Answer::touching ? root.touch_high : root.high, 0.25);
 }
 
-// A sign changes where nothing is zero: the shader, which looks for changes, may draw it.
-TEST(FirstRoot, OfAJumpOrAPoleIsWhereTheSignChanges) {
-    for (const char* formula : {"floor(z) + 0.5", "sign(z) + 0.5", "1/z", "z/abs(z)"}) {
+// A sign changes where nothing is zero: the shader, which looks for changes, may draw it. No bound
+// tells a jump from a root, so neither is certain.
+TEST(FirstRoot, OfAJumpOrAPoleIsNoCertainHit) {
+    for (const char* formula :
+         {"floor(z) + 0.5", "sign(z) + 0.5", "1/z", "z/abs(z)", "tan(z + pi/2)", "z^-3", "z^(-301)",
+          "z + 1e-4*(floor(z) + 0.5)", "min(tan(z + pi/2), 2)", "sign(z)*z^2 + 0.001*sign(z)"}) {
         const View view = along_z(formula);
-        EXPECT_NE(answer(view).answer, Answer::miss) << formula;
+        EXPECT_EQ(answer(view).answer, Answer::touching) << formula;
         EXPECT_TRUE(holds(answer(view), view.tubes[0], {0})) << formula;
     }
     for (const char* formula : {"floor(z) + 4.5", "1/z^2", "sign(z) + 2"}) {
         EXPECT_NE(answer(along_z(formula)).answer, Answer::hit) << formula;
     }
     expect_miss(along_z("floor(z) + 4.5"));
+}
+
+// Behind poles, where slopes on both sides of one have the same sign, there are roots all the same.
+TEST(FirstRoot, BehindAPoleIsNoMiss) {
+    for (const char* formula : {"tan(20*z + 2.141)", "tan(20*z)", "-tan(20*z) + 0.1*z"}) {
+        for (const bool backwards : {false, true}) {
+            // From pole to pole there is one root; a pole may be what is met first.
+            const FirstRoot found = answer(along_z(formula, {.backwards = backwards}));
+            EXPECT_NE(found.answer, Answer::miss) << formula;
+            EXPECT_TRUE(found.answer == Answer::hit || found.after_is_hit) << formula;
+        }
+    }
+    EXPECT_NE(answer(along_z("(z - 0.999)^(-301) + 2")).answer, Answer::miss);
+    // What is cut off at 10^30 is level beyond, and grows on paper.
+    for (const char* formula : {"min(exp(100*z), 2e30) - 1.5e30", "1e31*(z - 0.8) - exp(100*z)"}) {
+        EXPECT_NE(answer(along_z(formula)).answer, Answer::hit) << formula;
+        EXPECT_NE(answer(along_z(formula)).answer, Answer::miss) << formula;
+    }
 }
 
 // ---- the ends of the bounds

@@ -1,12 +1,18 @@
 #include "formula/graph/derivative.h"
 
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 
+#include "formula/graph/continuity.h"
+#include "formula/graph/lowering.h"
 #include "formula/graph/term.h"
 
 namespace isomotion::formula {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN(); // as an interval, the line
 
 class Differentiation {
 public:
@@ -37,15 +43,15 @@ private:
         const NodeId a = node.children[0], b = node.children[1];
         const auto d = [&](int k) { return derivatives_.at(node.children[std::size_t(k)]); };
         switch (node.op) {
-        case Op::constant:
-            return zero();
+        case Op::constant: // what has no value has no slope
+            return std::isnan(node.value) && slopes_ == Slopes::generalized ? id : zero();
         case Op::input:
         case Op::parameter:
         case Op::element:
             return leaf_(g_, id);
         case Op::random: {
             const bool rests = g_.is_constant(d(0), 0) && g_.is_constant(d(1), 0);
-            return rests ? zero() : scatters(id);
+            return rests ? zero() : jumps(id);
         }
         case Op::select:
             return g_.select(a, b, d(2), d(3));
@@ -55,36 +61,42 @@ private:
             break;
         }
         if (node.arity == 1 && g_.is_constant(d(0), 0)) return zero();
+        if (node.op == Op::negate) return g_.unary(Op::negate, d(0));
+        if (node.arity == 2) return of_two(id, node, d(0), d(1));
+        return g_.multiply(where_bounded(id, slope(id, node, a)), d(0));
+    }
+
+    // An operation on a and b, whose slopes are da and db.
+    NodeId of_two(NodeId id, const Node& node, NodeId da, NodeId db) {
+        const NodeId a = node.children[0], b = node.children[1];
         switch (node.op) {
-        case Op::negate:
-            return g_.unary(Op::negate, d(0));
         case Op::add:
-            return g_.add(d(0), d(1));
+            return g_.add(da, db);
         case Op::subtract:
-            return g_.subtract(d(0), d(1));
+            return g_.subtract(da, db);
         case Op::multiply:
-            return g_.add(g_.multiply(d(0), b), g_.multiply(a, d(1)));
+            return g_.add(g_.multiply(da, b), g_.multiply(a, db));
         case Op::divide:
-            if (slopes_ == Slopes::pointwise_again && g_.is_constant(d(0), 0)) {
-                return g_.unary(Op::negate, g_.multiply(g_.divide(id, b), d(1)));
+            if (slopes_ == Slopes::pointwise_again && g_.is_constant(da, 0)) {
+                return g_.unary(Op::negate, g_.multiply(g_.divide(id, b), db));
             }
             // (a' - (a/b) b') / b shares the quotient with the value
-            return g_.divide(g_.subtract(d(0), g_.multiply(id, d(1))), b);
+            return where_bounded(id, g_.divide(g_.subtract(da, g_.multiply(id, db)), b));
         case Op::min:
-            return g_.select(a, b, d(0), d(1));
+            return g_.select(a, b, da, db);
         case Op::max:
-            return g_.select(a, b, d(1), d(0));
+            return g_.select(a, b, db, da);
         case Op::power:
-            return power(id, a, b, d(0), d(1));
+            return where_bounded(id, power(id, a, b, da, db));
         default:
-            return g_.multiply(slope(id, node, a), d(0));
+            return zero();
         }
     }
 
     // d f(a) / d a of the functions of one argument.
     NodeId slope(NodeId id, const Node& node, NodeId argument) {
         g_.constant(1); // before what may need it: the order of nodes is that of the shaders' text
-        if (node.op == Op::chebyshev) return g_.chebyshev(node.index, argument, node.second + 1);
+        if (node.op == Op::chebyshev) return chebyshev_slope(node, argument);
         const Term a{&g_, argument}, f{&g_, id};
         switch (node.op) {
 #define ROW(name, shader, sign_, domain, slope_)                                                   \
@@ -97,6 +109,13 @@ private:
         }
     }
 
+    NodeId chebyshev_slope(const Node& node, NodeId argument) {
+        const NodeId next = g_.chebyshev(node.index, argument, node.second + 1);
+        if (slopes_ != Slopes::generalized || node.index <= highest_whole_degree) return next;
+        return g_.select(g_.unary(Op::abs, argument), g_.constant(chebyshev_reach(node.index)),
+                         next, g_.constant(no_number));
+    }
+
     // What slopes are written with in the table: the functions, and how they end.
 #define ROW(name, ...)                                                                             \
     static Term name(Term a) { return a.of(Op::name); }
@@ -105,18 +124,18 @@ private:
 
     Term jumps(Term f) { return {&g_, jumps(f.node)}; }
 
-    // 0 where the step function `id` is constant, from 0 to infinity where it may jump: an interval
-    // that isn't a point is neither less than itself nor not.
     NodeId jumps(NodeId id) {
-        if (slopes_ != Slopes::generalized) return zero();
-        return g_.select(id, id, g_.constant(std::numeric_limits<double>::infinity()), zero());
+        return slopes_ == Slopes::generalized ? unless_continuous(g_, id) : zero();
     }
 
-    // ... and unbounded on both sides where `id` may jump up or down.
-    NodeId scatters(NodeId id) {
-        if (slopes_ != Slopes::generalized) return zero();
-        const NodeId down = g_.constant(-std::numeric_limits<double>::infinity());
-        return g_.add(jumps(id), g_.select(id, id, down, zero()));
+    // The entire line where the operation `id` may have a pole, a value that is cut off (its slope
+    // is 0 then, and another one on paper) or none: all of these have values without a bound. An
+    // interval that has one is below the point at infinity, which begins at the largest number.
+    NodeId where_bounded(NodeId id, NodeId slope) {
+        if (slopes_ != Slopes::generalized || !may_be_unbounded(g_[id].op)) return slope;
+        if (g_.is_constant(slope, 0)) return slope;
+        return g_.select(g_.unary(Op::abs, id), g_.constant(infinity), slope,
+                         g_.constant(no_number));
     }
 
     // sqrt is constant below 0, asin and acos beyond -1 and 1.
@@ -142,7 +161,8 @@ private:
         const NodeId by_base = g_.multiply(g_.multiply(b, lower), da);
         if (g_.is_constant(db, 0)) return by_base;
         // A negative constant has powers at integers only: no slope, and no logarithm.
-        if (g_.is_constant(a) && g_[a].value < 0) return zero();
+        if (g_.is_constant(a) && g_[a].value < 0)
+            return slopes_ == Slopes::generalized ? g_.constant(no_number) : zero();
         return g_.add(by_base, g_.multiply(g_.multiply(id, g_.unary(Op::log, a)), db));
     }
 

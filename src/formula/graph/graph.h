@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -54,7 +55,12 @@ struct Node {
     // a loop over that array.
     std::uint32_t arrays = 0;
 
-    bool operator==(const Node&) const = default;
+    // Numbers by their bits, so that a NaN is itself: the graph holds each node once.
+    bool operator==(const Node& other) const {
+        return op == other.op && arity == other.arity && index == other.index &&
+               second == other.second && arrays == other.arrays && children == other.children &&
+               std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(other.value);
+    }
 };
 
 class Graph {

@@ -47,12 +47,9 @@ NodeId chebyshev_derivative(Graph& g, int n, int k, NodeId x) {
 }
 
 NodeId lower_chebyshev(Graph& g, int n, int k, NodeId a) {
-    // |T_n| grows like cosh(n acosh |x|); the k-th derivative is at most n^2k times larger. From
-    // degree 25 on that leaves float inside ordinary bounds (T_50(6) is 10^53).
     NodeId x = a;
-    if (n > 24) {
-        const double limit = double(Operations<float>::saturation()) / std::pow(n, 4);
-        const NodeId reach = g.constant(std::cosh(std::acosh(limit) / n));
+    if (n > highest_whole_degree) {
+        const NodeId reach = g.constant(chebyshev_reach(n));
         x = g.binary(Op::max, g.unary(Op::negate, reach), g.binary(Op::min, reach, a));
     }
     if (k >= 2) return chebyshev_derivative(g, n, k, x);
@@ -76,6 +73,11 @@ NodeId rebuild(Graph& g, const Node& node, const std::array<NodeId, 4>& children
 }
 
 } // namespace
+
+double chebyshev_reach(int n) {
+    const double limit = double(Operations<float>::saturation()) / std::pow(n, 4);
+    return std::cosh(std::acosh(limit) / n);
+}
 
 std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots) {
     const std::size_t count = graph.size();

@@ -14,9 +14,14 @@
 
 namespace isomotion::formula {
 
-// The nodes equal to `roots` without chebyshev nodes below them. From degree 25 on,
-// arguments are clamped where the float32 value or its first derivatives would pass
-// Operations<float>::saturation().
+// From which size of the argument on T_n stays what it is there, where n is above
+// highest_whole_degree: its float32 value or its first derivatives would pass saturation. |T_n|
+// grows like cosh(n acosh |x|), and the k-th derivative is at most n^2k times larger: T_50(6) is
+// 10^53.
+double chebyshev_reach(int n);
+inline constexpr int highest_whole_degree = 24;
+
+// The nodes equal to `roots` without chebyshev nodes below them.
 std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots);
 
 // Lowers and schedules one expression.

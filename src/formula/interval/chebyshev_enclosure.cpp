@@ -4,6 +4,8 @@
 #include <array>
 #include <numbers>
 
+#include "formula/graph/lowering.h"
+
 namespace isomotion::formula {
 namespace {
 
@@ -123,7 +125,7 @@ ChebyshevEnclosure::ChebyshevEnclosure(int degree, int derivative)
     , derivative_(derivative)
     , at_one_(chebyshev_at_one(degree, derivative))
     , bound_(-at_one_.hi, at_one_.hi)
-    , reach_(std::cosh(500.0 / degree)) {
+    , reach_(degree > highest_whole_degree ? chebyshev_reach(degree) : std::cosh(500.0 / degree)) {
     if (derivative >= degree || derivative >= highest_order) return;
     std::vector<Interval> roots = roots_of_slope(degree);
     for (int k = 1; k <= derivative; ++k) {
@@ -142,7 +144,7 @@ ChebyshevEnclosure::ChebyshevEnclosure(int degree, int derivative)
 
 Interval ChebyshevEnclosure::at(double x) const {
     if (std::abs(x) <= reach_) return bounded(x, chebyshev(degree_, derivative_, x));
-    // Beyond 1 values grow without end.
+    // Beyond 1 values grow without end, or, evaluated, stay what they are at the reach.
     const Interval far{enclosure(chebyshev(degree_, derivative_, reach_)).lo, infinity};
     return x > 0 || (degree_ - derivative_) % 2 == 0 ? far : -far;
 }

@@ -37,7 +37,7 @@ private:
 
     int degree_, derivative_;
     Interval at_one_, bound_;       // the value at 1, and what it bounds on [-1, 1]
-    double reach_;                  // where values come near the end of doubles
+    double reach_;                  // where values stop, or come near the end of doubles
     std::vector<Extremum> extrema_; // ascending
 };
 

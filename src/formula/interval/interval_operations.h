@@ -1,8 +1,8 @@
 // The operations of formulas on intervals.
 //
 // An enclosure holds the value on paper and the value that Operations<double> computes to, where
-// the two differ: results cut off at +-saturation are unbounded intervals that begin no further out
-// than there. What is NaN for double (0/0, roots of negative numbers other than sqrt, their
+// the two differ: results that may be cut off at +-saturation have no bound on that side, and begin
+// no further out than there. What is NaN for double (0/0, roots of negative numbers other than sqrt, their
 // logarithms) makes the enclosure the entire line. Negation, abs, sign, floor, min, max and select
 // are exact; + - * / and sqrt are rounded to within one or two doubles; exp is the function of
 // exponential.h, within the error proved there; the others take the C
@@ -18,7 +18,8 @@ namespace isomotion::formula {
 template<> struct Operations<Interval> {
     static constexpr double saturation() { return Operations<double>::saturation(); }
     static Interval saturate(Interval a) {
-        return {smaller(a.lo, saturation()), larger(a.hi, -saturation())};
+        const double lo = smaller(a.lo, saturation()), hi = larger(a.hi, -saturation());
+        return {lo < -saturation() ? -infinity : lo, hi > saturation() ? infinity : hi};
     }
 
     static Interval negate(Interval a) { return -a; }

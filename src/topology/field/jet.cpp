@@ -1,7 +1,7 @@
 #include "topology/field/jet.h"
 
+#include "formula/graph/continuity.h"
 #include "formula/graph/derivative.h"
-#include "topology/field/kinks.h"
 
 namespace isomotion::topology {
 namespace {
@@ -32,7 +32,8 @@ std::vector<NodeId> jet(Graph& g, NodeId field, std::span<const std::size_t> unk
 
 std::vector<NodeId> jet_over_boxes(Graph& g, NodeId field, std::span<const std::size_t> unknowns,
                                    std::size_t rows) {
-    return jet(g, field, unknowns, rows, Slopes::generalized, Slopes::generalized, kinks(g, field));
+    return jet(g, field, unknowns, rows, Slopes::generalized, Slopes::generalized,
+               formula::kinks(g, field));
 }
 
 std::vector<NodeId> jet_at_points(Graph& g, NodeId field, std::span<const std::size_t> unknowns,

@@ -1,0 +1,30 @@
+// Where intervals can't tell that an expression is continuous, or its slope: its decoration, as an
+// expression of the same graph, so that it is the same on every back end.
+//
+// A decoration is 0 over a box where what it says holds, and the entire line where it may not. That
+// is how it is carried along: the entire line added to anything, or multiplied by what is not 0, is
+// the entire line.
+#pragma once
+
+#include "formula/graph/graph.h"
+
+namespace isomotion::formula {
+
+// Whether the operation's values may lack a bound where those of its arguments have both: next to
+// its poles, where it has no value, and where it is cut off at saturation.
+bool may_be_unbounded(Op op);
+
+// Of one operation, over a box where its arguments are continuous: the entire line where it may
+// jump from one value to another, lack a value or be cut off.
+NodeId unless_continuous(Graph& graph, NodeId operation);
+
+// Of all operations below `root`: 0 over boxes where the root has a value everywhere, is continuous
+// and nowhere cut off ("dac" of IEEE 1788).
+NodeId jumps(Graph& graph, NodeId root);
+
+// ... over boxes without a kink of min, max and select. Slopes over a box hold across these, but
+// slopes of those slopes don't. Nothing need be added for jumps, where slopes of slopes are the
+// entire line as slopes are, nor at the ends of sqrt, asin and acos, where they are quotients 0/0.
+NodeId kinks(Graph& graph, NodeId root);
+
+} // namespace isomotion::formula
