@@ -22,6 +22,8 @@ Interval evaluate(const formula::Program& program, const formula::Bindings<Inter
 constexpr double narrowest = 1e-9;
 // With more parts of a piece than this undecided, they stay so: the track nearly rests.
 constexpr std::size_t most_open = 1 << 14;
+// Newton's steps close in on a crossing where rates differ by this factor at most.
+constexpr double most_uneven = 8;
 
 } // namespace
 
@@ -73,19 +75,20 @@ std::optional<MonotoneTrack::Time> MonotoneTrack::settled(const Piece& piece, In
     const Interval rate = evaluate(piece.rate, bindings_, t);
     // Where the rate has no bound there may be a pole, across which no mean value leads.
     const bool runs = (rate.lo > 0 || rate.hi < 0) && std::isfinite(magnitude(rate));
-    if (!runs) {
-        const double m = mid(t);
-        const bool is_narrow = !(width(t) > narrowest * width(range_)) || !(t.lo < m && m < t.hi);
-        // Parts of a span in which the track rests tell no more than the whole of it.
-        const double noise = width(evaluate(piece.value, bindings_, Interval(m)));
-        const bool rests = contains(value, all) || magnitude(rate) * width(t) <= noise;
-        return is_narrow || rests ? std::optional<Time>({t, 0}) : std::nullopt;
-    }
+    const double m = mid(t);
+    const bool is_narrow = !(width(t) > narrowest * width(range_)) || !(t.lo < m && m < t.hi);
+    // Parts of a span in which the track rests tell no more than the whole of it.
+    const double noise = width(evaluate(piece.value, bindings_, Interval(m)));
+    const bool rests = contains(value, all) || magnitude(rate) * width(t) <= noise;
+    const bool is_even = runs && magnitude(rate) <= most_uneven * mignitude(rate);
+    if (!is_even && !is_narrow && !rests) return std::nullopt;
+    if (!runs) return Time{t, 0};
     // Newton's steps keep every time with a value in `value`.
     for (int k = 0; k < 60 && !is_empty(t); ++k) {
-        const double m = mid(t);
-        const Interval off = value - evaluate(piece.value, bindings_, Interval(m));
-        const Interval next = intersect(t, Interval(m) + off / evaluate(piece.rate, bindings_, t));
+        const double from = mid(t);
+        const Interval off = value - evaluate(piece.value, bindings_, Interval(from));
+        const Interval next =
+            intersect(t, Interval(from) + off / evaluate(piece.rate, bindings_, t));
         const bool shrinks = is_empty(next) || width(next) < 0.9 * width(t);
         t = next;
         if (!shrinks) break;
@@ -128,10 +131,34 @@ std::vector<MonotoneTrack::Time> MonotoneTrack::times(Interval value) const {
         if (last.direction != time.direction) last.direction = 0;
     }
     // At an end of the range a crossing may be inside or outside.
-    for (Time& time : times) {
-        if (time.at.lo <= range_.lo || time.at.hi >= range_.hi) time.direction = 0;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const double after = k > 0 ? times[k - 1].at.hi : range_.lo;
+        const double before = k + 1 < times.size() ? times[k + 1].at.lo : range_.hi;
+        if (times[k].direction != 0 && !crosses(times[k], value, {after, before}))
+            times[k].direction = 0;
     }
     return times;
+}
+
+// That the track is on one side of the value somewhat before and on the other somewhat after. Near
+// a turn enclosures are too wide to tell a value that is reached from one that nearly is.
+bool MonotoneTrack::crosses(const Time& time, Interval value, Interval between) const {
+    if (!(between.lo < time.at.lo && time.at.hi < between.hi)) return false;
+    const auto at = [&](double t) {
+        const auto piece = std::ranges::find_if(
+            pieces_, [&](const Piece& candidate) { return contains(candidate.range, t); });
+        return evaluate(piece->value, bindings_, Interval(t));
+    };
+    constexpr int most_doublings = 60;
+    double off = std::max(width(time.at), 1e-15 * width(range_));
+    for (int k = 0; k < most_doublings; ++k, off *= 2) {
+        const double from = time.at.lo - off, to = time.at.hi + off;
+        if (!(between.lo < from && to < between.hi)) return false;
+        const Interval first = at(from), last = at(to);
+        if (time.direction > 0 && first.hi < value.lo && value.hi < last.lo) return true;
+        if (time.direction < 0 && last.hi < value.lo && value.hi < first.lo) return true;
+    }
+    return false;
 }
 
 } // namespace isomotion::topology

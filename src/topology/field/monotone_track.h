@@ -36,6 +36,8 @@ private:
     // The times of a part of the piece, if halves of it would tell no more; they may be empty.
     std::optional<Time> settled(const Piece& piece, formula::Interval t,
                                 formula::Interval value) const;
+    // Proves that a time with a direction is one with the value; no other is in `between`.
+    bool crosses(const Time& time, formula::Interval value, formula::Interval between) const;
 
     std::vector<Piece> pieces_;
     formula::Bindings<formula::Interval> bindings_;
