@@ -78,13 +78,27 @@ ElementSamples::Span ElementSamples::span(double time) const {
 bool ElementSamples::jumps(std::size_t k) const {
     if (k == 0) return false; // before the first sample it is there already
     const std::size_t begin = rows_.begin[k - 1], end = rows_.begin[k];
-    if (rows_.begin[k + 1] - end != end - begin) return true;
+    if (recounts(k)) return true;
     for (std::size_t row = begin; row < end; ++row) {
         if (successor_[row] == none) return true;
         if (interpolation_ == Interpolation::linear) continue;
         for (const std::vector<double>& values : rows_.values) {
             if (values[row] != values[successor_[row]]) return true;
         }
+    }
+    return false;
+}
+
+bool ElementSamples::recounts(std::size_t k) const {
+    if (k == 0) return false;
+    return rows_.begin[k + 1] - rows_.begin[k] != rows_.begin[k] - rows_.begin[k - 1];
+}
+
+bool ElementSamples::reorders(std::size_t k) const {
+    if (k == 0) return false;
+    const std::size_t begin = rows_.begin[k - 1], end = rows_.begin[k];
+    for (std::size_t row = begin; row < end; ++row) {
+        if (successor_[row] != none && successor_[row] - end != row - begin) return true;
     }
     return false;
 }

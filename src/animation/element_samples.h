@@ -45,6 +45,11 @@ public:
     const std::vector<double>& times() const { return rows_.times; }
     // Whether values jump at sample k: elements appear, disappear or are held until it.
     bool jumps(std::size_t k) const;
+    // Whether there are more or fewer elements at sample k than before it.
+    bool recounts(std::size_t k) const;
+    // Whether an element that stays is in another row at sample k than before it. Its own values
+    // don't jump for that; what is computed from the row's number does.
+    bool reorders(std::size_t k) const;
 
     int most() const; // elements at one time
     double first_time() const { return rows_.times.front(); }

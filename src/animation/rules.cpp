@@ -37,7 +37,18 @@ std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula:
         const auto& samples = animation.arrays()[std::size_t(array)].samples;
         if (!samples) continue;
         const std::vector<double>& times = samples->times();
-        for (std::size_t k = 0; k < times.size(); ++k) add(times[k], samples->jumps(k));
+        const bool reads_rows = parts.rows.contains(array);
+        for (std::size_t k = 0; k < times.size(); ++k) {
+            add(times[k], samples->jumps(k) || (reads_rows && samples->reorders(k)));
+        }
+    }
+    for (const int array : parts.counts) {
+        const auto& samples = animation.arrays()[std::size_t(array)].samples;
+        if (!samples) continue;
+        const std::vector<double>& times = samples->times();
+        for (std::size_t k = 0; k < times.size(); ++k) {
+            if (samples->recounts(k)) add(times[k], true);
+        }
     }
     std::vector<Knot> knots;
     knots.reserve(all.size());
@@ -80,12 +91,22 @@ NodeId Rules::field(int a, int f) {
     if (const auto* number = std::get_if<double>(&source)) return graph_.constant(*number);
     if (const auto* written = std::get_if<Expression>(&source)) return expression(written->text, a);
     const NodeId listed = graph_.element(a, f);
-    if (std::holds_alternative<std::vector<double>>(source)) return listed;
+    if (std::holds_alternative<std::vector<double>>(source)) {
+        used_.rows.insert(a);
+        return listed;
+    }
     const ElementSamples::Span span = array.samples->span(within_);
     if (!(span.begin_time < span.end_time)) return listed;
     const NodeId begin = graph_.constant(span.begin_time), end = graph_.constant(span.end_time);
     const NodeId weight = graph_.divide(graph_.subtract(time_, begin), graph_.subtract(end, begin));
     return graph_.add(listed, graph_.multiply(weight, graph_.element(a, index_field(a) + 1 + f)));
+}
+
+NodeId Rules::in_place(const formula::Node& node, NodeId rebuilt) {
+    if (node.op == Op::parameter) return track(node.index);
+    if (node.op == Op::element) return field(node.index, node.second);
+    if (node.op == Op::sum) used_.counts.insert(node.index);
+    return rebuilt;
 }
 
 NodeId Rules::expression(const std::string& text, int array) {
@@ -104,9 +125,12 @@ NodeId Rules::expression(const std::string& text, int array) {
     vocabulary.allows_random = true;
     formula::Graph parsed;
     const NodeId root = formula::parse(text, vocabulary, parsed);
-    const auto in_place = [&](formula::Graph& to, const formula::Node& node, NodeId rebuilt) {
+    const auto its_place = [&](formula::Graph& to, const formula::Node& node, NodeId rebuilt) {
         if (node.op == Op::input && node.index == 0) return time_;
-        if (node.op == Op::input && node.index == 1) return to.element(array, index_field(array));
+        if (node.op == Op::input && node.index == 1) {
+            used_.rows.insert(array);
+            return to.element(array, index_field(array));
+        }
         if (node.op == Op::input) {
             const Array& of = animation_.arrays()[std::size_t(array)];
             return to.constant(of.samples ? of.samples->at(within_).count : of.count);
@@ -115,7 +139,7 @@ NodeId Rules::expression(const std::string& text, int array) {
         return std::size_t(node.index) < tracks ? track(node.index)
                                                 : field(array, node.index - int(tracks));
     };
-    return formula::substitute(graph_, parsed, std::array{root}, in_place)[0];
+    return formula::substitute(graph_, parsed, std::array{root}, its_place)[0];
 }
 
 NodeId Rules::rule(const Keys& keys) {

@@ -21,9 +21,11 @@ struct Knot {
     bool jumps = false; // values before and after differ
 };
 
-// Indices of tracks and arrays.
+// Indices of tracks and of arrays, by what of them is read.
 struct Parts {
-    std::set<int> tracks, arrays;
+    std::set<int> tracks, arrays; // of arrays the values of fields
+    std::set<int> counts{};       // how many elements there are: what every sum reads
+    std::set<int> rows{}; // which row an element is in: what reads its index or a list of numbers
 };
 
 // The times inside `range` at which a rule of these parts changes, ascending: times of keys and of
@@ -48,10 +50,12 @@ public:
     formula::NodeId track(int track);
     // For use inside a sum over the array.
     formula::NodeId field(int array, int field);
+    // What takes the place of a node in an expression of tracks and arrays (formula::Replacement).
+    formula::NodeId in_place(const formula::Node& node, formula::NodeId rebuilt);
     // The columns that elements in the graph refer to: an array's own fields, then the index of
     // each element and how far its samples move.
     std::vector<formula::ArrayColumns<double>> columns() const;
-    // The parts that the nodes made so far depend on.
+    // The parts that the nodes made so far depend on, and those put in place.
     const Parts& used() const { return used_; }
 
 private:

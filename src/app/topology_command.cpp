@@ -1,6 +1,8 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
+#include <new>
+#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -146,7 +148,12 @@ topology::TimelineRecord analysed(const TopologyArguments& arguments, const scen
     // A mistake in the last frame is told before minutes of searching.
     const topology::TimelineHeader subject =
         topology::header_of(scene, {scene.timeline.time(how.first), scene.timeline.time(how.last)});
-    return {subject, topology::analyse(scene, how)};
+    try {
+        return {subject, topology::analyse(scene, how)};
+    } catch (const std::bad_alloc&) {
+        throw std::runtime_error("out of memory: the search for events takes more than there is; "
+                                 "search fewer --frames at a time, or with --certify fast");
+    }
 }
 
 int judged(const TopologyArguments& arguments, const topology::Expectation& expectation,

@@ -25,6 +25,19 @@ inline scene::Scene scene_of(const std::string& text) {
     return scene;
 }
 
+// With elements from the file "table.csv".
+inline scene::Scene scene_of(const std::string& text, const std::string& table) {
+    setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1);
+    const auto folder =
+        std::filesystem::temp_directory_path() / fmt::format("isomotion-topology-{}", getpid());
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "scene.toml") << text;
+    std::ofstream(folder / "table.csv") << table;
+    scene::Scene scene = scene::load((folder / "scene.toml").string());
+    std::filesystem::remove_all(folder);
+    return scene;
+}
+
 inline scene::Scene still(const std::string& formula, const std::string& bounds) {
     return scene_of(fmt::format("[surface]\nformula = '''{}'''\nbounds = {}\n", formula, bounds));
 }

@@ -1,6 +1,7 @@
 #include "topology/field/monotone_track.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "animation/rules.h"
 #include "formula/graph/derivative.h"
@@ -19,6 +20,10 @@ Interval evaluate(const formula::Program& program, const formula::Bindings<Inter
 
 // Below this part of the range a turn of the track is not told from a crossing.
 constexpr double narrowest = 1e-9;
+// With more parts of a piece than this undecided, they stay so: the track nearly rests.
+constexpr std::size_t most_open = 1 << 14;
+// Newton's steps close in on a crossing where rates differ by this factor at most.
+constexpr double most_uneven = 8;
 
 } // namespace
 
@@ -64,38 +69,52 @@ Interval MonotoneTrack::values() const {
     return all;
 }
 
+std::optional<MonotoneTrack::Time> MonotoneTrack::settled(const Piece& piece, Interval t,
+                                                          Interval value) const {
+    const Interval all = evaluate(piece.value, bindings_, t);
+    const Interval rate = evaluate(piece.rate, bindings_, t);
+    // Where the rate has no bound there may be a pole, across which no mean value leads.
+    const bool runs = (rate.lo > 0 || rate.hi < 0) && std::isfinite(magnitude(rate));
+    const double m = mid(t);
+    const bool is_narrow = !(width(t) > narrowest * width(range_)) || !(t.lo < m && m < t.hi);
+    // Parts of a span in which the track rests tell no more than the whole of it.
+    const double noise = width(evaluate(piece.value, bindings_, Interval(m)));
+    const bool rests = contains(value, all) || magnitude(rate) * width(t) <= noise;
+    const bool is_even = runs && magnitude(rate) <= most_uneven * mignitude(rate);
+    if (!is_even && !is_narrow && !rests) return std::nullopt;
+    if (!runs) return Time{t, 0};
+    // Newton's steps keep every time with a value in `value`.
+    for (int k = 0; k < 60 && !is_empty(t); ++k) {
+        const double from = mid(t);
+        const Interval off = value - evaluate(piece.value, bindings_, Interval(from));
+        const Interval next =
+            intersect(t, Interval(from) + off / evaluate(piece.rate, bindings_, t));
+        const bool shrinks = is_empty(next) || width(next) < 0.9 * width(t);
+        t = next;
+        if (!shrinks) break;
+    }
+    return Time{t, rate.lo > 0 ? 1 : -1};
+}
+
 std::vector<MonotoneTrack::Time> MonotoneTrack::times(Interval value) const {
     std::vector<Time> found;
-    const double least = narrowest * (range_.hi - range_.lo);
     for (const Piece& piece : pieces_) {
-        std::vector<Interval> stack{piece.range};
-        while (!stack.empty()) {
-            Interval t = stack.back();
-            stack.pop_back();
-            if (is_empty(intersect(evaluate(piece.value, bindings_, t), value))) continue;
-            const Interval rate = evaluate(piece.rate, bindings_, t);
-            const bool runs = rate.lo > 0 || rate.hi < 0;
-            if (runs) {
-                // Newton's steps keep every time with a value in `value`.
-                for (int k = 0; k < 60 && !is_empty(t); ++k) {
-                    const double m = mid(t);
-                    const Interval off = value - evaluate(piece.value, bindings_, Interval(m));
-                    const Interval next =
-                        intersect(t, Interval(m) + off / evaluate(piece.rate, bindings_, t));
-                    const bool shrinks = is_empty(next) || width(next) < 0.9 * width(t);
-                    t = next;
-                    if (!shrinks) break;
+        std::vector<Interval> open{piece.range};
+        while (!open.empty()) {
+            std::vector<Interval> halves;
+            const bool are_too_many = open.size() > most_open;
+            for (const Interval t : open) {
+                if (is_empty(intersect(evaluate(piece.value, bindings_, t), value))) continue;
+                if (const auto time = settled(piece, t, value)) {
+                    if (!is_empty(time->at)) found.push_back(*time);
+                } else if (are_too_many) {
+                    found.push_back({t, 0});
+                } else {
+                    halves.emplace_back(t.lo, mid(t));
+                    halves.emplace_back(mid(t), t.hi);
                 }
-                if (!is_empty(t)) found.push_back({t, rate.lo > 0 ? 1 : -1});
-                continue;
             }
-            const double m = mid(t);
-            if (!(width(t) > least) || !(t.lo < m && m < t.hi)) {
-                found.push_back({t, 0});
-                continue;
-            }
-            stack.emplace_back(t.lo, m);
-            stack.emplace_back(m, t.hi);
+            open = std::move(halves);
         }
     }
     std::sort(found.begin(), found.end(),
@@ -112,10 +131,34 @@ std::vector<MonotoneTrack::Time> MonotoneTrack::times(Interval value) const {
         if (last.direction != time.direction) last.direction = 0;
     }
     // At an end of the range a crossing may be inside or outside.
-    for (Time& time : times) {
-        if (time.at.lo <= range_.lo || time.at.hi >= range_.hi) time.direction = 0;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const double after = k > 0 ? times[k - 1].at.hi : range_.lo;
+        const double before = k + 1 < times.size() ? times[k + 1].at.lo : range_.hi;
+        if (times[k].direction != 0 && !crosses(times[k], value, {after, before}))
+            times[k].direction = 0;
     }
     return times;
+}
+
+// That the track is on one side of the value somewhat before and on the other somewhat after. Near
+// a turn enclosures are too wide to tell a value that is reached from one that nearly is.
+bool MonotoneTrack::crosses(const Time& time, Interval value, Interval between) const {
+    if (!(between.lo < time.at.lo && time.at.hi < between.hi)) return false;
+    const auto at = [&](double t) {
+        const auto piece = std::ranges::find_if(
+            pieces_, [&](const Piece& candidate) { return contains(candidate.range, t); });
+        return evaluate(piece->value, bindings_, Interval(t));
+    };
+    constexpr int most_doublings = 60;
+    double off = std::max(width(time.at), 1e-15 * width(range_));
+    for (int k = 0; k < most_doublings; ++k, off *= 2) {
+        const double from = time.at.lo - off, to = time.at.hi + off;
+        if (!(between.lo < from && to < between.hi)) return false;
+        const Interval first = at(from), last = at(to);
+        if (time.direction > 0 && first.hi < value.lo && value.hi < last.lo) return true;
+        if (time.direction < 0 && last.hi < value.lo && value.hi < first.lo) return true;
+    }
+    return false;
 }
 
 } // namespace isomotion::topology

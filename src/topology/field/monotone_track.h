@@ -1,6 +1,7 @@
 // One track as a function of time, in pieces that rise or fall: the times at which it has a value.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "formula/evaluate/evaluate.h"
@@ -22,7 +23,8 @@ public:
                            // value there is too
     };
     // The times with a value in `value`: those with a direction hold one time for each of its
-    // members and lie inside the range. Ascending.
+    // members and lie inside the range. Those without may be long: spans in which the track rests,
+    // or hardly moves. Ascending.
     std::vector<Time> times(formula::Interval value) const;
 
 private:
@@ -30,6 +32,12 @@ private:
         formula::Interval range;
         formula::Program value, rate;
     };
+
+    // The times of a part of the piece, if halves of it would tell no more; they may be empty.
+    std::optional<Time> settled(const Piece& piece, formula::Interval t,
+                                formula::Interval value) const;
+    // Proves that a time with a direction is one with the value; no other is in `between`.
+    bool crosses(const Time& time, formula::Interval value, formula::Interval between) const;
 
     std::vector<Piece> pieces_;
     formula::Bindings<formula::Interval> bindings_;

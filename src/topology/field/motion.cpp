@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -109,9 +110,7 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
     animation::Rules rules(scene.timeline.animation, within, g,
                            g.input(driver ? time_input : clock_input), by);
     const auto in_place = [&](Graph&, const Node& node, NodeId rebuilt) {
-        if (node.op == Op::parameter) return rules.track(node.index);
-        if (node.op == Op::element) return rules.field(node.index, node.second);
-        return rebuilt;
+        return rules.in_place(node, rebuilt);
     };
     const formula::Field& field = *scene.surface.field;
     motion.field = formula::substitute(g, field.graph, std::array{field.root}, in_place)[0];
@@ -251,8 +250,11 @@ Motions motions(const scene::Scene& scene, Side side, Interval range, Clock cloc
     if (clock == Clock::track_if_one && all.jumps.empty()) {
         if (auto motion = through_one_track(scene, parts, side, range)) {
             motion->clock = MonotoneTrack(scene, *motion->driver, range).values();
-            all.pieces.clear();
-            all.pieces.push_back(std::move(*motion));
+            // A track with a pole in the range is no clock: there is no end to its values.
+            if (std::isfinite(motion->clock.lo) && std::isfinite(motion->clock.hi)) {
+                all.pieces.clear();
+                all.pieces.push_back(std::move(*motion));
+            }
         }
     }
     return all;

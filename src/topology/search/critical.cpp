@@ -74,6 +74,9 @@ private:
         return {{clock, contains(motion_.clock, clock) ? 1 : 0}};
     }
 
+    // A turn of the track takes no longer than doubles need to tell it.
+    bool rests(Interval time) const { return width(time) > 1e-4 * width(timeline_.range); }
+
     void unresolved(const MovingField& field, const Box& box, const std::string& why) {
         for (const MonotoneTrack::Time& time : times(box[std::size_t(field.dimension())])) {
             timeline_.unresolved.push_back({time.at, place(field, box), why, {}, {}});
@@ -112,8 +115,10 @@ private:
                 timeline_.unresolved.push_back(
                     {time.at,
                      where,
-                     track_ ? "the motion turns, rests or ends where the surface is singular"
-                            : "the surface is singular where the motion changes its rule or ends",
+                     !track_ ? "the surface is singular where the motion changes its rule or ends"
+                     : rests(time.at)
+                         ? "the surface rests, or nearly, where it is singular"
+                         : "the motion turns, rests or ends where the surface is singular",
                      {},
                      {}});
                 continue;

@@ -76,6 +76,28 @@ TEST(ElementSamples, OneSampleStandsStill) {
     }
 }
 
+TEST(ElementSamples, ReorderWhereOneThatStaysIsInAnotherRow) {
+    // Elements 1 2 3, then 1 3 2, then 1 3, then 1 3 again.
+    const ElementSamples::Rows rows{{0, 1, 2, 3},
+                                    {0, 3, 6, 8, 10},
+                                    {std::vector<double>(10, 7.0)},
+                                    {1, 2, 3, 1, 3, 2, 1, 3, 1, 3}};
+    for (const auto interpolation : {Interpolation::linear, Interpolation::hold}) {
+        const ElementSamples samples(rows, interpolation);
+        const std::array<bool, 4> jumps{false, false, true, false};
+        const std::array<bool, 4> recounts{false, false, true, false};
+        const std::array<bool, 4> reorders{false, true, false, false};
+        for (std::size_t k = 0; k < 4; ++k) {
+            EXPECT_EQ(samples.jumps(k), jumps[k]) << k;
+            EXPECT_EQ(samples.recounts(k), recounts[k]) << k;
+            EXPECT_EQ(samples.reorders(k), reorders[k]) << k;
+        }
+    }
+    // Without ids the k-th is the k-th.
+    const ElementSamples samples(three_times(Interpolation::linear, false));
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_FALSE(samples.reorders(k)) << k;
+}
+
 // No jump but where elements come and go.
 TEST(ElementSamples, MoveContinuously) {
     ElementSamples::Rows rows;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "formula/graph/program.h"
+#include "formula/graph/substitute.h"
 
 namespace isomotion::animation {
 namespace {
@@ -98,6 +99,61 @@ TEST(Rules, ChangeAtKnotsOfWhatIsUsed) {
     EXPECT_EQ(times({{1}, {}}, {1, 4}), (Times{{1.5, true}, {4, true}}));
     EXPECT_EQ(times({{0}, {}}, {1, 1.5}), (Times{}));
     EXPECT_EQ(times({{1}, {}}, {4, 4}), (Times{}));
+}
+
+// Elements 5 and 6 change rows at 1 s; 6 is gone at 2 s.
+Animation changing_rows(std::vector<ArrayField> fields) {
+    ElementSamples::Rows rows;
+    rows.times = {0, 1, 2};
+    rows.begin = {0, 2, 4, 5};
+    rows.values = {{0, 10, 11, 1, 2}};
+    rows.ids = {5, 6, 6, 5, 5};
+    fields.insert(fields.begin(), {"x", Column{0}});
+    return Animation(
+        {},
+        {{"drops", 2, std::move(fields),
+          std::make_shared<const ElementSamples>(rows, ElementSamples::Interpolation::linear)}});
+}
+
+TEST(Rules, JumpWhereRowsChangeIfRowsAreRead) {
+    using Times = std::vector<std::pair<double, bool>>;
+    const auto times = [](const ArrayField& field) {
+        const Animation animation = changing_rows({field});
+        Graph graph;
+        Rules rules(animation, 0.5, graph, graph.input(0));
+        graph.sum(0, rules.field(0, 1));
+        Times found;
+        for (const Knot& knot : knots(animation, rules.used(), {0, 3}))
+            found.emplace_back(knot.time, knot.jumps);
+        return found;
+    };
+    EXPECT_EQ(times({"y", Expression{"2*x + t"}}), (Times{{1, false}, {2, true}}));
+    EXPECT_EQ(times({"y", Expression{"x + n"}}), (Times{{1, false}, {2, true}}));
+    for (const ArrayField& field :
+         {ArrayField{"y", Expression{"0.5*i"}}, ArrayField{"y", Expression{"x + random(i, 1)"}},
+          ArrayField{"y", std::vector<double>{3, 4}}}) {
+        EXPECT_EQ(times(field), (Times{{1, true}, {2, true}}));
+    }
+}
+
+TEST(Rules, JumpWhereTheCountOfASumDoesThoughNoFieldIsRead) {
+    const Animation animation = changing_rows({{"w", 1.0}});
+    for (const bool reads_field : {false, true}) {
+        Graph scene, graph;
+        const NodeId body = reads_field ? scene.element(0, 1) : scene.constant(1);
+        const NodeId sum = scene.sum(0, body);
+        Rules rules(animation, 0.5, graph, graph.input(0));
+        formula::substitute(graph, scene, std::array{sum},
+                            [&](Graph&, const formula::Node& node, NodeId rebuilt) {
+                                return rules.in_place(node, rebuilt);
+                            });
+        const std::vector<Knot> found = knots(animation, rules.used(), {0, 3});
+        ASSERT_FALSE(found.empty());
+        EXPECT_EQ(found.back().time, 2);
+        EXPECT_TRUE(found.back().jumps);
+        // What has the same count is one rule.
+        EXPECT_EQ(found.size(), reads_field ? 2u : 1u);
+    }
 }
 
 TEST(Rules, SamplesThatHoldJumpAtTheEndOfARange) {

@@ -1,0 +1,70 @@
+// Motions that rest where the surface is singular: unresolved for as long as they rest, at the cost
+// of a moment.
+#include "topology/analyse.h"
+#include "topology/moving.h"
+
+namespace isomotion::topology {
+namespace {
+
+// Two drops that touch in a point while c is 0.
+Moving drops(const std::string& parameters, const std::string& place = "x") {
+    return {fmt::format("{0}^4 - 2*{0}^2 + y^2 + z^2 + c", place), "{ sphere = 4 }", parameters};
+}
+
+// Unresolved from `from` to `to` and at no other time.
+void expect_unresolved(const Timeline& timeline, double from, double to) {
+    SCOPED_TRACE(described(timeline));
+    EXPECT_FALSE(timeline.is_proved);
+    ASSERT_FALSE(timeline.unresolved.empty());
+    EXPECT_LT(timeline.unresolved.size(), 10u);
+    double first = to, last = from;
+    for (const Unresolved& place : timeline.unresolved) {
+        first = std::min(first, place.time.lo);
+        last = std::max(last, place.time.hi);
+    }
+    EXPECT_NEAR(first, from, 0.05);
+    EXPECT_NEAR(last, to, 0.05);
+    EXPECT_TRUE(std::ranges::any_of(timeline.unresolved, [&](const Unresolved& place) {
+        return contains(place.time, from + 0.06) && contains(place.time, to - 0.06);
+    }));
+}
+
+TEST(Resting, WhereTheSurfaceIsSingularIsUnresolvedForAsLong) {
+    for (const char* c : {"\"min(max(t - 1, -0.5), 0) + 0.5*max(t - 2, 0)\"",
+                          "{ keys = [[0, -0.5], [1, 0], [2, 0], [3, 0.5]] }",
+                          "{ keys = [[0, -0.5], [1, 0], [2, 0], [3, 0.5]], ease = \"smooth\" }",
+                          "\"(max(t - 2, 0) - max(1 - t, 0))*0.5\""}) {
+        SCOPED_TRACE(c);
+        const Timeline timeline = events_of(drops(fmt::format("c = {}", c)), 0, 3);
+        expect_unresolved(timeline, 1, 2);
+        EXPECT_EQ(timeline.unresolved[0].why, "the surface rests, or nearly, where it is singular");
+    }
+}
+
+TEST(Resting, WhileElseMovesIsUnresolvedForAsLong) {
+    const Timeline timeline = events_of(
+        drops("d = \"0.1*t\"\nc = { keys = [[0, -0.5], [1, 0], [2, 0], [3, 0.5]] }", "(x - d)"), 0,
+        3);
+    expect_unresolved(timeline, 1, 2);
+}
+
+TEST(Resting, AlongACircleIsUnresolvedForAsLong) {
+    // A ring that has no thickness while c is 0.
+    const Moving ring{"(x^2 + y^2 - 1)^2 + z^2 + c", "{ sphere = 4 }",
+                      "c = \"min(max(t - 1, -0.5), 0) - 0.3*max(t - 2, 0)\""};
+    expect_unresolved(events_of(ring, 0, 3), 1, 2);
+}
+
+TEST(Resting, ToTheEndLeavesTheEndUnknown) {
+    const Moving moving = drops("c = \"min(max(t - 1, -0.5), 0)\"");
+    Moving three_seconds = moving;
+    three_seconds.rest = "[time]\nframes = 31\nfps = 10";
+    const Timeline timeline = analyse(three_seconds.scene());
+    expect_unresolved(timeline, 1, 3);
+    EXPECT_EQ(timeline.start, (Betti{1, 0, 0}));
+    EXPECT_FALSE(timeline.end.has_value());
+    EXPECT_FALSE(timeline.is_complete());
+}
+
+} // namespace
+} // namespace isomotion::topology
