@@ -23,20 +23,23 @@ bool has_chebyshev(const Graph& g) {
 
 EnclosurePrograms enclosure_programs(const Field& field) {
     Graph g = field.graph;
+    g.fold_exactly();
     const auto slope = [&](const std::vector<NodeId>& directions) {
         return differentiate_inputs(g, field.root, directions, Slopes::generalized);
     };
     const NodeId one = g.constant(1), zero = g.constant(0);
+    const NodeId value = g.add(field.root, gaps(g, field.root));
     const NodeId along = slope(direction(g));
     const std::array gradient{slope({one, zero, zero}), slope({zero, one, zero}),
                               slope({zero, zero, one})};
-    return {schedule(g, std::array{field.root}), schedule(g, std::array{field.root, along}),
+    return {schedule(g, std::array{value}), schedule(g, std::array{value, along}),
             schedule(g, gradient), schedule(g, std::array{jumps(g, field.root)})};
 }
 
 std::optional<Program> bend_program(const Field& field) {
     if (!degree(field.graph, field.root) || has_chebyshev(field.graph)) return {};
     Graph g = field.graph;
+    g.fold_exactly();
     const NodeId along = differentiate_inputs(g, field.root, direction(g));
     const NodeId one = g.constant(1), zero = g.constant(0);
     std::vector<NodeId> outputs{field.root, along};

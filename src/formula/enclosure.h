@@ -5,7 +5,8 @@
 // (derivative.h): over a box, `along` and `gradient` enclose not only the derivatives but all
 // difference quotients between points of the box, also across kinks and ends of roots. Over boxes
 // that may hold a jump or a pole they are the entire line. So where dF/dt has a bound F is
-// continuous, and where it doesn't hold 0, a ray has at most one root, whatever the formula.
+// continuous, and where it doesn't hold 0, a ray has at most one root, whatever the formula. Values
+// are the entire line over boxes with points where F has none.
 //
 //     const EnclosurePrograms programs = enclosure_programs(field);
 //     Evaluator<Interval> along(programs.along);

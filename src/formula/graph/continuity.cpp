@@ -1,8 +1,11 @@
 #include "formula/graph/continuity.h"
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <vector>
 
+#include "formula/graph/functions.h"
 #include "formula/graph/substitute.h"
 
 namespace isomotion::formula {
@@ -28,6 +31,32 @@ NodeId unless_without_kink(Graph& g, NodeId id) {
     if (node.op != Op::min && node.op != Op::max && node.op != Op::select) return g.constant(0);
     // By how the comparison of the first two comes out.
     return unless_one_value(g, g.unary(Op::sign, g.subtract(node.children[0], node.children[1])));
+}
+
+bool is_whole(double x) { return x == std::floor(x); }
+
+// Whether the base's values are known not to be negative.
+bool has_sign(const Graph& g, NodeId id) {
+    const Node& node = g[id];
+    if (node.op == Op::multiply) return node.children[0] == node.children[1];
+    const UnaryTraits* traits = unary_traits(node.op);
+    return traits && traits->sign == Sign::not_negative;
+}
+
+NodeId unless_gap(Graph& g, NodeId id, const std::vector<bool>& depends) {
+    const Node node = g[id];
+    const NodeId a = node.children[0], b = node.children[1], zero = g.constant(0);
+    switch (node.op) {
+    case Op::power:
+        if (g.is_constant(b) && is_whole(g[b].value)) return zero;
+        [[fallthrough]];
+    case Op::log:
+        return has_sign(g, a) ? zero : g.select(a, zero, entire(g), zero);
+    case Op::divide:
+        return g.is_constant(a) || !depends[b] ? zero : unless_bounded(g, id);
+    default:
+        return zero;
+    }
 }
 
 // The sum of `decoration` of each node below, over the elements of each array that it is of.
@@ -70,6 +99,16 @@ NodeId unless_continuous(Graph& g, NodeId id) {
 }
 
 NodeId jumps(Graph& g, NodeId root) { return all_below(g, root, unless_continuous); }
+
+NodeId gaps(Graph& g, NodeId root) {
+    std::vector<bool> depends(std::size_t(root) + 1, false); // on an input
+    for (const NodeId id : nodes_below(g, std::array{root})) {
+        bool some = g[id].op == Op::input;
+        for (std::size_t k = 0; k < g[id].arity; ++k) some = some || depends[g[id].children[k]];
+        depends[id] = some;
+    }
+    return all_below(g, root, [&](Graph& to, NodeId id) { return unless_gap(to, id, depends); });
+}
 
 NodeId kinks(Graph& g, NodeId root) { return all_below(g, root, unless_without_kink); }
 

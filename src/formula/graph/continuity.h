@@ -22,6 +22,12 @@ NodeId unless_continuous(Graph& graph, NodeId operation);
 // and nowhere cut off ("dac" of IEEE 1788).
 NodeId jumps(Graph& graph, NodeId root);
 
+// ... over boxes without points where the root has no value: logarithms and real powers of negative
+// numbers, 0/0. To be added to values, for what has bounds itself hides it: the enclosure of
+// sin(log(x)) is [-1, 1] where x < 0. 0/0 is not looked for where the divisor does not depend on
+// place.
+NodeId gaps(Graph& graph, NodeId root);
+
 // ... over boxes without a kink of min, max and select. Slopes over a box hold across these, but
 // slopes of those slopes don't. Nothing need be added for jumps, where slopes of slopes are the
 // entire line as slopes are, nor at the ends of sqrt, asin and acos, where they are quotients 0/0.

@@ -52,6 +52,45 @@ double fold(Op op, double a, double b) {
     }
 }
 
+bool is_exact(Op op, double a, double result) {
+    switch (op) {
+    case Op::negate:
+    case Op::abs:
+    case Op::sign:
+    case Op::floor:
+        return true;
+    case Op::sqrt:
+        return a >= 0 && std::fma(result, result, -a) == 0;
+    default:
+        return false;
+    }
+}
+
+// Where nothing underflows, which counts as inexact.
+bool is_exact(Op op, double a, double b, double result) {
+    const auto sum_is_exact = [&](double term) {
+        const double from_a = result - term;
+        return a - from_a == 0 && term - (result - from_a) == 0;
+    };
+    constexpr double smallest = 0x1p-900;
+    switch (op) {
+    case Op::add:
+        return sum_is_exact(b);
+    case Op::subtract:
+        return sum_is_exact(-b);
+    case Op::multiply:
+        return result == 0 ? a == 0 || b == 0
+                           : std::abs(result) > smallest && std::fma(a, b, -result) == 0;
+    case Op::divide:
+        return b != 0 && std::abs(a) > smallest && std::fma(result, b, -a) == 0;
+    case Op::min:
+    case Op::max:
+        return true;
+    default:
+        return false;
+    }
+}
+
 // a^n for n >= 1, by repeated squaring.
 NodeId product(Graph& g, NodeId a, int n) {
     if (n == 1) return a;
@@ -116,7 +155,10 @@ NodeId Graph::element(int array, int field) {
 
 NodeId Graph::unary(Op op, NodeId a) {
     const Node child = nodes_[a];
-    if (child.op == Op::constant) return constant(fold(op, child.value));
+    if (child.op == Op::constant) {
+        const double value = fold(op, child.value);
+        if (!exactly_ || is_exact(op, child.value, value)) return constant(value);
+    }
     if (op == Op::negate) {
         if (child.op == Op::negate) return child.children[0];
         if (child.op == Op::subtract) return subtract(child.children[1], child.children[0]);
@@ -133,7 +175,9 @@ NodeId Graph::unary(Op op, NodeId a) {
 
 NodeId Graph::binary(Op op, NodeId a, NodeId b) {
     if (is_constant(a) && is_constant(b) && op != Op::random) {
-        return constant(fold(op, nodes_[a].value, nodes_[b].value));
+        const double value = fold(op, nodes_[a].value, nodes_[b].value);
+        if (!exactly_ || is_exact(op, nodes_[a].value, nodes_[b].value, value))
+            return constant(value);
     }
     switch (op) {
     case Op::add:
@@ -204,8 +248,10 @@ NodeId Graph::multiply_simplified(NodeId a, NodeId b) {
     // c1 * (c2 * x): derivatives pile up constant factors.
     if (is_constant(b)) std::swap(a, b);
     if (is_constant(a) && nodes_[b].op == Op::multiply && is_constant(nodes_[b].children[0])) {
-        const double factor = nodes_[a].value * nodes_[nodes_[b].children[0]].value;
-        if (std::isfinite(factor)) return multiply(constant(factor), nodes_[b].children[1]);
+        const double other = nodes_[nodes_[b].children[0]].value, factor = nodes_[a].value * other;
+        if (std::isfinite(factor) &&
+            (!exactly_ || is_exact(Op::multiply, nodes_[a].value, other, factor)))
+            return multiply(constant(factor), nodes_[b].children[1]);
     }
     // What doesn't change with a loop's element moves out of the products that do, to be computed
     // once or to leave the sum altogether: a * (c * y) is (a * c) * y or c * (a * y).

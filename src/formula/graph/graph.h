@@ -68,6 +68,10 @@ public:
     const Node& operator[](NodeId id) const { return nodes_[id]; }
     std::size_t size() const { return nodes_.size(); }
 
+    // From now on constants are put together only where that is exact: for expressions whose
+    // intervals are to hold what is so on paper, such as slopes.
+    void fold_exactly() { exactly_ = true; }
+
     NodeId constant(double value);
     NodeId input(int index);
     NodeId parameter(int index);
@@ -114,6 +118,7 @@ private:
     };
     std::vector<Node> nodes_;
     std::unordered_map<Node, NodeId, Hash> ids_;
+    bool exactly_ = false;
 };
 
 inline constexpr int max_arrays = limits::arrays;

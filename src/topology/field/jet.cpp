@@ -16,14 +16,13 @@ NodeId derivative(Graph& g, NodeId root, std::size_t by, Slopes slopes) {
     return formula::differentiate_inputs(g, root, direction, slopes);
 }
 
-// `kink` is added to second derivatives.
 std::vector<NodeId> jet(Graph& g, NodeId field, std::span<const std::size_t> unknowns,
-                        std::size_t rows, Slopes first, Slopes second, NodeId kink) {
+                        std::size_t rows, Slopes first, Slopes second) {
     std::vector<NodeId> nodes{field};
     for (const std::size_t by : unknowns) nodes.push_back(derivative(g, field, by, first));
     for (std::size_t i = 0; i < rows; ++i) {
         for (const std::size_t by : unknowns.subspan(i))
-            nodes.push_back(g.add(derivative(g, nodes[1 + i], by, second), kink));
+            nodes.push_back(derivative(g, nodes[1 + i], by, second));
     }
     return nodes;
 }
@@ -32,13 +31,18 @@ std::vector<NodeId> jet(Graph& g, NodeId field, std::span<const std::size_t> unk
 
 std::vector<NodeId> jet_over_boxes(Graph& g, NodeId field, std::span<const std::size_t> unknowns,
                                    std::size_t rows) {
-    return jet(g, field, unknowns, rows, Slopes::generalized, Slopes::generalized,
-               formula::kinks(g, field));
+    g.fold_exactly();
+    std::vector<NodeId> nodes =
+        jet(g, field, unknowns, rows, Slopes::generalized, Slopes::generalized);
+    const NodeId gaps = formula::gaps(g, field), kinks = formula::kinks(g, field);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+        nodes[k] = g.add(nodes[k], k <= unknowns.size() ? gaps : kinks);
+    return nodes;
 }
 
 std::vector<NodeId> jet_at_points(Graph& g, NodeId field, std::span<const std::size_t> unknowns,
                                   std::size_t rows) {
-    return jet(g, field, unknowns, rows, Slopes::pointwise, Slopes::pointwise_again, g.constant(0));
+    return jet(g, field, unknowns, rows, Slopes::pointwise, Slopes::pointwise_again);
 }
 
 } // namespace isomotion::topology

@@ -29,8 +29,8 @@ template<class T> struct Jet {
 // F, its derivatives by the unknowns (inputs of the graph), then its second derivatives: rows for
 // the first `rows` unknowns, each from the diagonal on.
 //
-// Over boxes: all difference quotients between two points, the entire line where F may jump, and
-// second derivatives that have none where there may be a kink.
+// Over boxes: all difference quotients between two points, the entire line where F may jump or have
+// no value, and second derivatives that are it where there may be a kink.
 std::vector<formula::NodeId> jet_over_boxes(formula::Graph& graph, formula::NodeId field,
                                             std::span<const std::size_t> unknowns,
                                             std::size_t rows);

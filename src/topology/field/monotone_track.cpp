@@ -44,6 +44,7 @@ MonotoneTrack::MonotoneTrack(const scene::Scene& scene, int track, Interval rang
         const formula::NodeId t = g.input(0);
         const double within = ends[k] + (ends[k + 1] - ends[k]) / 2;
         const formula::NodeId value = animation::Rules(animation, within, g, t).track(track);
+        g.fold_exactly();
         const formula::NodeId rate =
             formula::differentiate_inputs(g, value, {g.constant(1)}, formula::Slopes::generalized);
         pieces_.push_back({{ends[k], ends[k + 1]},
