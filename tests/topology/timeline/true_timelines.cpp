@@ -90,7 +90,7 @@ std::vector<NamedTimeline> complete_timelines() {
     for (const std::string& name : golden_names()) {
         all.push_back({name, read_timeline(golden_file(name)), name == "tangle" ? 4u : 1u});
     }
-    all.push_back({"blobby75", read_timeline(golden_file("spheres/blobby75")), 70});
+    all.push_back({"blobby75", read_timeline(golden_file("spheres/blobby75")), 140});
     std::erase_if(all,
                   [](const NamedTimeline& each) { return !each.record.timeline.is_complete(); });
     return all;
