@@ -31,7 +31,12 @@ public:
         if (expected.header.fingerprint != found.header.fingerprint) {
             check_.notes.emplace_back("the scene is not the one that the expectation was made of");
         }
-        if (expected.header.fps != found.header.fps) {
+        const TimelineHeader &one = expected.header, &other = found.header;
+        if (one.shape != other.shape || one.start_bounds != other.start_bounds ||
+            one.end_bounds != other.end_bounds) {
+            check_.notes.emplace_back("the bounds are not those of the expectation");
+        }
+        if (one.fps != other.fps) {
             check_.notes.emplace_back("the frame rate is not the expectation's; times are compared "
                                       "in seconds");
         }
