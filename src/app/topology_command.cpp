@@ -55,6 +55,13 @@ topology::Certify parse_certify(const std::string& text) {
     throw std::invalid_argument(fmt::format("--certify {}: write off, fast or full", text));
 }
 
+// Not by CLI::NonNegativeNumber, which takes what is no number at all for one that is not negative.
+void check_dt(double seconds) {
+    if (seconds >= 0 && std::isfinite(seconds)) return;
+    throw std::invalid_argument(
+        fmt::format("--dt {}: events move by a number of seconds, 0 or more: --dt 1e-9", seconds));
+}
+
 // First and last of what is searched, all time in between included.
 std::pair<int, int> span_of(const std::string& text, const scene::Scene& scene) {
     if (text.empty()) {
@@ -180,6 +187,7 @@ int topology_of(const TopologyArguments& arguments) {
     check_extension("--csv", arguments.csv, ".csv");
     check_extension("--plot", arguments.plot, ".svg");
     parse_certify(arguments.certify);
+    check_dt(arguments.dt);
     gpu::parse_backend(arguments.backend);
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
     const auto frames = span_of(arguments.frames, scene);
@@ -218,11 +226,11 @@ void add_topology(CLI::App& app, Action& chosen) {
     command->add_option("--plot", a.plot, "file for a picture of the timeline: NAME.svg");
     command->add_option("--check", a.check,
                         "compare the timeline with this file: one written with -o, or claims in "
-                        "JSON or TOML; exit code 1 if it differs, 2 if it could not be decided");
+                        "JSON or TOML; all that it says must be so, and in the frames that are "
+                        "searched; exit code 1 if it differs, 2 if it could not be decided");
     command
         ->add_option("--dt", a.dt,
-                     "seconds by which events may have moved from a checked timeline's")
-        ->check(CLI::NonNegativeNumber)
+                     "seconds by which events may have moved from a checked timeline's; 0 or more")
         ->capture_default_str();
     command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
     add_allow_outside(*command, a.reach);

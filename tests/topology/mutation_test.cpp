@@ -105,6 +105,8 @@ TEST_P(Mutations, TheSmallestBoxIsTooLarge) {
     const scene::Scene scene = balls_.scene();
     const Side side = solid_side(scene);
     const MovingScene frames(scene, side, expected_.timeline.range);
+    TimelineRecord expected = expected_;
+    for (Event& event : expected.timeline.events) event.is_proved_again = false; // nor is it here
     int incomplete = 0;
     for (double smallest : {0.5, 0.2, 0.1, 0.03, 0.01, 1e-3}) {
         EventSearchOptions coarse;
@@ -117,9 +119,9 @@ TEST_P(Mutations, TheSmallestBoxIsTooLarge) {
         find_kinds(found.timeline, frames.proofs(found.timeline.events));
         if (!found.timeline.is_complete()) {
             ++incomplete;
-            EXPECT_NE(compare(expected_, found, dt).outcome(), Outcome::passes) << smallest;
+            EXPECT_NE(compare(expected, found, dt).outcome(), Outcome::passes) << smallest;
         } else {
-            EXPECT_TRUE(agrees(expected_, found)) << smallest;
+            EXPECT_TRUE(agrees(expected, found)) << smallest;
         }
     }
     EXPECT_GT(incomplete, 0);

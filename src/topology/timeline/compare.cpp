@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "topology/timeline/contradictions.h"
+#include "topology/timeline/event_differences.h"
 #include "topology/timeline/matching.h"
 #include "topology/timeline/steps.h"
 #include "topology/timeline/words.h"
@@ -14,30 +17,6 @@ namespace {
 
 using formula::Interval;
 
-// Between the nearest members of two intervals, and between the farthest.
-double least_distance(Interval a, Interval b) { return std::max({0.0, a.lo - b.hi, b.lo - a.hi}); }
-double most_distance(Interval a, Interval b) { return std::max(a.hi - b.lo, b.hi - a.lo); }
-
-double place_distance(const Event& a, const Event& b) {
-    double sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        sum += std::pow(least_distance(a.where[k], b.where[k]), 2);
-    }
-    return std::sqrt(sum);
-}
-
-double diagonal(const TimelineHeader& header) {
-    double sum = 0;
-    for (const Interval side : header.start_bounds) sum += std::pow(side.hi - side.lo, 2);
-    return std::isfinite(sum) && sum > 0 ? std::sqrt(sum) : 1;
-}
-
-// What is said of each event of a moment is that it has one of the two kinds that its index leaves.
-bool may_change_kinds(const Event& a, const Event& b) {
-    return a.kind_proof == "together" && b.kind_proof == "together" && a.index == b.index &&
-           a.grows == b.grows;
-}
-
 class Comparison {
 public:
     Comparison(const TimelineRecord& expected, const TimelineRecord& found, double dt)
@@ -45,11 +24,21 @@ public:
         , found_(found.timeline)
         , fps_(found.header.fps)
         , dt_(dt)
-        , span_(std::max(expected_.range.hi - expected_.range.lo, dt))
-        , diagonal_(diagonal(expected.header)) {
-        same_place_ = diagonal_ * std::max(1e-6, dt / span_);
+        , tolerance_(tolerance_of(found, dt))
+        , diagonal_(diagonal(found.header)) {
+        const double searched = formula::width(found_.range);
+        if (searched > 0) span_ = searched;
         if (expected.header.fingerprint != found.header.fingerprint) {
             check_.notes.emplace_back("the scene is not the one that the expectation was made of");
+        }
+        const TimelineHeader &one = expected.header, &other = found.header;
+        if (one.shape != other.shape || one.start_bounds != other.start_bounds ||
+            one.end_bounds != other.end_bounds) {
+            check_.notes.emplace_back("the bounds are not those of the expectation");
+        }
+        if (one.fps != other.fps) {
+            check_.notes.emplace_back("the frame rate is not the expectation's; times are compared "
+                                      "in seconds");
         }
     }
 
@@ -67,6 +56,7 @@ public:
         for (const std::size_t k : there_) extra(found_.events[k]);
         compare_moments();
         compare_ends();
+        tell_contradictions();
         return std::move(check_);
     }
 
@@ -74,34 +64,44 @@ private:
     void differ(std::string line) { check_.differences.push_back(std::move(line)); }
     void doubt(std::string line) { check_.undecided.push_back(std::move(line)); }
 
-    std::string frame_of(Interval time) const { return frame_text(frames_at(fps_, time)); }
-    std::string place(const Event& event) const {
-        return fmt::format("at frame {} ({:.9g} s), near ({:.4g}, {:.4g}, {:.4g})",
-                           frame_of(event.time), mid(event.time), mid(event.where[0]),
-                           mid(event.where[1]), mid(event.where[2]));
-    }
+    std::string place(const Event& event) const { return place_text(event, fps_); }
     bool most_inside(Interval time) const {
         return time.hi >= expected_.range.lo - dt_ && time.lo <= expected_.range.hi + dt_;
     }
 
     void check_range() {
         const Interval wanted = expected_.range, had = found_.range;
-        if (had.lo <= wanted.lo + dt_ && had.hi >= wanted.hi - dt_) return;
+        if (formula::contains(had, wanted)) return;
+        const auto frame = [&](double time) {
+            return fmt::format("{:.12g}", frame_at(fps_, time));
+        };
         doubt(fmt::format("searched were frames {} to {}, expected are events of {} to {}",
-                          frame_text(frame_at(fps_, had.lo)), frame_text(frame_at(fps_, had.hi)),
-                          frame_text(frame_at(fps_, wanted.lo)),
-                          frame_text(frame_at(fps_, wanted.hi))));
+                          frame(had.lo), frame(had.hi), frame(wanted.lo), frame(wanted.hi)));
     }
     void tell_gaps() {
         for (const std::string& reason : gaps(found_, fps_)) doubt("found: " + reason);
+        for (const std::string& reason : contradictions(found_, fps_)) {
+            doubt("found contradicts itself: " + reason);
+        }
         for (const std::string& reason : gaps(expected_, fps_)) {
             doubt("the expectation itself is incomplete: " + reason);
         }
     }
 
+    // An expectation that says two things of one, and is right in all that is compared with what
+    // was found: it is wrong in one of them. Where something differs anyway, that is all that is
+    // told.
+    void tell_contradictions() {
+        if (!check_.differences.empty()) return;
+        for (const std::string& reason : contradictions(expected_, fps_)) {
+            differ("the expectation contradicts itself: " + reason);
+        }
+    }
+
     bool is_same(const Event& a, const Event& b) const {
-        return (a.kind == b.kind || may_change_kinds(a, b)) &&
-               least_distance(a.time, b.time) <= dt_ && place_distance(a, b) <= same_place_;
+        return (a.kind == b.kind || may_change_kinds(a, b)) && a.index == b.index &&
+               a.grows == b.grows && a.stratum == b.stratum &&
+               least_distance(a.time, b.time) <= dt_ && place_distance(a, b) <= tolerance_.place;
     }
 
     // Most events of most checks; what is left is matched in more than linear time.
@@ -148,7 +148,9 @@ private:
             const Event& a = expected_.events[wanted_[e]];
             const Event& b = found_.events[there_[f]];
             const double apart = least_distance(a.time, b.time) / span_;
-            const double kind = a.kind == b.kind ? 0 : 0.5;
+            const bool is_alike =
+                a.index == b.index && a.grows == b.grows && a.stratum == b.stratum;
+            const double kind = a.kind != b.kind ? 0.5 : is_alike ? 0 : 0.25;
             return kind + 4 * (apart + place_distance(a, b) / diagonal_);
         };
         const auto pairs = match(wanted_.size(), there_.size(), cost, 1);
@@ -171,71 +173,12 @@ private:
     }
 
     void paired(const Event& wanted, const Event& event) {
-        const bool certain = wanted.is_proved && event.is_proved;
-        const auto tell = [&](std::string line) {
-            certain ? differ(std::move(line)) : doubt("not proved: " + std::move(line));
-        };
-        const bool same_kind = same_kind_or_told(wanted, event, tell);
-        const bool same_time = same_time_or_told(wanted, event, tell);
-        const double apart = place_distance(wanted, event);
-        const bool same_place = apart <= same_place_;
-        if (!same_place && same_time) {
-            tell(fmt::format("elsewhere: {} {}, {:.3g} from where it was expected",
-                             name(event.kind), place(event), apart));
+        if (may_change_kinds(wanted, event)) together_.emplace_back(&wanted, &event);
+        const auto told = differences(wanted, event, tolerance_, fps_);
+        for (const EventDifference& difference : told) {
+            difference.is_open ? doubt(difference.line) : differ(difference.line);
         }
-        if (same_kind && same_time && same_place) ++check_.agreed;
-    }
-
-    template<class Tell>
-    bool same_kind_or_told(const Event& wanted, const Event& event, Tell&& tell) {
-        if (may_change_kinds(wanted, event)) {
-            together_.emplace_back(&wanted, &event);
-            return true;
-        }
-        if (wanted.kind == event.kind) return same_change(wanted, event, tell);
-        const std::string line = fmt::format("kind: {} {}, expected {}", name(event.kind),
-                                             place(event), name(wanted.kind));
-        if (wanted.kind == Kind::unknown || event.kind == Kind::unknown) {
-            doubt(line);
-        } else {
-            tell(line);
-        }
-        return false;
-    }
-
-    // What events of unknown kind add is known where frames about them are.
-    template<class Tell>
-    bool same_change(const Event& wanted, const Event& event, Tell&& tell) const {
-        if (!wanted.before || !wanted.after || !event.before || !event.after) return true;
-        const auto added = [](const Event& e) {
-            return Betti{e.after->components - e.before->components,
-                         e.after->tunnels - e.before->tunnels, e.after->voids - e.before->voids};
-        };
-        const Betti had = added(event), expected = added(wanted);
-        if (had == expected) return true;
-        tell(fmt::format("betti: {} {} adds ({}, {}, {}) to components, tunnels and voids, "
-                         "expected ({}, {}, {})",
-                         name(event.kind), place(event), had.components, had.tunnels, had.voids,
-                         expected.components, expected.tunnels, expected.voids));
-        return false;
-    }
-
-    template<class Tell>
-    bool same_time_or_told(const Event& wanted, const Event& event, Tell&& tell) {
-        if (wanted.time == event.time) return true;
-        if (least_distance(wanted.time, event.time) > dt_) {
-            const double by = mid(event.time) - mid(wanted.time);
-            tell(fmt::format("moved: {} {}, expected at frame {}: {:+.3g} s, {:+.3g} frames",
-                             name(event.kind), place(event), frame_of(wanted.time), by,
-                             by * double(fps_.numerator) / double(fps_.denominator)));
-            return false;
-        }
-        if (most_distance(wanted.time, event.time) <= dt_) return true;
-        doubt(fmt::format("{} {}: its time is known to {:.2g} s, expected to {:.2g} s; that does "
-                          "not tell a move of {:.2g} s",
-                          name(event.kind), place(event), formula::width(event.time),
-                          formula::width(wanted.time), dt_));
-        return false;
+        if (told.empty()) ++check_.agreed;
     }
 
     void missing(const Event& event) {
@@ -248,6 +191,7 @@ private:
         }
     }
     void extra(const Event& event) {
+        if (least_distance(event.time, expected_.range) > 0) return; // it was there to be matched
         const std::string line = fmt::format("extra: {} {}", name(event.kind), place(event));
         const bool inside = formula::contains(expected_.range, event.time);
         if (event.is_proved && expected_.is_proved && expected_.doubts.empty() && inside) {
@@ -281,25 +225,51 @@ private:
         }
     }
 
+    struct Numbers {
+        std::optional<Betti> solid;
+        bool is_proved = false;
+        std::string_view why = "not known"; // where there is none
+    };
+    // At an end of the search, what was found of that end; else what holds between two events.
+    Numbers found_at(double time, bool is_start, const Steps& steps) const {
+        if (is_start && time == found_.range.lo) return {found_.start, found_.start_is_proved};
+        if (!is_start && time == found_.range.hi) return {found_.end, found_.end_is_proved};
+        if (const Step* step = steps.at(time)) return {step->solid, step->is_proved};
+        return {{}, false, "not known; it is within the enclosure of an event's time"};
+    }
     void compare_ends() {
-        const Steps expected = steps_of(expected_), found = steps_of(found_);
-        for (const auto& [where, time] :
-             {std::pair{"start", expected_.range.lo}, std::pair{"end", expected_.range.hi}}) {
-            const Step* wanted = expected.at(time);
-            const Step* had = found.at(std::clamp(time, found_.range.lo, found_.range.hi));
-            if (!wanted || !wanted->solid || !had || !had->solid) continue; // told as a gap
-            if (*wanted->solid == *had->solid) continue;
-            const std::string line = fmt::format("betti: at the {}, frame {}: {}; expected {}",
-                                                 where, frame_text(frame_at(fps_, time)),
-                                                 in_words(*had->solid), in_words(*wanted->solid));
-            wanted->is_proved && had->is_proved ? differ(line) : doubt("not proved: " + line);
+        const Steps steps = steps_of(found_);
+        for (const bool is_start : {true, false}) {
+            const Interval range = expected_.range;
+            const double time = is_start ? range.lo : range.hi;
+            const auto& wanted = is_start ? expected_.start : expected_.end;
+            // Both are told already.
+            if (!wanted || !formula::contains(found_.range, time)) continue;
+            compare_end(fmt::format("betti: at the {}, frame {}", is_start ? "start" : "end",
+                                    frame_text(frame_at(fps_, time))),
+                        *wanted, is_start ? expected_.start_is_proved : expected_.end_is_proved,
+                        found_at(time, is_start, steps));
+        }
+    }
+    void compare_end(const std::string& where, const Betti& wanted, bool is_proved,
+                     const Numbers& had) {
+        if (!had.solid) {
+            doubt(fmt::format("{}: {}; expected {}", where, had.why, in_words(wanted)));
+        } else if (*had.solid != wanted) {
+            const std::string line =
+                fmt::format("{}: {}; expected {}", where, in_words(*had.solid), in_words(wanted));
+            is_proved&& had.is_proved ? differ(line) : doubt("not proved: " + line);
+        } else if (!had.is_proved) {
+            doubt(fmt::format("{}: {}, but that is not proved", where, in_words(wanted)));
         }
     }
 
     const Timeline& expected_;
     const Timeline& found_;
     animation::FrameRate fps_;
-    double dt_, span_, diagonal_, same_place_ = 0;
+    double dt_;
+    Tolerance tolerance_;
+    double diagonal_, span_ = 1; // of all that was searched: what is far is measured by them
     Check check_;
     std::vector<std::size_t> wanted_, there_; // not matched yet
     // Pairs that may have changed kinds with others of their moments.
@@ -309,6 +279,10 @@ private:
 } // namespace
 
 Check compare(const TimelineRecord& expected, const TimelineRecord& found, double dt) {
+    if (!(dt >= 0) || !std::isfinite(dt)) {
+        throw std::invalid_argument(
+            fmt::format("events cannot have moved by up to {} s; give seconds from 0 on", dt));
+    }
     return Comparison(expected, found, dt).run();
 }
 

@@ -10,6 +10,7 @@
 #include "base/file_text.h"
 #include "base/input_error.h"
 #include "topology/timeline/compare.h"
+#include "topology/timeline/searched.h"
 #include "topology/timeline/steps.h"
 #include "topology/timeline/timeline_file.h"
 #include "topology/timeline/words.h"
@@ -110,12 +111,10 @@ bool keeps(const Timeline& timeline, const Instant& instant, int Betti::*number)
 Judgement judge(const BettiClaim& claim, const TimelineRecord& found, const Steps& steps) {
     const auto fps = found.header.fps;
     const Timeline& timeline = found.timeline;
-    const double first = frame_at(fps, timeline.range.lo), last = frame_at(fps, timeline.range.hi);
-    constexpr double slack = 1e-6;
-    if (claim.frames.lo < first - slack || claim.frames.hi > last + slack) {
-        return {Truth::open,
-                fmt::format("searched were frames {} to {}", frame_text(first), frame_text(last))};
+    if (std::string missing = unsearched(claim.frames, timeline.range, fps); !missing.empty()) {
+        return {Truth::open, std::move(missing)};
     }
+    constexpr double slack = 1e-6;
     // An event at the very end of a span is not in it, however its time was rounded.
     const Interval asked = claim.frames.hi - claim.frames.lo > 2 * slack
                                ? Interval{claim.frames.lo + slack, claim.frames.hi - slack}

@@ -39,7 +39,8 @@ Expectation read_expectation(const std::filesystem::path& file, animation::Frame
 Claims parse_claims(std::string_view text, const std::string& file, animation::FrameRate fps);
 
 Check check(const Claims& claims, const TimelineRecord& found);
-// `dt`: by how many seconds events may have moved from those of a record.
+// `dt`: by how many seconds events may have moved from those of a record. Throws
+// std::invalid_argument if it is negative or not finite.
 Check check(const Expectation& expectation, const TimelineRecord& found, double dt = 1e-9);
 
 // For the terminal: the differences, what is undecided, the verdict.

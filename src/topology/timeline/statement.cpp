@@ -190,12 +190,17 @@ private:
         ++next_;
         return *number;
     }
-    double to_frame(double number) const { return in_seconds_ ? frame_at(fps_, number) : number; }
+    double to_frame(double number) const {
+        const double frame = in_seconds_ ? frame_at(fps_, number) : number;
+        if (!std::isfinite(frame)) refuse(fmt::format("{:g} s is no time of an animation", number));
+        return frame;
+    }
     void span(double from, double to) {
         if (from > to) refuse(fmt::format("ends before it begins: {} to {}", from, to));
+        result_.asked = {to_frame(from), to_frame(to)};
         // An event at the very end is in it, however its time was rounded.
         constexpr double slack = 1e-6;
-        result_.frames = {to_frame(from) - slack, to_frame(to) + slack};
+        result_.frames = {result_.asked.lo - slack, result_.asked.hi + slack};
     }
 
     void when() {
@@ -208,10 +213,10 @@ private:
             span(from, when_number().value);
         } else if (take("before")) {
             unit(false);
-            result_.frames = {-formula::infinity, to_frame(when_number().value)};
+            result_.frames = result_.asked = {-formula::infinity, to_frame(when_number().value)};
         } else if (take("after")) {
             unit(false);
-            result_.frames = {to_frame(when_number().value), formula::infinity};
+            result_.frames = result_.asked = {to_frame(when_number().value), formula::infinity};
         } else {
             refuse(fmt::format("'{}' is not when; write \"at frame 12\", \"at frame 12..13\", "
                                "\"between frames 5 and 9\", \"before frame 7\", \"after frame 90\"",
@@ -248,158 +253,10 @@ private:
     Statement result_;
 };
 
-// How many events there are that a statement means, as far as is proved.
-struct Count {
-    int certain = 0, possible = 0;
-    bool is_open = false; // there may be more that nobody found
-};
-
-bool overlap(Interval a, Interval b) { return a.lo <= b.hi && b.lo <= a.hi; }
-
-// The statement's frames hold some of the events that this one may have changed kinds with, but not
-// all: how many of a kind are inside isn't known.
-bool parts_moment(const Statement& statement, const Event& event, const Timeline& timeline,
-                  animation::FrameRate fps) {
-    if (event.kind_proof != "together") return false;
-    bool has_inside = false, has_outside = false;
-    for (const Event& other : timeline.events) {
-        if (!are_interchangeable(event, other)) continue;
-        const Interval frames = frames_at(fps, other.time);
-        has_inside |= overlap(frames, statement.frames);
-        has_outside |= !formula::contains(statement.frames, frames);
-    }
-    return has_inside && has_outside;
-}
-
-bool admits_any(const Statement& statement, const std::vector<Kind>& kinds) {
-    return std::ranges::any_of(kinds, [&](Kind kind) { return statement.admits(kind); });
-}
-
-bool admits_all(const Statement& statement, const std::vector<Kind>& kinds) {
-    return std::ranges::all_of(kinds, [&](Kind kind) { return statement.admits(kind); });
-}
-
-Count count(const Statement& statement, const Timeline& timeline, animation::FrameRate fps) {
-    Count count;
-    for (const Event& event : timeline.events) {
-        if (event.kind == Kind::none) continue;
-        const Interval frames = frames_at(fps, event.time);
-        if (!overlap(frames, statement.frames)) continue;
-        bool is_meant = statement.admits(event.kind);
-        bool may_be = event.kind == Kind::unknown || is_meant;
-        if (parts_moment(statement, event, timeline, fps)) {
-            const std::vector<Kind> kinds = kinds_of(event.index, event.grows);
-            is_meant = admits_all(statement, kinds);
-            may_be = admits_any(statement, kinds);
-        }
-        count.possible += may_be;
-        count.certain += event.is_proved && is_meant && formula::contains(statement.frames, frames);
-    }
-    count.is_open = !timeline.is_proved || !timeline.doubts.empty() ||
-                    std::ranges::any_of(timeline.unresolved, [&](const Unresolved& place) {
-                        return overlap(frames_at(fps, place.time), statement.frames);
-                    });
-    return count;
-}
-
-// Of the frames a statement speaks of, what was not searched; an open end is the range's.
-bool reaches_beyond(const Statement& statement, const Timeline& timeline,
-                    animation::FrameRate fps) {
-    const double first = frame_at(fps, timeline.range.lo), last = frame_at(fps, timeline.range.hi);
-    constexpr double slack = 0.5 + 2e-6; // "at frame 1" is 0.5 to 1.5
-    const Interval asked = statement.frames;
-    return (std::isfinite(asked.lo) && (asked.lo < first - slack || asked.lo > last)) ||
-           (std::isfinite(asked.hi) && (asked.hi > last + slack || asked.hi < first));
-}
-
-std::string nearest_text(const Statement& statement, const Timeline& timeline,
-                         animation::FrameRate fps) {
-    const Event* nearest = nullptr;
-    double least = formula::infinity;
-    for (const Event& event : timeline.events) {
-        if (event.kind == Kind::none || !statement.admits(event.kind)) continue;
-        const Interval frames = frames_at(fps, event.time);
-        const double away =
-            std::max(statement.frames.lo - frames.hi, frames.lo - statement.frames.hi);
-        if (away > 0 && away < least) {
-            least = away;
-            nearest = &event;
-        }
-    }
-    if (!nearest) return "";
-    return fmt::format("; the nearest is a {} at frame {}", name(nearest->kind),
-                       frame_text(frames_at(fps, nearest->time)));
-}
-
-Judgement judge_rest(const std::vector<Statement>& all, const Timeline& timeline,
-                     animation::FrameRate fps) {
-    Judgement judgement{Truth::holds, ""};
-    const auto speaks_of = [&](const Statement& other, const Event& event) {
-        return !other.is_nothing_else && other.most > 0 &&
-               overlap(frames_at(fps, event.time), other.frames);
-    };
-    const auto meant = [&](const Event& event, Kind kind) {
-        return std::ranges::any_of(all, [&](const Statement& other) {
-            return other.admits(kind) && speaks_of(other, event);
-        });
-    };
-    for (const Event& event : timeline.events) {
-        if (event.kind == Kind::none) continue;
-        const bool is_parted = std::ranges::any_of(all, [&](const Statement& other) {
-            return !other.is_nothing_else && parts_moment(other, event, timeline, fps);
-        });
-        const std::vector<Kind> kinds =
-            is_parted ? kinds_of(event.index, event.grows) : std::vector{event.kind};
-        const auto as_kind = [&](Kind kind) { return meant(event, kind); };
-        if (std::ranges::all_of(kinds, as_kind)) continue;
-        const bool certain =
-            event.is_proved && event.kind != Kind::unknown && std::ranges::none_of(kinds, as_kind);
-        judgement.why +=
-            fmt::format("{}{} at frame {}{}", judgement.why.empty() ? "" : ", ", name(event.kind),
-                        frame_text(frames_at(fps, event.time)), certain ? "" : " (not proved)");
-        if (certain) {
-            judgement.truth = Truth::fails;
-        } else if (judgement.truth == Truth::holds) {
-            judgement.truth = Truth::open;
-        }
-    }
-    if (!judgement.why.empty()) judgement.why = "there is " + judgement.why;
-    if (judgement.truth == Truth::holds &&
-        (!timeline.is_proved || !timeline.doubts.empty() || !timeline.unresolved.empty())) {
-        return {Truth::open, "nothing else was found, but it is not proved"};
-    }
-    return judgement;
-}
-
 } // namespace
 
 Statement parse_statement(std::string_view text, animation::FrameRate fps) {
     return Parser(text, fps).parse();
-}
-
-Judgement judge(const Statement& statement, const std::vector<Statement>& all,
-                const Timeline& timeline, animation::FrameRate fps) {
-    if (statement.is_nothing_else) return judge_rest(all, timeline, fps);
-    const Count n = count(statement, timeline, fps);
-    const std::string found = n.certain == n.possible
-                                  ? fmt::format("found {}", n.certain)
-                                  : fmt::format("found {} to {}", n.certain, n.possible);
-    if (n.certain > statement.most) return {Truth::fails, found};
-    if (reaches_beyond(statement, timeline, fps)) {
-        return {Truth::open, found + "; not all of these frames were searched"};
-    }
-    if (!n.is_open && n.possible < statement.least) {
-        return {Truth::fails, found + nearest_text(statement, timeline, fps)};
-    }
-    if (n.certain >= statement.least && !n.is_open && n.possible <= statement.most) {
-        return {Truth::holds, ""};
-    }
-    // More can be of no harm to "at least".
-    if (n.certain >= statement.least && statement.most == INT_MAX && timeline.doubts.empty()) {
-        return {Truth::holds, ""};
-    }
-    return {Truth::open, found + (n.is_open ? ", and it is not proved that there are no more"
-                                            : ", not all of them told apart")};
 }
 
 } // namespace isomotion::topology

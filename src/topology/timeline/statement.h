@@ -26,7 +26,10 @@ struct Statement {
     bool is_nothing_else = false; // every event is meant by one of the other statements
     int least = 1, most = 1;      // how many; `most` may be INT_MAX
     std::optional<Kind> kind;     // empty: of any kind
+    // Events in these are meant; an infinite end is that of the frames that were searched.
     formula::Interval frames = formula::Interval::entire();
+    // The same as it was written: all of it must have been searched.
+    formula::Interval asked = formula::Interval::entire();
 
     bool admits(Kind found) const { return !kind || *kind == found; }
 };
@@ -41,7 +44,8 @@ struct Judgement {
     std::string why; // what was found instead, or what is missing to decide
 };
 
-// Holds or fails only by what the timeline proves. Kind::none is no event.
+// Holds or fails only by what the timeline proves, and holds only if all frames that it speaks of
+// were searched. Kind::none is no event.
 Judgement judge(const Statement& statement, const std::vector<Statement>& all,
                 const Timeline& timeline, animation::FrameRate fps);
 

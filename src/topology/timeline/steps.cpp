@@ -79,8 +79,10 @@ std::optional<Betti> change(const Timeline& timeline, const Instant& instant) {
     return all;
 }
 
+// What happens in it is known, and that it happens in the range: of an enclosure that reaches over
+// an end of the range the event may be on either side.
 bool is_certain(const Timeline& timeline, const Instant& instant) {
-    return instant.unresolved.empty() &&
+    return instant.unresolved.empty() && formula::contains(timeline.range, instant.time) &&
            std::ranges::all_of(instant.events, [&](const std::size_t k) {
                return timeline.events[k].is_proved && timeline.events[k].kind != Kind::unknown;
            });
@@ -88,18 +90,28 @@ bool is_certain(const Timeline& timeline, const Instant& instant) {
 
 void mark_proved(const Timeline& timeline, Steps& all) {
     auto& steps = all.steps;
-    steps.front().is_proved = timeline.start_is_proved && timeline.start;
-    steps.back().is_proved |= timeline.end_is_proved && timeline.end;
+    // Across an instant a proof reaches only as far as the numbers on both sides agree.
+    const auto leads = [&](std::size_t k) {
+        const auto add = change(timeline, all.instants[k]);
+        return add && steps[k].solid && steps[k + 1].solid &&
+               sum(*steps[k].solid, *add) == *steps[k + 1].solid &&
+               is_certain(timeline, all.instants[k]);
+    };
+    // Where nothing happens, both ends speak of one step.
+    const bool agree =
+        steps.size() > 1 || !timeline.start || !timeline.end || timeline.start == timeline.end;
+    steps.front().is_proved = timeline.start_is_proved && timeline.start && agree;
+    steps.back().is_proved |= timeline.end_is_proved && timeline.end && agree;
     if (!timeline.is_proved || !timeline.doubts.empty()) {
         // Between the ends there may be events that nobody found: only the ends themselves hold.
         for (Step* step : {&steps.front(), &steps.back()}) step->is_proved = false;
         return;
     }
     for (std::size_t k = 0; k < all.instants.size(); ++k) {
-        steps[k + 1].is_proved |= steps[k].is_proved && is_certain(timeline, all.instants[k]);
+        steps[k + 1].is_proved |= steps[k].is_proved && leads(k);
     }
     for (std::size_t k = all.instants.size(); k-- > 0;) {
-        steps[k].is_proved |= steps[k + 1].is_proved && is_certain(timeline, all.instants[k]);
+        steps[k].is_proved |= steps[k + 1].is_proved && leads(k);
     }
 }
 
@@ -136,7 +148,10 @@ Steps steps_of(const Timeline& timeline) {
             next = sum(*here, *add);
         }
     }
-    if (!all.steps.back().solid) all.steps.back().solid = timeline.end;
+    // The end's own number stands for the end, whatever the last event says that it leaves.
+    if (timeline.end && (count > 0 || !all.steps.back().solid)) {
+        all.steps.back().solid = timeline.end;
+    }
     mark_proved(timeline, all);
     return all;
 }

@@ -18,7 +18,8 @@ struct Instant {
 struct Step {
     formula::Interval time;     // from the end of an instant to the beginning of the next
     std::optional<Betti> solid; // as far as the timeline says
-    // `solid` follows from a proved end by proved events of known kinds, none of them missing.
+    // `solid` follows from a proved end by proved events of known kinds, certainly in the range and
+    // none of them missing.
     bool is_proved = false;
 };
 

@@ -156,11 +156,17 @@ void check_point(base::DocumentTable& object, const Point& where) {
             }
         }
     }
-    if (const auto written = object.find("radius"); written && !written->is_null()) {
+    if (const auto written = object.find("radius")) {
         const double follows = radius(where);
-        if (!(std::abs(written->number() - follows) <= 1e-6 * follows)) {
+        const bool agrees =
+            std::isfinite(follows)
+                ? !written->is_null() && std::abs(written->number() - follows) <= 1e-6 * follows
+                : written->is_null();
+        if (!agrees) {
             written->fail(
-                fmt::format("contradicts 'where', which is in a ball of {:.10g}", follows));
+                std::isfinite(follows)
+                    ? fmt::format("contradicts 'where', which is in a ball of {:.10g}", follows)
+                    : "contradicts 'where', which is in no ball; write null");
         }
     }
 }

@@ -226,6 +226,43 @@ TEST(Compare, AnotherSceneIsNoted) {
     const Check check = compare(story(), found, dt);
     EXPECT_EQ(check.outcome(), Outcome::passes);
     EXPECT_THAT(check.notes, ElementsAre(HasSubstr("not the one that the expectation was made")));
+    found = story();
+    found.header.end_bounds[1] = {-2, 2};
+    found.header.fps = {20, 1};
+    EXPECT_THAT(compare(story(), found, dt).notes,
+                ElementsAre("the bounds are not those of the expectation",
+                            HasSubstr("the frame rate is not the expectation's")));
+}
+
+TEST(Compare, SaysOneLineForEachFieldOfACriticalPoint) {
+    TimelineRecord other = story();
+    other.timeline.events[0].stratum = 1;
+    EXPECT_THAT(compare(other, story(), dt).differences,
+                ElementsAre("stratum: merge at frame 10.5 (0.95 s), near (0.5, 0, 0) inside, "
+                            "expected on an edge"));
+    other = story();
+    other.timeline.events[0].index = 3;
+    other.timeline.events[0].grows = false;
+    EXPECT_THAT(compare(other, story(), dt).differences,
+                ElementsAre(StartsWith("index: merge at frame 10.5"),
+                            StartsWith("direction: merge at frame 10.5")));
+}
+
+TEST(Compare, AnExpectationThatContradictsItselfSaysWhere) {
+    TimelineRecord other = story();
+    other.timeline.events[1].before = Betti{5, 0, 0};
+    other.timeline.events[1].after = Betti{4, 0, 0};
+    EXPECT_THAT(compare(other, story(), dt).differences,
+                ElementsAre("the expectation contradicts itself: merge at frame 20.25: before it "
+                            "are 5 components, 0 tunnels, 0 voids; what comes before it leaves 2 "
+                            "components, 0 tunnels, 0 voids",
+                            StartsWith("the expectation contradicts itself: tunnel forms at frame "
+                                       "40.2: before it are 1 component")));
+    other = story();
+    other.timeline.end = Betti{1, 1, 0};
+    EXPECT_THAT(compare(other, story(), dt).differences,
+                ElementsAre("betti: at the end, frame 101: 1 component, 0 tunnels, 0 voids; "
+                            "expected 1 component, 1 tunnel, 0 voids"));
 }
 
 TEST(Compare, KindsKnownOnlyTogetherMayChangePlaces) {

@@ -54,7 +54,8 @@ TEST(Expectation, AtTheMomentOfAnEventNumbersAreOpen) {
     EXPECT_EQ(instant.outcome(), Outcome::incomplete);
     EXPECT_THAT(instant.undecided, ElementsAre(HasSubstr("ask a little before or after it")));
     const Check beyond = of(R"({"components": {"102": 1}})");
-    EXPECT_THAT(beyond.undecided, ElementsAre("components.102 = 1: searched were frames 1 to 101"));
+    EXPECT_THAT(beyond.undecided, ElementsAre("components.102 = 1: frame 102 was not searched; "
+                                              "searched were frames 1 to 101"));
 }
 
 TEST(Expectation, WithinAnInstantNoNumberIsTold) {

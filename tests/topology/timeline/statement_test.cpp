@@ -92,6 +92,8 @@ TEST(Statement, MistakesSayWhatWouldBeRight) {
         {"nothing", "did you mean \"nothing else\"?"},
         {"nothing else happens", "did you mean \"nothing else\"?"},
     };
+    const std::string huge = "merge at time 1" + std::string(308, '0'); // more frames than doubles
+    EXPECT_THROW(parse_statement(huge, fps), std::invalid_argument);
     for (const auto& [text, message] : wrongs) {
         try {
             parse_statement(text, fps);
@@ -184,6 +186,11 @@ TEST(Statement, AnEventAcrossTheEndOfItsFramesIsOpen) {
     timeline.events[0].time = {0.9, 1.1}; // frames 10 to 12
     EXPECT_EQ(judged({"merge at frame 11..15"}, timeline).truth, Truth::open);
     EXPECT_EQ(judged({"merge at frame 9..15"}, timeline).truth, Truth::holds);
+    // It is not known to be the one that is meant.
+    EXPECT_EQ(judged({"at most 1 merge at frame 9..11", "3 events after frame 12", "nothing else"},
+                     timeline)
+                  .truth,
+              Truth::open);
 }
 
 TEST(Statement, FramesThatWereNotSearchedAreOpen) {
@@ -192,7 +199,31 @@ TEST(Statement, FramesThatWereNotSearchedAreOpen) {
     EXPECT_EQ(judged({"no split between frames 90 and 120"}, timeline).truth, Truth::open);
     EXPECT_EQ(judged({"no split after frame 120"}, timeline).truth, Truth::open);
     EXPECT_EQ(judged({"no split after frame 90"}, timeline).truth, Truth::holds);
-    EXPECT_EQ(judged({"no split at frame 101"}, timeline).truth, Truth::holds);
+    EXPECT_EQ(judged({"no split at frame 100"}, timeline).truth, Truth::holds);
+    EXPECT_EQ(judged({"no split between frames 1 and 101"}, timeline).truth, Truth::holds);
+    // Frame 101 is half a frame that was searched and half a frame that was not.
+    const Judgement last = judged({"no split at frame 101"}, timeline);
+    EXPECT_EQ(last.truth, Truth::open);
+    EXPECT_EQ(last.why, "found 0, but frames 101 to 101.5 were not searched; searched were frames "
+                        "1 to 101");
+    for (const char* text :
+         {"no split at frame 1", "no split before frame 1", "no split after frame 101",
+          "no split between frames 0.999999 and 3", "no split at time 10",
+          "no split before frame 0", "no split between times 9 and 10.0000001",
+          "2 merges before frame 102"}) {
+        EXPECT_EQ(judged({text}, timeline).truth, Truth::open) << text;
+    }
+}
+
+TEST(Statement, AnEventAcrossAnEndOfTheSearchMayBeOutside) {
+    Timeline timeline = story().timeline;
+    timeline.events[3].time = {9.9, 10.1};
+    EXPECT_EQ(judged({"tunnel closes"}, timeline).truth, Truth::open);
+    EXPECT_EQ(judged({"no tunnel closes"}, timeline).truth, Truth::open);
+    EXPECT_EQ(judged({"tunnel closes after frame 90"}, timeline).truth, Truth::open);
+    EXPECT_EQ(judged({"2 merges", "tunnel forms", "nothing else"}, timeline).truth, Truth::open);
+    timeline.events[3].time = {9.9, 10};
+    EXPECT_EQ(judged({"tunnel closes"}, timeline).truth, Truth::holds);
 }
 
 TEST(Statement, WhatChangesNothingIsNoEvent) {

@@ -98,6 +98,27 @@ TEST(Steps, NothingIsProvedWhereAnEventMayBeMissing) {
     }
 }
 
+TEST(Steps, TheEndsOwnNumberStandsForIt) {
+    TimelineRecord record = story();
+    record.timeline.end = Betti{7, 7, 7};
+    const Steps all = steps_of(record.timeline);
+    EXPECT_EQ(all.steps[4].solid, (Betti{7, 7, 7}));
+    EXPECT_TRUE(all.steps[4].is_proved);
+    EXPECT_TRUE(all.steps[3].is_proved) << "from the start";
+    record.timeline.start_is_proved = false;
+    EXPECT_FALSE(steps_of(record.timeline).steps[3].is_proved) << "the end does not lead there";
+}
+
+TEST(Steps, NoProofReachesAcrossAnEventThatMayBeOutside) {
+    TimelineRecord record = story();
+    record.timeline.range.lo = 0.95; // in the enclosure of the first
+    Steps all = steps_of(record.timeline);
+    for (const Step& step : all.steps) EXPECT_TRUE(step.is_proved) << "one side each";
+    record.timeline.end_is_proved = false;
+    all = steps_of(record.timeline);
+    for (std::size_t k = 1; k < 5; ++k) EXPECT_FALSE(all.steps[k].is_proved) << k;
+}
+
 TEST(Steps, AnUnresolvedPlaceHasItsNumbersAboutIt) {
     TimelineRecord record = complete({3, 0, 0}, {});
     record.timeline.unresolved.push_back(
