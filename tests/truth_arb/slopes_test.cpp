@@ -196,7 +196,8 @@ private:
         }
     }
 
-    // In doubles, which round: by 2^-30 of all that is in play, counted generously.
+    // In doubles, which round: by 2^-24 of all that is in play, counted generously, over
+    // differences that are not all rounding.
     template<class Where>
     void compare_evaluated(Interval slope, const Point& p, const Point& q, std::size_t axis,
                            Where&& where) {
@@ -206,12 +207,11 @@ private:
         ASSERT_FALSE(std::isnan(f) || std::isnan(g)) << where();
         const double apart = p[axis] - q[axis];
         const double size = std::abs(p[axis]) + std::abs(q[axis]);
-        // Short differences are all rounding.
-        if (std::abs(apart) < 0x1p-20 * size) return;
+        if (std::abs(apart) < std::max(1e-3, 0x1p-20 * size)) return;
         const double found = (f - g) / apart;
         const double finite = formula::magnitude(intersect(slope, {-1e200, 1e200}));
         const double error =
-            0x1p-30 * (std::abs(f) + std::abs(g) + finite * size) / std::abs(apart);
+            0x1p-24 * (1 + std::abs(f) + std::abs(g) + finite * (1 + size)) / std::abs(apart);
         ASSERT_TRUE(slope.lo <= found + error && found - error <= slope.hi)
             << where() << fmt::format(": evaluated {:.17g} and {:.17g}, {:.17g}", f, g, found);
     }
@@ -239,7 +239,7 @@ void attack(const std::vector<std::string>& formulas, int draws) {
         Subject subject(formulas[k]);
         subject.attack(random, draws);
         quotients += subject.quotients();
-        if (testing::Test::HasFatalFailure() && !std::getenv("GOON")) return;
+        if (testing::Test::HasFatalFailure()) return;
     }
     std::printf("%zu formulas, %d quotients\n", formulas.size(), quotients);
     EXPECT_GT(quotients, draws * int(formulas.size()) / 4); // bounds that say something
