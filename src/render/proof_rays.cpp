@@ -29,7 +29,9 @@ ProofRays proof_rays(const scene::Scene& scene, const scene::SceneAt& now, int w
     found.beam = beam_range(now, width, height, aim, synthesis::proved_block);
     // The ends of a ray's part are off by what its beam's pieces are.
     const double margin = found.beam.w, rounding = margin / beam_roundings;
-    const double direction = scene::ray_rounding(rays, now.bounds, scene::Norm::length).direction;
+    const scene::RayRounding of_rays = scene::ray_rounding(rays, now.bounds, scene::Norm::length);
+    found.in_range = of_rays.holds;
+    const double direction = of_rays.direction;
     const auto shortest = float(std::max(margin, footprint / 256));
     const auto thickness = [&](const Roundings& times) {
         return RayThickness{

@@ -173,6 +173,10 @@ const std::optional<Proofs::Pieces>& Proofs::closer(const PassTable& table) {
 
 void Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Target& picture,
                    bool is_masked, const gpu::Rectangle& tile, std::span<float> record) {
+    if (!rays.in_range) {
+        std::ranges::fill(record, float(Proof::none));
+        return;
+    }
     upload(table, rays);
     table.bind("ending_texture", picture.texture(ending_));
     table.bind("block_texture", of_blocks_.texture(0));

@@ -28,7 +28,7 @@ namespace isomotion::render {
 
 // The codes of the channel proof.
 enum class Proof {
-    none,      // the march ended with neither a root nor a miss
+    none,      // the march ended with neither a root nor a miss, or rays are beyond float32
     hit,       // proved
     miss,      // proved
     hidden,    // a root may lie before the one found, or where none was

@@ -23,7 +23,9 @@
 //               distances are no less than the radius.
 //
 // The model counts 16 u for each of origin, spread, 1 and s, which leaves room for terms of u^2 and
-// for depths that are rounded.
+// for depths that are rounded. It holds where no square overflows and none that matters underflows:
+// lengths of 2^-50 to 2^62, whose squares and sums of three are normal floats (2^-126 to 2^127),
+// and what is flushed to 0 below is less than u of the least of them.
 #pragma once
 
 #include "scene/rays.h"
@@ -36,6 +38,7 @@ struct RayRounding {
     double direction = 0; // of parallel rays s is 0
     double centre = 0;    // of points near the bounds' centre, for how far that is from 0
     double slant = 1;     // a ray is no longer than this for each unit of depth that it crosses
+    bool holds = true;    // whether all lengths are in the range of the model
 
     // Of a point of a ray that is `distance` from its anchor or nearer.
     double at_distance(double distance) const {

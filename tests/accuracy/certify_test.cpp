@@ -1,5 +1,7 @@
 // What --certify calls proved is true: compared with closed forms and certified truth, also where
 // the march is wrong.
+#include <cstdlib>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +9,7 @@
 #include "render/doubles.h"
 #include "render/drawing.h"
 #include "truth/certify.h"
+#include "unit/formula/stranger_formula.h"
 
 namespace isomotion::accuracy {
 namespace {
@@ -153,6 +156,41 @@ TEST_P(Certify, APoleIsNoRoot) {
     EXPECT_EQ(count(jump, Proof::miss), draw_formula("x - 0.2").verdicts[0]);
 }
 
+// Slopes on both sides of a pole, and of what is cut off or jumps, say nothing of what is between.
+TEST_P(Certify, WhatJumpsIsNotProved) {
+    for (const char* formula :
+         {"tan(20*x + 2.141)", "x + 1e-4*(floor(x) + 0.5)", "min(tan(x + pi/2), 2)",
+          "(x - 0.999)^(-301) + 2", "x/abs(x) + 0.5"}) {
+        SCOPED_TRACE(formula);
+        const Picture picture = draw_formula(formula);
+        // Of rays that pass the bounds by a miss is proved, as of any formula.
+        EXPECT_LE(count(picture, Proof::miss), draw_formula("x").verdicts[0] + 4);
+        EXPECT_EQ(count(picture, Proof::hit), 0);
+    }
+}
+
+// Squares of such lengths over- or underflow in floats: whatever was drawn, nothing is proved.
+TEST_P(Certify, RaysBeyondFloatsAreNotProved) {
+    const auto proved = [&](double size) {
+        const Picture picture =
+            certified(*context, scene_of(fmt::format(R"(
+[surface]
+formula = "(x/{0})^2 + (y/{0})^2 + (z/{0})^2 - 1"
+bounds = {{ sphere = {1} }}
+[camera]
+position = [{2}, 0, 0]
+[output]
+size = [32, 32]
+[isolation]
+certify = true
+)",
+                                                     size, 1.5 * size, 5 * size)));
+        return count(picture, Proof::hit) + count(picture, Proof::miss);
+    };
+    for (const double size : {1e-12, 1e-3, 1e3, 1e12}) EXPECT_GT(proved(size), 1000) << size;
+    for (const double size : {1e-30, 1e-20, 1e-17, 1e19, 1e25}) EXPECT_EQ(proved(size), 0) << size;
+}
+
 TEST_P(Certify, EveryPixelHasAnOutcome) {
     const Picture undefined = draw_formula("log(x - 2) + y"); // x < 2 everywhere in the bounds
     EXPECT_EQ(count(undefined, Proof::none), render::count(undefined, render::Verdict::nan));
@@ -234,6 +272,51 @@ INSTANTIATE_TEST_SUITE_P(Cheap, CertifyAnimation,
                                          Cheap{"heart", 0.98}, Cheap{"kummer", 0.95},
                                          Cheap{"tangle", 0.95}, Cheap{"barth_sextic", 0.95}),
                          [](const auto& tested) { return std::string(tested.param.animation); });
+
+// Strangers' formulas, of which truth knows nothing but by its own march.
+class CertifyRandom : public testing::Test {
+protected:
+    static void attack(unsigned formulas) {
+        const char* given = std::getenv("ISOMOTION_SEED");
+        const unsigned first = given ? unsigned(std::strtoul(given, nullptr, 10)) : 2200;
+        const auto context = gpu::open_if_available(gpu::Backend::egl);
+        if (!context) GTEST_SKIP() << "no EGL";
+        std::int64_t proved = 0, pixels = 0;
+        int refused = 0;
+        for (unsigned seed = first; seed < first + formulas && !HasFailure(); ++seed) {
+            const std::string formula = formula::StrangerFormula(seed).text();
+            SCOPED_TRACE(fmt::format("{}, seed {} (ISOMOTION_SEED)", formula, seed));
+            try {
+                const Errors errors = errors_of(*context, formula);
+                EXPECT_EQ(errors.contradicted, 0);
+                for (const Proof proof : {Proof::hit, Proof::miss})
+                    proved += errors.proofs[std::size_t(proof)];
+                pixels += errors.pixels;
+            } catch (const base::InputError&) {
+                ++refused; // constants without a value
+            }
+        }
+        fmt::print("{} formulas, {} refused: {} of {} pixels proved\n", formulas, refused, proved,
+                   pixels);
+        EXPECT_GT(proved, pixels / 3);
+    }
+
+private:
+    static Errors errors_of(gpu::Context& context, const std::string& formula) {
+        const scene::Scene scene = scene_of(fmt::format(
+            "[surface]\nformula = \"{}\"\nbounds = {{ sphere = 1.5 }}\n[camera]\nposition = [4, 1, "
+            "2]\n[output]\nsize = [24, 24]\n[isolation]\ncertify = true\n",
+            formula));
+        const scene::SceneAt now =
+            scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1)));
+        render::Renderer renderer(context, scene, {24, 24, channels(), {}});
+        return compare(scene, now, renderer.draw(now).frame,
+                       truth::certify(scene, now, 24, 24, {.budget = {.evaluations = 4000}}));
+    }
+};
+
+TEST_F(CertifyRandom, FormulasAreNotContradictedByTruth) { attack(12); }
+TEST_F(CertifyRandom, HundredsOfFormulasAreNotContradictedByTruth) { attack(300); }
 
 } // namespace
 } // namespace isomotion::accuracy
