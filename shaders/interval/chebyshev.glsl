@@ -1,4 +1,4 @@
-// im_chebyshev, im_chebyshev_slope, im_chebyshev_steep on intervals. Needs arithmetic.glsl,
+// im_chebyshev, im_chebyshev_stopped, im_chebyshev_slope, im_chebyshev_steep on intervals. Needs arithmetic.glsl,
 // exp.glsl, trig.glsl, divide.glsl, inverse_trig.glsl, math/log.glsl.
 //
 // T_n(cos h) = cos(n h) and T_n(cosh t) = cosh(n t); angles carry their error along. Degree n >= 2.
@@ -31,6 +31,15 @@ vec2 im_chebyshev(int n, vec2 a) {
     vec2 low = im_cosh(im_scale_up(degree, im_acosh(abs(a.x))));
     vec2 high = im_cosh(im_scale_up(degree, im_acosh(abs(a.y))));
     return im_with_outside(a, inside, low, high, (n & 1) == 0);
+}
+
+// Of high degrees, whose arguments stop at `reach` where numbers are concerned: both that and what is
+// on paper.
+vec2 im_chebyshev_stopped(int n, float reach, vec2 a) {
+    vec2 on_paper = im_chebyshev(n, a);
+    if (max(-a.x, a.y) < reach) return on_paper;
+    vec2 stopped = im_chebyshev(n, clamp(a, -reach, reach));
+    return vec2(min(on_paper.x, stopped.x), max(on_paper.y, stopped.y));
 }
 
 // sin h of x = cos h; the differences are exact where it is small.

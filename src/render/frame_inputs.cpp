@@ -96,7 +96,8 @@ void PictureInputs::add_to(base::Fingerprint& print) const {
         add_value(print, to_light);
     }
     if (of_proofs) {
-        const auto& [frame, beam, floats, doubles] = *of_proofs;
+        const auto& [frame, beam, floats, doubles, in_range] = *of_proofs;
+        add_value(print, in_range);
         add_value(print, frame);
         add_value(print, beam);
         for (const auto& [tube, shortest_piece] : {floats, doubles}) {

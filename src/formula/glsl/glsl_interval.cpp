@@ -10,6 +10,7 @@
 
 #include "formula/glsl/array_texels.h"
 #include "formula/graph/functions.h"
+#include "formula/graph/lowering.h"
 
 namespace isomotion::formula {
 namespace {
@@ -212,6 +213,13 @@ private:
                 const auto bound = float_text(chebyshev_at_one(now.index, now.second));
                 return define(now.result,
                               fmt::format("im_chebyshev_steep({}, {})", bound, interval(a)), false);
+            }
+            if (now.second == 0 && now.index > highest_whole_degree) {
+                const auto reach = float_text(float(chebyshev_reach(now.index)));
+                return define(
+                    now.result,
+                    fmt::format("im_chebyshev_stopped({}, {}, {})", now.index, reach, interval(a)),
+                    false);
             }
             return define(now.result,
                           fmt::format("im_chebyshev{}({}, {})", now.second == 0 ? "" : "_slope",
