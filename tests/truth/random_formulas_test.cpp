@@ -91,7 +91,7 @@ std::array<int, 4> attack(unsigned seed) {
         const MiddleRay ray(evaluator, bindings, tube);
         std::vector<double> zeros = ray.roots();
         // Two roots may lie between samples. The certain one is looked for by itself.
-        if (root.answer == Answer::hit) {
+        if (root.answer == Answer::hit || root.after_is_hit) {
             const auto certain = ray.root_between(double(root.low), double(root.high));
             const bool is_thin = double(root.high) - double(root.low) < 1e-5;
             EXPECT_TRUE(certain || !is_thin || std::abs(ray.at(double(root.low))) < 1e-9)

@@ -205,6 +205,7 @@ private:
         evaluate_->point(numbers_, p, {&f, 1});
         evaluate_->point(numbers_, q, {&g, 1});
         ASSERT_FALSE(std::isnan(f) || std::isnan(g)) << where();
+        if (std::isinf(f) || std::isinf(g)) return; // of what is beyond doubles nothing is said
         const double apart = p[axis] - q[axis];
         const double size = std::abs(p[axis]) + std::abs(q[axis]);
         if (std::abs(apart) < std::max(1e-3, 0x1p-20 * size)) return;
@@ -260,10 +261,10 @@ TEST(Slopes, HoldQuotientsOfEveryOperation) {
     attack(formulas, 300);
 }
 
-TEST(Slopes, HoldQuotientsOfEveryPair) { attack(pairs(), 12); }
+TEST(Slopes, HoldQuotientsOfEveryPair) { attack(pairs(), 120); }
 
-// A million draws.
-TEST(SlopesExhaustive, HoldQuotientsOfEveryPair) { attack(pairs(), 600); }
+// Ten million draws.
+TEST(SlopesExhaustive, HoldQuotientsOfEveryPair) { attack(pairs(), 6000); }
 
 } // namespace
 } // namespace isomotion::truth_arb

@@ -4,7 +4,7 @@
 // same rules, in shaders/math/) the GPU follow it. The rules keep a formula that is finite on paper
 // free of NaN where users go:
 //   - results of exp, sinh, cosh, tan, log, power and divide are cut off at +-saturation, so that
-//     0 * exp(100) is 0 and not NaN: the same for floats and doubles;
+//     0 * exp(100) is 0 and not NaN;
 //   - sqrt of a negative number is 0: radicands go below zero by rounding;
 //   - 0^b is 0, 1 or saturation; a negative base has a power if the exponent is an integer;
 //   - x/0 is +-saturation; 0/0 stays NaN.
@@ -22,9 +22,11 @@ namespace isomotion::formula {
 template<class T> struct Operations {
     static_assert(std::is_floating_point_v<T>);
 
-    // Far enough below the largest float that products of one saturated value with a coefficient,
-    // and sums over thousands of terms, stay finite. IM_SATURATION in the shaders.
-    static constexpr T saturation() { return T(1e30); }
+    // Far enough below the largest number that products of one saturated value with a coefficient,
+    // and sums over thousands of terms, stay finite. The float value is IM_SATURATION in the
+    // shaders. Values of an animation are doubles: one that is cut off is beyond floats, and told.
+    // Intervals hold all three: what floats, what doubles are cut off to, and what is on paper.
+    static constexpr T saturation() { return std::is_same_v<T, float> ? T(1e30) : T(1e300); }
     static T saturate(T a) { // NaN passes through
         return a > saturation() ? saturation() : a < -saturation() ? -saturation() : a;
     }

@@ -1,12 +1,12 @@
 // The operations of formulas on intervals.
 //
-// An enclosure holds the value on paper and the value that Operations<double> computes to, where
-// the two differ: results that may be cut off at +-saturation have no bound on that side, and begin
-// no further out than there. What is NaN for double (0/0, roots of negative numbers other than sqrt, their
-// logarithms) makes the enclosure the entire line. Negation, abs, sign, floor, min, max and select
-// are exact; + - * / and sqrt are rounded to within one or two doubles; exp is the function of
-// exponential.h, within the error proved there; the others take the C
-// library's word for it, with a margin (interval_operations.cpp).
+// An enclosure holds the value on paper and those that Operations<float> and <double> compute to,
+// where the two differ: results that may be cut off at +-saturation have no bound on that side, and
+// begin no further out than there. What is NaN for double (0/0, roots of negative numbers other
+// than sqrt, their logarithms) makes the enclosure the entire line. Negation, abs, sign, floor,
+// min, max and select are exact; + - * / and sqrt are rounded to within one or two doubles; exp is
+// the function of exponential.h, within the error proved there; the others take the C library's
+// word for it, with a margin (interval_operations.cpp).
 #pragma once
 
 #include "formula/graph/exponential.h"
@@ -16,7 +16,7 @@
 namespace isomotion::formula {
 
 template<> struct Operations<Interval> {
-    static constexpr double saturation() { return Operations<double>::saturation(); }
+    static constexpr double saturation() { return double(Operations<float>::saturation()); }
     static Interval saturate(Interval a) {
         const double lo = smaller(a.lo, saturation()), hi = larger(a.hi, -saturation());
         return {lo < -saturation() ? -infinity : lo, hi > saturation() ? infinity : hi};

@@ -183,7 +183,7 @@ TEST(Finite, PolesSaturate) {
     for (const auto* text : {"1/(x^2+y^2+z^2)", "(x^2+y^2+z^2)^-1", "(x^2+y^2+z^2)^-0.5"}) {
         SCOPED_TRACE(text);
         EXPECT_EQ(see(text, {0, 0, 0})[0].value, double(Operations<float>::saturation()));
-        EXPECT_EQ(see(text, {0, 0, 0})[1].value, 1e30);
+        EXPECT_EQ(see(text, {0, 0, 0})[1].value, Operations<double>::saturation());
     }
     // A thousand poles in one place still add up.
     Bindings<double> bindings = test_bindings(1000, 0);
@@ -191,7 +191,7 @@ TEST(Finite, PolesSaturate) {
     const double sum =
         value_of("sum(blobs, 1/((x-cx)^2+(y-cy)^2+(z-cz)^2)) - 1", {0.5, 0.5, 0.5}, bindings);
     EXPECT_TRUE(std::isfinite(sum));
-    EXPECT_GE(sum, 999e30);
+    EXPECT_GE(sum, 999e300);
 }
 
 TEST(Finite, ConstantsBeyondFloat) {

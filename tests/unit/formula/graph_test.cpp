@@ -121,8 +121,8 @@ TEST(Graph, ConstantsFoldByTheRules) {
     Graph g;
     const auto number = [&](double v) { return g.constant(v); };
     EXPECT_TRUE(g.is_constant(g.unary(Op::sqrt, number(-1)), 0));
-    EXPECT_TRUE(g.is_constant(g.unary(Op::exp, number(1e4)), 1e30));
-    EXPECT_TRUE(g.is_constant(g.divide(number(-1), number(0)), -1e30));
+    EXPECT_TRUE(g.is_constant(g.unary(Op::exp, number(1e4)), 1e300));
+    EXPECT_TRUE(g.is_constant(g.divide(number(-1), number(0)), -1e300));
     EXPECT_TRUE(g.is_constant(g.binary(Op::power, number(0), number(0)), 1));
     EXPECT_TRUE(g.is_constant(g.binary(Op::power, number(-2), number(3)), -8));
     EXPECT_TRUE(g.is_constant(g.unary(Op::floor, number(-0.5)), -1));
