@@ -33,13 +33,14 @@ vec2 im_chebyshev(int n, vec2 a) {
     return im_with_outside(a, inside, low, high, (n & 1) == 0);
 }
 
-// Of high degrees, whose arguments stop at `reach` where numbers are concerned: both that and what is
-// on paper.
-vec2 im_chebyshev_stopped(int n, float reach, vec2 a) {
-    vec2 on_paper = im_chebyshev(n, a);
-    if (max(-a.x, a.y) < reach) return on_paper;
-    vec2 stopped = im_chebyshev(n, clamp(a, -reach, reach));
-    return vec2(min(on_paper.x, stopped.x), max(on_paper.y, stopped.y));
+// Of high degrees, whose arguments stop at +-reach where numbers are concerned, and values with them,
+// at +-stop or nearly: both that and what is on paper.
+vec2 im_chebyshev_stopped(int n, float reach, float stop, vec2 a) {
+    vec2 r = im_chebyshev(n, a);
+    vec2 right = vec2(0.5 * stop, 2.0 * stop);
+    vec2 left = (n & 1) == 0 ? right : -right.yx;
+    r = a.y < reach ? r : vec2(min(r.x, right.x), max(r.y, right.y));
+    return a.x > -reach ? r : vec2(min(r.x, left.x), max(r.y, left.y));
 }
 
 // sin h of x = cos h; the differences are exact where it is small.

@@ -215,11 +215,13 @@ private:
                               fmt::format("im_chebyshev_steep({}, {})", bound, interval(a)), false);
             }
             if (now.second == 0 && now.index > highest_whole_degree) {
-                const auto reach = float_text(float(chebyshev_reach(now.index)));
-                return define(
-                    now.result,
-                    fmt::format("im_chebyshev_stopped({}, {}, {})", now.index, reach, interval(a)),
-                    false);
+                const double reach = chebyshev_reach(now.index);
+                const double stop = std::cosh(now.index * std::acosh(reach));
+                return define(now.result,
+                              fmt::format("im_chebyshev_stopped({}, {}, {}, {})", now.index,
+                                          float_text(float(reach)), float_text(float(stop)),
+                                          interval(a)),
+                              false);
             }
             return define(now.result,
                           fmt::format("im_chebyshev{}({}, {})", now.second == 0 ? "" : "_slope",
