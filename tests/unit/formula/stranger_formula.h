@@ -17,9 +17,11 @@ public:
     explicit StrangerFormula(std::uint64_t seed)
         : random_(seed) {}
 
-    // Of x, y, z, in a sphere of radius 1.5 about the origin. Most have a surface there.
-    std::string text() {
-        const std::string body = part(2 + random_.below(3));
+    // Of x, y, z, in a sphere of radius 1.5 about the origin, of depth 2 to 4. Most have a surface
+    // there.
+    std::string text() { return text(2 + random_.below(3)); }
+    std::string text(int depth) {
+        const std::string body = part(depth);
         switch (random_.below(4)) {
         case 0:
             return fmt::format("{} + {}", body, sheet());

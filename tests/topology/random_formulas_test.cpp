@@ -1,0 +1,109 @@
+// Strangers' formulas that move: what a timeline proves is what signs on fine grids count, which
+// know nothing of intervals.
+#include <chrono>
+#include <cstdlib>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "topology/analyse.h"
+#include "topology/betti/frame_signs.h"
+#include "topology/scenes.h"
+#include "topology/timeline/steps.h"
+#include "unit/formula/stranger_formula.h"
+
+namespace isomotion::topology {
+namespace {
+
+std::string scene_text(unsigned seed) {
+    std::mt19937 random(seed);
+    static constexpr const char* tracks[]{"0.4*t - 0.5",
+                                          "sin(3*t)",
+                                          "max(min(tan(t), 2), -2)",
+                                          "abs(t - 0.9) - 0.3",
+                                          "0.5*floor(2*t)",
+                                          "exp(-t) - 0.4",
+                                          "sqrt(t) - 0.7",
+                                          "atan(9*(t - 1))",
+                                          "0.3/(t + 0.2)",
+                                          "smoothmin(t, 1, 0.2)",
+                                          "sign(t - 1)*0.4",
+                                          "cos(5*t)*0.2",
+                                          "0.1/(t - 1.03)",
+                                          "2^(-t)",
+                                          "log(t + 0.1)",
+                                          "tanh(4*t - 3)",
+                                          "random(floor(t), 1)"};
+    const std::string formula = formula::StrangerFormula(seed).text(int(random() % 3));
+    static constexpr const char* moves[]{"{} + 0.7*c", "{} - c*x", "({})*(1 + 0.3*c)",
+                                         "min({}, (x - c)^2 + y^2 + z^2 - 0.2)"};
+    return fmt::format("[time]\nframes = 21\nfps = 10\n[surface]\nformula = \"{}\"\nbounds = {{ {} "
+                       "}}\n[parameters]\nc = \"{}\"\n",
+                       fmt::format(fmt::runtime(moves[random() % 4]), formula),
+                       random() % 2 == 0 ? "sphere = 1.5"
+                                         : "box = [[-1.03, -1.2, -1.1], [1.31, 1.04, 1]]",
+                       tracks[random() % std::size(tracks)]);
+}
+
+Betti counted(const scene::Scene& scene, const StillScene& still, Side solid, int side) {
+    return betti(frame_signs(*scene.surface.field, still.numbers, still.bounds, solid, side));
+}
+
+// True if anything was compared. Parts thinner than a grid's cells are lost on it: two grids must
+// agree before a third is asked, and that must agree with them.
+bool expect_counts_of(const Timeline& timeline, const scene::Scene& scene, std::mt19937& random) {
+    const Side solid = solid_side(scene);
+    bool compared = false;
+    for (const Step& step : steps_of(timeline).steps) {
+        if (!step.is_proved || !step.solid || !(step.time.lo < step.time.hi)) continue;
+        for (int k = 0; k < 2; ++k) {
+            const double part = double(random() % 1000 + 1) / 1002;
+            const double time = step.time.lo + part * (step.time.hi - step.time.lo);
+            const StillScene still(scene, time);
+            compared = true;
+            const Betti coarse = counted(scene, still, solid, 41);
+            if (coarse == *step.solid) continue;
+            const Betti fine = counted(scene, still, solid, 90);
+            if (fine != coarse) continue;
+            EXPECT_NE(counted(scene, still, solid, 163), fine)
+                << "grids contradict " << testing::PrintToString(*step.solid) << " at " << time
+                << " s: " << testing::PrintToString(fine);
+        }
+    }
+    return compared;
+}
+
+// `seconds`: of each search, whose result then says less.
+void attack(unsigned scenes, double seconds) {
+    const char* given = std::getenv("ISOMOTION_SEED");
+    const unsigned first = given ? unsigned(std::strtoul(given, nullptr, 10)) : 22;
+    int compared = 0, complete = 0, refused = 0;
+    for (unsigned seed = first; seed < first + scenes && !testing::Test::HasFailure(); ++seed) {
+        const std::string text = scene_text(seed);
+        SCOPED_TRACE(fmt::format("seed {} (ISOMOTION_SEED)\n{}", seed, text));
+        std::optional<scene::Scene> scene;
+        try {
+            scene = scene_of(text);
+        } catch (const base::InputError&) {
+            ++refused; // values without a number
+            continue;
+        }
+        using Clock = std::chrono::steady_clock;
+        const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+        AnalyseOptions how;
+        how.stop = [&] { return Clock::now() > end; };
+        const Timeline timeline = analyse(*scene, how);
+        complete += timeline.is_complete();
+        std::mt19937 random(seed);
+        compared += expect_counts_of(timeline, *scene, random);
+    }
+    fmt::print("{} scenes, {} refused, {} compared, {} complete\n", scenes, refused, compared,
+               complete);
+    EXPECT_GT(compared, int(scenes) / 20);
+}
+
+TEST(RandomFormulas, AreProvedAsGridsCount) { attack(60, 0.25); }
+TEST(RandomFormulasExhaustive, AreProvedAsGridsCount) { attack(1000, 1); }
+
+} // namespace
+} // namespace isomotion::topology
