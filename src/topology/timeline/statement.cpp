@@ -15,7 +15,6 @@
 namespace isomotion::topology {
 namespace {
 
-using formula::Interval;
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
