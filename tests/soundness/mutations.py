@@ -27,7 +27,7 @@ import tomllib
 HERE = pathlib.Path(__file__).resolve().parent
 REPOSITORY = HERE.parents[1]
 LEFT_OUT = {".git", ".cache", "build", "out"}  # of what is copied
-MOST_SECONDS = 300  # of a test
+MOST_SECONDS = 100  # of a test
 
 
 @dataclasses.dataclass(frozen=True)
