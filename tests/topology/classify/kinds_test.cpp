@@ -368,6 +368,19 @@ TEST(Counting, WhatCannotBeIsDoubted) {
         EXPECT_FALSE(timeline.is_complete());
 }
 
+// Where events may be missing kinds are not counted; that one is missing shows all the same.
+TEST(Counting, TheEulerNumberTellsWhateverTheKinds) {
+    for (const int components : {2, 3}) {
+        Timeline timeline =
+            timeline_of({an_event(1, 1, true)}, {3, 0, 0}, {components, 0, 0});
+        timeline.is_proved = false;
+        timeline.doubts = {"found from seeds"};
+        find_kinds(timeline, {});
+        EXPECT_EQ(timeline.events[0].kind, Kind::unknown);
+        EXPECT_EQ(timeline.doubts.size(), components == 2 ? 1u : 2u);
+    }
+}
+
 TEST(Counting, MoreThanTheEventsCanAddIsRefused) {
     std::vector<Event> events{an_event(1, 1, true)};
     EXPECT_TRUE(count_kinds(events, {3, 0, 0}, {2, 0, 0}));
