@@ -134,7 +134,8 @@ TEST(CertifiedFrame, BesideACriticalValue) {
 TEST(CertifiedFrame, ASphereThatIsReachedIsNotProved) {
     for (const char* formula : {"x - 0.1", "x^2 + y^2 + z^2 - 4"}) {
         const StillScene frame(still(formula, "{ sphere = 1 }"), 0);
-        const auto proved = certify_frame(frame.formula(Side::negative), frame.bounds, {.depth = 6});
+        const auto proved =
+            certify_frame(frame.formula(Side::negative), frame.bounds, {.depth = 6});
         EXPECT_FALSE(proved.betti) << formula;
     }
 }

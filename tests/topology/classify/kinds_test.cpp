@@ -371,8 +371,7 @@ TEST(Counting, WhatCannotBeIsDoubted) {
 // Where events may be missing kinds are not counted; that one is missing shows all the same.
 TEST(Counting, TheEulerNumberTellsWhateverTheKinds) {
     for (const int components : {2, 3}) {
-        Timeline timeline =
-            timeline_of({an_event(1, 1, true)}, {3, 0, 0}, {components, 0, 0});
+        Timeline timeline = timeline_of({an_event(1, 1, true)}, {3, 0, 0}, {components, 0, 0});
         timeline.is_proved = false;
         timeline.doubts = {"found from seeds"};
         find_kinds(timeline, {});

@@ -199,15 +199,12 @@ TEST(Enclosure, IsTheEntireLineWhereThereIsNoValue) {
         Interval x, y;
         bool has_values;
     };
-    for (const Gap& gap : {Gap{"sin(log(x))", {-2, -1}, one, false},
-                           Gap{"sin(log(x))", {-1, 1}, one, false},
-                           Gap{"sin(log(x))", {1, 2}, one, true},
-                           Gap{"atan(x^0.3)", {-2, -1}, one, false},
-                           Gap{"atan(x^0.3)", {1, 2}, one, true},
-                           Gap{"atan(x/y)", {-1, 1}, {-1, 1}, false},
-                           Gap{"atan(x/y)", {1, 2}, {-1, 1}, false},
-                           Gap{"atan(x/y)", {1, 2}, {1, 2}, true},
-                           Gap{"sum(blobs, sin(log(x + 0*cx)))", {-2, -1}, one, false}}) {
+    for (const Gap& gap :
+         {Gap{"sin(log(x))", {-2, -1}, one, false}, Gap{"sin(log(x))", {-1, 1}, one, false},
+          Gap{"sin(log(x))", {1, 2}, one, true}, Gap{"atan(x^0.3)", {-2, -1}, one, false},
+          Gap{"atan(x^0.3)", {1, 2}, one, true}, Gap{"atan(x/y)", {-1, 1}, {-1, 1}, false},
+          Gap{"atan(x/y)", {1, 2}, {-1, 1}, false}, Gap{"atan(x/y)", {1, 2}, {1, 2}, true},
+          Gap{"sum(blobs, sin(log(x + 0*cx)))", {-2, -1}, one, false}}) {
         Subject field = subject(gap.formula);
         const Interval value = field.enclose({gap.x, gap.y, one, one, one, one})[0];
         EXPECT_EQ(value != Interval::entire(), gap.has_values)
