@@ -63,7 +63,8 @@ std::vector<std::string> operations() {
                                  "smoothmin({}, y, 0.5)",
                                  "chebyshev(4, {})",
                                  "chebyshev(30, {})",
-                                 "20*({})"};
+                                 "20*({})",
+                                 "({})/3"};
     for (const formula::Function& function : formula::functions()) {
         if (function.has_value) all.push_back(std::string(function.name) + "({})");
     }

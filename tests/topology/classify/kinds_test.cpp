@@ -368,6 +368,29 @@ TEST(Counting, WhatCannotBeIsDoubted) {
         EXPECT_FALSE(timeline.is_complete());
 }
 
+// Where events may be missing kinds are not counted; that one is missing shows all the same.
+TEST(Counting, TheEulerNumberTellsWhateverTheKinds) {
+    for (const int components : {2, 3}) {
+        Timeline timeline = timeline_of({an_event(1, 1, true)}, {3, 0, 0}, {components, 0, 0});
+        timeline.is_proved = false;
+        timeline.doubts = {"found from seeds"};
+        find_kinds(timeline, {});
+        EXPECT_EQ(timeline.events[0].kind, Kind::unknown);
+        EXPECT_EQ(timeline.doubts.size(), components == 2 ? 1u : 2u);
+    }
+}
+
+TEST(Counting, MoreThanTheEventsCanAddIsRefused) {
+    std::vector<Event> events{an_event(1, 1, true)};
+    EXPECT_TRUE(count_kinds(events, {3, 0, 0}, {2, 0, 0}));
+    EXPECT_EQ(events[0].kind, Kind::merge);
+    for (const int components : {1, 4}) {
+        events = {an_event(1, 1, true)};
+        EXPECT_FALSE(count_kinds(events, {3, 0, 0}, {components, 0, 0})) << components;
+        EXPECT_EQ(events[0].kind, Kind::unknown) << components;
+    }
+}
+
 TEST(Counting, NotAcrossDegeneratePlaces) {
     const std::vector<Event> events{an_event(1, 1, true), an_event(9, 1, true)};
     Timeline timeline = timeline_of(events, {3, 0, 0}, {1, 0, 0});
@@ -425,6 +448,21 @@ TEST(Counting, NothingIsKnownBetweenDegeneratePlaces) {
     EXPECT_EQ(timeline.unresolved[0].after, std::nullopt);
     EXPECT_EQ(timeline.unresolved[1].before, std::nullopt);
     EXPECT_EQ(timeline.unresolved[1].after, timeline.end);
+}
+
+// Nor of events beyond one, from the only end that is known.
+TEST(Counting, NumbersEndAtDegeneratePlaces) {
+    for (const bool from_start : {true, false}) {
+        Timeline timeline =
+            timeline_of({an_event(1, 0, true), an_event(9, 0, true)}, {1, 0, 0}, {7, 0, 0});
+        (from_start ? timeline.end : timeline.start) = std::nullopt;
+        timeline.unresolved.push_back({{4.9, 5.1}, {}, "degenerate", {}, {}});
+        timeline.is_proved = false;
+        find_kinds(timeline, {});
+        const auto& [first, last] = std::tie(timeline.events[0], timeline.events[1]);
+        EXPECT_EQ(first.after.has_value(), from_start);
+        EXPECT_EQ(last.before.has_value(), !from_start);
+    }
 }
 
 // Random histories: what is found is what happened, and nothing is doubted.

@@ -65,6 +65,11 @@ TEST(SaddlePath, NotAcrossASheetWithoutThickness) {
     EXPECT_FALSE(is_path(sheet.solid(), Corners{{1e-7, 0, 0}, {-1e-7, 0, 0}}));
     EXPECT_TRUE(is_path(sheet.solid(), Corners{{1e-3, 0, 0}, {1, 0, 0}}));
     EXPECT_FALSE(is_path(sheet.solid(), Corners{{1, 0, 0}, {0, 0, 0}}));
+    // Nor of what is not solid, from near to it to farther away.
+    const Still inverse("(x + 2*y - z)^2");
+    EXPECT_FALSE(is_path(inverse.rest(), Corners{{1, 0, 0}, {-0.3, 0, 0}}));
+    EXPECT_FALSE(is_path(inverse.rest(), Corners{{0.3, 0, 0}, {-1, 0, 0}}));
+    EXPECT_TRUE(is_path(inverse.rest(), Corners{{0.3, 0, 0}, {1, 0, 0}}));
 }
 
 TEST(SaddlePath, ManyCorners) {
@@ -163,6 +168,9 @@ TEST(SaddlePath, BoundsOfAWholeSpan) {
         EXPECT_FALSE(is_outside(1.7499));
         EXPECT_TRUE(is_outside(1.7501));
         EXPECT_TRUE(contains(snapshot.box[0], 1.75));
+        // Beyond the sphere at the span's beginning, though not beyond its walls.
+        EXPECT_EQ(snapshot.is_inside({0.9, 0.9, 0}),
+                  scene.surface.bounds.shape == scene::Bounds::Shape::box);
     }
 }
 

@@ -265,6 +265,14 @@ TEST(Compare, AnExpectationThatContradictsItselfSaysWhere) {
                             "expected 1 component, 1 tunnel, 0 voids"));
 }
 
+TEST(Compare, AKindKnownOnlyTogetherIsLessThanOnesOwn) {
+    TimelineRecord found = story();
+    found.timeline.events[0].kind_proof = "together";
+    EXPECT_THAT(compare(story(), found, dt).undecided,
+                ElementsAre(HasSubstr("that it is this one's kind is not proved")));
+    EXPECT_EQ(compare(found, story(), dt).outcome(), Outcome::passes);
+}
+
 TEST(Compare, KindsKnownOnlyTogetherMayChangePlaces) {
     const auto at_once = [](std::array<Kind, 3> kinds) {
         TimelineRecord record = complete({4, 0, 0}, {event_at(12, kinds[0], {-0.5, 0, 0}),

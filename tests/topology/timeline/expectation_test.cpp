@@ -82,6 +82,11 @@ TEST(Expectation, WithinAnInstantNoNumberIsTold) {
     found = story();
     found.timeline.events[1].kind = Kind::unknown;
     EXPECT_EQ(of(R"({"voids": {"15..25": 0}})", found).outcome(), Outcome::incomplete);
+    // So does one without proof, whatever its kind would keep.
+    found = story();
+    EXPECT_EQ(of(R"({"voids": {"15..25": 0}})", found).outcome(), Outcome::passes);
+    found.timeline.events[1].is_proved = false;
+    EXPECT_EQ(of(R"({"voids": {"15..25": 0}})", found).outcome(), Outcome::incomplete);
 }
 
 TEST(Expectation, OnlyWhatIsProvedPassesOrFails) {

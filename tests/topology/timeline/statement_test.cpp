@@ -156,6 +156,11 @@ TEST(Statement, IsOpenWhereNothingIsProved) {
     EXPECT_EQ(judged({"no merge"}, open).truth, Truth::fails);
     EXPECT_EQ(judged({"a merge"}, open).truth, Truth::fails);
     EXPECT_EQ(judged({"event", "nothing else"}, open).truth, Truth::open);
+    // One of them may be none.
+    open.events[0].is_proved = false;
+    EXPECT_EQ(judged({"at least 2 merges"}, open).truth, Truth::open);
+    EXPECT_EQ(judged({"at most 1 merge"}, open).truth, Truth::open);
+    EXPECT_EQ(judged({"no merge"}, open).truth, Truth::fails);
 
     Timeline doubtful = story().timeline;
     doubtful.doubts.push_back("the sum does not agree");

@@ -98,6 +98,15 @@ TEST(ElementSamples, ReorderWhereOneThatStaysIsInAnotherRow) {
     for (std::size_t k = 0; k < 3; ++k) EXPECT_FALSE(samples.reorders(k)) << k;
 }
 
+// The second of three ends where a fourth begins: as many as before.
+TEST(ElementSamples, JumpWhereOneEndsThoughAnotherBegins) {
+    for (const auto interpolation : {Interpolation::linear, Interpolation::hold}) {
+        const ElementSamples samples = three_times(interpolation);
+        EXPECT_FALSE(samples.recounts(1));
+        EXPECT_TRUE(samples.jumps(1));
+    }
+}
+
 // No jump but where elements come and go.
 TEST(ElementSamples, MoveContinuously) {
     ElementSamples::Rows rows;

@@ -191,6 +191,37 @@ TEST(Enclosure, HoldsTheCatalogue) {
     }
 }
 
+// What has bounds itself hides that its argument has no value.
+TEST(Enclosure, IsTheEntireLineWhereThereIsNoValue) {
+    const Interval one = 1.0;
+    struct Gap {
+        const char* formula;
+        Interval x, y;
+        bool has_values;
+    };
+    for (const Gap& gap :
+         {Gap{"sin(log(x))", {-2, -1}, one, false}, Gap{"sin(log(x))", {-1, 1}, one, false},
+          Gap{"sin(log(x))", {1, 2}, one, true}, Gap{"atan(x^0.3)", {-2, -1}, one, false},
+          Gap{"atan(x^0.3)", {1, 2}, one, true}, Gap{"atan(x/y)", {-1, 1}, {-1, 1}, false},
+          Gap{"atan(x/y)", {1, 2}, {-1, 1}, false}, Gap{"atan(x/y)", {1, 2}, {1, 2}, true},
+          Gap{"sum(blobs, sin(log(x + 0*cx)))", {-2, -1}, one, false}}) {
+        Subject field = subject(gap.formula);
+        const Interval value = field.enclose({gap.x, gap.y, one, one, one, one})[0];
+        EXPECT_EQ(value != Interval::entire(), gap.has_values)
+            << gap.formula << " over " << testing::PrintToString(gap.x);
+    }
+}
+
+// The slope of x/3 is a third, which no double is.
+TEST(Enclosure, HoldsSlopesThatAreNoDoubles) {
+    const Exact third = Exact(1) / Exact(3), tenth = Exact(0.1) - Exact(1);
+    EXPECT_TRUE(holds(subject("x/3").enclose(Box{})[2], third));
+    Subject power = subject("x^0.1"); // 0.1 x^(0.1 - 1), and 0.1 - 1 is none
+    const Interval x = 1e100;
+    EXPECT_TRUE(holds(power.enclose({x, x, x, x, x, x})[2],
+                      Exact(0.1) * apply(Op::power, Exact(1e100), tenth)));
+}
+
 constexpr std::array kinked{"floor(3*x) + x/2 - y",
                             "sign(x*y - z) + z",
                             "floor(sin(9*x)*2)*y - sign(z)",

@@ -246,6 +246,23 @@ TEST(IntervalOperations, WavesReachTheirCrestsAndNoFurther) {
     }
 }
 
+// Between doubles so far out that a crest of sin is somewhere between neighbours, if at all: a wave
+// is as high as it is there, whatever rounding makes of the number of half turns.
+TEST(IntervalOperations, WavesReachTheirCrestsFarOut) {
+    constexpr std::uint64_t seed = 67;
+    Random random(seed);
+    for (int trial = 0; trial < 20'000; ++trial) {
+        const double crest = std::floor(std::exp2(random.in(2, 48))) + 0.5;
+        const Exact place = Exact(crest) * Exact::pi();
+        const double x = place.rounded();
+        const Interval a = place < Exact(x) ? Interval(std::nextafter(x, 0), x)
+                                            : Interval(x, std::nextafter(x, infinity));
+        const Interval result = Do::sin(a);
+        const double top = std::fmod(crest, 2) == 0.5 ? 1 : -1;
+        ASSERT_TRUE(contains(result, top)) << "seed " << seed << ": about " << x;
+    }
+}
+
 // Also where the argument is reduced to the ends of its range, at odd multiples of ln(2)/2.
 TEST(IntervalOperations, ExponentialIsWithinItsBound) {
     constexpr std::uint64_t seed = 66;
