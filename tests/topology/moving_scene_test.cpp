@@ -84,5 +84,25 @@ TEST(MovingFrame, BetweenEventsAsGrids) {
     EXPECT_GE(compared, 3);
 }
 
+// A number in place of a name may let the operation vanish that has no value: 0*log(x), x^0.5. The
+// ball lies where x < 0, where no picture shows it.
+TEST(MovingScene, WhereTheFormulaHasNoValueNothingIsProved) {
+    const std::string ball = "(x + 0.6)^2 + y^2 + z^2 - 0.2";
+    for (const auto& [formula, c] : {std::pair{" + x^c", "0.5"},
+                                     {" + c*log(x)", "0"},
+                                     {" + c*x^0.3", "0"},
+                                     {" + c/x", "0"},
+                                     {" + x^c", "\"0.5+0*t\""}}) {
+        SCOPED_TRACE(formula);
+        const scene::Scene scene = scene_of(fmt::format(
+            "[time]\nframes = 3\nfps = 10\n[surface]\nformula = \"{}{}\"\nbounds = {{ box = "
+            "[[-1.3, -1.3, -1.3], [1.3, 1.3, 1.3]] }}\n[parameters]\nc = {}\n",
+            ball, formula, c));
+        const Side solid = solid_side(scene);
+        const MovingScene moving(scene, solid, {0, 0.2});
+        EXPECT_FALSE(moving.certify(0.1, {.depth = 5}).betti);
+    }
+}
+
 } // namespace
 } // namespace isomotion::topology

@@ -47,13 +47,16 @@ NodeId unless_gap(Graph& g, NodeId id, const std::vector<bool>& depends) {
     const Node node = g[id];
     const NodeId a = node.children[0], b = node.children[1], zero = g.constant(0);
     switch (node.op) {
-    case Op::power:
+    case Op::power: {
         if (g.is_constant(b) && is_whole(g[b].value)) return zero;
-        [[fallthrough]];
+        const NodeId unless_whole = g.select(g.unary(Op::floor, b), b, entire(g), zero);
+        return has_sign(g, a) ? zero : g.select(a, zero, unless_whole, zero);
+    }
     case Op::log:
         return has_sign(g, a) ? zero : g.select(a, zero, entire(g), zero);
-    case Op::divide:
-        return g.is_constant(a) || !depends[b] ? zero : unless_bounded(g, id);
+    case Op::divide: // by what may be 0, whatever is divided: a moving numerator may rest at 0
+        if (g.is_constant(a) || !depends[b]) return zero;
+        return g.select(zero, g.unary(Op::abs, b), zero, entire(g));
     default:
         return zero;
     }

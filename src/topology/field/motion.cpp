@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "animation/rules.h"
+#include "formula/graph/continuity.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/substitute.h"
 #include "topology/field/monotone_track.h"
@@ -113,7 +114,10 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
         return rules.in_place(node, rebuilt);
     };
     const formula::Field& field = *scene.surface.field;
-    motion.field = formula::substitute(g, field.graph, std::array{field.root}, in_place)[0];
+    // Where F has no value stays so when a number in place of a name lets that vanish: 0*log(x).
+    Graph named = field.graph;
+    const NodeId root = named.add(field.root, formula::gaps(named, field.root));
+    motion.field = formula::substitute(g, named, std::array{root}, in_place)[0];
     if (side == Side::positive) motion.field = g.unary(Op::negate, motion.field);
 
     const scene::Bounds& bounds = scene.surface.bounds;
