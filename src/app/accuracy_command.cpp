@@ -158,6 +158,8 @@ int judge(const AccuracyArguments& arguments, const accuracy::Report& report) {
 }
 
 int accuracy_of(const AccuracyArguments& arguments) {
+    check_amount("--max-wrong", arguments.max_wrong, wrong_pixels);
+    check_amount("--budget-ms", arguments.budget_ms, "milliseconds a frame, 0 or more: 16");
     if (arguments.effects) return price_effects(arguments);
     const accuracy::Report report = measured(arguments);
     if (!arguments.quiet) {

@@ -1,5 +1,6 @@
 #include "app/commands.h"
 
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 
@@ -28,6 +29,11 @@ CLI::Option* add_allow_outside(CLI::App& command, scene::Reach& reach) {
     return command.add_flag_callback(
         "--allow-outside", [&reach] { reach = scene::Reach::anywhere; },
         "let the scene name files outside its own folder and the program's");
+}
+
+void check_amount(std::string_view option, std::optional<double> amount, std::string_view right) {
+    if (!amount || (*amount >= 0 && std::isfinite(*amount))) return;
+    throw std::invalid_argument(fmt::format("{} {}: write {}", option, *amount, right));
 }
 
 int run(int argc, char** argv) {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/reading/reach.h"
@@ -39,6 +41,11 @@ void add_describe(CLI::App& app, Action& chosen);
 
 // --allow-outside: the scene may name files beyond its own folder.
 CLI::Option* add_allow_outside(CLI::App& command, scene::Reach& reach);
+
+// Throws unless an option that is given is finite and at least 0. `right` says what to write:
+// "--dt nan: write seconds, 0 or more: 1e-9".
+void check_amount(std::string_view option, std::optional<double> amount, std::string_view right);
+inline constexpr std::string_view wrong_pixels = "wrong pixels in a million, 0 or more: 10";
 
 int run(int argc, char** argv);
 

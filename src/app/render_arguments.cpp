@@ -111,11 +111,10 @@ std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments
         command.add_option("--method", a.method,
                            known_methods() + "; isomotion list methods tells of them"),
         command.add_option("--step", a.step, "base step of the method, in formula coordinates"),
-        command
-            .add_option("--max-wrong", a.max_wrong,
-                        "choose the cheapest method and step with at most so many wrong pixels in "
-                        "a million, against certified truth; exit code 1 if there is none")
-            ->check(CLI::NonNegativeNumber),
+        command.add_option(
+            "--max-wrong", a.max_wrong,
+            "choose the cheapest method and step with at most so many wrong pixels in "
+            "a million, against certified truth; exit code 1 if there is none"),
         command.add_option("--backend", a.backend, "auto, egl, osmesa or glfw"),
         command.add_option(
             "--stage", a.stage,
@@ -139,6 +138,7 @@ std::vector<scene::Override> overrides(const RenderArguments& arguments) {
 }
 
 sequence::Exporter exporter_of(const RenderArguments& arguments) {
+    check_amount("--max-wrong", arguments.max_wrong, wrong_pixels);
     scene::Scene scene = scene::load(arguments.scene, overrides(arguments), arguments.reach);
     gpu::parse_backend(arguments.backend);
     sequence::ExportOptions options;

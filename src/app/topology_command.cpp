@@ -1,4 +1,3 @@
-#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -53,13 +52,6 @@ topology::Certify parse_certify(const std::string& text) {
     if (text == "fast") return topology::Certify::fast;
     if (text == "full") return topology::Certify::full;
     throw std::invalid_argument(fmt::format("--certify {}: write off, fast or full", text));
-}
-
-// Not by CLI::NonNegativeNumber, which takes what is no number at all for one that is not negative.
-void check_dt(double seconds) {
-    if (seconds >= 0 && std::isfinite(seconds)) return;
-    throw std::invalid_argument(
-        fmt::format("--dt {}: events move by a number of seconds, 0 or more: --dt 1e-9", seconds));
 }
 
 // First and last of what is searched, all time in between included.
@@ -187,7 +179,7 @@ int topology_of(const TopologyArguments& arguments) {
     check_extension("--csv", arguments.csv, ".csv");
     check_extension("--plot", arguments.plot, ".svg");
     parse_certify(arguments.certify);
-    check_dt(arguments.dt);
+    check_amount("--dt", arguments.dt, "seconds, 0 or more: 1e-9");
     gpu::parse_backend(arguments.backend);
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
     const auto frames = span_of(arguments.frames, scene);

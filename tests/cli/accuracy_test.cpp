@@ -57,6 +57,25 @@ TEST_F(Accuracy, ChecksEndWithTheirCode) {
     EXPECT_THAT(slow.err, HasSubstr("no setting takes at most 1e-09 ms a frame"));
 }
 
+TEST_F(Accuracy, TellsALimitThatIsNoAmount) {
+    const std::pair<Words, const char*> wrongs[] = {
+        {{"--max-wrong", "nan"}, "--max-wrong nan: write wrong pixels in a million, 0 or more: 10"},
+        {{"--max-wrong", "-1"}, "--max-wrong -1: write"},
+        {{"--budget-ms", "nan"}, "--budget-ms nan: write milliseconds a frame, 0 or more: 16"},
+        {{"--budget-ms", "-5"}, "--budget-ms -5: write"},
+        {{"--budget-ms", "inf"}, "--budget-ms inf: write"},
+    };
+    for (const auto& [arguments, message] : wrongs) {
+        SCOPED_TRACE(message);
+        Words all{"accuracy", "sphere.toml"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        const Ending ending = run_here(all);
+        EXPECT_EQ(ending.code, 2) << ending;
+        EXPECT_THAT(ending.err, HasSubstr(message));
+        EXPECT_THAT(ending.out, IsEmpty());
+    }
+}
+
 TEST_F(Accuracy, RenderTakesTheCheapestThatIsRightEnough) {
     const Ending ending = run_here(
         {"render", "sphere.toml", "--frames", "1-2", "--max-wrong", "5000", "-o", "a.##.png"});
@@ -66,7 +85,8 @@ TEST_F(Accuracy, RenderTakesTheCheapestThatIsRightEnough) {
     // A plate so thin that every step of the sweep passes over it.
     write("plate.toml", "[surface]\nformula = \"x^2 - 1e-8\"\nbounds = { sphere = 1 }\n"
                         "[camera]\nposition = [5, 0.3, 0.2]\n[output]\nsize = [48, 48]\n");
-    const Ending none = run_here({"render", "plate.toml", "--max-wrong", "0", "--method", "marching", "-o", "n.png"});
+    const Ending none = run_here(
+        {"render", "plate.toml", "--max-wrong", "0", "--method", "marching", "-o", "n.png"});
     EXPECT_EQ(none.code, 1) << none;
     EXPECT_THAT(none.err, HasSubstr("--max-wrong 0: no setting is that accurate"));
 }

@@ -113,6 +113,51 @@ NodeId gaps(Graph& g, NodeId root) {
     return all_below(g, root, [&](Graph& to, NodeId id) { return unless_gap(to, id, depends); });
 }
 
+NodeId without_value(Graph& g, NodeId root) {
+    const NodeId zero = g.constant(0), one = g.constant(1);
+    std::vector<NodeId> none(std::size_t(root) + 1, zero);
+    for (const NodeId id : nodes_below(g, std::array{root})) {
+        const Node node = g[id];
+        const NodeId a = node.children[0], b = node.children[1];
+        switch (node.op) {
+        case Op::constant:
+            none[id] = std::isnan(node.value) ? one : zero;
+            break;
+        case Op::log:
+            none[id] = g.add(none[a], g.select(a, zero, one, zero));
+            break;
+        case Op::power:
+            if (g.is_constant(b) && is_whole(g[b].value)) {
+                none[id] = none[a];
+            } else {
+                const NodeId is_not_whole = g.select(g.unary(Op::floor, b), b, one, zero);
+                none[id] = g.add(none[a], g.select(a, zero, is_not_whole, zero));
+            }
+            break;
+        case Op::add:
+        case Op::subtract:
+        case Op::multiply:
+        case Op::divide:
+            none[id] = g.add(none[a], none[b]);
+            break;
+        case Op::negate:
+            none[id] = none[a];
+            break;
+        case Op::sum:
+            none[id] = none[a] == zero ? zero : g.sum(node.index, none[a]);
+            break;
+        case Op::select: { // by the branch that is taken
+            const NodeId then = none[node.children[2]], otherwise = none[node.children[3]];
+            none[id] = then == otherwise ? then : g.select(a, b, then, otherwise);
+            break;
+        }
+        default: // may have values where its arguments have none
+            break;
+        }
+    }
+    return none[root];
+}
+
 NodeId kinks(Graph& g, NodeId root) { return all_below(g, root, unless_without_kink); }
 
 } // namespace isomotion::formula

@@ -33,4 +33,8 @@ NodeId gaps(Graph& graph, NodeId root);
 // entire line as slopes are, nor at the ends of sqrt, asin and acos, where they are quotients 0/0.
 NodeId kinks(Graph& graph, NodeId root);
 
+// Above 0 over boxes where the root has no value anywhere, as far as arithmetic tells; at least 0
+// over all others. Sums of gaps() count as what they say.
+NodeId without_value(Graph& graph, NodeId root);
+
 } // namespace isomotion::formula

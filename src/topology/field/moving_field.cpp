@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "formula/graph/continuity.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/substitute.h"
 
@@ -129,6 +130,8 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Com
     const NodeId field = on_stratum(motion.field);
     const std::array<std::size_t, most_variables> unknowns{0, 1, 2, 3};
     std::vector<NodeId> jet = jet_over_boxes(g, field, std::span(unknowns).first(n), d);
+    // There is no surface where F has no value, and no need to look for it in ever smaller boxes.
+    jet[0] = g.select(g.constant(0), formula::without_value(g, field), g.constant(1), jet[0]);
     Graph lowered = g;
     numbers_ = formula::schedule(lowered, formula::lower(lowered, jet));
 

@@ -370,5 +370,16 @@ TEST(Events, OfAnInterruptedSearchAreNotAll) {
     EXPECT_FALSE(timeline.doubts.empty());
 }
 
+// Half of the box has no value: it is not divided into ever smaller boxes.
+TEST(Events, AreNotSoughtWhereTheFormulaHasNoValue) {
+    const Moving half{"x^2 + y^2 + z^2 - 0.5 + c*log(x)", "{ box = [[-1, -1, -1], [1, 1, 1]] }",
+                      "c = \"0*t\""};
+    SearchCost cost;
+    const Timeline timeline = find_events(half.scene(), Side::negative, {0, 1}, {}, &cost);
+    EXPECT_LT(cost.boxes, 2'000'000) << described(timeline);
+    EXPECT_FALSE(timeline.is_proved); // next to x = 0
+    for (const Unresolved& place : timeline.unresolved) EXPECT_GT(place.where[0].hi, -0.1);
+}
+
 } // namespace
 } // namespace isomotion::topology

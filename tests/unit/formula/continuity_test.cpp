@@ -1,0 +1,113 @@
+#include "formula/graph/continuity.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "unit/formula/stranger_formula.h"
+
+namespace isomotion::formula {
+namespace {
+
+using Box = std::array<Interval, 3>;
+
+// What tells boxes in which a formula has no value, and the formula itself.
+class Subject {
+public:
+    explicit Subject(std::string_view text)
+        : bindings_(convert<Interval>(test_bindings())) {
+        const NodeId root = parse(graph_, text);
+        value_ = schedule_lowered(graph_, root);
+        Graph g = graph_;
+        without_ = schedule(g, std::array{without_value(g, root)});
+    }
+
+    Interval without_value_over(const Box& box) const {
+        Interval result;
+        Evaluator<Interval>(without_).point(bindings_, box, {&result, 1});
+        return result;
+    }
+    double value(const Point& p) const { return run(value_, p); }
+
+private:
+    Graph graph_;
+    Bindings<Interval> bindings_;
+    Program value_, without_;
+};
+
+TEST(WithoutValue, IsCertainWhereNoPointHasOne) {
+    const Interval below{-2, -1}, across{-1, 1}, above{1, 2};
+    struct Case {
+        const char* formula;
+        Interval x;
+        bool is_certain;
+    };
+    for (const Case& c : {
+             Case{"log(x)", below, true},
+             Case{"log(x)", across, false},
+             Case{"log(x)", above, false},
+             Case{"y - 3*log(x)/2", below, true},
+             Case{"x^0.3", below, true},
+             Case{"x^0.3", {0, 1}, false},
+             Case{"sqrt(x)", below, false}, // 0
+             Case{"x^-1.5 + y", below, true},
+             Case{"x^b", below, true},  // b is -0.75
+             Case{"x^m", below, false}, // m is 3
+             Case{"log(x)^2 + y", below, true},
+             Case{"sum(blobs, log(x + 0*cx))", below, true},
+             // What chooses, cuts or compares may have a value all the same.
+             Case{"min(y, log(x))", below, false},
+             Case{"max(y, log(x))", below, false},
+             Case{"sign(log(x))", below, false},
+         }) {
+        const Interval found = Subject(c.formula).without_value_over({c.x, {1, 2}, {1, 2}});
+        EXPECT_GE(found.lo, 0) << c.formula;
+        EXPECT_EQ(found.lo > 0, c.is_certain)
+            << c.formula << " over " << testing::PrintToString(c.x);
+    }
+}
+
+// A choice has no value where the branch that is taken has none.
+TEST(WithoutValue, FollowsTheBranchThatIsTaken) {
+    Graph g;
+    const NodeId x = g.input(0), zero = g.constant(0);
+    const NodeId root = g.select(x, zero, g.unary(Op::log, x), x);
+    const NodeId other = g.select(x, zero, x, g.unary(Op::log, g.unary(Op::negate, x)));
+    const Program program =
+        schedule(g, std::array{without_value(g, root), without_value(g, other)});
+    const auto over = [&](Interval at) {
+        std::array<Interval, 2> found;
+        Evaluator<Interval>(program).point({}, Box{at, 0.0, 0.0}, found);
+        return std::pair(found[0].lo > 0, found[1].lo > 0);
+    };
+    EXPECT_EQ(over({-2, -1}), std::pair(true, false));
+    EXPECT_EQ(over({1, 2}), std::pair(false, true));
+    EXPECT_EQ(over({-1, 1}), std::pair(false, false));
+}
+
+TEST(WithoutValue, IsNeverSaidWhereAPointHasOne) {
+    int certain = 0;
+    for (std::uint64_t seed = 0; seed < 600; ++seed) {
+        Random random(seed);
+        const std::string text = StrangerFormula(seed).text();
+        const Subject subject(text);
+        for (int k = 0; k < 20; ++k) {
+            const Point corner = random.point(1.5);
+            const double size = std::exp2(random.in(-12, 1));
+            Box box;
+            for (std::size_t i = 0; i < 3; ++i) box[i] = {corner[i], corner[i] + size};
+            if (!(subject.without_value_over(box).lo > 0)) continue;
+            ++certain;
+            for (int sample = 0; sample < 16; ++sample) {
+                Point p;
+                for (std::size_t i = 0; i < 3; ++i) p[i] = random.in(box[i].lo, box[i].hi);
+                ASSERT_TRUE(std::isnan(subject.value(p)))
+                    << "seed " << seed << ": " << text << " at " << testing::PrintToString(p);
+            }
+        }
+    }
+    EXPECT_GT(certain, 100);
+}
+
+} // namespace
+} // namespace isomotion::formula
