@@ -1,6 +1,7 @@
 #include "base/document.h"
 
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -64,26 +65,119 @@ private:
     std::map<std::string, std::size_t>& lines_;
 };
 
+// A text's characters, with the line of the last one that was read: parsers read one beyond a
+// number.
+struct LineCount {
+    std::size_t line = 1;
+    bool has_ended = false;
+};
+class CountedCharacter {
+public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    CountedCharacter(const char* at, LineCount& count)
+        : at_(at)
+        , count_(&count) {}
+    reference operator*() const { return *at_; }
+    CountedCharacter& operator++() {
+        count_->line += count_->has_ended;
+        count_->has_ended = *at_ == '\n';
+        ++at_;
+        return *this;
+    }
+    bool operator==(const CountedCharacter& other) const { return at_ == other.at_; }
+
+private:
+    const char* at_;
+    LineCount* count_;
+};
+
+// What a parser of JSON has come to, and the keys of the objects that it is in.
+class JsonPlace {
+public:
+    // Whether a value begins here, whose name is key().
+    bool follow(Json::parse_event_t event, const Json& parsed) {
+        switch (event) {
+        case Json::parse_event_t::key: {
+            Level& object = levels_.back();
+            const auto& name = parsed.get_ref<const std::string&>();
+            is_given_twice_ = !object.names.insert(name).second;
+            key_ = object.key.empty() ? name : object.key + "." + name;
+            return true;
+        }
+        case Json::parse_event_t::object_start:
+        case Json::parse_event_t::array_start: {
+            const bool is_new = begin_item();
+            levels_.push_back({key_, event == Json::parse_event_t::array_start, 0, {}});
+            return is_new;
+        }
+        case Json::parse_event_t::object_end:
+        case Json::parse_event_t::array_end:
+            levels_.pop_back();
+            return false;
+        case Json::parse_event_t::value:
+            return begin_item();
+        }
+        return false;
+    }
+    const std::string& key() const { return key_; }
+    bool is_given_twice() const { return is_given_twice_; }
+
+private:
+    struct Level {
+        std::string key;
+        bool is_list = false;
+        std::size_t items = 0;
+        std::set<std::string> names;
+    };
+
+    bool begin_item() {
+        if (levels_.empty() || !levels_.back().is_list) return false;
+        key_ = fmt::format("{}[{}]", levels_.back().key, levels_.back().items++);
+        return true;
+    }
+
+    std::vector<Level> levels_;
+    std::string key_;
+    bool is_given_twice_ = false;
+};
+
 // The library keeps the last of equal keys, by which claims would be lost without a word.
 Json parse_json(std::string_view text, const std::string& file) {
-    std::vector<std::set<std::string>> keys;
+    LineCount count;
+    JsonPlace here;
     const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
-        if (event == Json::parse_event_t::object_start) keys.emplace_back();
-        if (event == Json::parse_event_t::object_end) keys.pop_back();
-        if (event == Json::parse_event_t::key) {
-            const auto& name = parsed.get_ref<const std::string&>();
-            if (!keys.back().insert(name).second) {
-                throw InputError(
-                    fmt::format("{}: {}: is given twice; keep one of them", file, name));
-            }
+        here.follow(event, parsed);
+        if (here.is_given_twice()) {
+            throw InputError(fmt::format("{}: is given twice; keep one of them",
+                                         place(file, count.line, here.key())));
         }
         return true;
     };
     try {
-        return Json::parse(text.begin(), text.end(), watch);
+        return Json::parse(CountedCharacter(text.data(), count),
+                           CountedCharacter(text.data() + text.size(), count), watch);
     } catch (const Json::exception& error) {
         throw InputError(fmt::format("{}: not valid JSON: {}", file, reason(error)));
     }
+}
+
+// Of valid JSON.
+std::size_t json_line(std::string_view text, const std::string& key) {
+    LineCount count;
+    JsonPlace here;
+    std::size_t line = 0;
+    const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
+        if (line == 0 && here.follow(event, parsed) && here.key() == key) line = count.line;
+        return true;
+    };
+    static_cast<void>(Json::parse(CountedCharacter(text.data(), count),
+                                  CountedCharacter(text.data() + text.size(), count), watch));
+    return line;
 }
 
 } // namespace
@@ -97,6 +191,7 @@ Document::~Document() = default;
 Document Document::from_json(std::string_view text, std::string file) {
     Document document(std::move(file));
     *document.value_ = parse_json(text, document.file_);
+    document.json_ = text;
     return document;
 }
 
@@ -109,10 +204,16 @@ Document Document::from_toml(std::string_view text, std::string file) {
 
 DocumentTable Document::table() const { return DocumentTable(DocumentNode(*this, *value_, "")); }
 
+std::size_t Document::line_of(const std::string& key) const {
+    if (key.empty()) return 0;
+    if (!json_.empty()) return json_line(json_, key);
+    const auto at = lines_.find(key);
+    return at == lines_.end() ? 0 : at->second;
+}
+
 void DocumentNode::fail(const std::string& message) const {
-    const auto at = document_->lines_.find(key_);
-    const std::size_t line = at == document_->lines_.end() ? 0 : at->second;
-    throw InputError(fmt::format("{}: {}", place(document_->file_, line, key_), message));
+    throw InputError(
+        fmt::format("{}: {}", place(document_->file_, document_->line_of(key_), key_), message));
 }
 
 std::string DocumentNode::text() const {

@@ -1,6 +1,5 @@
 // A JSON or TOML document, read key by key. What is wrong with it is an InputError that says where:
-// "file: key: what is wrong, and what would be right", of TOML "file:line: key: ...". A key that
-// is given twice is refused.
+// "file:line: key: what is wrong, and what would be right". A key that is given twice is refused.
 #pragma once
 
 #include <cstdint>
@@ -32,10 +31,12 @@ public:
 private:
     friend class DocumentNode;
     explicit Document(std::string file);
+    std::size_t line_of(const std::string& key) const; // 0: of the whole
 
     std::string file_;
     std::unique_ptr<nlohmann::ordered_json> value_;
-    std::map<std::string, std::size_t> lines_; // of what can be named: "components.12", "events[3]"
+    std::map<std::string, std::size_t> lines_; // of TOML: "components.12", "events[3]"
+    std::string json_;                         // where lines are looked up when one is asked for
 };
 
 class DocumentNode {

@@ -35,16 +35,13 @@ fs::path frame_file(const fs::path& manifest, int frame) {
 
 Sequence read_sequence(const fs::path& manifest) {
     const fs::path file = sequence_file(manifest);
-    try {
-        return parse_sequence(read_text(file));
-    } catch (const ManifestError& error) {
-        throw ManifestError(fmt::format("{}: {}", file.string(), error.what()));
-    }
+    return parse_sequence(read_text(file), file.string());
 }
 
 std::optional<FrameRecord> find_record(const fs::path& manifest, int frame) {
+    const fs::path file = frame_file(manifest, frame);
     try {
-        FrameRecord record = parse_frame_record(read_text(frame_file(manifest, frame)));
+        FrameRecord record = parse_frame_record(read_text(file), file.string());
         if (record.frame == frame) return record;
     } catch (const base::FileError&) { // there is none
     } catch (const ManifestError&) {   // or nothing that could be trusted

@@ -177,14 +177,14 @@ template<class T> std::string written(const T& value) {
     return writer.text();
 }
 
-template<class T> T parsed(std::string_view text) {
+template<class T> T parsed(std::string_view text, const std::string& file) {
     T value;
     try {
-        const auto document = base::Document::from_json(text, "is no manifest"); // after its name
+        const auto document = base::Document::from_json(text, file);
         Reader reader(document.table());
         fields(reader, value);
     } catch (const base::InputError& error) {
-        throw ManifestError(error.what());
+        throw ManifestError(fmt::format("{}; this is no manifest", error.what()));
     }
     return value;
 }
@@ -194,7 +194,11 @@ template<class T> T parsed(std::string_view text) {
 std::string to_json(const Sequence& sequence) { return written(sequence); }
 std::string to_json(const FrameRecord& record) { return written(record); }
 
-Sequence parse_sequence(std::string_view text) { return parsed<Sequence>(text); }
-FrameRecord parse_frame_record(std::string_view text) { return parsed<FrameRecord>(text); }
+Sequence parse_sequence(std::string_view text, const std::string& file) {
+    return parsed<Sequence>(text, file);
+}
+FrameRecord parse_frame_record(std::string_view text, const std::string& file) {
+    return parsed<FrameRecord>(text, file);
+}
 
 } // namespace isomotion::sequence

@@ -19,8 +19,8 @@ public:
 std::string to_json(const Sequence& sequence);
 std::string to_json(const FrameRecord& record);
 
-// Throw ManifestError.
-Sequence parse_sequence(std::string_view text);
-FrameRecord parse_frame_record(std::string_view text);
+// Throw ManifestError, which says where in the file.
+Sequence parse_sequence(std::string_view text, const std::string& file);
+FrameRecord parse_frame_record(std::string_view text, const std::string& file);
 
 } // namespace isomotion::sequence

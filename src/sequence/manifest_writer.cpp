@@ -80,7 +80,7 @@ ManifestWriter::ManifestWriter(const SequenceName& name, const Sequence& sequenc
     : folder_(manifest_folder(name)) {
     make_folder(folder_);
     writers_ = open_writers(folder_);
-    join(parse_sequence(to_json(sequence))); // names as a file gives them back
+    join(parse_sequence(to_json(sequence), "sequence")); // names as a file gives them back
 }
 
 void ManifestWriter::join(const Sequence& wanted) {

@@ -89,7 +89,8 @@ TEST_F(Verify, WhatCannotBeRead) {
     write("out/a.manifest/sequence.json", "{");
     const Ending ending = verify("out");
     EXPECT_EQ(ending.code, 3) << ending;
-    EXPECT_THAT(ending.err, StartsWith("out/a.manifest/sequence.json: is no manifest"));
+    EXPECT_THAT(ending.err, AllOf(StartsWith("out/a.manifest/sequence.json: not valid JSON: "),
+                                  HasSubstr("; this is no manifest")));
     EXPECT_EQ(run({"verify"}).code, 2);
     EXPECT_EQ(run({"verify", "a##.##.png"}).code, 2);
 }

@@ -21,8 +21,8 @@ template<class Parse> void read_and_write(std::string_view text, Parse parse) {
 } // namespace
 
 void manifest(std::string_view text) {
-    read_and_write(text, sequence::parse_sequence);
-    read_and_write(text, sequence::parse_frame_record);
+    read_and_write(text, [](std::string_view t) { return sequence::parse_sequence(t, "a"); });
+    read_and_write(text, [](std::string_view t) { return sequence::parse_frame_record(t, "a"); });
 }
 
 } // namespace isomotion::fuzz

@@ -67,7 +67,19 @@ TEST(Document, SaysWhereAMistakeIs) {
     };
     EXPECT_EQ(mistake(from_toml, numbers), "a.toml:4: a.b[2]: must be a number");
     EXPECT_EQ(mistake(json(R"({"a": {"b": [1, "x"]}})"), numbers),
-              "a.json: a.b[1]: must be a number");
+              "a.json:1: a.b[1]: must be a number");
+    EXPECT_EQ(mistake(json("{\"n\": 1,\n \"a\":\n{\"b\": [1\n, 2,\n\"x\"\n]}}"), numbers),
+              "a.json:5: a.b[2]: must be a number");
+    EXPECT_EQ(mistake(json("{\"a\": {\n\"b\": [\n1,\ntrue\n]}}"), numbers),
+              "a.json:4: a.b[1]: must be a number");
+    EXPECT_EQ(mistake(json("{\"a\": [[0], {\n\"b\":\n2}]}"),
+                      [](DocumentTable& root) { root.at("a").list()[1].table().at("b").text(); }),
+              "a.json:2: a[1].b: must be a text");
+    const auto small = [](DocumentTable& root) {
+        for (const DocumentNode& each : root.at("a").list()) each.integer(0, 4);
+    };
+    EXPECT_EQ(mistake(json("{\"a\": [\n1,\n5\n]}"), small),
+              "a.json:3: a[1]: must be a whole number from 0 to 4"); // a number ends a line
     const auto nothing = [](DocumentTable&) {};
     EXPECT_EQ(mistake(json("[]"), nothing), "a.json: must be an object, in { }");
     EXPECT_EQ(mistake(json("{}"), [](DocumentTable& root) { root.at("b"); }),
@@ -86,17 +98,17 @@ TEST(Document, NumbersAreInTheirRange) {
     const auto small = [](const DocumentNode& node) { node.integer(-2, 5); };
     EXPECT_EQ(read("-2", small), "none");
     for (const char* text : {"6", "-3", "1.5", "1e0", "99999999999", "18446744073709551615"}) {
-        EXPECT_EQ(read(text, small), "a.json: a: must be a whole number from -2 to 5") << text;
+        EXPECT_EQ(read(text, small), "a.json:1: a: must be a whole number from -2 to 5") << text;
     }
     const auto whole = [](const DocumentNode& node) { node.whole(); };
     EXPECT_EQ(read("-9223372036854775808", whole), "none");
     EXPECT_EQ(read("9223372036854775807", whole), "none");
-    EXPECT_EQ(read("9223372036854775808", whole), "a.json: a: must be a whole number");
+    EXPECT_EQ(read("9223372036854775808", whole), "a.json:1: a: must be a whole number");
 }
 
 TEST(Document, MalformedTextIsRefused) {
     EXPECT_EQ(refused_json(R"({"a": 1, "b": {"a": 2}, "a": 3})"),
-              "a.json: a: is given twice; keep one of them");
+              "a.json:1: a: is given twice; keep one of them");
     EXPECT_THAT(refused_json("{"), testing::StartsWith("a.json: not valid JSON: parse error"));
     EXPECT_THROW(toml("a = 1\na = 2\n"), InputError);
     EXPECT_THROW(toml("a = " + std::string(100'000, '[')), InputError);

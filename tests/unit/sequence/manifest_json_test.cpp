@@ -11,7 +11,7 @@ namespace {
 
 TEST(ManifestJson, GivesBackWhatWasPutIn) {
     const Sequence sequence = some_sequence({1, 2, 3, 7, 9, 11, 4000});
-    const Sequence back = parse_sequence(to_json(sequence));
+    const Sequence back = parse_sequence(to_json(sequence), "a");
     EXPECT_EQ(difference(sequence, back), "");
     EXPECT_EQ(back.asked, sequence.asked);
     EXPECT_EQ(back.backend, sequence.backend);
@@ -26,7 +26,7 @@ TEST(ManifestJson, GivesBackWhatWasPutIn) {
     record.verdicts = {1, 2, 3, 4, 5};
     record.proofs = render::ProofCounts{1, 2, 3, 4, 5, 6, 7};
     record.evaluations = 9'007'199'254'740'993; // no double has it
-    const FrameRecord again = parse_frame_record(to_json(record));
+    const FrameRecord again = parse_frame_record(to_json(record), "a");
     EXPECT_EQ(to_json(again), to_json(record));
     EXPECT_EQ(again.bytes, record.bytes);
     EXPECT_EQ(again.parameters, record.parameters);
@@ -38,27 +38,27 @@ TEST(ManifestJson, KeepsNamesThatNeedCare) {
     Sequence sequence = some_sequence();
     for (const std::string title : {"a \"b\" \\ c\n", "h\u00e9llo", "\xff not UTF-8", ""}) {
         sequence.title = title;
-        const Sequence back = parse_sequence(to_json(sequence));
-        EXPECT_EQ(difference(back, parse_sequence(to_json(back))), "");
+        const Sequence back = parse_sequence(to_json(sequence), "a");
+        EXPECT_EQ(difference(back, parse_sequence(to_json(back), "a")), "");
     }
 }
 
 TEST(ManifestJson, AValueThatIsNoneStaysNone) {
     FrameRecord record;
     record.parameters = {{"a", std::numeric_limits<double>::quiet_NaN()}};
-    EXPECT_TRUE(std::isnan(parse_frame_record(to_json(record)).parameters[0].second));
+    EXPECT_TRUE(std::isnan(parse_frame_record(to_json(record), "a").parameters[0].second));
 }
 
 // A record that a crash cut off, or that somebody edited, is none; it never ends the program.
 TEST(ManifestJson, WhatIsCutOffOrDamagedIsRefused) {
     const std::string whole = to_json(some_sequence()), frame = to_json(FrameRecord{});
     for (std::size_t length = 0; length + 2 < whole.size(); ++length) {
-        EXPECT_THROW(parse_sequence(whole.substr(0, length)), ManifestError) << length;
+        EXPECT_THROW(parse_sequence(whole.substr(0, length), "a"), ManifestError) << length;
     }
-    EXPECT_THROW(parse_sequence(frame), ManifestError);
-    EXPECT_THROW(parse_frame_record(whole), ManifestError);
+    EXPECT_THROW(parse_sequence(frame, "a"), ManifestError);
+    EXPECT_THROW(parse_frame_record(whole, "a"), ManifestError);
     for (const char* text : {"", "[]", "3", "null", "{}", R"({"format": 3})"}) {
-        EXPECT_THROW(parse_sequence(text), ManifestError) << text;
+        EXPECT_THROW(parse_sequence(text, "a"), ManifestError) << text;
     }
     const unsigned seed = std::random_device{}();
     SCOPED_TRACE(seed);
@@ -67,7 +67,7 @@ TEST(ManifestJson, WhatIsCutOffOrDamagedIsRefused) {
         std::string damaged = frame;
         damaged[random() % damaged.size()] = char(random() % 256);
         try {
-            parse_frame_record(damaged);
+            parse_frame_record(damaged, "a");
         } catch (const ManifestError&) {
         }
     }
