@@ -96,23 +96,24 @@ private:
     LineCount* count_;
 };
 
-// What a parser of JSON has come to, and the keys of the objects that it is in.
+// What a parser of JSON has come to: the names of all that it is in, and of the last value that it
+// came to. Whole keys are put together when they are asked for, as text may be nested deeply.
 class JsonPlace {
 public:
-    // Whether a value begins here, whose name is key().
+    // Whether a value begins here.
     bool follow(Json::parse_event_t event, const Json& parsed) {
         switch (event) {
-        case Json::parse_event_t::key: {
-            Level& object = levels_.back();
-            const auto& name = parsed.get_ref<const std::string&>();
-            is_given_twice_ = !object.names.insert(name).second;
-            key_ = object.key.empty() ? name : object.key + "." + name;
+        case Json::parse_event_t::key:
+            name_ = parsed.get<std::string>();
+            is_given_twice_ = !levels_.back().names.insert(name_).second;
+            if (levels_.back().length > 0) name_.insert(0, 1, '.');
             return true;
-        }
         case Json::parse_event_t::object_start:
         case Json::parse_event_t::array_start: {
             const bool is_new = begin_item();
-            levels_.push_back({key_, event == Json::parse_event_t::array_start, 0, {}});
+            const bool is_list = event == Json::parse_event_t::array_start;
+            levels_.push_back({name_, length(), is_list, 0, {}});
+            name_.clear();
             return is_new;
         }
         case Json::parse_event_t::object_end:
@@ -124,12 +125,20 @@ public:
         }
         return false;
     }
-    const std::string& key() const { return key_; }
     bool is_given_twice() const { return is_given_twice_; }
+    std::size_t length() const { // of the key
+        return (levels_.empty() ? 0 : levels_.back().length) + name_.size();
+    }
+    std::string key() const {
+        std::string key;
+        for (const Level& level : levels_) key += level.name;
+        return key + name_;
+    }
 
 private:
     struct Level {
-        std::string key;
+        std::string name; // in the level around: "radius", ".radius", "[3]"
+        std::size_t length = 0;
         bool is_list = false;
         std::size_t items = 0;
         std::set<std::string> names;
@@ -137,12 +146,12 @@ private:
 
     bool begin_item() {
         if (levels_.empty() || !levels_.back().is_list) return false;
-        key_ = fmt::format("{}[{}]", levels_.back().key, levels_.back().items++);
+        name_ = fmt::format("[{}]", levels_.back().items++);
         return true;
     }
 
     std::vector<Level> levels_;
-    std::string key_;
+    std::string name_;
     bool is_given_twice_ = false;
 };
 
@@ -172,7 +181,9 @@ std::size_t json_line(std::string_view text, const std::string& key) {
     JsonPlace here;
     std::size_t line = 0;
     const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
-        if (line == 0 && here.follow(event, parsed) && here.key() == key) line = count.line;
+        const bool begins = here.follow(event, parsed);
+        const bool may_be = line == 0 && begins && here.length() == key.size();
+        if (may_be && here.key() == key) line = count.line;
         return true;
     };
     static_cast<void>(Json::parse(CountedCharacter(text.data(), count),

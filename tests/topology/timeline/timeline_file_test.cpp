@@ -164,7 +164,7 @@ TEST(TimelineFile, NoDamageIsMoreThanAMistake) {
         }
         const std::string message = mistake(text);
         if (message == "no mistake") continue;
-        EXPECT_THAT(message, StartsWith("a.json: "));
+        EXPECT_THAT(message, StartsWith("a.json:"));
         ++refused;
     }
     EXPECT_GT(refused, 2000);
@@ -175,8 +175,8 @@ TEST(TimelineFile, MistakesNameTheKey) {
     const struct {
         const char *from, *to, *message;
     } wrongs[] = {
-        {"isomotion topology timeline", "a poem", "a.json: format: is 'a poem'; a timeline's is"},
-        {"\"version\": 1", "\"version\": 2", "a.json: version: is 2, which this program cannot"},
+        {"isomotion topology timeline", "a poem", "a.json:2: format: is 'a poem'; a timeline's is"},
+        {"\"version\": 1", "\"version\": 2", "a.json:3: version: is 2, which this program cannot"},
         {"\"version\": 1", "\"version\": \"1\"", "version: must be a whole number from 1 to"},
         {"\"version\": 1", "\"version\": 1e99", "version: must be a whole number"},
         {"\"version\": 1", "\"version\": 99999999999999999999", "version: must be a whole number"},

@@ -75,6 +75,9 @@ TEST(Document, SaysWhereAMistakeIs) {
     EXPECT_EQ(mistake(json("{\"a\": [[0], {\n\"b\":\n2}]}"),
                       [](DocumentTable& root) { root.at("a").list()[1].table().at("b").text(); }),
               "a.json:2: a[1].b: must be a text");
+    EXPECT_EQ(mistake(json("{\"a\": [{\"b\": 1},\n{\n}]}"),
+                      [](DocumentTable& root) { root.at("a").list()[1].table().at("b"); }),
+              "a.json:2: a[1]: has no key 'b', which it needs");
     const auto small = [](DocumentTable& root) {
         for (const DocumentNode& each : root.at("a").list()) each.integer(0, 4);
     };
