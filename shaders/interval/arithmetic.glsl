@@ -33,7 +33,8 @@ REAL2 im_not_negative(REAL2 a) {
 
 // Results beyond the saturation of floats are unbounded, and begin no further out than there.
 REAL2 im_saturate(REAL2 a) {
-    return REAL2(min(a.x, IM_SATURATION), max(a.y, -IM_SATURATION));
+    return REAL2(a.x < -IM_SATURATION ? -IM_INFINITY : min(a.x, IM_SATURATION),
+                 a.y > IM_SATURATION ? IM_INFINITY : max(a.y, -IM_SATURATION));
 }
 
 // The smallest and the largest distance from 0.

@@ -7,8 +7,7 @@
 
 // Of a base that isn't negative, from the kernel's results.
 vec2 im_powers(float least, float most) {
-    precise float hi = most > 0.99e30 ? IM_INFINITY : most; // saturated
-    return im_saturate(im_not_negative(im_widen(vec2(least, hi), IM_POWER_ERROR)));
+    return im_saturate(im_not_negative(im_widen(vec2(least, most), IM_POWER_ERROR)));
 }
 
 // Negative numbers have powers at integers.

@@ -24,11 +24,12 @@ bool has_chebyshev(const Graph& g) {
 EnclosurePrograms enclosure_programs(const Field& field) {
     Graph g = field.graph;
     g.fold_exactly();
+    const NodeId without = gaps(g, field.root), value = g.add(field.root, without);
     const auto slope = [&](const std::vector<NodeId>& directions) {
-        return differentiate_inputs(g, field.root, directions, Slopes::generalized);
+        const NodeId all = differentiate_inputs(g, field.root, directions, Slopes::generalized);
+        return g.add(all, without);
     };
     const NodeId one = g.constant(1), zero = g.constant(0);
-    const NodeId value = g.add(field.root, gaps(g, field.root));
     const NodeId along = slope(direction(g));
     const std::array gradient{slope({one, zero, zero}), slope({zero, one, zero}),
                               slope({zero, zero, one})};

@@ -150,6 +150,11 @@ void RootFinder::find(std::span<const Tube> tubes, std::span<FirstRoot> roots) {
         while (next < tubes.size()) {
             const std::size_t ray = next++;
             roots[ray] = {};
+            if (!tubes[ray].holds) {
+                roots[ray].answer = Answer::undecided;
+                roots[ray].low = -HUGE_VALF;
+                continue;
+            }
             if (!(tubes[ray].near <= tubes[ray].far)) continue; // passes the bounds by
             lane = {};
             lane.tube = tubes[ray];

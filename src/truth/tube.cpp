@@ -61,6 +61,7 @@ Tube Tubes::at(int column, int row) const {
     const glm::dvec3 from_eye = rays_.parallel ? rays_.axis : rays_.axis + across;
     const double to_eye = glm::length(from_eye);
     Tube tube;
+    tube.holds = rounding_.holds;
     tube.anchor = rays_.origin + across;
     tube.direction = from_eye / to_eye;
     tube.footprint = 2 * glm::length(rays_.up) / height_;

@@ -22,6 +22,7 @@ struct Tube {
     // far_inside, certainly outside before near and beyond far. Empty if near > far.
     double near = 1, near_inside = 1, far_inside = 0, far = 0;
     double footprint = 0; // width of the pixel at the anchor
+    bool holds = true;    // whether the shader's ray is in it: not where squares over- or underflow
 };
 
 // The tubes of a picture.

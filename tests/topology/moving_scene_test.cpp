@@ -92,6 +92,7 @@ TEST(MovingScene, WhereTheFormulaHasNoValueNothingIsProved) {
                                      {" + c*log(x)", "0"},
                                      {" + c*x^0.3", "0"},
                                      {" + c/x", "0"},
+                                     {" + abs(sign(x/c))", "0"},
                                      {" + x^c", "\"0.5+0*t\""}}) {
         SCOPED_TRACE(formula);
         const scene::Scene scene = scene_of(fmt::format(
@@ -101,6 +102,22 @@ TEST(MovingScene, WhereTheFormulaHasNoValueNothingIsProved) {
         const Side solid = solid_side(scene);
         const MovingScene moving(scene, solid, {0, 0.2});
         EXPECT_FALSE(moving.certify(0.1, {.depth = 5}).betti);
+    }
+}
+
+// A track or a bound without a value for some time, which min hides.
+TEST(MovingScene, WhileAParameterHasNoValueNothingIsProved) {
+    const std::string none = "3 + sin(log((t - 0.1)^2 - 0.0001))";
+    for (const auto& [bound, c, more] :
+         {std::array<std::string, 3>{"2", "min(t - 0.1, " + none + ")", "0"},
+          {"2", "min(t - 0.1, " + none + ")", "t"},
+          {"min(2, " + none + ")", "t - 0.12", "0"}}) {
+        SCOPED_TRACE(bound + "; " + c);
+        const scene::Scene scene = scene_of(fmt::format(
+            "[surface]\nformula = \"x^2 + y^2 + z^2 - c + 0*d\"\nbounds = {{ sphere = \"R\" }}\n"
+            "[parameters]\nR = \"{}\"\nc = \"{}\"\nd = \"{}\"\n",
+            bound, c, more));
+        EXPECT_FALSE(find_events(scene, Side::negative, {0, 0.2}).is_proved);
     }
 }
 

@@ -116,6 +116,32 @@ TEST(FirstRoot, BehindAPoleIsNoMiss) {
     }
 }
 
+// Where F has no value nothing crosses, though what cuts or chooses hides it from its slopes.
+TEST(FirstRoot, WhereThereIsNoValueIsNoCertainHit) {
+    for (const char* formula :
+         {"min(z, 3 + sin(log(z^2 - 0.01)))", "z*sign(2 + sin(log(z^2 - 0.01)))",
+          "z + sqrt(-1 - abs(log(z^2 - 0.01)))"}) {
+        EXPECT_NE(answer(along_z(formula)).answer, Answer::hit) << formula;
+    }
+}
+
+// From 1 to 0.
+TEST(FirstRoot, OfAPowerOf0WhoseExponentComesTo0IsNoCertainHit) {
+    for (const char* formula :
+         {"0^max(z, 0) - 0.5 - z", "0^abs(z) - 0.5", "max(x - 1, 0)^max(z, 0) - 0.5 - 0.1*z"}) {
+        EXPECT_NE(answer(along_z(formula)).answer, Answer::hit) << formula;
+    }
+}
+
+// Squares of lengths over- or underflow in the shader: no ray is known.
+TEST(FirstRoot, BeyondTheRangeOfFloatsIsUndecided) {
+    for (const char* size : {"1e-30", "1e-20", "1e20", "1e30"}) {
+        const View view =
+            along_z(fmt::format("z/{}", size), {.bounds = fmt::format("{{ sphere = {} }}", size)});
+        EXPECT_EQ(answer(view).answer, Answer::undecided) << size;
+    }
+}
+
 // ---- the ends of the bounds
 
 TEST(FirstRoot, OnAnEndOfTheBoundsMayBeSeenOrNot) {

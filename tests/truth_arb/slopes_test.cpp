@@ -59,6 +59,8 @@ std::vector<std::string> operations() {
                                  "({})^301",
                                  "({})^40",
                                  "({})^y",
+                                 "0^max({}, 0)",
+                                 "max({}, 0)^max(y, 0)",
                                  "2^({})",
                                  "smoothmin({}, y, 0.5)",
                                  "chebyshev(4, {})",

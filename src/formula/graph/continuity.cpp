@@ -1,6 +1,7 @@
 #include "formula/graph/continuity.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -43,7 +44,7 @@ bool has_sign(const Graph& g, NodeId id) {
     return traits && traits->sign == Sign::not_negative;
 }
 
-NodeId unless_gap(Graph& g, NodeId id, const std::vector<bool>& depends) {
+NodeId unless_gap(Graph& g, NodeId id) {
     const Node node = g[id];
     const NodeId a = node.children[0], b = node.children[1], zero = g.constant(0);
     switch (node.op) {
@@ -54,9 +55,9 @@ NodeId unless_gap(Graph& g, NodeId id, const std::vector<bool>& depends) {
     }
     case Op::log:
         return has_sign(g, a) ? zero : g.select(a, zero, entire(g), zero);
-    case Op::divide: // by what may be 0, whatever is divided: a moving numerator may rest at 0
-        if (g.is_constant(a) || !depends[b]) return zero;
-        return g.select(zero, g.unary(Op::abs, b), zero, entire(g));
+    case Op::divide: // 0/0
+        return g.select(zero, g.unary(Op::abs, a), zero,
+                        g.select(zero, g.unary(Op::abs, b), zero, entire(g)));
     default:
         return zero;
     }
@@ -67,9 +68,8 @@ template<class Decoration> NodeId all_below(Graph& g, NodeId root, Decoration&& 
     NodeId all = g.constant(0);
     for (const NodeId id : nodes_below(g, std::array{root})) {
         NodeId one = decoration(g, id);
-        for (int array = 0; array < max_arrays; ++array) {
-            if (g[one].arrays & (1u << array)) one = g.sum(array, one);
-        }
+        while (const std::uint32_t arrays = g[one].arrays)
+            one = g.sum(std::countr_zero(arrays), one);
         all = g.add(all, one);
     }
     return all;
@@ -92,8 +92,17 @@ bool may_be_unbounded(Op op) {
     }
 }
 
+NodeId unless_0_to_the_0(Graph& g, NodeId base, NodeId exponent) {
+    if (g.is_constant(exponent)) return g.constant(0);
+    const NodeId zero = g.constant(0);
+    return g.select(zero, base, zero, g.select(zero, exponent, zero, entire(g)));
+}
+
 NodeId unless_continuous(Graph& g, NodeId id) {
     const Node node = g[id];
+    if (node.op == Op::power)
+        return g.add(unless_bounded(g, id),
+                     unless_0_to_the_0(g, node.children[0], node.children[1]));
     if (node.op == Op::floor || node.op == Op::sign || node.op == Op::random)
         return unless_one_value(g, id);
     if (node.op == Op::select && node.children[2] != node.children[3])
@@ -103,15 +112,9 @@ NodeId unless_continuous(Graph& g, NodeId id) {
 
 NodeId jumps(Graph& g, NodeId root) { return all_below(g, root, unless_continuous); }
 
-NodeId gaps(Graph& g, NodeId root) {
-    std::vector<bool> depends(std::size_t(root) + 1, false); // on an input
-    for (const NodeId id : nodes_below(g, std::array{root})) {
-        bool some = g[id].op == Op::input;
-        for (std::size_t k = 0; k < g[id].arity; ++k) some = some || depends[g[id].children[k]];
-        depends[id] = some;
-    }
-    return all_below(g, root, [&](Graph& to, NodeId id) { return unless_gap(to, id, depends); });
-}
+NodeId gaps(Graph& g, NodeId root) { return all_below(g, root, unless_gap); }
+
+NodeId with_gaps(Graph& g, NodeId root) { return g.add(root, gaps(g, root)); }
 
 NodeId without_value(Graph& g, NodeId root) {
     const NodeId zero = g.constant(0), one = g.constant(1);

@@ -14,6 +14,9 @@ namespace isomotion::formula {
 // its poles, where it has no value, and where it is cut off at saturation.
 bool may_be_unbounded(Op op);
 
+// 0 where a base or an exponent is above 0: at 0^0 powers jump from 1 to 0, or to a pole.
+NodeId unless_0_to_the_0(Graph& graph, NodeId base, NodeId exponent);
+
 // Of one operation, over a box where its arguments are continuous: the entire line where it may
 // jump from one value to another, lack a value or be cut off.
 NodeId unless_continuous(Graph& graph, NodeId operation);
@@ -23,10 +26,10 @@ NodeId unless_continuous(Graph& graph, NodeId operation);
 NodeId jumps(Graph& graph, NodeId root);
 
 // ... over boxes without points where the root has no value: logarithms and real powers of negative
-// numbers, 0/0. To be added to values, for what has bounds itself hides it: the enclosure of
-// sin(log(x)) is [-1, 1] where x < 0. 0/0 is not looked for where the divisor does not depend on
-// place.
+// numbers, 0/0. To be added to values and slopes, for what has bounds itself hides it: the
+// enclosure of sin(log(x)) is [-1, 1] where x < 0.
 NodeId gaps(Graph& graph, NodeId root);
+NodeId with_gaps(Graph& graph, NodeId root);
 
 // ... over boxes without a kink of min, max and select. Slopes over a box hold across these, but
 // slopes of those slopes don't. Nothing need be added for jumps, where slopes of slopes are the

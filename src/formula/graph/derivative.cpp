@@ -163,7 +163,8 @@ private:
         // A negative constant has powers at integers only: no slope, and no logarithm.
         if (g_.is_constant(a) && g_[a].value < 0)
             return slopes_ == Slopes::generalized ? g_.constant(no_number) : zero();
-        return g_.add(by_base, g_.multiply(g_.multiply(id, g_.unary(Op::log, a)), db));
+        const NodeId all = g_.add(by_base, g_.multiply(g_.multiply(id, g_.unary(Op::log, a)), db));
+        return slopes_ == Slopes::generalized ? g_.add(all, unless_0_to_the_0(g_, a, b)) : all;
     }
 
     NodeId zero() { return g_.constant(0); }

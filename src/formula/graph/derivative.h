@@ -22,13 +22,12 @@ enum class Slopes {
     // of sqrt, asin and acos at their ends: 1/b keeps slope 0 where b = 0 rests.
     pointwise_again,
     // For intervals: over a box, all difference quotients between its points, across kinks too;
-    // what
-    // sqrt, asin and acos hold constant has slope 0. The entire line, and no less, where there may
-    // be a jump, a pole, a value that is cut off or none at all. So a slope that is not the entire
-    // line is a proof that the function is continuous over the box and has a value all over it, as
-    // the decoration "dac" of IEEE 1788 is. Sums, products and the chain rule carry it along by
-    // themselves: the entire line times what is not 0 is the entire line, and what rests does not
-    // jump. One end is infinite where a root's tangent is vertical.
+    // what sqrt, asin and acos hold constant has slope 0. The entire line, and no less, where there
+    // may be a jump, a pole or a value that is cut off. So a slope that is not the entire line is a
+    // proof that the function is continuous over the box; with gaps() (continuity.h) added, that it
+    // has a value all over it, as the decoration "dac" of IEEE 1788 is. Sums, products and the
+    // chain rule carry it along by themselves: the entire line times what is not 0 is the entire
+    // line, and what rests does not jump. One end is infinite where a root's tangent is vertical.
     generalized,
 };
 

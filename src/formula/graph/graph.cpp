@@ -52,7 +52,12 @@ double fold(Op op, double a, double b) {
     }
 }
 
+// Nothing underflows where results are this large.
+constexpr double no_underflow = 0x1p-900;
+
+// What is no number stands for the entire line, which no operation but a change of sign keeps.
 bool is_exact(Op op, double a, double result) {
+    if (std::isnan(a)) return op == Op::negate;
     switch (op) {
     case Op::negate:
     case Op::abs:
@@ -60,19 +65,19 @@ bool is_exact(Op op, double a, double result) {
     case Op::floor:
         return true;
     case Op::sqrt:
-        return a >= 0 && std::fma(result, result, -a) == 0;
+        return a == 0 || (a > no_underflow && std::fma(result, result, -a) == 0);
     default:
         return false;
     }
 }
 
-// Where nothing underflows, which counts as inexact.
+// What may underflow counts as inexact.
 bool is_exact(Op op, double a, double b, double result) {
+    if (std::isnan(a) || std::isnan(b)) return false;
     const auto sum_is_exact = [&](double term) {
         const double from_a = result - term;
         return a - from_a == 0 && term - (result - from_a) == 0;
     };
-    constexpr double smallest = 0x1p-900;
     switch (op) {
     case Op::add:
         return sum_is_exact(b);
@@ -80,9 +85,9 @@ bool is_exact(Op op, double a, double b, double result) {
         return sum_is_exact(-b);
     case Op::multiply:
         return result == 0 ? a == 0 || b == 0
-                           : std::abs(result) > smallest && std::fma(a, b, -result) == 0;
+                           : std::abs(result) > no_underflow && std::fma(a, b, -result) == 0;
     case Op::divide:
-        return b != 0 && std::abs(a) > smallest && std::fma(result, b, -a) == 0;
+        return b != 0 && std::abs(a) > no_underflow && std::fma(result, b, -a) == 0;
     case Op::min:
     case Op::max:
         return true;
@@ -222,7 +227,7 @@ NodeId Graph::add_simplified(NodeId a, NodeId b) {
 NodeId Graph::subtract_simplified(NodeId a, NodeId b) {
     if (is_constant(b, 0)) return a;
     if (is_constant(a, 0)) return unary(Op::negate, b);
-    if (a == b) return constant(0);
+    if (a == b) return is_constant(a) && std::isnan(nodes_[a].value) ? a : constant(0);
     if (nodes_[b].op == Op::negate) return add(a, nodes_[b].children[0]);
     if (const auto factor = common_outside_factor(a, b)) {
         return multiply(*factor, subtract(nodes_[a].children[1], nodes_[b].children[1]));
@@ -303,9 +308,10 @@ NodeId Graph::make_commutative(Op op, NodeId a, NodeId b) {
 
 NodeId Graph::select(NodeId a, NodeId b, NodeId then, NodeId otherwise) {
     if (then == otherwise) return then;
-    if (is_constant(a) && is_constant(b)) {
-        return nodes_[a].value < nodes_[b].value ? then : otherwise;
-    }
+    const bool is_known =
+        is_constant(a) && is_constant(b) &&
+        !(exactly_ && (std::isnan(nodes_[a].value) || std::isnan(nodes_[b].value)));
+    if (is_known) return nodes_[a].value < nodes_[b].value ? then : otherwise;
     Node node = leaf(Op::select);
     node.arity = 4;
     node.children = {a, b, then, otherwise};

@@ -35,8 +35,10 @@ std::vector<NodeId> jet_over_boxes(Graph& g, NodeId field, std::span<const std::
     std::vector<NodeId> nodes =
         jet(g, field, unknowns, rows, Slopes::generalized, Slopes::generalized);
     const NodeId gaps = formula::gaps(g, field), kinks = formula::kinks(g, field);
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-        nodes[k] = g.add(nodes[k], k <= unknowns.size() ? gaps : kinks);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        nodes[k] = g.add(nodes[k], gaps);
+        if (k > unknowns.size()) nodes[k] = g.add(nodes[k], kinks);
+    }
     return nodes;
 }
 

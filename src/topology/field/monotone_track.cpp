@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "animation/rules.h"
+#include "formula/graph/continuity.h"
 #include "formula/graph/derivative.h"
 
 namespace isomotion::topology {
@@ -45,11 +46,12 @@ MonotoneTrack::MonotoneTrack(const scene::Scene& scene, int track, Interval rang
         const double within = ends[k] + (ends[k + 1] - ends[k]) / 2;
         const formula::NodeId value = animation::Rules(animation, within, g, t).track(track);
         g.fold_exactly();
+        const formula::NodeId gaps = formula::gaps(g, value);
         const formula::NodeId rate =
             formula::differentiate_inputs(g, value, {g.constant(1)}, formula::Slopes::generalized);
         pieces_.push_back({{ends[k], ends[k + 1]},
-                           formula::schedule(g, std::array{value}),
-                           formula::schedule(g, std::array{rate})});
+                           formula::schedule(g, std::array{g.add(value, gaps)}),
+                           formula::schedule(g, std::array{g.add(rate, gaps)})});
     }
 }
 

@@ -116,19 +116,20 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
     const formula::Field& field = *scene.surface.field;
     // Where F has no value stays so when a number in place of a name lets that vanish: 0*log(x).
     Graph named = field.graph;
-    const NodeId root = named.add(field.root, formula::gaps(named, field.root));
+    const NodeId root = formula::with_gaps(named, field.root);
     motion.field = formula::substitute(g, named, std::array{root}, in_place)[0];
     if (side == Side::positive) motion.field = g.unary(Op::negate, motion.field);
 
     const scene::Bounds& bounds = scene.surface.bounds;
     motion.shape = bounds.shape;
-    if (bounds.shape == scene::Bounds::Shape::sphere) motion.radius = rules.track(bounds.radius);
+    const auto track = [&](int k) { return formula::with_gaps(g, rules.track(k)); };
+    if (bounds.shape == scene::Bounds::Shape::sphere) motion.radius = track(bounds.radius);
     for (std::size_t k = 0; k < 3; ++k) {
         if (bounds.shape == scene::Bounds::Shape::box) {
-            motion.low[k] = rules.track(bounds.min[k]);
-            motion.high[k] = rules.track(bounds.max[k]);
+            motion.low[k] = track(bounds.min[k]);
+            motion.high[k] = track(bounds.max[k]);
         } else {
-            motion.centre[k] = rules.track(bounds.centre[k]);
+            motion.centre[k] = track(bounds.centre[k]);
             motion.low[k] = g.subtract(motion.centre[k], motion.radius);
             motion.high[k] = g.add(motion.centre[k], motion.radius);
         }

@@ -71,7 +71,8 @@ private:
 
     std::vector<MonotoneTrack::Time> times(Interval clock) const {
         if (track_) return track_->times(clock);
-        return {{clock, contains(motion_.clock, clock) ? 1 : 0}};
+        const bool is_inside = motion_.clock.lo < clock.lo && clock.hi < motion_.clock.hi;
+        return {{clock, is_inside ? 1 : 0}};
     }
 
     // A turn of the track takes no longer than doubles need to tell it.

@@ -258,7 +258,7 @@ private:
         } else if (*had.solid != wanted) {
             const std::string line =
                 fmt::format("{}: {}; expected {}", where, in_words(*had.solid), in_words(wanted));
-            is_proved&& had.is_proved ? differ(line) : doubt("not proved: " + line);
+            is_proved && had.is_proved ? differ(line) : doubt("not proved: " + line);
         } else if (!had.is_proved) {
             doubt(fmt::format("{}: {}, but that is not proved", where, in_words(wanted)));
         }

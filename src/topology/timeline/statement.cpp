@@ -15,7 +15,6 @@
 namespace isomotion::topology {
 namespace {
 
-
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
 std::vector<std::string> words_of(std::string_view text) {

@@ -203,12 +203,17 @@ TEST(Enclosure, IsTheEntireLineWhereThereIsNoValue) {
          {Gap{"sin(log(x))", {-2, -1}, one, false}, Gap{"sin(log(x))", {-1, 1}, one, false},
           Gap{"sin(log(x))", {1, 2}, one, true}, Gap{"atan(x^0.3)", {-2, -1}, one, false},
           Gap{"atan(x^0.3)", {1, 2}, one, true}, Gap{"atan(x/y)", {-1, 1}, {-1, 1}, false},
-          Gap{"atan(x/y)", {1, 2}, {-1, 1}, false}, Gap{"atan(x/y)", {1, 2}, {1, 2}, true},
+          Gap{"atan(x/y)", {1, 2}, {1, 2}, true}, Gap{"atan(x/(b + 0.75))", {-1, 1}, one, false},
+          Gap{"min(x, 3 + sin(log(x)))", {-1, 1}, one, false},
+          Gap{"x*sign(2 + sin(log(x)))", {-1, 1}, one, false},
+          Gap{"x + sqrt(-1 - abs(log(x)))", {-1, 1}, one, false},
           Gap{"sum(blobs, sin(log(x + 0*cx)))", {-2, -1}, one, false}}) {
         Subject field = subject(gap.formula);
-        const Interval value = field.enclose({gap.x, gap.y, one, one, one, one})[0];
-        EXPECT_EQ(value != Interval::entire(), gap.has_values)
-            << gap.formula << " over " << testing::PrintToString(gap.x);
+        // The value, the slope along a direction and the gradient.
+        for (const Interval bounds : field.enclose({gap.x, gap.y, one, one, one, one})) {
+            EXPECT_EQ(bounds != Interval::entire(), gap.has_values)
+                << gap.formula << " over " << testing::PrintToString(gap.x);
+        }
     }
 }
 
