@@ -44,7 +44,7 @@ bool has_sign(const Graph& g, NodeId id) {
     return traits && traits->sign == Sign::not_negative;
 }
 
-NodeId unless_gap(Graph& g, NodeId id) {
+NodeId unless_gap(Graph& g, NodeId id, const std::vector<bool>& is_resting) {
     const Node node = g[id];
     const NodeId a = node.children[0], b = node.children[1], zero = g.constant(0);
     switch (node.op) {
@@ -55,9 +55,12 @@ NodeId unless_gap(Graph& g, NodeId id) {
     }
     case Op::log:
         return has_sign(g, a) ? zero : g.select(a, zero, entire(g), zero);
-    case Op::divide: // 0/0
-        return g.select(zero, g.unary(Op::abs, a), zero,
-                        g.select(zero, g.unary(Op::abs, b), zero, entire(g)));
+    case Op::divide: { // 0/0
+        const NodeId unless_by_0 = g.select(zero, g.unary(Op::abs, b), zero, entire(g));
+        // By a number is looked at once, and what is divided at every place.
+        if (is_resting[b] || g.is_constant(unless_by_0)) return unless_by_0;
+        return g.select(zero, g.unary(Op::abs, a), zero, unless_by_0);
+    }
     default:
         return zero;
     }
@@ -112,7 +115,17 @@ NodeId unless_continuous(Graph& g, NodeId id) {
 
 NodeId jumps(Graph& g, NodeId root) { return all_below(g, root, unless_continuous); }
 
-NodeId gaps(Graph& g, NodeId root) { return all_below(g, root, unless_gap); }
+NodeId gaps(Graph& g, NodeId root) {
+    std::vector<bool> is_resting(std::size_t(root) + 1, true); // without inputs and elements
+    for (const NodeId id : nodes_below(g, std::array{root})) {
+        const Node& node = g[id];
+        is_resting[id] = node.op != Op::input && node.arrays == 0;
+        for (std::size_t k = 0; k < node.arity; ++k)
+            is_resting[id] = is_resting[id] && is_resting[node.children[k]];
+    }
+    return all_below(g, root,
+                     [&](Graph& to, NodeId id) { return unless_gap(to, id, is_resting); });
+}
 
 NodeId with_gaps(Graph& g, NodeId root) { return g.add(root, gaps(g, root)); }
 

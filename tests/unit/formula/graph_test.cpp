@@ -175,6 +175,24 @@ TEST(Graph, IntegerPowersOfEveryBase) {
     }
 }
 
+// What is no number stands for the entire line: the lesser of it and 5 may be anything below.
+TEST(Graph, FoldsNoEntireLineExactly) {
+    Graph g;
+    g.fold_exactly();
+    const NodeId line = g.constant(std::numeric_limits<double>::quiet_NaN()), five = g.constant(5);
+    const auto is_number = [&](NodeId id) { return g.is_constant(id) && !std::isnan(g[id].value); };
+    for (const Op op : {Op::add, Op::subtract, Op::divide, Op::min, Op::max, Op::power}) {
+        for (const NodeId other : {five, line}) {
+            EXPECT_FALSE(is_number(g.binary(op, line, other))) << name(op);
+            EXPECT_FALSE(is_number(g.binary(op, other, line))) << name(op);
+        }
+    }
+    for (const Op op : {Op::abs, Op::sign, Op::floor, Op::sqrt, Op::negate})
+        EXPECT_FALSE(is_number(g.unary(op, line))) << name(op);
+    EXPECT_FALSE(g.is_constant(g.select(line, five, five, g.constant(6))));
+    EXPECT_FALSE(g.is_constant(g.select(five, line, five, g.constant(6))));
+}
+
 TEST(Graph, EveryOperationHasAName) {
     std::set<std::string_view> names;
     for (int op = 0; op <= int(Op::sum); ++op) names.insert(name(Op(op)));
