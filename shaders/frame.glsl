@@ -1,4 +1,4 @@
-// What one frame sets: FrameBlock of src/render/blocks.h, by way of fullscreen.vert.
+// What one frame sets: FrameBlock of src/render/uniform_blocks.h, by way of fullscreen.vert.
 
 // Rays, see src/scene/rays.h.
 flat in vec4 ray_origin;

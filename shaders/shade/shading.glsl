@@ -1,4 +1,4 @@
-// What colours need. The layout is ShadingBlock of src/render/blocks.h; LIGHTS is their number.
+// What colours need. The layout is ShadingBlock of src/render/uniform_blocks.h; LIGHTS is their number.
 layout(std140) uniform Shading {
     vec4 material_color;
     vec4 background; // with its coverage

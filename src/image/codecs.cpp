@@ -48,8 +48,6 @@ Encoded encode_with_hash(const Frame& frame, Format format) {
 
 Frame decode(const std::filesystem::path& file) { return codecs().decode(file); }
 
-Metadata read_metadata(const std::filesystem::path& file) { return decode(file).metadata; }
-
 std::string pixel_hash(const std::filesystem::path& file) { return codecs().pixel_hash(file); }
 
 EnvironmentMap read_environment(const std::filesystem::path& file) {

@@ -13,10 +13,6 @@ namespace isomotion::image {
 /// Throws a FileError if the file cannot be read and an ImageError if it is broken or cut short.
 Frame decode(const std::filesystem::path& file);
 
-/// What decode() finds beside the pixels. The pixels are decoded all the same: a file whose header
-/// is good and whose end is missing does not pass.
-Metadata read_metadata(const std::filesystem::path& file);
-
 /// The PixelHash of a PNG or EXR. Throws what decode() does.
 std::string pixel_hash(const std::filesystem::path& file);
 

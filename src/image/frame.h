@@ -38,11 +38,6 @@ using Metadata = std::vector<Entry>;
 /// The value of that name, or null.
 const Value* find(const Metadata& metadata, std::string_view name);
 
-/// The value of that name if it has type T, or null.
-template<class T> const T* find_as(const Metadata& metadata, std::string_view name) {
-    return std::get_if<T>(find(metadata, name));
-}
-
 /// A value as text that gives the same value again when it is parsed: the shortest decimals that
 /// round-trip, `30000/1001`, `[0.1, 2]`.
 std::string to_text(const Value& value);

@@ -15,7 +15,7 @@
 #include <glm/glm.hpp>
 
 #include "base/fingerprint.h"
-#include "render/blocks.h"
+#include "render/uniform_blocks.h"
 #include "render/element_radius.h"
 #include "render/motion.h"
 #include "render/proof_rays.h"

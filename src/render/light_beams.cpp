@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/blocks.h"
+#include "render/uniform_blocks.h"
 
 namespace isomotion::render {
 namespace {

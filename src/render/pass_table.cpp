@@ -80,11 +80,6 @@ const gpu::Program& PassTable::program(synthesis::Role role, int level) {
     return *programs_[index];
 }
 
-bool PassTable::is_compiled(synthesis::Role role) const {
-    const synthesis::Pass* pass = passes_.find(role);
-    return pass && programs_[std::size_t(pass - passes_.list.data())];
-}
-
 void PassTable::set(const synthesis::Uniforms& uniforms) {
     uniforms_ = uniforms;
     for (const auto& program : programs_) {

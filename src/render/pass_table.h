@@ -28,8 +28,6 @@ public:
 
     bool has(synthesis::Role role) const { return passes_.has(role); }
     const gpu::Program& program(synthesis::Role role, int level = 0);
-    // Whether it was compiled already.
-    bool is_compiled(synthesis::Role role) const;
 
     // Gives these uniforms to every program, those compiled later included.
     void set(const synthesis::Uniforms& uniforms);

@@ -1,7 +1,7 @@
 // The rays that proofs are of: each as thick as rounding may make it.
 #pragma once
 
-#include "render/blocks.h"
+#include "render/uniform_blocks.h"
 
 namespace isomotion::render {
 

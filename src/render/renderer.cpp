@@ -276,10 +276,11 @@ struct Renderer::Parts {
 
     // ----- pictures on their way
 
-    // Pictures overlap that are one tile, drawn at once: with others the program has to look
-    // between their draws.
+    // Pictures that one draw is enough for may be asked for before the one before is taken: they
+    // come by way of the driver's pixel buffers, and the next is drawn meanwhile. Software
+    // renderers, which draw with the processors that read back, gain and lose nothing by it.
     bool overlaps() const {
-        return options.overlap && one_draw && !proofs && options.width <= plan.march.tile_width &&
+        return one_draw && !proofs && options.width <= plan.march.tile_width &&
                options.height <= plan.march.tile_height;
     }
 

@@ -50,10 +50,6 @@ struct RenderOptions {
     bool proofs_in_doubles = true;
     // Asked before each tile and between its passes; where it says true, draw() throws Stopped.
     std::function<bool()> stop = {};
-    // Whether pictures that one draw is enough for may be asked for before the one before is taken:
-    // they come by way of the driver's pixel buffers, and the next is drawn meanwhile. Software
-    // renderers, which draw with the processors that read back, gain and lose nothing by it.
-    bool overlap = true;
     // Told then: the part of the picture that is drawn, in whole tiles.
     std::function<void(double part)> progress = {};
 };

@@ -141,9 +141,6 @@ constexpr std::string_view name(Method method) { return traits(method).name; }
 // Whether a step of the scene's decides where the ray is sampled.
 constexpr bool takes_steps(Method method) { return traits(method).steps == Steps::scene_step; }
 
-// Whether interval arithmetic bounds F and dF/dt over pieces of the ray.
-constexpr bool bounds_pieces(Method method) { return traits(method).steps == Steps::bounds; }
-
 constexpr std::optional<Method> parse_method(std::string_view text) {
     for (const auto& entry : method_traits) {
         if (entry.name == text) return entry.method;

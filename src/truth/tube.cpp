@@ -8,14 +8,14 @@ namespace {
 
 glm::dvec3 as_float(const glm::dvec3& v) { return glm::dvec3(glm::vec3(v)); }
 
-struct Span {
+struct RayPart {
     double near = 1, far = 0;
     bool empty() const { return !(near <= far); }
 };
 
 // The part of a line inside the bounds, which are grown by `margin` on all sides (shrunk if it is
 // negative).
-Span clip(const scene::BoundsAt& bounds, const glm::dvec3& anchor, const glm::dvec3& direction,
+RayPart clip(const scene::BoundsAt& bounds, const glm::dvec3& anchor, const glm::dvec3& direction,
           double margin) {
     if (bounds.shape == scene::Bounds::Shape::sphere) {
         const double radius = bounds.radius + margin;
@@ -26,7 +26,7 @@ Span clip(const scene::BoundsAt& bounds, const glm::dvec3& anchor, const glm::dv
         if (radius < 0 || square < 0) return {};
         return {middle - std::sqrt(square), middle + std::sqrt(square)};
     }
-    Span span{-HUGE_VAL, HUGE_VAL};
+    RayPart span{-HUGE_VAL, HUGE_VAL};
     for (int k = 0; k < 3; ++k) {
         const double low = bounds.min[k] - margin - anchor[k];
         const double high = bounds.max[k] + margin - anchor[k];
@@ -72,8 +72,8 @@ Tube Tubes::at(int column, int row) const {
 
     // The ends of the interval are as uncertain as the ray, and rounded themselves.
     const double margin = 4 * tube.radius;
-    const Span outer = clip(bounds_, tube.anchor, tube.direction, margin);
-    const Span inner = clip(bounds_, tube.anchor, tube.direction, -margin);
+    const RayPart outer = clip(bounds_, tube.anchor, tube.direction, margin);
+    const RayPart inner = clip(bounds_, tube.anchor, tube.direction, -margin);
     if (outer.empty()) return tube;
     tube.near = std::max(outer.near, -to_eye - margin);
     tube.far = outer.far;

@@ -18,7 +18,7 @@ protected:
 TEST_P(Metadata, HoldsEverythingTheFrameWasMadeFrom) {
     render({"sphere.toml", "--frames", "31", "--method", "amp-taylor", "--step", "0.02", "--set",
             "camera.fov=35", "-o", "a" + GetParam()});
-    const image::Metadata found = image::read_metadata(*this / ("a" + GetParam()));
+    const image::Metadata found = image::decode(*this / ("a" + GetParam())).metadata;
     EXPECT_EQ(text(found, "FramesPerSecond"), "30000/1001");
     EXPECT_THAT(text(found, "Software"), StartsWith("isomotion "));
     EXPECT_EQ(text(found, "isomotion:title"), "Sphere");
@@ -39,8 +39,8 @@ TEST_P(Metadata, HoldsEverythingTheFrameWasMadeFrom) {
 
 TEST_P(Metadata, DiffersFromFrameToFrame) {
     render({"sphere.toml", "--frames", "1-2", "-o", "a.#" + GetParam()});
-    const auto first = image::read_metadata(*this / ("a.1" + GetParam()));
-    const auto second = image::read_metadata(*this / ("a.2" + GetParam()));
+    const auto first = image::decode(*this / ("a.1" + GetParam())).metadata;
+    const auto second = image::decode(*this / ("a.2" + GetParam())).metadata;
     for (const std::string name : {"frame", "time", "parameter.r", "fingerprint"}) {
         EXPECT_NE(text(first, "isomotion:" + name), text(second, "isomotion:" + name)) << name;
     }

@@ -163,7 +163,7 @@ std::vector<Point> near_crossings(const MovingField& field, const TrackOptions& 
                                   std::int64_t& evaluations) {
     const auto d = std::size_t(field.dimension());
     const formula::Interval clocks = field.domain()[d];
-    const auto count = std::size_t(std::max(2, how.moments));
+    constexpr std::size_t count = 64;
     const auto clock = [&](std::size_t k) {
         return clocks.lo + (clocks.hi - clocks.lo) * double(k) / double(count - 1);
     };

@@ -15,7 +15,6 @@ namespace isomotion::topology {
 
 struct TrackOptions {
     int seeds = 1 << 16; // for all moments together
-    int moments = 64;
     int threads = 1;                        // the result doesn't depend on it
     std::function<bool()> stopped{};        // asked often, from any thread
     std::function<void(double)> progress{}; // the part that is done

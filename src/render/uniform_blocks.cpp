@@ -1,4 +1,4 @@
-#include "render/blocks.h"
+#include "render/uniform_blocks.h"
 
 #include <algorithm>
 #include <cstring>
