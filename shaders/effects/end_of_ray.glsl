@@ -21,7 +21,7 @@ float offset_from(SurfacePoint p) {
     for (int k = 0; k < 8; ++k) {
         float f = field(p.position + offset * p.normal);
         if (k == 0) {
-            offset = clamp(2.0 * abs(f) / max(p.slope, 1.0e-30), 0.05 * p.pixel, p.pixel);
+            offset = clamp(2.0 * abs(f) / max(p.steepness, 1.0e-30), 0.05 * p.pixel, p.pixel);
         } else {
             if (p.inside ? f < 0.0 : f > 0.0) break;
             offset *= 2.0;
@@ -41,7 +41,7 @@ SurfacePoint end_of_ray(Ray ray, RayState s) {
     g = clamp(g, -IM_SATURATION, IM_SATURATION);
     float scale = magnitude(g);
     if (known && scale > 0.0) {
-        p.slope = scale * length(g / scale);
+        p.steepness = scale * length(g / scale);
         p.normal = normalize(g / scale);
         p.inside = dot(p.normal, ray.direction) > 0.0; // F rises along the ray
         if (p.inside) p.normal = -p.normal;

@@ -7,5 +7,5 @@ void store_surface(SurfacePoint p) {
     int code = p.verdict + (p.inside ? 8 : 0) + (p.on_ground ? 16 : 0);
     surface_0 = vec4(p.position, p.offset);
     surface_1 = vec4(p.normal, float(code));
-    surface_2 = vec4(p.slope, p.t, p.pixel, 0.0);
+    surface_2 = vec4(p.steepness, p.t, p.pixel, 0.0);
 }

@@ -7,7 +7,7 @@ struct SurfacePoint {
     int verdict;      // of the ray; a miss may still have met the ground
     bool inside;      // seen from where F < 0
     bool on_ground;
-    float slope;      // |grad F|
+    float steepness;  // |grad F|
     float t;          // on its ray
     float pixel;      // width of the pixel that sees it
 };

@@ -14,7 +14,7 @@ RayState advance(RayState s, Ray ray, float t, float f, Bounds bounds) {
     if (im_is_nan(f)) return is_finest ? finish(s, VERDICT_NAN) : cut(s, 0.5 * h);
     // Upright: F > 0 before the piece.
     bool below = s.f_low.x < 0.0;
-    vec2 slope = below ? -bounds.slope.yx : bounds.slope;
+    vec2 slope = below ? -bounds.derivative.yx : bounds.derivative;
     vec2 value = below ? -bounds.value.yx : bounds.value;
     float middle = below ? -f : f;
     float to_end = s.high - t, from_start = t - s.low;

@@ -18,7 +18,7 @@ float next_sample(RayState s) {
 RayState advance(RayState s, Ray ray, float t, vec2 f) {
     s.evaluations += 1;
     if (im_is_nan(f.x)) return finish(s, VERDICT_NAN);
-    if (s.phase == PHASE_GRADIENT) return take_slope(s, f);
+    if (s.phase == PHASE_GRADIENT) return take_derivative(s, f);
     // A slope that is not a number (a kink, say) counts as none: only F decides a verdict.
     if (im_is_nan(f.y)) f.y = 0.0;
     bool root = s.phase != PHASE_START && root_exists(s.low, s.f_low, t, f);

@@ -56,7 +56,7 @@ RayState refine(RayState s, Ray ray, float t, float f) {
 
 RayState advance(RayState s, Ray ray, float t, vec2 f) {
     s.evaluations += 1;
-    if (s.phase == PHASE_GRADIENT) return take_slope(s, f);
+    if (s.phase == PHASE_GRADIENT) return take_derivative(s, f);
     if (im_is_nan(f.x)) return finish(s, VERDICT_NAN);
     if (s.phase == PHASE_REFINE) return refine(s, ray, t, f.x);
     return take_sample(s, ray, f.x);

@@ -9,6 +9,6 @@ vec3 sample_direction(RayState s, Ray ray) {
     return ray.direction;
 }
 
-RayState take_slope(RayState s, vec2 f) {
+RayState take_derivative(RayState s, vec2 f) {
     return s;
 }

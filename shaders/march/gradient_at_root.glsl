@@ -15,7 +15,7 @@ vec3 sample_direction(RayState s, Ray ray) {
     return vec3(float(s.refinements == 0), float(s.refinements == 1), float(s.refinements == 2));
 }
 
-RayState take_slope(RayState s, vec2 f) {
+RayState take_derivative(RayState s, vec2 f) {
     if (s.refinements == 0) s.f_low.x = f.y;
     if (s.refinements == 1) s.f_low.y = f.y;
     if (s.refinements == 2) {

@@ -23,7 +23,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float safety = cubics.x, finest = cubics.w,
           longest = clamp(0.25 * (ray.t_far - ray.t_near), finest, cubics.y);
     s.evaluations += 1;
-    if (s.phase == PHASE_GRADIENT) return take_slope(s, f);
+    if (s.phase == PHASE_GRADIENT) return take_derivative(s, f);
     bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
     bool nan = im_is_nan(f.x);
     // A slope that is not a number (a kink, say) counts as none.

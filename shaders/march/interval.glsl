@@ -11,7 +11,7 @@ RayState advance(RayState s, Ray ray, float t, float f, Bounds bounds) {
     float h = s.high - s.low;
     bool unknown = im_is_nan(f);
     bool changes = !unknown && (f < 0.0) != (s.f_low.x < 0.0);
-    bool monotone = excludes_0(bounds.slope) && !unknown;
+    bool monotone = excludes_0(bounds.derivative) && !unknown;
     bool is_finest = h <= finest_at(t);
     if (excludes_0(bounds.value) || monotone && !changes) return move_on(s, ray, t, f, 2.0 * h);
     if (monotone) return isolated(s, s.low, s.high, t);

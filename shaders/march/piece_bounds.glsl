@@ -2,14 +2,14 @@
 // are written to take for 'may hold 0'.
 struct Bounds {
     vec2 value; // of F
-    vec2 slope; // of dF/dt, and of every difference quotient in the piece
+    vec2 derivative; // of dF/dt, and of every difference quotient in the piece
 };
 
 Bounds bounds_over(Ray ray, vec2 piece, vec3 direction) {
     vec2 x = im_add(vec2(ray.anchor.x), im_scale(ray.direction.x, piece));
     vec2 y = im_add(vec2(ray.anchor.y), im_scale(ray.direction.y, piece));
     vec2 z = im_add(vec2(ray.anchor.z), im_scale(ray.direction.z, piece));
-    vec4 f = field_along_interval(x, y, z, vec2(direction.x), vec2(direction.y), vec2(direction.z));
+    vec4 f = field_directional_interval(x, y, z, vec2(direction.x), vec2(direction.y), vec2(direction.z));
     return Bounds(f.xy, f.zw);
 }
 

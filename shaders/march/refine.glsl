@@ -22,13 +22,13 @@ RayState move_on(RayState s, Ray ray, float t, float f, float length) {
 // From its value f at `low` F comes to 0 no sooner than after |f| over the rate at which it can
 // fall within the piece; where that is beyond the piece, there is no root in it.
 float safe_step(RayState s, float f, Bounds bounds) {
-    float fall = f < 0.0 ? bounds.slope.y : -bounds.slope.x;
+    float fall = f < 0.0 ? bounds.derivative.y : -bounds.derivative.x;
     float length = s.high - s.low;
     float within = fall < IM_LARGEST ? min(abs(f) / fall, length) : 0.0;
     return fall <= 0.0 || excludes_0(bounds.value) ? length : within;
 }
 
-RayState step_by_slope(RayState s, Ray ray, float f, Bounds bounds) {
+RayState step_by_derivative(RayState s, Ray ray, float f, Bounds bounds) {
     float h = s.high - s.low, step = safe_step(s, f, bounds);
     bool free = step >= h;
     // Short pieces have close bounds.

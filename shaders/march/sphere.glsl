@@ -14,5 +14,5 @@ RayState advance(RayState s, Ray ray, float t, float f, Bounds bounds) {
     bool touches = s.high - s.low <= 4.0 * finest && step < min(finest, s.high - s.low);
     if (over) return found(s, t);
     if (touches) return touches_at(s, t + step, bounds);
-    return step_by_slope(s, ray, f, bounds);
+    return step_by_derivative(s, ray, f, bounds);
 }

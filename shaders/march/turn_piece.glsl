@@ -13,9 +13,9 @@ RayState turn(RayState s, Ray ray) {
     float f = field(ray_point(ray, t));
     Bounds bounds = bounds_over(ray, piece, sample_direction(s, ray));
     s.evaluations += 1;
-    float slope = 0.5 * (bounds.slope.x + bounds.slope.y);
-    if (s.phase == PHASE_GRADIENT) return take_slope(s, vec2(f, slope));
+    float slope = 0.5 * (bounds.derivative.x + bounds.derivative.y);
+    if (s.phase == PHASE_GRADIENT) return take_derivative(s, vec2(f, slope));
     if (refines) return refine(s, t, f, slope);
-    if (starts) return step_by_slope(s, ray, f, bounds);
+    if (starts) return step_by_derivative(s, ray, f, bounds);
     return advance(s, ray, t, f, bounds);
 }

@@ -52,7 +52,7 @@ void main() {
         // All of it: where one ray enters the bounds, another's value is already told.
         box_around(way, settled, end, x, y, z);
         bool inside = meets_bounds(x, y, z);
-        vec4 f = field_along_interval(x, y, z, dx, dy, dz);
+        vec4 f = field_directional_interval(x, y, z, dx, dy, dz);
         float h = (end - settled) * 1.000002;
         float fall = max(below ? f.w : -f.z, 0.0);
         precise float kept = value - fall * h * 1.000002;

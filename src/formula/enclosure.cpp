@@ -37,7 +37,7 @@ EnclosurePrograms enclosure_programs(const Field& field) {
             schedule(g, gradient), schedule(g, std::array{jumps(g, field.root)})};
 }
 
-std::optional<Program> bend_program(const Field& field) {
+std::optional<Program> hessian_program(const Field& field) {
     if (!degree(field.graph, field.root) || has_chebyshev(field.graph)) return {};
     Graph g = field.graph;
     g.fold_exactly();

@@ -9,7 +9,7 @@
 // are the entire line over boxes with points where F has none.
 //
 //     const EnclosurePrograms programs = enclosure_programs(field);
-//     Evaluator<Interval> along(programs.along);
+//     Evaluator<Interval> along(programs.directional);
 //     const std::array<Interval, 6> ray{Interval(0, 0.1), y, z, dx, dy, dz};
 //     std::array<Interval, 2> f; // F and dF/dt
 //     along.point(convert<Interval>(bindings), ray, f);
@@ -24,16 +24,17 @@ namespace isomotion::formula {
 // Inputs and outputs as in Field.
 struct EnclosurePrograms {
     Program value;
-    Program along;
+    Program directional;
     Program gradient;
     Program jumps; // 0 where F is continuous, else the entire line (graph/continuity.h)
 };
 
 EnclosurePrograms enclosure_programs(const Field& field);
 
-// Of polynomials: F, dF/dt and the gradient of dF/dt, inputs as of `along`. Centred about a point
-// of the box, dF/dt is bounded by the latter as closely as its terms, which cancel, are not. None
-// of other fields, where a second derivative may have no bound, or, of chebyshev, only a poor one.
-std::optional<Program> bend_program(const Field& field);
+// Of polynomials: F, dF/dt and the gradient of dF/dt, inputs as of `directional`. Centred about a
+// point of the box, dF/dt is bounded by the latter as closely as its terms, which cancel, are not.
+// None of other fields, where a second derivative may have no bound, or, of chebyshev, only a poor
+// one.
+std::optional<Program> hessian_program(const Field& field);
 
 } // namespace isomotion::formula

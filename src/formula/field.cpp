@@ -45,9 +45,9 @@ Field make_field(std::string_view text, Vocabulary vocabulary) {
     Graph working = g; // lowering adds nodes that only the programs need
     const std::vector<NodeId> low = lower(working, std::array{field.root, along, fx, fy, fz});
     field.value = schedule(working, std::array{low[0]});
-    field.along = schedule(working, std::array{low[0], low[1]});
+    field.directional = schedule(working, std::array{low[0], low[1]});
     field.gradient = schedule(working, std::array{low[2], low[3], low[4]});
-    field.packing = packing_of(vocabulary, std::array{&field.value, &field.along, &field.gradient});
+    field.packing = packing_of(vocabulary, std::array{&field.value, &field.directional, &field.gradient});
     return field;
 }
 
@@ -56,10 +56,10 @@ std::string glsl_value(const Field& field) {
                      field.packing);
 }
 
-std::string glsl_along(const Field& field) {
+std::string glsl_directional(const Field& field) {
     return emit_glsl(
-        field.along,
-        {"vec2 field_along(vec3 p, vec3 d)", "vec2", {"p.x", "p.y", "p.z", "d.x", "d.y", "d.z"}},
+        field.directional,
+        {"vec2 field_directional(vec3 p, vec3 d)", "vec2", {"p.x", "p.y", "p.z", "d.x", "d.y", "d.z"}},
         field.packing);
 }
 

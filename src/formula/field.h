@@ -23,7 +23,7 @@ struct Field {
     NodeId root = 0;
 
     Program value;        // inputs x y z          -> F
-    Program along;        // inputs x y z dx dy dz -> F, dF/dt for the ray p + t d
+    Program directional;  // inputs x y z dx dy dz -> F, dF/dt for the ray p + t d
     Program gradient;     // inputs x y z          -> F_x, F_y, F_z
     ArrayPacking packing; // the fields each array must supply, in the order they are stored
 };
@@ -31,9 +31,9 @@ struct Field {
 // Inputs of the vocabulary are replaced by coordinate_names. Throws ParseError.
 Field make_field(std::string_view text, Vocabulary vocabulary);
 
-// float field(vec3 p); vec2 field_along(vec3 p, vec3 d); vec3 field_gradient(vec3 p)
+// float field(vec3 p); vec2 field_directional(vec3 p, vec3 d); vec3 field_gradient(vec3 p)
 std::string glsl_value(const Field& field);
-std::string glsl_along(const Field& field);
+std::string glsl_directional(const Field& field);
 std::string glsl_gradient(const Field& field);
 
 // Evaluates the field in T (float or double) at one point.
@@ -41,7 +41,7 @@ template<class T> class FieldEvaluator {
 public:
     explicit FieldEvaluator(const Field& field)
         : value_(field.value)
-        , along_(field.along)
+        , directional_(field.directional)
         , gradient_(field.gradient) {}
 
     T value(const Bindings<T>& bindings, const std::array<T, 3>& p) {
@@ -50,11 +50,11 @@ public:
         return f;
     }
     // F and dF/dt.
-    std::array<T, 2> along(const Bindings<T>& bindings, const std::array<T, 3>& p,
-                           const std::array<T, 3>& d) {
+    std::array<T, 2> directional(const Bindings<T>& bindings, const std::array<T, 3>& p,
+                                 const std::array<T, 3>& d) {
         const std::array<T, 6> inputs{p[0], p[1], p[2], d[0], d[1], d[2]};
         std::array<T, 2> result{};
-        along_.point(bindings, inputs, result);
+        directional_.point(bindings, inputs, result);
         return result;
     }
     std::array<T, 3> gradient(const Bindings<T>& bindings, const std::array<T, 3>& p) {
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    Evaluator<T> value_, along_, gradient_;
+    Evaluator<T> value_, directional_, gradient_;
 };
 
 } // namespace isomotion::formula

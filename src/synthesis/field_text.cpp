@@ -72,16 +72,16 @@ formula::Program program_of(const formula::Field& field, FieldFunction function)
     switch (function) {
     case FieldFunction::value:
         return field.value;
-    case FieldFunction::along:
-        return field.along;
+    case FieldFunction::directional:
+        return field.directional;
     case FieldFunction::gradient:
         return field.gradient;
     case FieldFunction::value_interval:
         return formula::enclosure_programs(field).value;
-    case FieldFunction::along_interval:
-        return formula::enclosure_programs(field).along;
-    case FieldFunction::bend_interval:
-        return formula::bend_program(field).value();
+    case FieldFunction::directional_interval:
+        return formula::enclosure_programs(field).directional;
+    case FieldFunction::hessian_interval:
+        return formula::hessian_program(field).value();
     default:
         return formula::enclosure_programs(field).gradient;
     }
@@ -99,26 +99,26 @@ FunctionParts parts_of(const formula::Field& field, FieldFunction function,
     switch (function) {
     case FieldFunction::value:
         return {kernels_used(field.value), formula::glsl_value(field)};
-    case FieldFunction::along:
-        return {kernels_used(field.along), formula::glsl_along(field)};
+    case FieldFunction::directional:
+        return {kernels_used(field.directional), formula::glsl_directional(field)};
     case FieldFunction::gradient:
         return {kernels_used(field.gradient), formula::glsl_gradient(field)};
     default:
         break;
     }
-    if (function == FieldFunction::bend_interval) {
-        const formula::Program bend = formula::bend_program(field).value();
+    if (function == FieldFunction::hessian_interval) {
+        const formula::Program bend = formula::hessian_program(field).value();
         return {interval_kernels_used(bend),
-                formula::glsl_bend_interval(bend, field.packing, numbers), true};
+                formula::glsl_hessian_interval(bend, field.packing, numbers), true};
     }
     const formula::EnclosurePrograms programs = formula::enclosure_programs(field);
     switch (function) {
     case FieldFunction::value_interval:
         return {interval_kernels_used(programs.value),
                 formula::glsl_value_interval(programs, field.packing, numbers), true};
-    case FieldFunction::along_interval:
-        return {interval_kernels_used(programs.along),
-                formula::glsl_along_interval(programs, field.packing, numbers), true};
+    case FieldFunction::directional_interval:
+        return {interval_kernels_used(programs.directional),
+                formula::glsl_directional_interval(programs, field.packing, numbers), true};
     default:
         return {interval_kernels_used(programs.gradient),
                 formula::glsl_gradient_interval(programs, field.packing, numbers), true};

@@ -44,12 +44,12 @@ FieldStorage field_storage(const formula::Field& field, int parameters, std::spa
 // the signatures. The programs of the intervals are made where they are asked for.
 enum class FieldFunction {
     value,
-    along,
+    directional,
     gradient,
     value_interval,
-    along_interval,
+    directional_interval,
     gradient_interval,
-    bend_interval // of fields that have a bend_program()
+    hessian_interval // of fields that have a hessian_program()
 };
 
 // What one call of each takes. An operation on intervals is counted as so many on numbers.

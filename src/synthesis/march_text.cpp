@@ -18,11 +18,11 @@ void add_files(ShaderText& text, std::span<const std::string_view> names) {
 // What finds a root between two samples, or in a piece.
 void add_isolation(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
-    const bool directional = passes.samples.front() == FieldFunction::along;
+    const bool directional = passes.samples.front() == FieldFunction::directional;
     if (method.samples == scene::Samples::value_and_bounds) {
         text.file("march/piece_bounds.glsl");
     } else {
-        text.file(directional ? "march/sample_along.glsl" : "march/sample_value.glsl");
+        text.file(directional ? "march/sample_directional.glsl" : "march/sample_value.glsl");
     }
     add_files(text, method.test);
 }
@@ -41,14 +41,14 @@ void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes)
 std::vector<FieldFunction> samples_of(scene::Method method, bool march_takes_gradient) {
     switch (scene::traits(method).samples) {
     case scene::Samples::value_and_bounds:
-        return {FieldFunction::value, FieldFunction::along_interval};
+        return {FieldFunction::value, FieldFunction::directional_interval};
     case scene::Samples::value:
         if (!march_takes_gradient) return {FieldFunction::value};
         break;
     case scene::Samples::directional:
         break;
     }
-    return {FieldFunction::along};
+    return {FieldFunction::directional};
 }
 
 void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin) {

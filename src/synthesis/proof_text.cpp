@@ -18,8 +18,8 @@ void add_ended_ray(ShaderText& text, const scene::Scene& scene) {
 }
 
 // In doubles, where rounding no longer hides it, and where there are such bounds.
-bool takes_bend(const formula::Field& field, ProofBounds bounds) {
-    return bounds == ProofBounds::in_doubles && formula::bend_program(field);
+bool takes_hessian(const formula::Field& field, ProofBounds bounds) {
+    return bounds == ProofBounds::in_doubles && formula::hessian_program(field);
 }
 
 // What its proof begins with: the part it is of, the boxes around it, what F can be in one.
@@ -74,9 +74,9 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
         add_field(text, field, passes, proof_samples(field, bounds));
     }
     add_proof(text, scene, passes, bounds);
-    text.file("proof/slope.glsl");
-    text.file(takes_bend(field, bounds) ? "proof/bounds_by_bend.glsl"
-                                        : "proof/bounds_over_box.glsl");
+    text.file("proof/directional.glsl");
+    text.file(takes_hessian(field, bounds) ? "proof/bounds_by_hessian.glsl"
+                                           : "proof/bounds_over_box.glsl");
     text.file("proof/prove.glsl");
     text.file("proof/proof.frag");
     switch (bounds) {
@@ -115,12 +115,12 @@ Pass proof_copy() {
 
 } // namespace
 
-std::vector<FieldFunction> block_proof_samples() { return {FieldFunction::along_interval}; }
+std::vector<FieldFunction> block_proof_samples() { return {FieldFunction::directional_interval}; }
 
 std::vector<FieldFunction> proof_samples(const formula::Field& field, ProofBounds bounds) {
-    std::vector samples{FieldFunction::value_interval, FieldFunction::along_interval};
+    std::vector samples{FieldFunction::value_interval, FieldFunction::directional_interval};
     if (bounds != ProofBounds::natural) samples.push_back(FieldFunction::gradient_interval);
-    if (takes_bend(field, bounds)) samples.push_back(FieldFunction::bend_interval);
+    if (takes_hessian(field, bounds)) samples.push_back(FieldFunction::hessian_interval);
     return samples;
 }
 

@@ -103,7 +103,7 @@ struct RootFinder::Lane {
 RootFinder::RootFinder(const formula::EnclosurePrograms& field, const scene::SceneAt& scene,
                        Budget budget)
     : value_(field.value)
-    , along_(field.along)
+    , directional_(field.directional)
     , gradient_(field.gradient)
     , jumps_(field.jumps)
     , bindings_(formula::convert<Interval>(scene.bindings))
@@ -177,7 +177,7 @@ void RootFinder::find(std::span<const Tube> tubes, std::span<FirstRoot> roots) {
             if (lane.phase == Lane::Phase::march) pieces.add(lane.tube, lane.a, lane.b(), true);
         }
         points.evaluate(value_, bindings_, 3, 1);
-        pieces.evaluate(along_, bindings_, 6, 2);
+        pieces.evaluate(directional_, bindings_, 6, 2);
         sharpen(lanes, points);
         std::size_t piece = 0;
         for (std::size_t k = 0; k < lanes.size(); ++k) {

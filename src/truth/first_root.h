@@ -60,7 +60,7 @@ private:
     bool is_continuous(const Tube& tube, double low, double high);
     void finish(Lane& lane) const;
 
-    formula::Evaluator<formula::Interval> value_, along_, gradient_, jumps_;
+    formula::Evaluator<formula::Interval> value_, directional_, gradient_, jumps_;
     formula::Bindings<formula::Interval> bindings_;
     Budget budget_;
     std::int64_t evaluations_ = 0;

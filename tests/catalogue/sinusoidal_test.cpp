@@ -70,7 +70,7 @@ TEST_P(Sinusoidal, FloatsKeepTheirDigitsAtOne) {
                 const double slope = std::abs(q[axis]) == 1 ? 0 : all[axis];
                 EXPECT_NEAR(slopes[axis], slope, 1e-3 * n * n) << "axis " << axis;
             }
-            EXPECT_TRUE(std::isfinite(trig.along(floats, p, {0.6f, 0, -0.8f})[1]));
+            EXPECT_TRUE(std::isfinite(trig.directional(floats, p, {0.6f, 0, -0.8f})[1]));
         }
     }
 }

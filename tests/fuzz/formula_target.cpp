@@ -99,11 +99,11 @@ void evaluate(const Field& field, const EnclosurePrograms& enclosing) {
     const auto intervals = convert<Interval>(numbers);
     FieldEvaluator<double> in_double(field);
     FieldEvaluator<float> in_float(field);
-    Evaluator<Interval> along(enclosing.along), gradient(enclosing.gradient);
+    Evaluator<Interval> along(enclosing.directional), gradient(enclosing.gradient);
     for (const auto& [x, y, z] : places) {
-        in_double.along(numbers, {x, y, z}, {1, 0, -1});
+        in_double.directional(numbers, {x, y, z}, {1, 0, -1});
         in_double.gradient(numbers, {x, y, z});
-        in_float.along(floats, {float(x), float(y), float(z)}, {1, 0, -1});
+        in_float.directional(floats, {float(x), float(y), float(z)}, {1, 0, -1});
         in_float.gradient(floats, {float(x), float(y), float(z)});
         const std::array<Interval, 6> ray{{{x, x + 0.25}, y, {z - 1, z}, 1, {-1, 1}, 0.5}};
         std::array<Interval, 2> line;
@@ -148,9 +148,9 @@ void formula(std::string_view text) {
         return;
     }
     const EnclosurePrograms enclosing = enclosure_programs(field);
-    check_generated(glsl_value(field) + glsl_along(field) + glsl_gradient(field) +
+    check_generated(glsl_value(field) + glsl_directional(field) + glsl_gradient(field) +
                     glsl_value_interval(enclosing, field.packing) +
-                    glsl_along_interval(enclosing, field.packing) +
+                    glsl_directional_interval(enclosing, field.packing) +
                     glsl_gradient_interval(enclosing, field.packing));
     degree(field.graph, field.root);
     if (const auto sum = linear_sum(field)) {

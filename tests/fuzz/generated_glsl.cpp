@@ -36,7 +36,7 @@ const std::set<std::string>& generated_words() {
         // registers, results of kernels, elements, loops, storage
         "v#", "w#", "a#_#", "e#", "array#_texel", "array#_count", "parameters",
         // what is made
-        "field", "field_along", "field_gradient", "field_interval", "field_along_interval",
+        "field", "field_directional", "field_gradient", "field_interval", "field_directional_interval",
         "field_gradient_interval", "rest_and_factor_interval", "term_interval"};
     return words;
 }

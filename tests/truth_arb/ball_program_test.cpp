@@ -117,9 +117,9 @@ TEST_P(EverySurface, EnclosuresHoldTheBalls) {
 // (F(p + s d) - F(p)) / s is in the enclosure of dF/dt over the way from p to p + s d.
 TEST_P(EverySurface, SlopesHoldDifferenceQuotients) {
     const formula::EnclosurePrograms programs = formula::enclosure_programs(surface.field());
-    formula::Evaluator<Interval> along(programs.along);
+    formula::Evaluator<Interval> along(programs.directional);
     const auto intervals = formula::convert<Interval>(surface.at.bindings);
-    BallProgram program(programs.value), ball_along(programs.along);
+    BallProgram program(programs.value), ball_along(programs.directional);
     for (int k = 0; k < points; ++k) {
         // Short ways have doubles for ends: the difference of the ends is the direction.
         const double way = std::exp2(-random.below(20));
@@ -152,7 +152,7 @@ TEST_P(EverySurface, SlopesHoldDifferenceQuotients) {
 // The ball over a box holds those of points in it, F and dF/dt: what searches for roots rest on.
 TEST_P(EverySurface, WideBallsHoldTheirMembers) {
     const formula::EnclosurePrograms programs = formula::enclosure_programs(surface.field());
-    BallProgram along(programs.along);
+    BallProgram along(programs.directional);
     int bounded = 0;
     for (int k = 0; k < points; ++k) {
         const double reach = std::exp2(-random.below(20));

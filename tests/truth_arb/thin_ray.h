@@ -39,7 +39,7 @@ class ThinRays {
 public:
     ThinRays(const formula::EnclosurePrograms& field, const formula::Bindings<float>& bindings)
         : value_(field.value)
-        , along_(field.along)
+        , along_(field.directional)
         , bindings_(formula::convert<double>(bindings)) {}
 
     int sign_at(const Ray& ray, double t) { return at(ray, t).sign(); }

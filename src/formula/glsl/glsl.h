@@ -18,7 +18,7 @@ namespace isomotion::formula {
 using ArrayPacking = std::vector<std::vector<int>>;
 
 struct GlslSignature {
-    std::string head;                // "vec2 field_along(vec3 p, vec3 d)"
+    std::string head;                // "vec2 field_directional(vec3 p, vec3 d)"
     std::string result;              // "vec2": the type that takes the outputs in order
     std::vector<std::string> inputs; // what input k is called: "p.x", "p.y", ...
 };

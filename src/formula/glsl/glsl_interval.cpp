@@ -316,11 +316,11 @@ std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPa
         numbers);
 }
 
-std::string glsl_along_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
-                                Numbers numbers) {
+std::string glsl_directional_interval(const EnclosurePrograms& programs,
+                                      const ArrayPacking& packing, Numbers numbers) {
     return emit_interval_glsl(
-        programs.along,
-        {"vec4 field_along_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz)",
+        programs.directional,
+        {"vec4 field_directional_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz)",
          {"x", "y", "z", "dx", "dy", "dz"},
          "vec4",
          {}},
@@ -338,15 +338,16 @@ std::string glsl_gradient_interval(const EnclosurePrograms& programs, const Arra
                               packing, numbers);
 }
 
-std::string glsl_bend_interval(const Program& bend, const ArrayPacking& packing, Numbers numbers) {
-    return emit_interval_glsl(
-        bend,
-        {"void field_bend_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz, out vec2 f, "
-         "out vec2 slope, out vec2 bx, out vec2 by, out vec2 bz)",
-         {"x", "y", "z", "dx", "dy", "dz"},
-         "",
-         {"f", "slope", "bx", "by", "bz"}},
-        packing, numbers);
+std::string glsl_hessian_interval(const Program& bend, const ArrayPacking& packing,
+                                  Numbers numbers) {
+    return emit_interval_glsl(bend,
+                              {"void field_hessian_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 "
+                               "dy, vec2 dz, out vec2 f, "
+                               "out vec2 slope, out vec2 bx, out vec2 by, out vec2 bz)",
+                               {"x", "y", "z", "dx", "dy", "dz"},
+                               "",
+                               {"f", "slope", "bx", "by", "bz"}},
+                              packing, numbers);
 }
 
 } // namespace isomotion::formula

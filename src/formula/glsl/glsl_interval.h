@@ -19,7 +19,7 @@ namespace isomotion::formula {
 enum class Numbers { floats, doubles }; // that the ends of intervals are
 
 struct IntervalSignature {
-    std::string head;                 // "vec4 field_along_interval(vec2 x, ...)"
+    std::string head;                 // "vec4 field_directional_interval(vec2 x, ...)"
     std::vector<std::string> inputs;  // what input k, a vec2, is called
     std::string result;               // the type that takes the outputs in order, or empty and
     std::vector<std::string> outputs; // what they are assigned to
@@ -37,15 +37,18 @@ std::set<std::string> interval_kernels_used(const Program& program);
 // vec2 field_interval(vec2 x, vec2 y, vec2 z)
 std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
                                 Numbers numbers = Numbers::floats);
-// vec4 field_along_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz): F, dF/dt
-std::string glsl_along_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
-                                Numbers numbers = Numbers::floats);
+// vec4 field_directional_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz): F, dF/dt
+std::string glsl_directional_interval(const EnclosurePrograms& programs,
+                                      const ArrayPacking& packing,
+                                      Numbers numbers = Numbers::floats);
 // void field_gradient_interval(vec2 x, vec2 y, vec2 z, out vec2 gx, out vec2 gy, out vec2 gz)
 std::string glsl_gradient_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
                                    Numbers numbers = Numbers::floats);
 
-// void field_bend_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz, out vec2 f,
-//                          out vec2 slope, out vec2 bx, out vec2 by, out vec2 bz): bend_program()
-std::string glsl_bend_interval(const Program& bend, const ArrayPacking& packing, Numbers numbers);
+// void field_hessian_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz, out vec2 f,
+//                          out vec2 slope, out vec2 bx, out vec2 by, out vec2 bz):
+//                          hessian_program()
+std::string glsl_hessian_interval(const Program& bend, const ArrayPacking& packing,
+                                  Numbers numbers);
 
 } // namespace isomotion::formula

@@ -78,7 +78,7 @@ TEST_P(Catalogue, AlongARayIsTheGradientTimesItsDirection) {
     for (const Point& p : sample(seed, 20)) {
         SCOPED_TRACE(testing::PrintToString(p));
         const Point d = random.point(1);
-        const auto [value, slope] = field.along(surface.bindings, p, d);
+        const auto [value, slope] = field.directional(surface.bindings, p, d);
         const Point g = field.gradient(surface.bindings, p);
         const double expected = g[0] * d[0] + g[1] * d[1] + g[2] * d[2];
         const double size = std::abs(g[0]) + std::abs(g[1]) + std::abs(g[2]) + std::abs(value);
@@ -104,7 +104,7 @@ TEST_P(Catalogue, IsFiniteEverywhereInThePictureAndAround) {
                 EXPECT_TRUE(std::isfinite(g));
             }
             for (const float g : in_float.gradient(narrow, q)) EXPECT_TRUE(std::isfinite(g));
-            for (const float g : in_float.along(narrow, q, {0.6F, 0, -0.8F})) {
+            for (const float g : in_float.directional(narrow, q, {0.6F, 0, -0.8F})) {
                 EXPECT_TRUE(std::isfinite(g));
             }
         }

@@ -85,7 +85,7 @@ public:
         , intervals_(convert<Interval>(bindings_))
         , programs_(enclosure_programs(field))
         , value_(programs_.value)
-        , along_(programs_.along)
+        , along_(programs_.directional)
         , gradient_(programs_.gradient)
         , graph_(field.graph) {
         const NodeId one = graph_.constant(1), zero = graph_.constant(0);
@@ -324,7 +324,7 @@ TEST(Enclosure, HasNoNan) {
 TEST(Enclosure, KeepsChebyshevWhole) {
     Subject field = subject("chebyshev(50,x) + chebyshev(50,y) + chebyshev(50,z)");
     for (const Program* program :
-         {&field.programs().value, &field.programs().along, &field.programs().gradient}) {
+         {&field.programs().value, &field.programs().directional, &field.programs().gradient}) {
         int whole = 0;
         for (const Instruction& now : program->instructions) whole += now.op == Op::chebyshev;
         EXPECT_GE(whole, 3);
@@ -396,7 +396,7 @@ TEST(Enclosure, BlocksGiveWhatSinglePointsGive) {
     for (const auto* text : kinked) {
         SCOPED_TRACE(text);
         const Subject field = subject(text);
-        Evaluator<Interval> evaluator(field.programs().along);
+        Evaluator<Interval> evaluator(field.programs().directional);
         for (const std::size_t size : {1, 31, 32, 33, 70}) {
             Random random(seed);
             std::vector<Box> boxes;
@@ -424,8 +424,8 @@ TEST(Enclosure, BlocksGiveWhatSinglePointsGive) {
 }
 
 // F, dF/dt and the gradient of dF/dt, against what is worked out by hand of x^3 y + 2 y z - z^2.
-TEST(Bend, OfAPolynomialIsItsSecondDerivatives) {
-    const auto program = bend_program(make_field("x^3*y + 2*y*z - z^2", test_vocabulary()));
+TEST(HessianProgram, OfAPolynomialIsItsSecondDerivatives) {
+    const auto program = hessian_program(make_field("x^3*y + 2*y*z - z^2", test_vocabulary()));
     ASSERT_TRUE(program);
     Evaluator<Interval> evaluator(*program);
     const Bindings<Interval> bindings = convert<Interval>(test_bindings());
@@ -465,9 +465,9 @@ TEST(Bend, OfAPolynomialIsItsSecondDerivatives) {
     }
 }
 
-TEST(Bend, IsOfNoOtherField) {
+TEST(HessianProgram, IsOfNoOtherField) {
     for (const char* text : {"exp(x) + y", "1/x + y^2 + z", "sqrt(x) + y", "abs(x) + z^2"}) {
-        EXPECT_FALSE(bend_program(make_field(text, test_vocabulary()))) << text;
+        EXPECT_FALSE(hessian_program(make_field(text, test_vocabulary()))) << text;
     }
 }
 

@@ -73,7 +73,7 @@ TYPED_TEST(Blocks, GiveTheBitsOfSinglePoints) {
             for (auto& result : results) result.assign(size + 1, T(-123));
             const std::array<std::span<T>, 2> outputs{std::span(results[0]).first(size),
                                                       std::span(results[1]).first(size)};
-            Evaluator<T> evaluator(field.along);
+            Evaluator<T> evaluator(field.directional);
             evaluator.points(bindings, inputs, outputs);
             EXPECT_EQ(results[0][size], T(-123));
             EXPECT_EQ(results[1][size], T(-123));

@@ -27,8 +27,8 @@ TEST(Field, ValueSlopeAndGradient) {
     const Point p{2, 3, 4};
     EXPECT_EQ(evaluator.value(bindings, p), 17);
     EXPECT_EQ(evaluator.gradient(bindings, p), (Point{12, 4, 1.25}));
-    EXPECT_EQ(evaluator.along(bindings, p, {1, -2, 4}), (std::array{17.0, 12.0 - 8 + 5}));
-    EXPECT_EQ(evaluator.along(bindings, p, {0, 0, 0}), (std::array{17.0, 0.0}));
+    EXPECT_EQ(evaluator.directional(bindings, p, {1, -2, 4}), (std::array{17.0, 12.0 - 8 + 5}));
+    EXPECT_EQ(evaluator.directional(bindings, p, {0, 0, 0}), (std::array{17.0, 0.0}));
 }
 
 // The graph keeps T_n whole for interval bounds; the programs have no such instruction.
@@ -37,7 +37,7 @@ TEST(Field, PrimitivesStayInTheGraphOnly) {
     int primitives = 0;
     for (NodeId id = 0; id <= field.root; ++id) primitives += field.graph[id].op == Op::chebyshev;
     EXPECT_EQ(primitives, 2);
-    for (const Program* program : {&field.value, &field.along, &field.gradient}) {
+    for (const Program* program : {&field.value, &field.directional, &field.gradient}) {
         for (const auto& now : program->instructions) EXPECT_NE(now.op, Op::chebyshev);
     }
 }

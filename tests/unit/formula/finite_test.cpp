@@ -77,7 +77,7 @@ template<class T> Seen see_as(std::string_view text, const Point& p, double m) {
     FieldEvaluator<T> evaluator(field);
     const std::array<T, 3> q{T(p[0]), T(p[1]), T(p[2])};
     const auto g = evaluator.gradient(bindings, q);
-    const auto along = evaluator.along(bindings, q, {T(0.6), T(0), T(-0.8)});
+    const auto along = evaluator.directional(bindings, q, {T(0.6), T(0), T(-0.8)});
     return {evaluator.value(bindings, q), {g[0], g[1], g[2]}, {along[0], along[1]}};
 }
 

@@ -32,8 +32,8 @@ TEST(Glsl, APolynomial) {
 }
 
 TEST(Glsl, TheSlopeAlongTheRay) {
-    EXPECT_EQ(glsl_along(make_field("sin(x)*y", test_vocabulary())),
-              R"(vec2 field_along(vec3 p, vec3 d) {
+    EXPECT_EQ(glsl_directional(make_field("sin(x)*y", test_vocabulary())),
+              R"(vec2 field_directional(vec3 p, vec3 d) {
     vec2 w1 = im_sin_cos(p.x);
     float v3 = w1.x * p.y;
     float v7 = d.x * w1.y;
@@ -53,7 +53,7 @@ TEST(Glsl, PowersThatDifferByOneShareAKernel) {
         EXPECT_THAT(code, HasSubstr("im_pow_and_lower(")) << text;
         EXPECT_THAT(code, Not(HasSubstr("im_pow("))) << text;
     }
-    EXPECT_THAT(glsl_along(make_field("abs(x)^a", test_vocabulary())),
+    EXPECT_THAT(glsl_directional(make_field("abs(x)^a", test_vocabulary())),
                 HasSubstr("im_pow_and_lower("));
     for (const auto* text : {"abs(x)^2.5 + abs(y)^1.5", "abs(x)^a + abs(x)^(a-2)",
                              "abs(x)^a + abs(x)^(b-1)", "abs(x)^a + abs(x)^(1-a)"}) {
@@ -151,7 +151,7 @@ TEST(Glsl, NegativeOperandsNeverMakeADecrement) {
                              "-exp(-x) - -3", "-(-x*-1.5)", "-(-2)^x", "sum(blobs, -2*cx - -1)",
                              "-1/x", "-2 - x", "max(x,-1) - min(y,-1)"}) {
         const Field field = make_field(text, test_vocabulary());
-        for (const auto& code : {glsl_value(field), glsl_along(field), glsl_gradient(field)}) {
+        for (const auto& code : {glsl_value(field), glsl_directional(field), glsl_gradient(field)}) {
             EXPECT_THAT(code, Not(HasSubstr("--"))) << text;
             EXPECT_THAT(code, Not(HasSubstr("nan"))) << text;
             EXPECT_THAT(code, Not(HasSubstr("inf"))) << text;
@@ -270,7 +270,7 @@ TEST(Glsl, RandomFormulasAreWellFormed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         const std::string text = FormulaGenerator(seed).make(2 + int(seed % 4)).text;
         const Field field = make_field(text, test_vocabulary());
-        for (const auto& code : {glsl_value(field), glsl_along(field), glsl_gradient(field)}) {
+        for (const auto& code : {glsl_value(field), glsl_directional(field), glsl_gradient(field)}) {
             expect_well_formed(code);
         }
         if (HasFailure()) return;

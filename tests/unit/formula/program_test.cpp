@@ -79,7 +79,7 @@ TEST(Schedule, SumsOverOneArrayShareALoop) {
 TEST(Schedule, ValueAndDerivativesShareALoop) {
     const Field field = make_field("sum(blobs, weight*exp(-s*((x-cx)^2+(y-cy)^2+(z-cz)^2))) - a",
                                    test_vocabulary());
-    for (const Program* program : {&field.value, &field.along, &field.gradient}) {
+    for (const Program* program : {&field.value, &field.directional, &field.gradient}) {
         const Shape shape = shape_of(*program);
         EXPECT_EQ(shape.loops, 1);
         EXPECT_EQ(shape.depths.at(Op::exp), Depths{1});

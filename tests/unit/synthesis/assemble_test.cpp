@@ -185,7 +185,7 @@ TEST_F(Assemble, TheMethodChangesTheMarchAlone) {
     }
     EXPECT_EQ(marches.size(), every_method.size());
     // Uniform steps with a sign test pay for no derivative.
-    EXPECT_THAT(text_of(all[0], Role::march), Not(HasSubstr("field_along")));
+    EXPECT_THAT(text_of(all[0], Role::march), Not(HasSubstr("field_directional")));
     EXPECT_THAT(text_of(all[0], Role::march), HasSubstr("float field(vec3 p)"));
     // The two adaptive methods differ by one file.
     Lines taylor = lines_of(read_shader("march/taylor_test.glsl"));
@@ -256,13 +256,13 @@ TEST_F(Assemble, ASumStaysOneLoopAndOneSizeOfText) {
 
 TEST_F(Assemble, AFieldIsCalledFromOnePlace) {
     const Passes passes = assemble(scene_of(surface_text("x*y - 1")), every_channel);
-    EXPECT_EQ(occurrences(text_of(passes, Role::march), "field_along("), 2)
+    EXPECT_EQ(occurrences(text_of(passes, Role::march), "field_directional("), 2)
         << "its definition and one call";
     EXPECT_EQ(occurrences(text_of(passes, Role::march), "sample_field("), 2);
     for (const char* method : {"interval", "affine", "sphere"}) {
         const Passes on_pieces =
             assemble(scene_of(surface_text("x*y - 1", every_bounds[0], method)), every_channel);
-        EXPECT_EQ(occurrences(text_of(on_pieces, Role::march), "field_along_interval("), 2);
+        EXPECT_EQ(occurrences(text_of(on_pieces, Role::march), "field_directional_interval("), 2);
         EXPECT_EQ(occurrences(text_of(on_pieces, Role::march), " field("), 2);
     }
     EXPECT_EQ(occurrences(text_of(passes, Role::shade), "field_gradient("), 2);

@@ -106,7 +106,7 @@ void FieldValues::bind(const gpu::Program& program, int first_free_unit) const {
 std::string probe_shader(const formula::Field& field, const FieldStorage& storage) {
     ShaderText text;
     add_field(text, field, storage,
-              {FieldFunction::value, FieldFunction::along, FieldFunction::gradient});
+              {FieldFunction::value, FieldFunction::directional, FieldFunction::gradient});
     text.generated("a probe a pixel", R"(
 uniform sampler2D points, directions;
 layout(location = 0) out vec4 value;
@@ -117,7 +117,7 @@ void main() {
     vec3 p = texelFetch(points, ivec2(gl_FragCoord.xy), 0).xyz;
     vec3 d = texelFetch(directions, ivec2(gl_FragCoord.xy), 0).xyz;
     value = vec4(field(p), 0.0, 0.0, 0.0);
-    along = vec4(field_along(p, d), 0.0, 0.0);
+    along = vec4(field_directional(p, d), 0.0, 0.0);
     gradient = vec4(field_gradient(p), 0.0);
 }
 )");
@@ -161,7 +161,7 @@ namespace {
 std::string bounds_shader(const formula::Field& field, const FieldStorage& storage) {
     ShaderText text;
     add_field(text, field, storage,
-              {FieldFunction::value_interval, FieldFunction::along_interval,
+              {FieldFunction::value_interval, FieldFunction::directional_interval,
                FieldFunction::gradient_interval});
     text.generated("a box a pixel", R"(
 uniform sampler2D first, second, third;
@@ -177,7 +177,7 @@ void main() {
     vec2 gx, gy, gz;
     field_gradient_interval(a.xy, a.zw, b.xy, gx, gy, gz);
     value = vec4(field_interval(a.xy, a.zw, b.xy), 0.0, 0.0);
-    along = field_along_interval(a.xy, a.zw, b.xy, b.zw, c.xy, c.zw);
+    along = field_directional_interval(a.xy, a.zw, b.xy, b.zw, c.xy, c.zw);
     gradient = vec4(gx, gy);
     rest = vec4(gz, 0.0, 0.0);
 }
@@ -249,7 +249,7 @@ std::string double_bounds_shader(const formula::Field& field, const FieldStorage
     ShaderText text;
     text.version(400);
     add_field_on_doubles(text, field, storage,
-                         {FieldFunction::value_interval, FieldFunction::along_interval,
+                         {FieldFunction::value_interval, FieldFunction::directional_interval,
                           FieldFunction::gradient_interval});
     text.generated("a box a pixel", R"(
 uniform sampler2D boxes;
@@ -273,7 +273,7 @@ void main() {
     for (int k = 0; k < 6; ++k) v[k] = dvec2(joined(2 * k), joined(2 * k + 1));
     dvec2 bounds[6];
     bounds[0] = field_interval(v[0], v[1], v[2]);
-    dvec4 along = field_along_interval(v[0], v[1], v[2], v[3], v[4], v[5]);
+    dvec4 along = field_directional_interval(v[0], v[1], v[2], v[3], v[4], v[5]);
     bounds[1] = along.xy;
     bounds[2] = along.zw;
     field_gradient_interval(v[0], v[1], v[2], bounds[3], bounds[4], bounds[5]);

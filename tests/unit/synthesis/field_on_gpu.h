@@ -19,7 +19,7 @@ struct FunctionOfField {
 
 inline constexpr std::array<FunctionOfField, 3> field_functions{
     {{"field", &formula::Field::value, 1},
-     {"field_along", &formula::Field::along, 2},
+     {"field_directional", &formula::Field::directional, 2},
      {"field_gradient", &formula::Field::gradient, 3}}};
 
 // A point, and a direction for the slope along it.
@@ -40,7 +40,7 @@ struct GpuBounds {
     std::array<glm::vec2, 6> outputs;
 };
 
-// What field_interval, field_along_interval and field_gradient_interval give over every box.
+// What field_interval, field_directional_interval and field_gradient_interval give over every box.
 std::vector<GpuBounds> bounds_on_gpu(const formula::Field& field,
                                      const formula::Bindings<float>& bindings,
                                      const std::vector<GpuBox>& boxes);

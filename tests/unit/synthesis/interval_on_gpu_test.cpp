@@ -65,7 +65,7 @@ public:
         , intervals_(formula::convert<Interval>(floats_))
         , programs_(formula::enclosure_programs(field))
         , value_(programs_.value)
-        , along_(programs_.along)
+        , along_(programs_.directional)
         , gradient_(programs_.gradient) {}
 
     Subject(const Subject&) = delete;

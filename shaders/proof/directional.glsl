@@ -7,5 +7,5 @@ Box directions_about(ProofRay ray) {
 
 REAL4 bounds_over(ProofRay ray, Box p) {
     Box d = directions_about(ray);
-    return field_along_interval(p.x, p.y, p.z, d.x, d.y, d.z);
+    return field_directional_interval(p.x, p.y, p.z, d.x, d.y, d.z);
 }

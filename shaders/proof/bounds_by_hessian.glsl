@@ -4,10 +4,10 @@ REAL4 bounds_of_piece(ProofRay ray, REAL low, REAL high) {
     Box all = box_around(ray, low, high);
     Box d = directions_about(ray);
     REAL2 f, slope, bx, by, bz;
-    field_bend_interval(all.x, all.y, all.z, d.x, d.y, d.z, f, slope, bx, by, bz);
+    field_hessian_interval(all.x, all.y, all.z, d.x, d.y, d.z, f, slope, bx, by, bz);
     precise REAL middle = 0.5 * (low + high);
     precise REAL3 p = ray_point(ray, middle);
-    REAL2 there = field_along_interval(REAL2(p.x), REAL2(p.y), REAL2(p.z), d.x, d.y, d.z).zw;
+    REAL2 there = field_directional_interval(REAL2(p.x), REAL2(p.y), REAL2(p.z), d.x, d.y, d.z).zw;
     // Along the ray here, and from it to the others.
     REAL2 along = im_add(im_add(im_scale(ray.direction.x, bx), im_scale(ray.direction.y, by)),
                          im_scale(ray.direction.z, bz));
