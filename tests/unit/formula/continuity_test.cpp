@@ -73,11 +73,13 @@ TEST(WithoutValue, FollowsTheBranchThatIsTaken) {
     const NodeId x = g.input(0), zero = g.constant(0);
     const NodeId root = g.select(x, zero, g.unary(Op::log, x), x);
     const NodeId other = g.select(x, zero, x, g.unary(Op::log, g.unary(Op::negate, x)));
-    const Program program =
-        schedule(g, std::array{without_value(g, root), without_value(g, other)});
+    const NodeId untaken = g.select(x, zero, x, g.unary(Op::log, x));
+    const Program program = schedule(
+        g, std::array{without_value(g, root), without_value(g, other), without_value(g, untaken)});
     const auto over = [&](Interval at) {
-        std::array<Interval, 2> found;
+        std::array<Interval, 3> found;
         Evaluator<Interval>(program).point({}, Box{at, 0.0, 0.0}, found);
+        EXPECT_EQ(found[2].lo, 0);
         return std::pair(found[0].lo > 0, found[1].lo > 0);
     };
     EXPECT_EQ(over({-2, -1}), std::pair(true, false));
