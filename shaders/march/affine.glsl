@@ -11,7 +11,6 @@ float next_sample(RayState s) {
 RayState advance(RayState s, Ray ray, float t, float f, Bounds bounds) {
     float h = s.high - s.low;
     bool is_finest = h <= finest_at(t);
-    if (im_is_nan(f)) return is_finest ? finish(s, VERDICT_NAN) : cut(s, 0.5 * h);
     // Upright: F > 0 before the piece.
     bool below = s.f_low.x < 0.0;
     vec2 slope = below ? -bounds.derivative.yx : bounds.derivative;
@@ -28,7 +27,7 @@ RayState advance(RayState s, Ray ray, float t, float f, Bounds bounds) {
     }
     if (falls && middle <= 0.0) return isolated(s, s.low, t, t - middle / slope.x);
     if (falls && end <= 0.0) return isolated(s, t, s.high, t - middle / slope.x);
-    if (is_finest) return touches_at(s, t, bounds);
+    if (is_finest) return touches_at(s, ray, t, bounds);
     // Nothing is there up to where F can first be 0.
     if (middle > 0.0 && before > 0.0) {
         return move_on(s, ray, t - middle / slope.x, s.f_low.x, 0.5 * h);

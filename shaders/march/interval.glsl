@@ -9,12 +9,11 @@ float next_sample(RayState s) {
 
 RayState advance(RayState s, Ray ray, float t, float f, Bounds bounds) {
     float h = s.high - s.low;
-    bool unknown = im_is_nan(f);
-    bool changes = !unknown && (f < 0.0) != (s.f_low.x < 0.0);
-    bool monotone = excludes_0(bounds.derivative) && !unknown;
+    bool changes = (f < 0.0) != (s.f_low.x < 0.0);
+    bool monotone = excludes_0(bounds.derivative);
     bool is_finest = h <= finest_at(t);
     if (excludes_0(bounds.value) || monotone && !changes) return move_on(s, ray, t, f, 2.0 * h);
     if (monotone) return isolated(s, s.low, s.high, t);
     if (!is_finest) return cut(s, 0.5 * h);
-    return unknown ? finish(s, VERDICT_NAN) : touches_at(s, 0.5 * (s.low + s.high), bounds);
+    return touches_at(s, ray, 0.5 * (s.low + s.high), bounds);
 }

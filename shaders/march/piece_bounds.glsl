@@ -5,10 +5,15 @@ struct Bounds {
     vec2 derivative; // of dF/dt, and of every difference quotient in the piece
 };
 
+void box_over(Ray ray, vec2 piece, out vec2 x, out vec2 y, out vec2 z) {
+    x = im_add(vec2(ray.anchor.x), im_scale(ray.direction.x, piece));
+    y = im_add(vec2(ray.anchor.y), im_scale(ray.direction.y, piece));
+    z = im_add(vec2(ray.anchor.z), im_scale(ray.direction.z, piece));
+}
+
 Bounds bounds_over(Ray ray, vec2 piece, vec3 direction) {
-    vec2 x = im_add(vec2(ray.anchor.x), im_scale(ray.direction.x, piece));
-    vec2 y = im_add(vec2(ray.anchor.y), im_scale(ray.direction.y, piece));
-    vec2 z = im_add(vec2(ray.anchor.z), im_scale(ray.direction.z, piece));
+    vec2 x, y, z;
+    box_over(ray, piece, x, y, z);
     vec4 f = field_directional_interval(x, y, z, vec2(direction.x), vec2(direction.y), vec2(direction.z));
     return Bounds(f.xy, f.zw);
 }

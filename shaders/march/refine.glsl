@@ -9,7 +9,6 @@ float finest_at(float t) {
 
 // There is no root before t, where F has the sign of f: a piece of this length is next.
 RayState move_on(RayState s, Ray ray, float t, float f, float length) {
-    if (im_is_nan(f)) return finish(s, VERDICT_NAN);
     s.phase = PHASE_MARCH;
     s.low = t;
     s.f_low.x = f;
@@ -36,13 +35,6 @@ RayState step_by_derivative(RayState s, Ray ray, float f, Bounds bounds) {
     return move_on(s, ray, free ? s.high : s.low + step, f, next);
 }
 
-// In the shortest piece at t nothing keeps F off 0: it is taken to be 0 unless it is beyond all
-// bounds there, as at a pole.
-RayState touches_at(RayState s, float t, Bounds bounds) {
-    bool bounded = abs(bounds.value.x) < IM_LARGEST && abs(bounds.value.y) < IM_LARGEST;
-    return bounded ? found(s, t) : finish(s, VERDICT_STEP_LIMIT);
-}
-
 // The piece is to be shorter.
 RayState cut(RayState s, float length) {
     s.high = s.low + length;
@@ -62,7 +54,6 @@ RayState isolated(RayState s, float low, float high, float guess) {
 
 // Newton's step where it stays between the ends, and every fourth time half of the interval.
 RayState refine(RayState s, float t, float f, float slope) {
-    if (im_is_nan(f)) return finish(s, VERDICT_NAN);
     if ((f < 0.0) == (s.f_low.x < 0.0)) s.low = t;
     else s.high = t;
     s.refinements += 1;

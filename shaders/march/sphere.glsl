@@ -9,10 +9,10 @@ float next_sample(RayState s) {
 RayState advance(RayState s, Ray ray, float t, float f, Bounds bounds) {
     float finest = finest_at(t);
     // Only rounding can step over a root.
-    bool over = !im_is_nan(f) && (f < 0.0) != (s.f_low.x < 0.0);
+    bool over = (f < 0.0) != (s.f_low.x < 0.0);
     float step = safe_step(s, f, bounds);
     bool touches = s.high - s.low <= 4.0 * finest && step < min(finest, s.high - s.low);
     if (over) return found(s, t);
-    if (touches) return touches_at(s, t + step, bounds);
+    if (touches) return touches_at(s, ray, t + step, bounds);
     return step_by_derivative(s, ray, f, bounds);
 }

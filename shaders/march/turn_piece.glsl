@@ -4,7 +4,7 @@
 RayState turn(RayState s, Ray ray) {
     bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
     bool isolates = s.phase == PHASE_MARCH;
-    if (starts) s.high = min(s.low + limits.w, ray.t_far);
+    if (starts && !(s.high > s.low)) s.high = min(s.low + limits.w, ray.t_far);
     float t = isolates ? next_sample(s) : refines ? s.f_low.y : s.low;
     vec2 piece = starts || isolates ? vec2(s.low, s.high) : vec2(t);
 #ifdef LISTS
@@ -15,6 +15,7 @@ RayState turn(RayState s, Ray ray) {
     s.evaluations += 1;
     float slope = 0.5 * (bounds.derivative.x + bounds.derivative.y);
     if (s.phase == PHASE_GRADIENT) return take_derivative(s, vec2(f, slope));
+    if (im_is_nan(f)) return no_value(s, ray);
     if (refines) return refine(s, t, f, slope);
     if (starts) return step_by_derivative(s, ray, f, bounds);
     return advance(s, ray, t, f, bounds);

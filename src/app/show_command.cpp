@@ -95,6 +95,7 @@ int show(const ShowArguments& arguments) {
     fmt::print("formula   {}\n", base::printable(scene.surface.field->text));
     fmt::print("timeline  {} frames at {} a second{}\n", scene.timeline.frames,
                animation::to_string(scene.timeline.fps), scene.timeline.loops ? ", a loop" : "");
+    fmt::print("class     {}\n", formula::words(scene.surface.smoothness));
     if (isolation.method == scene::Method::hermite) {
         fmt::print("method    hermite, safety {:g}", isolation.safety);
     } else if (!scene::takes_steps(isolation.method)) {

@@ -1,5 +1,7 @@
 #include "formula/enclosure.h"
 
+#include <algorithm>
+
 #include "formula/graph/continuity.h"
 #include "formula/graph/degree.h"
 #include "formula/graph/derivative.h"
@@ -33,8 +35,19 @@ EnclosurePrograms enclosure_programs(const Field& field) {
     const NodeId along = slope(direction(g));
     const std::array gradient{slope({one, zero, zero}), slope({zero, one, zero}),
                               slope({zero, zero, one})};
+    const NodeId jump = jumps(g, field.root);
     return {schedule(g, std::array{value}), schedule(g, std::array{value, along}),
-            schedule(g, gradient), schedule(g, std::array{jumps(g, field.root)})};
+            schedule(g, gradient), schedule(g, std::array{jump}),
+            schedule(g, std::array{jump, without_value(g, field.root)})};
+}
+
+bool may_break(const EnclosurePrograms& programs) {
+    return std::any_of(
+        programs.breaks.instructions.begin(), programs.breaks.instructions.end(),
+        [](const Instruction& now) {
+            return now.kind != Instruction::Kind::operation || now.op != Op::constant ||
+                   now.value != 0;
+        });
 }
 
 std::optional<Program> hessian_program(const Field& field) {

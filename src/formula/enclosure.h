@@ -27,9 +27,14 @@ struct EnclosurePrograms {
     Program directional;
     Program gradient;
     Program jumps; // 0 where F is continuous, else the entire line (graph/continuity.h)
+    // `jumps`, and a number above 0 over boxes where F has no value anywhere.
+    Program breaks;
 };
 
 EnclosurePrograms enclosure_programs(const Field& field);
+
+// Whether there is anything for `breaks` to tell.
+bool may_break(const EnclosurePrograms& programs);
 
 // Of polynomials: F, dF/dt and the gradient of dF/dt, inputs as of `directional`. Centred about a
 // point of the box, dF/dt is bounded by the latter as closely as its terms, which cancel, are not.

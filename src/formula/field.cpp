@@ -25,15 +25,8 @@ ArrayPacking packing_of(const Vocabulary& vocabulary, std::span<const Program* c
     return packing;
 }
 
-} // namespace
-
-Field make_field(std::string_view text, Vocabulary vocabulary) {
-    Field field;
-    field.text = text;
-    vocabulary.inputs = coordinate_names;
+void derive_programs(Field& field) {
     Graph& g = field.graph;
-    field.root = parse(text, vocabulary, g);
-
     const std::vector<NodeId> direction{g.input(first_direction), g.input(first_direction + 1),
                                         g.input(first_direction + 2)};
     const NodeId one = g.constant(1), zero = g.constant(0);
@@ -47,7 +40,24 @@ Field make_field(std::string_view text, Vocabulary vocabulary) {
     field.value = schedule(working, std::array{low[0]});
     field.directional = schedule(working, std::array{low[0], low[1]});
     field.gradient = schedule(working, std::array{low[2], low[3], low[4]});
+}
+
+} // namespace
+
+Field make_field(std::string_view text, Vocabulary vocabulary) {
+    Field field;
+    field.text = text;
+    vocabulary.inputs = coordinate_names;
+    field.root = parse(text, vocabulary, field.graph);
+    derive_programs(field);
     field.packing = packing_of(vocabulary, std::array{&field.value, &field.directional, &field.gradient});
+    return field;
+}
+
+Field scaled(Field field, double scale) {
+    field.scale *= scale;
+    field.root = field.graph.multiply(field.graph.constant(scale), field.root);
+    derive_programs(field);
     return field;
 }
 

@@ -35,7 +35,9 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
         box ? wide(now.bounds.min - face) : wide(now.bounds.centre, now.bounds.radius + face);
     block.bounds_max = wide(now.bounds.max + face);
     block.picture = glm::vec4(2.0 / width, 2.0 / height, 0, 0);
-    block.thresholds = glm::dvec4(isolation.step, isolation.near, isolation.far, isolation.horizon);
+    const double scale = scene.surface.field->scale; // of values
+    block.thresholds = glm::dvec4(isolation.step, scale * isolation.near, scale * isolation.far,
+                                  scale * isolation.horizon);
     const double eighth = 0.125 * now.bounds.radius;
     const double footprint = 2 * glm::length(rays.up) / height;
     const double spacing = 0x1p-21 * now.bounds.radius; // some roundings of t

@@ -16,6 +16,7 @@
 #include "animation/timeline.h"
 #include "formula/field.h"
 #include "formula/paint.h"
+#include "formula/smoothness.h"
 #include "scene/color_map.h"
 #include "scene/method.h"
 
@@ -53,13 +54,14 @@ struct Surface {
     std::shared_ptr<const formula::Field> field;
     int parameters = 0;        // the first tracks of the animation are the formula's parameters
     std::vector<Range> ranges; // of those among them that a scene can name
+    formula::Smoothness smoothness; // within the bounds, over all frames
     Bounds bounds;
     Placement placement;
 };
 
 // The method's settings; lengths in formula coordinates, thresholds in units of F.
 struct Isolation {
-    Method method = Method::hermite;
+    Method method = Method::hermite; // a scene without one: default_method()
     double step = 0;    // b of Eq. 2
     double near = 0;    // tau 1: the step is halved where |F| is below this
     double far = 0;     // tau 2: it is doubled where |F| is above this

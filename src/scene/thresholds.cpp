@@ -1,10 +1,15 @@
 #include "scene/thresholds.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
+#include <vector>
 
 namespace isomotion::scene {
 namespace {
+
+// Of powers of two. A method squares values that are a millionth of those across the bounds.
+constexpr int moderate = 16;
 
 // Halton's low-discrepancy sequence: the same points on every machine.
 double halton(int index, int base) {
@@ -16,45 +21,81 @@ double halton(int index, int base) {
     return result;
 }
 
-} // namespace
+struct Sample {
+    double value = 0, slope = 0;
 
-Thresholds field_thresholds(const formula::Field& field, const SceneAt& scene, double step) {
+    bool is_known() const { return std::isfinite(value) && std::isfinite(slope) && slope > 0; }
+    double distance() const { return std::abs(value) / slope; } // to the surface, to first order
+};
+
+// At points of the bounds, by arithmetic of T.
+template<class T>
+std::vector<Sample> samples_of(const formula::Field& field, const SceneAt& scene) {
     // A large sum makes each sample dear; the median needs few.
     std::vector<int> counts;
     for (const auto& array : scene.bindings.arrays) counts.push_back(array.count);
     const double operations = formula::cost(field.gradient, counts).operations;
     // But a formula at the limits (scene/limits.h) must not keep a scene from being read.
     const double least = std::clamp(1.28e8 / (operations + 1), 8.0, 128.0);
-    const int samples = int(std::clamp(2e7 / (operations + 1), least, 4096.0));
+    const int count = int(std::clamp(2e7 / (operations + 1), least, 4096.0));
 
-    formula::FieldEvaluator<double> evaluate(field);
-    const auto bindings = formula::convert<double>(scene.bindings);
-    struct Sample {
-        double distance; // first-order distance to the surface
-        double slope;
-    };
-    std::vector<Sample> found;
-    for (int k = 1; k <= samples; ++k) {
+    formula::FieldEvaluator<T> evaluate(field);
+    const auto bindings = formula::convert<T>(scene.bindings);
+    std::vector<Sample> samples;
+    for (int k = 1; k <= count; ++k) {
         const glm::dvec3 unit(halton(k, 2), halton(k, 3), halton(k, 5));
         const glm::dvec3 p = scene.bounds.min + unit * (scene.bounds.max - scene.bounds.min);
-        const std::array<double, 3> at{p.x, p.y, p.z};
-        const double f = evaluate.value(bindings, at);
+        const std::array<T, 3> at{T(p.x), T(p.y), T(p.z)};
         const auto g = evaluate.gradient(bindings, at);
-        const double slope = std::hypot(g[0], g[1], g[2]);
-        if (std::isfinite(f) && std::isfinite(slope) && slope > 0) {
-            found.push_back({std::abs(f) / slope, slope});
-        }
+        samples.push_back({double(evaluate.value(bindings, at)),
+                           std::hypot(double(g[0]), double(g[1]), double(g[2]))});
     }
-    // A field without slope at any sample says nothing of its scale: base steps everywhere.
-    if (found.empty()) return {0, 1e30, 0};
-    const auto nearest = std::ptrdiff_t(std::max<std::size_t>(1, found.size() / 8));
-    std::partial_sort(found.begin(), found.begin() + nearest, found.end(),
-                      [](const Sample& a, const Sample& b) { return a.distance < b.distance; });
-    const auto middle = found.begin() + nearest / 2;
-    std::nth_element(found.begin(), middle, found.begin() + nearest,
+    return samples;
+}
+
+// The median over the samples near the surface.
+double slope_near_surface(std::vector<Sample> samples) {
+    std::erase_if(samples, [](const Sample& sample) { return !sample.is_known(); });
+    if (samples.empty()) return 0;
+    const auto nearest = std::ptrdiff_t(std::max<std::size_t>(1, samples.size() / 8));
+    std::partial_sort(
+        samples.begin(), samples.begin() + nearest, samples.end(),
+        [](const Sample& a, const Sample& b) { return a.distance() < b.distance(); });
+    const auto middle = samples.begin() + nearest / 2;
+    std::nth_element(samples.begin(), middle, samples.begin() + nearest,
                      [](const Sample& a, const Sample& b) { return a.slope < b.slope; });
-    const double slope = middle->slope;
+    return middle->slope;
+}
+
+} // namespace
+
+double field_slope(const formula::Field& field, const SceneAt& scene) {
+    return slope_near_surface(samples_of<double>(field, scene));
+}
+
+Thresholds field_thresholds(double slope, double step) {
+    // Nothing is known of the field's scale: base steps everywhere.
+    if (slope == 0) return {0, 1e30, 0};
     return {2 * step * slope, 8 * step * slope, 0.1 * slope};
+}
+
+Float32Range float32_range(const formula::Field& field, const SceneAt& scene) {
+    const std::vector<Sample> in_floats = samples_of<float>(field, scene);
+    const std::vector<Sample> in_doubles = samples_of<double>(field, scene);
+    Float32Range range;
+    std::size_t values = 0, lost = 0;
+    for (std::size_t k = 0; k < in_floats.size(); ++k) {
+        const double exact = in_doubles[k].value, rounded = in_floats[k].value;
+        if (!std::isfinite(exact) || exact == 0) continue;
+        ++values;
+        lost += !std::isfinite(rounded) || std::abs(rounded) < double(FLT_MIN);
+        range.example = exact;
+    }
+    range.lost = values > 0 ? double(lost) / double(values) : 0;
+    const double slope = slope_near_surface(in_floats);
+    const int exponent = slope > 0 ? std::ilogb(slope) + std::ilogb(scene.bounds.radius) : 0;
+    range.scale = std::abs(exponent) <= moderate ? 1 : std::ldexp(1.0, -exponent);
+    return range;
 }
 
 } // namespace isomotion::scene

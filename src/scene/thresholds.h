@@ -1,4 +1,4 @@
-// Thresholds of Eq. 2 for scenes that give none, derived from the field itself.
+// How large a field's values are, and the thresholds of Eq. 2 for scenes that give none.
 #pragma once
 
 #include "scene/scene_at.h"
@@ -9,9 +9,22 @@ struct Thresholds {
     double near = 0, far = 0, horizon = 0;
 };
 
-// One step b off the surface F is about b |grad F|. Let g be the median of |grad F| over sample
-// points near the surface: `near` is the value two steps off, `far` the value eight steps off, and
-// `horizon` the slope of a ray within six degrees of the tangent plane.
-Thresholds field_thresholds(const formula::Field& field, const SceneAt& scene, double step);
+// The median of |grad F| over sample points near the surface; 0 of a field without slope at any.
+double field_slope(const formula::Field& field, const SceneAt& scene);
+
+// One step b off the surface F is about b |grad F|: `near` is the value two steps off, `far` the
+// value eight steps off, and `horizon` the slope of a ray within six degrees of the tangent plane.
+Thresholds field_thresholds(double slope, double step);
+
+struct Float32Range {
+    // A power of two to multiply F with (Field::scale), so that float32 neither overflows nor
+    // underflows on the way to a verdict: 1 where F comes to moderate values across the bounds, and
+    // else what brings it to 1. A field times 2^k, scaled, is the same field.
+    double scale = 1;
+    double lost = 0; // the part of sample points where float32 doesn't hold the value of F
+    double example = 0; // of such values
+};
+
+Float32Range float32_range(const formula::Field& field, const SceneAt& scene);
 
 } // namespace isomotion::scene

@@ -37,7 +37,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     static_cast<FieldStorage&>(passes) = storage_of(scene, writes_buffers);
     passes.stage = stage;
     passes.march_takes_gradient = is_long(scene.surface.field->gradient);
-    passes.samples = samples_of(scene.isolation.method, passes.march_takes_gradient);
+    passes.samples = samples_of(scene, passes.march_takes_gradient);
     const bool solves = method.steps == scene::Steps::polynomial;
     if (solves) passes.degree = scene::solved_degree(*scene.surface.field);
     passes.state_textures = method.state_textures;

@@ -49,7 +49,8 @@ enum class FieldFunction {
     value_interval,
     directional_interval,
     gradient_interval,
-    hessian_interval // of fields that have a hessian_program()
+    hessian_interval, // of fields that have a hessian_program()
+    breaks
 };
 
 // What one call of each takes. An operation on intervals is counted as so many on numbers.

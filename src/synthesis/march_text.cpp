@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "formula/enclosure.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/bernstein_text.h"
 #include "synthesis/effect_text.h"
@@ -33,14 +34,24 @@ void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes)
         text.generated("generated: from samples to Bernstein's form",
                        bernstein_text(passes.degree));
     }
-    add_files(text, scene::traits(scene.isolation.method).turn);
+    const scene::MethodTraits& method = scene::traits(scene.isolation.method);
+    if (method.samples == scene::Samples::value_and_bounds) {
+        text.file("march/refine.glsl");
+        const bool breaks = passes.samples.back() == FieldFunction::breaks;
+        text.file(breaks ? "march/breaks.glsl" : "march/no_breaks.glsl");
+        text.file("march/touches.glsl");
+    }
+    add_files(text, method.turn);
 }
 
 } // namespace
 
-std::vector<FieldFunction> samples_of(scene::Method method, bool march_takes_gradient) {
-    switch (scene::traits(method).samples) {
+std::vector<FieldFunction> samples_of(const scene::Scene& scene, bool march_takes_gradient) {
+    switch (scene::traits(scene.isolation.method).samples) {
     case scene::Samples::value_and_bounds:
+        if (formula::may_break(formula::enclosure_programs(*scene.surface.field)))
+            return {FieldFunction::value, FieldFunction::directional_interval,
+                    FieldFunction::breaks};
         return {FieldFunction::value, FieldFunction::directional_interval};
     case scene::Samples::value:
         if (!march_takes_gradient) return {FieldFunction::value};

@@ -9,7 +9,7 @@ namespace isomotion::synthesis {
 enum class Origin { eye, mirror };
 
 // What a turn of the method's march asks of the field.
-std::vector<FieldFunction> samples_of(scene::Method method, bool march_takes_gradient);
+std::vector<FieldFunction> samples_of(const scene::Scene& scene, bool march_takes_gradient);
 
 // Defines Ray, pixel_ray() and RayState: where rays come from and what is kept of them.
 void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin = Origin::eye);

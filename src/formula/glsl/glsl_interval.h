@@ -45,6 +45,10 @@ std::string glsl_directional_interval(const EnclosurePrograms& programs,
 std::string glsl_gradient_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
                                    Numbers numbers = Numbers::floats);
 
+// vec4 field_breaks(vec2 x, vec2 y, vec2 z): EnclosurePrograms::breaks
+std::string glsl_breaks(const EnclosurePrograms& programs, const ArrayPacking& packing,
+                        Numbers numbers = Numbers::floats);
+
 // void field_hessian_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz, out vec2 f,
 //                          out vec2 slope, out vec2 bx, out vec2 by, out vec2 bz):
 //                          hessian_program()

@@ -1,31 +1,14 @@
 #include "formula/graph/continuity.h"
 
 #include <array>
-#include <bit>
 #include <cmath>
-#include <limits>
 #include <vector>
 
+#include "formula/graph/decoration.h"
 #include "formula/graph/functions.h"
-#include "formula/graph/substitute.h"
 
 namespace isomotion::formula {
 namespace {
-
-NodeId entire(Graph& g) { return g.constant(std::numeric_limits<double>::quiet_NaN()); }
-
-// 0 where a node that takes single values has one of them: an interval that isn't a point is
-// neither less than itself nor not.
-NodeId unless_one_value(Graph& g, NodeId node) {
-    return g.select(node, node, entire(g), g.constant(0));
-}
-
-// 0 where a node has bounds: an interval is below the point at infinity, which begins at the
-// largest number, if it has an upper one.
-NodeId unless_bounded(Graph& g, NodeId node) {
-    return g.select(g.unary(Op::abs, node), g.constant(std::numeric_limits<double>::infinity()),
-                    g.constant(0), entire(g));
-}
 
 NodeId unless_without_kink(Graph& g, NodeId id) {
     const Node node = g[id];
@@ -64,18 +47,6 @@ NodeId unless_gap(Graph& g, NodeId id, const std::vector<bool>& is_resting) {
     default:
         return zero;
     }
-}
-
-// The sum of `decoration` of each node below, over the elements of each array that it is of.
-template<class Decoration> NodeId all_below(Graph& g, NodeId root, Decoration&& decoration) {
-    NodeId all = g.constant(0);
-    for (const NodeId id : nodes_below(g, std::array{root})) {
-        NodeId one = decoration(g, id);
-        while (const std::uint32_t arrays = g[one].arrays)
-            one = g.sum(std::countr_zero(arrays), one);
-        all = g.add(all, one);
-    }
-    return all;
 }
 
 } // namespace
@@ -153,9 +124,14 @@ NodeId without_value(Graph& g, NodeId root) {
         case Op::add:
         case Op::subtract:
         case Op::multiply:
-        case Op::divide:
             none[id] = g.add(none[a], none[b]);
             break;
+        case Op::divide: { // 0/0
+            const NodeId is_0 = g.select(zero, g.unary(Op::abs, a), zero, one);
+            const NodeId is_0_by_0 = g.select(zero, g.unary(Op::abs, b), zero, is_0);
+            none[id] = g.add(is_0_by_0, g.add(none[a], none[b]));
+            break;
+        }
         case Op::negate:
             none[id] = none[a];
             break;

@@ -57,7 +57,7 @@ NodeId lower_chebyshev(Graph& g, int n, int k, NodeId a) {
     return k == 0 ? pair.t : g.multiply(g.constant(n), pair.u);
 }
 
-NodeId rebuild(Graph& g, const Node& node, const std::array<NodeId, 4>& children) {
+NodeId lower_one(Graph& g, const Node& node, const std::array<NodeId, 4>& children) {
     switch (node.op) {
     case Op::chebyshev:
         return lower_chebyshev(g, node.index, node.second, children[0]);
@@ -99,7 +99,7 @@ std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots) {
             changed = changed || lowered[child] != child;
             child = lowered[child];
         }
-        if (changed) lowered[id] = rebuild(graph, node, children);
+        if (changed) lowered[id] = lower_one(graph, node, children);
     }
     std::vector<NodeId> result;
     for (const NodeId root : roots) result.push_back(lowered[root]);

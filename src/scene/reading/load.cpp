@@ -8,6 +8,7 @@
 #include "scene/data_folder.h"
 #include "scene/limits.h"
 #include "scene/method_domain.h"
+#include "scene/regions.h"
 #include "scene/reading/camera.h"
 #include "scene/reading/environment.h"
 #include "scene/reading/lights.h"
@@ -251,6 +252,20 @@ void check_work(const Scene& scene, const SurfaceParts& parts, const TrackTable&
     }
 }
 
+// Values that float32 doesn't hold well are multiplied by a power of two.
+void rescale(Scene& scene, const SurfaceParts& parts, const SceneAt& first) {
+    const Float32Range range = float32_range(*scene.surface.field, first);
+    if (range.lost > 0.9) {
+        fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula",
+             fmt::format("comes to values such as {:.1g} within the bounds; the GPU's numbers hold "
+                         "1e-37 to 1e38: multiply it by another number",
+                         range.example));
+    }
+    if (range.scale == 1) return;
+    scene.surface.field =
+        std::make_shared<formula::Field>(formula::scaled(*scene.surface.field, range.scale));
+}
+
 } // namespace
 
 std::string title(const fs::path& file) {
@@ -307,13 +322,17 @@ Scene load_text(std::string_view text, const fs::path& file, const std::vector<O
     check_work(scene, *parts, tracks);
     const SceneAt first = at(scene, scene.timeline.values(1));
     Isolation& isolation = scene.isolation;
+    scene.surface.smoothness = smoothness(*scene.surface.field, regions(scene, first));
+    if (!given.method) isolation.method = default_method(scene.surface.smoothness);
     if (!given.step) isolation.step = first.bounds.radius / 100;
     if (!given.near || !given.far || !given.horizon) {
-        const Thresholds found = field_thresholds(*scene.surface.field, first, isolation.step);
+        const double slope = field_slope(*scene.surface.field, first);
+        const Thresholds found = field_thresholds(slope, isolation.step);
         if (!given.near) isolation.near = found.near;
         if (!given.far) isolation.far = std::max(found.far, isolation.near);
         if (!given.horizon) isolation.horizon = found.horizon;
     }
+    rescale(scene, *parts, first);
     return scene;
 }
 

@@ -19,7 +19,9 @@ protected:
             loaded(fmt::format("[surface]\nformula = \"{}\"\nbounds = {}\n{}\n[isolation]\nnear = "
                                "1\nfar = 1\nhorizon = 1\n",
                                formula, bounds, more));
-        return field_thresholds(*scene.surface.field, at_time(scene, 0), step);
+        return field_thresholds(
+            field_slope(*scene.surface.field, at_time(scene, 0)) / scene.surface.field->scale,
+            step);
     }
     static double slope(const Thresholds& thresholds) { return thresholds.horizon / 0.1; }
 };

@@ -1,0 +1,44 @@
+// What decorations (continuity.h) are made of.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <limits>
+
+#include "formula/graph/substitute.h"
+
+namespace isomotion::formula {
+
+inline NodeId entire(Graph& g) { return g.constant(std::numeric_limits<double>::quiet_NaN()); }
+
+// 0 where a node that takes single values has one of them: an interval that isn't a point is
+// neither less than itself nor not.
+inline NodeId unless_one_value(Graph& g, NodeId node) {
+    return g.select(node, node, entire(g), g.constant(0));
+}
+
+// 0 where a is above b everywhere.
+inline NodeId unless_above(Graph& g, NodeId a, NodeId b) {
+    return g.select(b, a, g.constant(0), entire(g));
+}
+
+// 0 where a node has bounds: an interval is below the point at infinity, which begins at the
+// largest number, if it has an upper one.
+inline NodeId unless_bounded(Graph& g, NodeId node) {
+    return unless_above(g, g.constant(std::numeric_limits<double>::infinity()),
+                        g.unary(Op::abs, node));
+}
+
+// The sum of `decoration` of each node below, over the elements of each array that it is of.
+template<class Decoration> NodeId all_below(Graph& g, NodeId root, Decoration&& decoration) {
+    NodeId all = g.constant(0);
+    for (const NodeId id : nodes_below(g, std::array{root})) {
+        NodeId one = decoration(g, id);
+        while (const std::uint32_t arrays = g[one].arrays)
+            one = g.sum(std::countr_zero(arrays), one);
+        all = g.add(all, one);
+    }
+    return all;
+}
+
+} // namespace isomotion::formula

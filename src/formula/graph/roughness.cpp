@@ -1,0 +1,111 @@
+#include "formula/graph/roughness.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "formula/graph/continuity.h"
+#include "formula/graph/decoration.h"
+
+namespace isomotion::formula {
+namespace {
+
+constexpr double smooth_power = 3;
+
+// Whether a node is 0 where it has its kink, so that a power of it may be smooth there.
+bool is_0_at_kink(const Graph& g, const Node& node) {
+    if (node.op == Op::abs) return true;
+    return (node.op == Op::min || node.op == Op::max) &&
+           (g.is_constant(node.children[0], 0) || g.is_constant(node.children[1], 0));
+}
+
+// Of nodes whose every use is a power that is smooth at their kink.
+std::vector<bool> smoothed(const Graph& g, NodeId root) {
+    struct Power {
+        NodeId of = 0;
+        double exponent = 0; // 0 for what is no power of a kink
+    };
+    std::vector<Power> powers(std::size_t(root) + 1);
+    std::vector<bool> is_smooth(std::size_t(root) + 1, true);
+    const auto use = [&](const Power& power) {
+        if (power.exponent == 0) return;
+        const bool is_even = g[power.of].op == Op::abs && power.exponent == 2;
+        if (power.exponent < smooth_power && !is_even) is_smooth[power.of] = false;
+    };
+    for (const NodeId id : nodes_below(g, std::array{root})) {
+        const Node& node = g[id];
+        const Power a = node.arity > 0 ? powers[node.children[0]] : Power{};
+        const Power b = node.arity > 1 ? powers[node.children[1]] : Power{};
+        if (node.op == Op::multiply && a.exponent > 0 && b.exponent > 0 && a.of == b.of) {
+            powers[id] = {a.of, a.exponent + b.exponent};
+        } else if (node.op == Op::power && a.exponent > 0 && g.is_constant(node.children[1]) &&
+                   g[node.children[1]].value > 0) {
+            powers[id] = {a.of, a.exponent * g[node.children[1]].value};
+        } else {
+            for (std::size_t k = 0; k < node.arity; ++k) use(powers[node.children[k]]);
+            if (is_0_at_kink(g, node)) powers[id] = {id, 1};
+        }
+    }
+    use(powers[root]);
+    return is_smooth;
+}
+
+NodeId kink_of(Graph& g, NodeId id) {
+    const Node node = g[id];
+    const NodeId a = node.children[0], b = node.children[1], zero = g.constant(0);
+    switch (node.op) {
+    case Op::abs:
+        return unless_one_value(g, g.unary(Op::sign, a));
+    case Op::min:
+    case Op::max:
+    case Op::select:
+        return unless_one_value(g, g.unary(Op::sign, g.subtract(a, b)));
+    case Op::sqrt:
+        return unless_above(g, a, zero);
+    case Op::asin:
+    case Op::acos:
+        return unless_above(g, g.constant(1), g.unary(Op::abs, a));
+    case Op::power: { // where the base is 0, unless the exponent is large
+        const NodeId unless_large = unless_above(g, b, g.constant(smooth_power));
+        return g.select(zero, a, zero, unless_large);
+    }
+    default:
+        return zero;
+    }
+}
+
+NodeId pole_of(Graph& g, NodeId id) {
+    const Node node = g[id];
+    const NodeId a = node.children[0], b = node.children[1], zero = g.constant(0);
+    switch (node.op) {
+    case Op::divide:
+        return unless_above(g, g.unary(Op::abs, b), zero);
+    case Op::power:
+        return g.select(zero, a, zero, unless_above(g, b, zero));
+    case Op::log:
+        return unless_above(g, a, zero);
+    case Op::tan:
+        return unless_bounded(g, id);
+    default:
+        return zero;
+    }
+}
+
+} // namespace
+
+Roughness roughness(Graph& g, NodeId root) {
+    const std::vector<bool> is_smooth = smoothed(g, root);
+    Roughness found{};
+    found.kinks = all_below(g, root, [&](Graph& to, NodeId id) {
+        const bool is_smoothed = is_0_at_kink(to, to[id]) && is_smooth[id];
+        return is_smoothed ? to.constant(0) : kink_of(to, id);
+    });
+    found.jumps = all_below(g, root, [](Graph& to, NodeId id) {
+        const Op op = to[id].op;
+        const bool jumps = op == Op::floor || op == Op::sign || op == Op::random || op == Op::select;
+        return jumps ? unless_continuous(to, id) : to.constant(0);
+    });
+    found.poles = g.add(all_below(g, root, pole_of), gaps(g, root));
+    return found;
+}
+
+} // namespace isomotion::formula

@@ -1,0 +1,16 @@
+// Where a scene looks at its formula: the box around its bounds, and what its names stand for, over
+// all of its frames.
+#pragma once
+
+#include <vector>
+
+#include "formula/smoothness.h"
+#include "scene/scene_at.h"
+
+namespace isomotion::scene {
+
+// One for each two neighbours of some frames, their hull; of long animations what happens between
+// them alone is left out, and so are frames at which values have left their range.
+std::vector<formula::Region> regions(const Scene& scene, const SceneAt& first);
+
+} // namespace isomotion::scene
