@@ -26,6 +26,9 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     if (s.phase == PHASE_GRADIENT) return take_derivative(s, f);
     bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
     bool nan = im_is_nan(f.x);
+#ifdef ROUGH
+    if (judge_by_intervals(s, ray, t, f, longest)) return s;
+#endif
     // A slope that is not a number (a kink, say) counts as none.
     if (im_is_nan(f.y)) f.y = 0.0;
     float newton = t - f.x / f.y;

@@ -2,11 +2,6 @@
 // value of F with the sign that it has before the piece, and f_low.y the next sample of a ray that
 // closes in on its root.
 
-// The shortest piece at t: a part of the pixel, and no fewer floats than 4.
-float finest_at(float t) {
-    return max(limits.z, 4.76837158e-7 * abs(t));
-}
-
 // There is no root before t, where F has the sign of f: a piece of this length is next.
 RayState move_on(RayState s, Ray ray, float t, float f, float length) {
     s.phase = PHASE_MARCH;
@@ -33,13 +28,6 @@ RayState step_by_derivative(RayState s, Ray ray, float f, Bounds bounds) {
     // Short pieces have close bounds.
     float next = free ? 2.0 * h : clamp(2.0 * step, 0.25 * h, h);
     return move_on(s, ray, free ? s.high : s.low + step, f, next);
-}
-
-// The piece is to be shorter.
-RayState cut(RayState s, float length) {
-    s.high = s.low + length;
-    bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);
-    return gives_up ? finish(s, VERDICT_STEP_LIMIT) : s;
 }
 
 // F changes its sign in [low, high]; `guess` is where.

@@ -1,3 +1,23 @@
+// What becomes of the shortest pieces, and of pieces where F has no value.
+
+// A place where F has no root whatever its sign does (breaks.glsl) is passed.
+RayState pass_break(RayState s, Ray ray) {
+    float h = s.high - s.low;
+    s.low = s.high;
+    s.high = min(s.low + max(2.0 * h, finest_at(s.low)), ray.t_far);
+    s.phase = PHASE_START;
+    if (s.low >= ray.t_far) return finish(s, VERDICT_MISS);
+    bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);
+    return gives_up ? finish(s, VERDICT_STEP_LIMIT) : s;
+}
+
+// F is not a number at the piece's sample.
+RayState no_value(RayState s, Ray ray) {
+    float h = s.high - s.low;
+    bool passes = h <= finest_at(s.low) || has_no_value(ray, vec2(s.low, s.high));
+    return passes ? pass_break(s, ray) : cut(s, 0.5 * h);
+}
+
 // In the shortest piece, around t, nothing keeps F off 0: it is taken to be 0 unless it is beyond all
 // bounds there.
 RayState touches_at(RayState s, Ray ray, float t, Bounds bounds) {

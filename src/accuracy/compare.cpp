@@ -18,22 +18,6 @@ bool is_hit(render::Verdict verdict) {
     return verdict == render::Verdict::hit || verdict == render::Verdict::zero_gradient;
 }
 
-// What a pixel shows against what is certain of its ray; `t` is where it was hit, and places a
-// pixel's width apart are one.
-Fault judge(const truth::FirstRoot& root, bool hit, double t, double footprint) {
-    using truth::Answer;
-    if (root.answer == Answer::undecided) return Fault::undecided;
-    if (root.answer == Answer::touching && hit && t >= double(root.touch_low) - footprint &&
-        t <= double(root.touch_high) + footprint) {
-        return Fault::none;
-    }
-    const bool is_there =
-        root.answer == Answer::hit || (root.answer == Answer::touching && root.after_is_hit);
-    if (!hit) return is_there ? Fault::missed : Fault::none;
-    if (!is_there || t < double(root.low) - footprint) return Fault::false_hit;
-    return t > double(root.high) + footprint ? Fault::wrong_root : Fault::none;
-}
-
 // Whether what was proved of a pixel cannot be, by what is certain of its ray. A proof tells more
 // than judge() asks: its root is within an eighth of the pixel's width of where it was drawn, and
 // twice that is left to the rounding of positions.

@@ -10,16 +10,11 @@
 #include "render/renderer.h"
 #include "scene/scene.h"
 #include "truth/certify.h"
+#include "truth/judge.h"
 
 namespace isomotion::accuracy {
 
-enum class Fault : std::uint8_t {
-    none,
-    missed,     // a certain root, but no hit was drawn
-    false_hit,  // a hit where there certainly is no root
-    wrong_root, // a hit behind the first root
-    undecided,  // truth does not know
-};
+using truth::Fault;
 
 struct Errors {
     std::vector<Fault> faults;         // rows from the top

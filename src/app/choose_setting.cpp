@@ -35,8 +35,23 @@ std::optional<scene::Isolation> choose_setting(gpu::Context& context, const scen
     if (!found) return std::nullopt;
     const accuracy::Measurement& best = measurements[*found];
     if (!choice.quiet) {
-        fmt::print("{}: {:.1f} ppm wrong\n", accuracy::name(best.setting, scene.isolation),
-                   best.errors.wrong_ppm());
+        const auto told = [&](const accuracy::Measurement& of) {
+            return fmt::format("{}: {:.1f} ppm wrong, {:.2f} ms a frame of {}x{}",
+                               accuracy::name(of.setting, scene.isolation), of.errors.wrong_ppm(),
+                               of.ms, measuring.width, measuring.height);
+        };
+        const auto own = std::ranges::find_if(measurements, [&](const auto& each) {
+            const accuracy::Setting& s = each.setting;
+            return s.method == scene.isolation.method && s.step == scene.isolation.step &&
+                   s.safety == scene.isolation.safety && s.thresholds == 1 &&
+                   s.bisections == scene.isolation.bisections;
+        });
+        fmt::print("{}\n", told(best));
+        if (own == measurements.end() || &*own == &best) {
+            fmt::print("that is the setting without --max-wrong\n");
+        } else {
+            fmt::print("instead of {}\n", told(*own));
+        }
     }
     return accuracy::apply(best.setting, scene).isolation;
 }

@@ -16,6 +16,8 @@
 namespace isomotion::app {
 namespace {
 
+constexpr int most_audited = 1'000'000;
+
 std::string size_key(const std::string& text) {
     int width = 0, height = 0;
     const char* end = text.data() + text.size();
@@ -51,6 +53,21 @@ std::string method_key(const std::string& text) {
             fmt::format("--method: there is no method '{}'; known: {}", text, known_methods()));
     }
     return fmt::format("isolation.method=\"{}\"", text);
+}
+
+// Rays of each frame; none for as many as are cheap.
+std::optional<int> audit_of(const std::string& text) {
+    if (text == "auto") return std::nullopt;
+    if (text == "off") return 0;
+    int rays = 0;
+    const char* end = text.data() + text.size();
+    const auto [parsed, error] = std::from_chars(text.data(), end, rays);
+    if (error != std::errc{} || parsed != end || rays < 1 || rays > most_audited) {
+        throw std::invalid_argument(fmt::format(
+            "--audit {}: write auto, off, or a number of rays of each frame, 1 to {}", text,
+            most_audited));
+    }
+    return rays;
 }
 
 std::vector<int> frames_of(const RenderArguments& arguments, const scene::Scene& scene) {
@@ -124,6 +141,9 @@ std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments
         command.add_flag("--certify", a.certify,
                          "prove by interval arithmetic, pixel by pixel, that hits are first roots "
                          "and misses are none; tells how many are proved"),
+        command.add_option("--audit", a.audit,
+                           "how many rays of each frame, drawn at random, are held against "
+                           "certified truth: a number, off, or auto, as many as are cheap"),
         command.add_option("--bits", a.bits, "of a PNG: 8 or 16")->check(CLI::IsMember({8, 16})),
     };
 }
@@ -147,6 +167,7 @@ sequence::Exporter exporter_of(const RenderArguments& arguments) {
     options.frames = frames_of(arguments, scene);
     options.output = output_of(arguments, scene);
     options.bits = arguments.bits;
+    options.audit = audit_of(arguments.audit);
     options.resume = arguments.resume;
     options.movie = arguments.movie;
     try {

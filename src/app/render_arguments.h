@@ -19,7 +19,7 @@ namespace isomotion::app {
 struct RenderArguments {
     std::string scene, output, frames, size, method, backend = "auto", channels, movie;
     std::string stage = "fragment";
-    std::string step;
+    std::string step, audit = "auto";
     std::vector<std::string> settings;
     std::optional<double> max_wrong; // ppm
     int bits = 8;

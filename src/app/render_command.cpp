@@ -15,6 +15,7 @@
 #include "app/render_arguments.h"
 #include "app/stop_on_signal.h"
 #include "scene/method.h"
+#include "scene/sight.h"
 #include "sequence/exporter.h"
 
 namespace isomotion::app {
@@ -59,6 +60,8 @@ std::string summary(const sequence::ExportTotals& totals, Seconds wall) {
     if (totals.reused > 0) {
         text += frames_text(std::size_t(totals.reused)) + " equal to the one before\n";
     }
+    const audit::Findings& audit = totals.audit;
+    if (audit.rays + audit.undecided > 0) text += audit::words(audit, totals.drawn) + "\n";
     std::string reasons;
     for (const auto& [status, which] : totals.found) {
         if (status == sequence::FrameStatus::whole) {
@@ -70,6 +73,21 @@ std::string summary(const sequence::ExportTotals& totals, Seconds wall) {
     }
     if (!reasons.empty()) text += fmt::format("not kept: {}\n", reasons);
     return text;
+}
+
+void warn(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
+
+// At the first frame asked for.
+scene::Sight sight_of(const sequence::Exporter& exporter) {
+    const scene::Scene& scene = exporter.scene();
+    const int frame = exporter.options().frames.front();
+    return scene::sight(scene, scene::at(scene, scene.timeline.values(frame)));
+}
+
+bool has_hits(const sequence::ExportTotals& totals) {
+    return totals.verdicts[std::size_t(render::Verdict::hit)] +
+               totals.verdicts[std::size_t(render::Verdict::zero_gradient)] >
+           0;
 }
 
 int stopped() {
@@ -102,6 +120,8 @@ int render(const RenderArguments& arguments) {
         exporter.choose(*isolation);
     }
     say(beginning(exporter, context->info()));
+    const scene::Sight sight = sight_of(exporter);
+    for (const std::string& slip : scene::slips(sight)) warn(slip);
 
     const StopOnSignal stop;
     std::optional<Progress> progress;
@@ -109,11 +129,13 @@ int render(const RenderArguments& arguments) {
     FrameProgress of_frame(*progress);
     const sequence::ExportWatcher watcher{
         .stop = [&] { return stop.asked(); },
-        .warn = [](const std::string& text) { fmt::print(stderr, "warning: {}\n", text); },
+        .warn = warn,
         .progress = [&](const sequence::ExportProgress& now) { of_frame.show(now); }};
     const sequence::ExportTotals totals = exporter.export_frames(*context, watcher);
     progress.reset(); // its line
     if (totals.stopped) return stopped();
+    if (totals.drawn > 0 && !has_hits(totals))
+        warn(fmt::format("no ray hits anything: {}", scene::why_nothing_is_seen(sight)));
     say(summary(totals, std::chrono::steady_clock::now() - begin));
     say(fmt::format("frames: {}\n", options.output));
     if (options.movie.empty()) return exit_done;

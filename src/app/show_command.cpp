@@ -9,6 +9,7 @@
 #include "synthesis/effect.h"
 #include "scene/reading/load.h"
 #include "scene/scene_at.h"
+#include "scene/sight.h"
 #include "synthesis/assemble.h"
 
 namespace isomotion::app {
@@ -105,7 +106,10 @@ int show(const ShowArguments& arguments) {
                    scene::name(isolation.method), isolation.step, isolation.near, isolation.far,
                    isolation.horizon, isolation.bisections);
     }
-    fmt::print("{}\n", !passes.beams.empty() ? ", beams" : "");
+    const bool looks_out = isolation.method == scene::Method::hermite &&
+                           !scene.surface.smoothness.is_smooth();
+    fmt::print("{}{}\n", !passes.beams.empty() ? ", beams" : "",
+               looks_out ? "; by bounds where the formula isn't smooth" : "");
     fmt::print("frame     {} at t = {:g} s\n", arguments.frame, values.time);
     for (std::size_t k = 0; k < values.tracks.size(); ++k) {
         fmt::print("    {:<28} {:g}{}\n", scene.timeline.animation.tracks()[k].name,
@@ -119,6 +123,12 @@ int show(const ShowArguments& arguments) {
     for (const synthesis::Effect effect : synthesis::effects(scene)) called.push_back(synthesis::name(effect));
     fmt::print("effects   {}\n",
                called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
+    const scene::Sight sight = scene::sight(scene, scene::at(scene, values));
+    if (sight.values) fmt::print("nothing   {}\n", scene::why_nothing_is_seen(sight));
+    if (sight.cut > 0)
+        fmt::print("bounds    cut the surface open: {:.2g} % of their faces are behind it\n",
+                   100 * sight.cut);
+    for (const std::string& slip : scene::slips(sight)) fmt::print("likely    a slip: {}\n", slip);
     fmt::print("stage     {}\n", render::name(passes.stage));
     fmt::print("shaders   {}\n", fmt::join(passes.files(), " "));
     return exit_done;

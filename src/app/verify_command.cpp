@@ -97,6 +97,8 @@ void tell(const sequence::Verification& found) {
     if (std::accumulate(found.proofs.begin(), found.proofs.end(), std::int64_t(0)) > 0) {
         fmt::print("  {}\n", render::summary(found.proofs));
     }
+    if (found.audited > 0)
+        fmt::print("  {}\n", audit::words(sequence::findings(found.audit), found.audited));
     fmt::print("  {}\n", found.is_whole() ? "whole" : "not whole");
 }
 

@@ -5,6 +5,7 @@
 #include "formula/graph/continuity.h"
 #include "formula/graph/degree.h"
 #include "formula/graph/derivative.h"
+#include "formula/graph/roughness.h"
 
 namespace isomotion::formula {
 
@@ -38,7 +39,8 @@ EnclosurePrograms enclosure_programs(const Field& field) {
     const NodeId jump = jumps(g, field.root);
     return {schedule(g, std::array{value}), schedule(g, std::array{value, along}),
             schedule(g, gradient), schedule(g, std::array{jump}),
-            schedule(g, std::array{jump, without_value(g, field.root)})};
+            schedule(g, std::array{jump, without_value(g, field.root)}),
+            schedule(g, std::array{value, anywhere(g, roughness(g, field.root))})};
 }
 
 bool may_break(const EnclosurePrograms& programs) {

@@ -29,6 +29,8 @@ struct EnclosurePrograms {
     Program jumps; // 0 where F is continuous, else the entire line (graph/continuity.h)
     // `jumps`, and a number above 0 over boxes where F has no value anywhere.
     Program breaks;
+    // The value, and 0 where F is smooth, else the entire line (graph/roughness.h).
+    Program rough;
 };
 
 EnclosurePrograms enclosure_programs(const Field& field);

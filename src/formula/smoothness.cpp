@@ -1,11 +1,14 @@
 #include "formula/smoothness.h"
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "formula/graph/continuity.h"
 #include "formula/graph/degree.h"
 #include "formula/graph/roughness.h"
 
@@ -14,11 +17,14 @@ namespace {
 
 using Box = std::array<Interval, 3>;
 
-constexpr int most_halvings = 15; // 32 cells along each axis
+constexpr int most_halvings = 21; // 128 cells along each axis
 
-// Whether a decoration is 0 over all of a box, or over each of its parts.
+bool is_0(const Interval& decoration) { return decoration == Interval{0, 0}; }
+
+// Whether F keeps off 0 wherever a decoration isn't 0, by dividing the box.
 class Inspection {
 public:
+    // Of F, or 0 if it doesn't matter where that is, and a decoration.
     Inspection(const Program& program, double evaluations)
         : program_(program)
         , left_(evaluations) {}
@@ -27,9 +33,9 @@ public:
 
 private:
     bool holds(const Bindings<Interval>& bindings, const Box& box, int halvings) {
-        Interval decoration;
-        program_.point(bindings, box, {&decoration, 1});
-        if (decoration == Interval{0, 0}) return true;
+        std::array<Interval, 2> told;
+        program_.point(bindings, box, told);
+        if (is_0(told[1]) || told[0].lo > 0 || told[0].hi < 0) return true;
         if (halvings == most_halvings || (left_ -= 2) < 0) return false;
         std::array parts{box, box};
         const auto axis = std::size_t(halvings % 3);
@@ -42,28 +48,190 @@ private:
     double left_;
 };
 
+enum class Met {
+    nothing,
+    even_slopes, // slopes go on across what was met: as of cos(acos(min(abs(x), 1)))
+    change       // of slopes
+};
+
+// What slopes do at the places of a decoration, along random lines.
+class LineProbe {
+public:
+    LineProbe(const Program& decoration, const Program& directional)
+        : decoration_(decoration)
+        , directional_(directional) {}
+
+    Met along_lines(const Region& region, int lines) {
+        bindings_ = region.bindings;
+        numbers_.parameters.clear();
+        for (Interval& value : bindings_.parameters) {
+            value = mid(value);
+            numbers_.parameters.push_back(value.lo);
+        }
+        numbers_.arrays.clear();
+        for (auto& array : bindings_.arrays) {
+            numbers_.arrays.push_back({array.count, {}});
+            for (auto& field : array.fields) {
+                auto& column = numbers_.arrays.back().fields.emplace_back();
+                for (Interval& value : field) {
+                    value = mid(value);
+                    column.push_back(value.lo);
+                }
+            }
+        }
+        Met all = Met::nothing;
+        for (int k = 0; k < lines && all != Met::change; ++k) {
+            draw_line(region.box);
+            usual_slope_ = 0;
+            for (int part = 0; part < 16; ++part)
+                usual_slope_ += std::abs(slope((part + 0.5) / 16)) / 16;
+            for (int descent = 0; descent < 8 && all != Met::change; ++descent)
+                all = std::max(all, descend());
+        }
+        return all;
+    }
+
+private:
+    double in(const Interval& side) {
+        return side.lo + (side.hi - side.lo) * double(random_() >> 11) * 0x1p-53;
+    }
+
+    // From side to side of the box.
+    void draw_line(const Box& box) {
+        double begin = -HUGE_VAL, end = HUGE_VAL;
+        for (std::size_t k = 0; k < 3; ++k) {
+            from_[k] = in(box[k]);
+            along_[k] = in(box[k]) - from_[k];
+            const double a = (box[k].lo - from_[k]) / along_[k];
+            const double b = (box[k].hi - from_[k]) / along_[k];
+            begin = std::max(begin, std::min(a, b));
+            end = std::min(end, std::max(a, b));
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            from_[k] += begin * along_[k];
+            along_[k] *= end - begin;
+        }
+    }
+
+    // dF over the line, at a part of it.
+    double slope(double t) {
+        std::array<double, 6> inputs{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            inputs[k] = from_[k] + t * along_[k];
+            inputs[3 + k] = along_[k];
+        }
+        std::array<double, 2> f{};
+        directional_.point(numbers_, inputs, f);
+        return f[1];
+    }
+
+    bool may_be_in(double a, double b) {
+        Box box;
+        for (std::size_t k = 0; k < 3; ++k)
+            box[k] = Interval(from_[k]) + Interval(a, b) * Interval(along_[k]);
+        Interval decoration;
+        decoration_.point(bindings_, box, {&decoration, 1});
+        return !is_0(decoration);
+    }
+
+    // At one of the line's places, any.
+    Met descend() {
+        double a = 0, b = 1;
+        if (!may_be_in(a, b)) return Met::nothing;
+        while (b - a > place) {
+            const double middle = 0.5 * (a + b);
+            const bool to_the_left = random_() >> 63;
+            const bool is_there = may_be_in(to_the_left ? a : middle, to_the_left ? middle : b);
+            if (!is_there && !may_be_in(to_the_left ? middle : a, to_the_left ? b : middle))
+                return Met::nothing;
+            (to_the_left == is_there ? b : a) = middle;
+        }
+        const double before = slope(a - beside), after = slope(b + beside);
+        const double usual = std::max({usual_slope_, std::abs(before), std::abs(after)});
+        return std::abs(after - before) <= 1e-3 * usual ? Met::even_slopes : Met::change;
+    }
+
+    // Parts of a line: how closely a place is found, and from how far its slopes are taken.
+    static constexpr double place = 1e-10, beside = 1e-8;
+
+    Evaluator<Interval> decoration_;
+    Evaluator<double> directional_;
+    Bindings<Interval> bindings_;
+    Bindings<double> numbers_;
+    std::array<double, 3> from_{}, along_{};
+    double usual_slope_ = 0;
+    std::mt19937_64 random_;
+};
+
+// What is asked of one field over some regions.
+class Examination {
+public:
+    Examination(const Field& field, std::span<const Region> regions, double operations)
+        : field_(field)
+        , graph_(field.graph)
+        , regions_(regions)
+        , operations_(operations) {
+        graph_.fold_exactly();
+        for (const auto& array : regions.front().bindings.arrays) counts_.push_back(array.count);
+    }
+
+    Smoothness result() {
+        const Roughness rough = roughness(graph_, field_.root);
+        const auto any = [&](const std::vector<NodeId>& places, auto&& matters) {
+            return std::ranges::any_of(places, matters);
+        };
+        Smoothness found;
+        found.kinks = any(rough.kinks, [&](NodeId place) { return matters(place, Met::change); });
+        found.jumps = any(rough.jumps, [&](NodeId place) { return may_be_there(place); });
+        found.poles =
+            any(rough.poles, [&](NodeId place) { return matters(place, Met::even_slopes); });
+        return found;
+    }
+
+private:
+    double evaluations(const Program& program) const {
+        return operations_ / (cost(program, counts_).operations + 1);
+    }
+
+    bool may_be_there(NodeId decoration) { return may_be_near_0(decoration, graph_.constant(0)); }
+
+    bool may_be_near_0(NodeId decoration, NodeId value) {
+        const Program program = schedule(graph_, std::array{value, decoration});
+        Inspection inspection(program, evaluations(program));
+        return !std::all_of(regions_.begin(), regions_.end(),
+                            [&](const Region& region) { return inspection.holds(region); });
+    }
+
+    // Cubics may go wrong at any place that a ray can meet, also off the surface: where min(a, b)
+    // turns from a to b, b may be on its way to 0. Places that few rays meet, as
+    // sqrt(x^2 + y^2) = 0, matter where F may be 0.
+    bool matters(NodeId decoration, Met least) {
+        const Program program = schedule(graph_, std::array{decoration});
+        LineProbe probe(program, field_.directional);
+        // A line takes some 500 evaluations.
+        const double most = evaluations(program) / (500 * double(regions_.size()));
+        const int lines = int(std::clamp(most, 1.0, regions_.size() > 1 ? 8.0 : 32.0));
+        Met all = Met::nothing;
+        for (const Region& region : regions_) {
+            all = std::max(all, probe.along_lines(region, lines));
+            if (all >= least) return true;
+        }
+        return all == Met::nothing &&
+               may_be_near_0(decoration, with_gaps(graph_, field_.root));
+    }
+
+    const Field& field_;
+    Graph graph_;
+    std::span<const Region> regions_;
+    double operations_;
+    std::vector<int> counts_;
+};
+
 } // namespace
 
 Smoothness smoothness(const Field& field, std::span<const Region> regions, double operations) {
-    Graph g = field.graph;
-    g.fold_exactly();
-    const Roughness rough = roughness(g, field.root);
-    const auto may_hold = [&](NodeId decoration) {
-        if (g.is_constant(decoration, 0)) return false;
-        const Program program = schedule(g, std::array{decoration});
-        std::vector<int> counts;
-        for (const auto& array : regions.front().bindings.arrays) counts.push_back(array.count);
-        Inspection inspection(program, operations / (cost(program, counts).operations + 1));
-        return !std::all_of(regions.begin(), regions.end(),
-                            [&](const Region& region) { return inspection.holds(region); });
-    };
-    Smoothness found;
-    found.degree = degree(field.graph, field.root);
-    if (found.degree) return found;
-    found.kinks = may_hold(rough.kinks);
-    found.jumps = may_hold(rough.jumps);
-    found.poles = may_hold(rough.poles);
-    return found;
+    if (const auto polynomial = degree(field.graph, field.root)) return {.degree = polynomial};
+    return Examination(field, regions, operations).result();
 }
 
 std::string words(const Smoothness& smoothness) {

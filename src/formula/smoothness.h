@@ -1,5 +1,7 @@
 // What a formula is where it is looked at: a polynomial, smooth, with kinks, jumps or poles. By
 // intervals of what its operations are given, not by their names: sqrt(x^2 + 1) is smooth.
+//
+// This chooses how rays march, and proves nothing.
 #pragma once
 
 #include <array>
@@ -12,8 +14,8 @@
 namespace isomotion::formula {
 
 struct Smoothness {
-    std::optional<int> degree; // of a polynomial in x, y and z
-    // Whether there may be any, see graph/roughness.h.
+    std::optional<int> degree{}; // of a polynomial in x, y and z
+    // Whether there may be any that a method has to know of, see graph/roughness.h.
     bool kinks = false, jumps = false, poles = false;
 
     bool is_smooth() const { return !kinks && !jumps && !poles; }
@@ -25,11 +27,12 @@ struct Region {
     std::array<Interval, 3> box;
 };
 
-// Of all regions together. Boxes that can't be told smooth are divided, for about as many
-// operations as are allowed; what is not told then counts as rough.
+// Of all regions together, for about so many operations a place; what is not told then counts as
+// rough. Kinks count where slopes really change, on random lines, as poles do on them; what no such
+// line meets counts where F may be 0.
 Smoothness smoothness(const Field& field, std::span<const Region> regions, double operations = 2e7);
 
-// "polynomial of degree 4", "smooth", "with kinks and poles"
+// "polynomial of degree 4", "smooth", "with kinks, jumps"
 std::string words(const Smoothness& smoothness);
 
 } // namespace isomotion::formula

@@ -82,7 +82,9 @@ ViewInputs view_inputs(const scene::Scene& scene, const scene::SceneAt& now, int
 void PictureInputs::add_to(base::Fingerprint& print) const {
     // A member more does not compile here until it is part of the fingerprint.
     const auto& [across, up, of_eye, of_field, of_shading, of_effects, of_lights, of_proofs,
-                 of_motion, no_pixel] = *this;
+                 of_motion, told_by_eye, asked, no_pixel] = *this;
+    (void)told_by_eye;
+    (void)asked; // decides no pixel either
     (void)no_pixel;
     add_value(print, across);
     add_value(print, up);
@@ -136,6 +138,7 @@ PictureInputs picture_inputs(const scene::Scene& scene, const scene::SceneAt& no
     PictureInputs inputs;
     inputs.width = width;
     inputs.height = height;
+    inputs.aim = aim;
     inputs.eye = view_inputs(scene, now, width, height, aim, passes, &element_radius);
     inputs.field = field.at(scene, now, passes);
     inputs.shading = shading_block(scene, now, width, height);

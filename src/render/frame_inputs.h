@@ -62,6 +62,9 @@ struct PictureInputs {
     std::vector<LightInputs> lights;
     std::optional<ProofRays> proofs;
     std::optional<MotionInputs> motion;
+    scene::Aim aim; // which `eye` is of
+    // Pixels, row by row from the top, ascending, whose endings are wanted; these decide no pixel.
+    std::vector<int> endings_of{};
     std::chrono::duration<double> preparing{}; // the time it took; decides no pixel
 
     glm::vec4 background() const { return shading[1]; }

@@ -38,7 +38,7 @@ int texels_for_lists(const gpu::ContextInfo& info) {
 struct Planned {
     Planned(const scene::Scene& scene, const RenderOptions& options, const gpu::ContextInfo& info)
         : passes(synthesis::assemble(scene, options.channels, choose_stage(options.stage, info),
-                                     info.has(4, 3), options.finest_beam))
+                                     info.has(4, 3), options.finest_beam, options.tells_endings))
         , plan(plan_scene(scene, passes, options.width, options.height, info.max_texture_size,
                           options.plan)) {
         const bool too_little = plan.march.evaluations_per_pass <= 1; // to end a ray in one draw
@@ -71,6 +71,7 @@ struct Renderer::Parts {
         , scene(drawn)
         , options(std::move(wanted))
         , planned(scene, options, context.info())
+        , passes_print(fingerprint_of_passes())
         , table(passes)
         , record(plan.march.tile_width * plan.march.tile_height, passes.has(Role::surface))
         , planes(options.width, options.height)
@@ -129,6 +130,13 @@ struct Renderer::Parts {
         return inputs;
     }
 
+    std::string fingerprint_of_passes() const {
+        if (!options.tells_endings) return passes.fingerprint();
+        RenderOptions plain = options;
+        plain.tells_endings = false;
+        return Planned(scene, plain, context.info()).passes.fingerprint();
+    }
+
     std::string fingerprint(const std::vector<PictureInputs>& pictures) const {
         base::Fingerprint print;
         print.add(passes_print);
@@ -176,6 +184,10 @@ struct Renderer::Parts {
                 draw_beams(inputs, tile);
                 const gpu::Target* rays = draw_tile(inputs, tile, picture);
                 fill_counts(tile, picture.frame);
+                if (const auto at = endings_in(inputs)) {
+                    take_endings(inputs, tile,
+                                 result.read(*at, 0, 0, tile.width, tile.height).data(), picture);
+                }
                 if (proofs) prove_tile(inputs, tile, picture);
                 if (moved && inputs.motion) {
                     draw_velocity(*inputs.motion, *inputs.field, *rays, tile, picture.frame);
@@ -227,6 +239,25 @@ struct Renderer::Parts {
         record.read(result, 1, tile.width, tile.height);
         add(record.tally(), picture);
         return &rays;
+    }
+
+    // Takes the endings that the inputs ask for of a tile, given as rows from the bottom.
+    void take_endings(const PictureInputs& inputs, const gpu::Rectangle& tile, const float* of_tile,
+                      Picture& picture) const {
+        for (const int pixel : inputs.endings_of) {
+            const int column = pixel % options.width, row = pixel / options.width;
+            const int x = column - tile.x, y = options.height - 1 - row - tile.y;
+            if (x < 0 || y < 0 || x >= tile.width || y >= tile.height) continue;
+            picture.endings.push_back({column, row, of_tile[y * tile.width + x]});
+        }
+    }
+
+    // The attachment with the endings, if inputs ask for any.
+    std::optional<int> endings_in(const PictureInputs& inputs) const {
+        if (inputs.endings_of.empty()) return std::nullopt;
+        const auto at = std::ranges::find(passes.attachments, Channel::ending);
+        if (at == passes.attachments.end()) return std::nullopt;
+        return 2 + int(at - passes.attachments.begin());
     }
 
     // Fills the channels verdict and evaluations of the tile whose record was read last.
@@ -308,7 +339,7 @@ struct Renderer::Parts {
     Picture land() {
         PictureInFlight flight = flights.take();
         if (!flight.picture) {
-            flight.picture = read(*flight.pixels);
+            flight.picture = read(*flight.pixels, flight.inputs);
             flights.give_back(std::move(*flight.pixels));
         }
         // Some ray takes longer than a draw may.
@@ -318,7 +349,7 @@ struct Renderer::Parts {
     }
 
     // None if not all rays have ended.
-    std::optional<Picture> read(gpu::Transfer& pixels) {
+    std::optional<Picture> read(gpu::Transfer& pixels, const PictureInputs& inputs) {
         const gpu::Rectangle tile = whole();
         Picture picture;
         picture.passes = 1;
@@ -336,6 +367,10 @@ struct Renderer::Parts {
             ended = tally.rays() == std::int64_t(tile.width) * tile.height;
             if (!ended) return;
             add(tally, picture);
+            if (const auto at = endings_in(inputs)) {
+                take_endings(inputs, tile,
+                             reinterpret_cast<const float*>(begin[std::size_t(*at)]), picture);
+            }
             picture.frame = layers.blank(options.width, options.height, std::move(used));
             layers.for_each_attachment(picture.frame, [&](int k, const auto& channels) {
                 planes.copy(reinterpret_cast<const float*>(begin[std::size_t(k)]), tile, 0,
@@ -353,7 +388,7 @@ struct Renderer::Parts {
     Planned planned;
     const synthesis::Passes& passes = planned.passes;
     const ScenePlan& plan = planned.plan;
-    const std::string passes_print = passes.fingerprint();
+    const std::string passes_print; // of those that decide pixels
     PassTable table;
     Record record; // of the tile drawn last
     Planes planes;

@@ -23,12 +23,24 @@
 
 namespace isomotion::render {
 
+// Where a pixel's ray ended: t on its ray (scene/rays.h) of a hit, or one of those below.
+struct Ending {
+    int column = 0, row = 0; // from the top
+    float t = 0;
+
+    bool is_hit() const { return t != nowhere && t != unknown; }
+    bool is_known() const { return t != unknown; } // neither NaN nor out of steps
+
+    static constexpr float nowhere = 1e30f, unknown = -1e30f; // shaders/march/verdict.glsl
+};
+
 // A finished picture and what its rays went through.
 struct Picture {
     image::Frame frame;                     // R G B A and the channels asked for; no metadata
     std::array<std::int64_t, 5> verdicts{}; // rays by Verdict
     std::int64_t evaluations = 0;           // of the field, all rays together
     ProofCounts proofs{};                   // pixels by Proof; none unless certified
+    std::vector<Ending> endings;            // of the pixels that the inputs ask for
     int passes = 0;                         // march draws, all tiles together
     bool compiled = false;                  // a shader, the first time that one draw is too few
     // Preparing its inputs, upload to read-back; of one that was asked for and taken, those alone.
@@ -48,6 +60,8 @@ struct RenderOptions {
     int finest_beam = synthesis::usual_beam;
     // Whether what float32 can't prove is tried in doubles, where the driver's can be trusted.
     bool proofs_in_doubles = true;
+    // Whether inputs may ask for the endings of rays. It changes no pixel.
+    bool tells_endings = false;
     // Asked before each tile and between its passes; where it says true, draw() throws Stopped.
     std::function<bool()> stop = {};
     // Told then: the part of the picture that is drawn, in whole tiles.

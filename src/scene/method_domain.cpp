@@ -20,10 +20,6 @@ std::string refusal(Method method, const formula::Field& field) {
                        name(method), highest_solved_degree, is, name(Method::hermite));
 }
 
-Method default_method(const formula::Smoothness& smoothness) {
-    return smoothness.is_smooth() ? Method::hermite : Method::affine;
-}
-
 std::vector<Method> methods_for(const formula::Field& field) {
     std::vector<Method> methods;
     for (const MethodTraits& entry : method_traits) {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "formula/field.h"
-#include "formula/smoothness.h"
 #include "scene/method.h"
 
 namespace isomotion::scene {
@@ -17,10 +16,6 @@ inline constexpr int highest_solved_degree = 12;
 
 // Empty where the method can draw the formula, else why not.
 std::string refusal(Method method, const formula::Field& field);
-
-// What a scene is drawn by that names no method: cubics tell nothing across kinks, jumps and poles,
-// bounds hold there.
-Method default_method(const formula::Smoothness& smoothness);
 
 std::vector<Method> methods_for(const formula::Field& field);
 

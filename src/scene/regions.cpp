@@ -10,7 +10,8 @@ namespace {
 using formula::Interval, formula::Region;
 
 constexpr int most_frames = 17;
-constexpr double dear_frame = 1e6; // operations of the arrays' fields
+// Operations of the arrays' fields, and as many as those of the formula at a point are counted as.
+constexpr double dear_frame = 3e6, dear_point = 1000;
 
 Region region_of(const SceneAt& now) {
     const glm::dvec3 &low = now.bounds.min, &high = now.bounds.max;
@@ -20,27 +21,21 @@ Region region_of(const SceneAt& now) {
 
 void cover(Interval& a, const Interval& b) { a = hull(a, b); }
 
-// Elements are taken one with the other where there are as many.
+// Elements stay where they are: the hull of one's way may hold all others.
 void cover(Region& region, const Region& other) {
     for (std::size_t k = 0; k < 3; ++k) cover(region.box[k], other.box[k]);
-    auto &mine = region.bindings;
-    const auto& theirs = other.bindings;
-    for (std::size_t k = 0; k < mine.parameters.size(); ++k)
-        cover(mine.parameters[k], theirs.parameters[k]);
-    for (std::size_t a = 0; a < mine.arrays.size(); ++a) {
-        if (mine.arrays[a].count != theirs.arrays[a].count) continue;
-        for (std::size_t f = 0; f < mine.arrays[a].fields.size(); ++f) {
-            auto& field = mine.arrays[a].fields[f];
-            for (std::size_t e = 0; e < field.size(); ++e)
-                cover(field[e], theirs.arrays[a].fields[f][e]);
-        }
-    }
+    auto& mine = region.bindings.parameters;
+    const auto& theirs = other.bindings.parameters;
+    for (std::size_t k = 0; k < mine.size(); ++k) cover(mine[k], theirs[k]);
 }
 
-int frames_to_look_at(const Scene& scene) {
+int frames_to_look_at(const Scene& scene, const SceneAt& first) {
     double operations = 0;
     for (std::size_t a = 0; a < scene.timeline.animation.arrays().size(); ++a)
         operations += scene.timeline.animation.operations(a);
+    std::vector<int> counts;
+    for (const auto& array : first.bindings.arrays) counts.push_back(array.count);
+    operations += dear_point * formula::cost(scene.surface.field->value, counts).operations;
     const double most = dear_frame / (operations + 1);
     return std::clamp(int(std::min(most, double(most_frames))), 1, scene.timeline.frames);
 }
@@ -49,7 +44,7 @@ int frames_to_look_at(const Scene& scene) {
 
 std::vector<Region> regions(const Scene& scene, const SceneAt& first) {
     std::vector<Region> at_frames{region_of(first)};
-    const int count = frames_to_look_at(scene);
+    const int count = frames_to_look_at(scene, first);
     for (int k = 1; k < count; ++k) {
         const int frame =
             1 + int(std::int64_t(scene.timeline.frames - 1) * k / std::max(1, count - 1));

@@ -9,8 +9,9 @@
 
 namespace isomotion::scene {
 
-// One for each two neighbours of some frames, their hull; of long animations what happens between
-// them alone is left out, and so are frames at which values have left their range.
+// One for each two neighbours of some frames: the hull of their parameters, and the elements of the
+// first. What else happens between them is left out, and so are frames at which values have left
+// their range.
 std::vector<formula::Region> regions(const Scene& scene, const SceneAt& first);
 
 } // namespace isomotion::scene

@@ -61,7 +61,7 @@ struct Surface {
 
 // The method's settings; lengths in formula coordinates, thresholds in units of F.
 struct Isolation {
-    Method method = Method::hermite; // a scene without one: default_method()
+    Method method = Method::hermite;
     double step = 0;    // b of Eq. 2
     double near = 0;    // tau 1: the step is halved where |F| is below this
     double far = 0;     // tau 2: it is doubled where |F| is above this

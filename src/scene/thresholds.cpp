@@ -5,21 +5,13 @@
 #include <cmath>
 #include <vector>
 
+#include "scene/halton.h"
+
 namespace isomotion::scene {
 namespace {
 
 // Of powers of two. A method squares values that are a millionth of those across the bounds.
 constexpr int moderate = 16;
-
-// Halton's low-discrepancy sequence: the same points on every machine.
-double halton(int index, int base) {
-    double result = 0, weight = 1;
-    for (; index > 0; index /= base) {
-        weight /= base;
-        result += weight * (index % base);
-    }
-    return result;
-}
 
 struct Sample {
     double value = 0, slope = 0;

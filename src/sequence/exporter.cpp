@@ -1,6 +1,8 @@
 #include "sequence/exporter.h"
 
 #include <algorithm>
+#include <functional>
+#include <mutex>
 #include <utility>
 
 #include <fmt/format.h>
@@ -57,9 +59,49 @@ void check_options(const scene::Scene& scene, const ExportOptions& options, imag
 struct PendingFrame {
     int frame = 0;
     animation::Values values;
+    scene::SceneAt now;
+    scene::Aim aim; // of its first picture
     image::Metadata metadata;
     std::string fingerprint; // of its file
     bool draws = true;       // not what the frame before it shows
+};
+
+// Audits what is drawn, on the thread that writes.
+class Auditing {
+public:
+    explicit Auditing(const scene::Scene& scene)
+        : scene_(scene)
+        , auditor_(scene) {}
+
+    // None where no ray was asked for.
+    std::optional<AuditCounts> hold(int frame, const scene::SceneAt& now, const scene::Aim& aim,
+                                    std::span<const render::Ending> endings) {
+        if (endings.empty()) return std::nullopt;
+        const scene::Output& output = scene_.output;
+        const audit::Findings found =
+            auditor_.hold(frame, now, aim, output.width, output.height, endings);
+        const std::lock_guard lock(mutex_);
+        all_.add(found);
+        seconds_a_ray_ = auditor_.seconds_a_ray();
+        return AuditCounts{found.rays - found.wrong, found.wrong, found.undecided};
+    }
+
+    int affordable(double drawing_seconds) const {
+        const std::lock_guard lock(mutex_);
+        return audit::affordable(drawing_seconds, seconds_a_ray_);
+    }
+
+    audit::Findings all() const {
+        const std::lock_guard lock(mutex_);
+        return all_;
+    }
+
+private:
+    const scene::Scene& scene_;
+    audit::Auditor auditor_; // the writing thread's
+    mutable std::mutex mutex_; // of what follows
+    audit::Findings all_;
+    double seconds_a_ray_ = 0;
 };
 
 // One run over the frames. A frame is drawn while the one before is read back, and encoded and
@@ -75,6 +117,7 @@ public:
         , name_(name)
         , format_(format)
         , watcher_(watcher)
+        , auditing_(scene)
         , renderer_(context, scene, render_options())
         , sequence_(sequence_of(scene, name, format, options.channels, options.frames,
                                 context.info(), render::choose_stage(options.stage, context.info()),
@@ -92,6 +135,8 @@ public:
         } catch (const render::Stopped&) { // frames that are not whole are not written
         }
         writer_.finish();
+        totals_.audit = auditing_.all();
+        warn_of_audit();
         totals_.stopped = stopped(watcher_);
         return totals_;
     }
@@ -103,6 +148,7 @@ private:
         options.height = scene_.output.height;
         options.channels = options_.channels;
         options.stage = options_.stage;
+        options.tells_endings = options_.audit != 0;
         options.warn = [this](const std::string& text) { warn(text); };
         options.stop = [this] { return stopped(watcher_); };
         options.progress = [this](double part) { tell(part); };
@@ -129,10 +175,21 @@ private:
         if (watcher_.progress) watcher_.progress(progress_);
     }
 
+    // How many rays of the next frame to audit.
+    int rays_to_audit() const {
+        const int pixels = scene_.output.width * scene_.output.height;
+        const double drawing =
+            totals_.drawn > 0 ? totals_.drawing.count() / totals_.drawn : 0;
+        return std::min(pixels, options_.audit.value_or(auditing_.affordable(drawing)));
+    }
+
     void add(int frame) {
-        const render::FrameInputs inputs = renderer_.prepare(scene_, frame);
+        render::FrameInputs inputs = renderer_.prepare(scene_, frame);
         const std::string& pixels = inputs.fingerprint;
-        PendingFrame next{frame, inputs.values, {}, {}};
+        PendingFrame next{frame, inputs.values, inputs.now, {}, {}, {}};
+        next.aim = inputs.pictures.front().aim;
+        inputs.pictures.front().endings_of = audit::pixels_of_frame(
+            scene_.output.width, scene_.output.height, rays_to_audit(), frame);
         next.metadata = frame_metadata(scene_, inputs.now, next.values, frame);
         next.fingerprint =
             file_fingerprint(pixels, sequence_.provenance.renderer, format_, next.metadata);
@@ -186,19 +243,38 @@ private:
         }
     }
 
+    void warn_of_audit() const {
+        for (const audit::WrongPixel& pixel : totals_.audit.examples) {
+            warn(fmt::format("frame {}, pixel ({}, {}): {}", pixel.frame, pixel.column, pixel.row,
+                             truth::words(pixel.fault)));
+        }
+        if (totals_.audit.wrong == 0) return;
+        const bool by_bounds = scene_.isolation.method == scene::Method::affine;
+        warn(fmt::format("the picture is wrong in places; --method {} goes by bounds alone",
+                         scene::name(by_bounds ? scene::Method::interval : scene::Method::affine)));
+    }
+
     void write(PendingFrame& pending) {
         image::Frame image = picture_drawn_->frame;
         image.metadata = std::move(pending.metadata);
+        std::function<std::optional<AuditCounts>()> audit = [] { return std::nullopt; };
+        if (pending.draws) {
+            audit = [this, frame = pending.frame, now = std::move(pending.now), aim = pending.aim,
+                     endings = picture_drawn_->endings] {
+                return auditing_.hold(frame, now, aim, endings);
+            };
+        }
         if (!manifest_) {
-            writer_.submit(pending.frame, std::move(image));
+            writer_.submit(pending.frame, std::move(image), [audit](const WrittenFile&) { audit(); });
             return;
         }
         FrameRecord record = record_of(scene_, pending.frame, pending.values, *picture_drawn_);
         if (!pending.draws) record.drawing = 0;
         record.fingerprint = pending.fingerprint;
         record.provenance = sequence_.provenance;
-        const auto then = [manifest = manifest_, record](const WrittenFile& file) mutable {
+        const auto then = [manifest = manifest_, record, audit](const WrittenFile& file) mutable {
             sequence::add(file, record);
+            record.audit = audit();
             manifest->record(record);
         };
         writer_.submit(pending.frame, std::move(image), then);
@@ -226,6 +302,7 @@ private:
     const image::Format format_;
     const ExportWatcher& watcher_;
 
+    Auditing auditing_;
     render::Renderer renderer_;
     const Sequence sequence_;
     const ManifestWriter* const manifest_; // none for a name that holds one frame

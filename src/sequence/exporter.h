@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "audit/audit.h"
 #include "gpu/context.h"
 #include "image/encode.h"
 #include "render/renderer.h"
@@ -34,6 +35,7 @@ struct ExportOptions {
     std::vector<synthesis::Channel> channels; // of an EXR, beside the picture
     int bits = 8;                             // of a PNG: 8 or 16
     render::StageChoice stage = render::StageChoice::fragment;
+    std::optional<int> audit;    // rays of each frame; none: as many as are cheap; 0: no audit
     bool resume = false;         // keep files that these options would render again
     std::filesystem::path movie; // .mp4, .webm or .gif; empty: none
 };
@@ -57,6 +59,7 @@ struct ExportTotals {
     render::ProofCounts proofs{};                                      // pixels
     std::int64_t evaluations = 0;
     std::chrono::duration<double> drawing{};
+    audit::Findings audit; // of the frames drawn
     int drawn = 0, reused = 0; // frames; those reused show what the one before did
     std::map<FrameStatus, std::vector<int>> found; // with `resume`: how frames stood before
     bool stopped = false; // the watcher asked for it; what is written is whole

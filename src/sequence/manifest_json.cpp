@@ -158,6 +158,7 @@ template<class Visitor, Is<FrameRecord> R> void fields(Visitor& at, R& record) {
     at("drawing seconds", record.drawing);
     at("made by", record.provenance);
     at.counts("proofs", record.proofs, render::proof_names);
+    at.counts("audit", record.audit, audit_names);
 }
 
 void Writer::operator()(const char* key, const Provenance& value) {

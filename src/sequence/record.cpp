@@ -33,6 +33,14 @@ std::string difference(const Sequence& first, const Sequence& second) {
     return {};
 }
 
+audit::Findings findings(const AuditCounts& counts) {
+    audit::Findings found;
+    found.rays = counts[0] + counts[1];
+    found.wrong = counts[1];
+    found.undecided = counts[2];
+    return found;
+}
+
 void add(const WrittenFile& file, FrameRecord& record) {
     record.file = file.file.filename().string();
     record.bytes = file.bytes;

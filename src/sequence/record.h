@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "audit/audit.h"
 #include "render/proofs.h"
 #include "render/renderer.h"
 #include "sequence/writer.h"
@@ -49,6 +50,12 @@ struct Sequence {
 // Empty if frames of both may stand side by side.
 std::string difference(const Sequence& first, const Sequence& second);
 
+inline constexpr std::array audit_names{"right", "wrong", "undecided"};
+using AuditCounts = std::array<std::int64_t, audit_names.size()>;
+
+// Of the frames that were audited.
+audit::Findings findings(const AuditCounts& counts);
+
 struct FrameRecord {
     int frame = 0;
     std::string file; // its last part
@@ -61,6 +68,7 @@ struct FrameRecord {
     std::vector<std::pair<std::string, double>> parameters;
     std::array<std::int64_t, render::verdict_names.size()> verdicts{}; // rays
     std::optional<render::ProofCounts> proofs;                         // pixels, if certified
+    std::optional<AuditCounts> audit; // rays, if there was one
     std::int64_t evaluations = 0;
     double drawing = 0; // seconds; 0 for the picture of the frame before, used once more
 };

@@ -35,6 +35,10 @@ void sum_up(Verification& found, const FrameRecord& record) {
         for (std::size_t p = 0; p < found.proofs.size(); ++p)
             found.proofs[p] += (*record.proofs)[p];
     }
+    if (record.audit) {
+        for (std::size_t a = 0; a < found.audit.size(); ++a) found.audit[a] += (*record.audit)[a];
+    }
+    found.audited += record.audit.has_value();
     found.evaluations += record.evaluations;
     found.drawing += record.drawing;
 }

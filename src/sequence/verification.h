@@ -29,6 +29,8 @@ struct Verification {
     // Sums over the records of the frames that are whole.
     std::array<std::int64_t, render::verdict_names.size()> verdicts{};
     render::ProofCounts proofs{};
+    AuditCounts audit{};
+    int audited = 0; // frames
     std::int64_t evaluations = 0;
     double drawing = 0; // seconds
 

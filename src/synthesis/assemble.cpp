@@ -31,7 +31,7 @@ bool is_long(const formula::Program& gradient) { return gradient.instructions.si
 } // namespace
 
 Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels, Stage stage,
-                bool writes_buffers, int finest_beam) {
+                bool writes_buffers, int finest_beam, bool tells_endings) {
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
     Passes passes;
     static_cast<FieldStorage&>(passes) = storage_of(scene, writes_buffers);
@@ -46,7 +46,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     // light end on it.
     if (uses_beams(scene) && !solves) passes.light_beams = shadow_mask(scene) & far_lights(scene);
     std::vector<Channel> wanted = channels;
-    if (scene.isolation.certify) wanted.push_back(Channel::ending);
+    if (scene.isolation.certify || tells_endings) wanted.push_back(Channel::ending);
     passes.attachments = written_channels(wanted);
 
     const auto add = [&](Pass pass) { passes.list.push_back(std::move(pass)); };

@@ -18,9 +18,10 @@ namespace isomotion::synthesis {
 inline constexpr int usual_beam = 8;
 
 // `writes_buffers`: shaders may (OpenGL 4.3), which the lists of beams need. `finest_beam`: 8, or 1
-// for beams of single pixels, which cost more than they save.
+// for beams of single pixels, which cost more than they save. `tells_endings`: the picture has the
+// channel ending, as certified ones do.
 Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels = {},
                 Stage stage = Stage::fragment, bool writes_buffers = true,
-                int finest_beam = usual_beam);
+                int finest_beam = usual_beam, bool tells_endings = false);
 
 } // namespace isomotion::synthesis

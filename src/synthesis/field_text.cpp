@@ -80,6 +80,8 @@ formula::Program program_of(const formula::Field& field, FieldFunction function)
         return formula::enclosure_programs(field).value;
     case FieldFunction::directional_interval:
         return formula::enclosure_programs(field).directional;
+    case FieldFunction::rough:
+        return formula::enclosure_programs(field).rough;
     case FieldFunction::breaks:
         return formula::enclosure_programs(field).breaks;
     case FieldFunction::hessian_interval:
@@ -121,6 +123,9 @@ FunctionParts parts_of(const formula::Field& field, FieldFunction function,
     case FieldFunction::directional_interval:
         return {interval_kernels_used(programs.directional),
                 formula::glsl_directional_interval(programs, field.packing, numbers), true};
+    case FieldFunction::rough:
+        return {interval_kernels_used(programs.rough),
+                formula::glsl_rough(programs, field.packing, numbers), true};
     case FieldFunction::breaks:
         return {interval_kernels_used(programs.breaks),
                 formula::glsl_breaks(programs, field.packing, numbers), true};

@@ -50,6 +50,7 @@ enum class FieldFunction {
     directional_interval,
     gradient_interval,
     hessian_interval, // of fields that have a hessian_program()
+    rough,
     breaks
 };
 

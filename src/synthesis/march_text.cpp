@@ -16,13 +16,19 @@ void add_files(ShaderText& text, std::span<const std::string_view> names) {
     }
 }
 
+// Whether cubics have to look out for places where F isn't smooth.
+bool meets_rough_places(const scene::Scene& scene) {
+    return scene.isolation.method == scene::Method::hermite &&
+           !scene.surface.smoothness.is_smooth();
+}
+
 // What finds a root between two samples, or in a piece.
 void add_isolation(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
     const bool directional = passes.samples.front() == FieldFunction::directional;
-    if (method.samples == scene::Samples::value_and_bounds) {
-        text.file("march/piece_bounds.glsl");
-    } else {
+    const bool bounds = method.samples == scene::Samples::value_and_bounds;
+    if (bounds || meets_rough_places(scene)) text.file("march/piece_bounds.glsl");
+    if (!bounds) {
         text.file(directional ? "march/sample_directional.glsl" : "march/sample_value.glsl");
     }
     add_files(text, method.test);
@@ -35,31 +41,34 @@ void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes)
                        bernstein_text(passes.degree));
     }
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
-    if (method.samples == scene::Samples::value_and_bounds) {
-        text.file("march/refine.glsl");
+    const bool is_rough = meets_rough_places(scene);
+    if (method.samples == scene::Samples::value_and_bounds || is_rough) {
+        text.file("march/finest.glsl");
+        if (!is_rough) text.file("march/refine.glsl");
         const bool breaks = passes.samples.back() == FieldFunction::breaks;
         text.file(breaks ? "march/breaks.glsl" : "march/no_breaks.glsl");
-        text.file("march/touches.glsl");
+        text.file(is_rough ? "march/rough.glsl" : "march/touches.glsl");
     }
+    if (is_rough) text.define("ROUGH", 1);
     add_files(text, method.turn);
 }
 
 } // namespace
 
 std::vector<FieldFunction> samples_of(const scene::Scene& scene, bool march_takes_gradient) {
-    switch (scene::traits(scene.isolation.method).samples) {
-    case scene::Samples::value_and_bounds:
+    const scene::MethodTraits& method = scene::traits(scene.isolation.method);
+    const auto with_breaks = [&](std::vector<FieldFunction> functions) {
         if (formula::may_break(formula::enclosure_programs(*scene.surface.field)))
-            return {FieldFunction::value, FieldFunction::directional_interval,
-                    FieldFunction::breaks};
-        return {FieldFunction::value, FieldFunction::directional_interval};
-    case scene::Samples::value:
-        if (!march_takes_gradient) return {FieldFunction::value};
-        break;
-    case scene::Samples::directional:
-        break;
-    }
-    return {FieldFunction::directional};
+            functions.push_back(FieldFunction::breaks);
+        return functions;
+    };
+    if (method.samples == scene::Samples::value_and_bounds)
+        return with_breaks({FieldFunction::value, FieldFunction::directional_interval});
+    if (meets_rough_places(scene))
+        return with_breaks({FieldFunction::directional, FieldFunction::rough,
+                            FieldFunction::directional_interval});
+    const bool value_is_enough = method.samples == scene::Samples::value && !march_takes_gradient;
+    return {value_is_enough ? FieldFunction::value : FieldFunction::directional};
 }
 
 void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin) {

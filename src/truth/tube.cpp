@@ -44,8 +44,8 @@ RayPart clip(const scene::BoundsAt& bounds, const glm::dvec3& anchor, const glm:
 
 } // namespace
 
-Tubes::Tubes(const scene::SceneAt& scene, int width, int height)
-    : rays_(scene::rays(scene, width, height))
+Tubes::Tubes(const scene::SceneAt& scene, int width, int height, const scene::Aim& aim)
+    : rays_(scene::rays(scene, width, height, aim))
     , bounds_(scene.bounds)
     , width_(width)
     , height_(height) {

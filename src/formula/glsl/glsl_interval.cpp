@@ -338,6 +338,13 @@ std::string glsl_gradient_interval(const EnclosurePrograms& programs, const Arra
                               packing, numbers);
 }
 
+std::string glsl_rough(const EnclosurePrograms& programs, const ArrayPacking& packing,
+                       Numbers numbers) {
+    return emit_interval_glsl(
+        programs.rough, {"vec4 field_rough(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec4", {}},
+        packing, numbers);
+}
+
 std::string glsl_breaks(const EnclosurePrograms& programs, const ArrayPacking& packing,
                         Numbers numbers) {
     return emit_interval_glsl(

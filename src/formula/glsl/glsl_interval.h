@@ -45,6 +45,10 @@ std::string glsl_directional_interval(const EnclosurePrograms& programs,
 std::string glsl_gradient_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
                                    Numbers numbers = Numbers::floats);
 
+// vec4 field_rough(vec2 x, vec2 y, vec2 z): EnclosurePrograms::rough
+std::string glsl_rough(const EnclosurePrograms& programs, const ArrayPacking& packing,
+                       Numbers numbers = Numbers::floats);
+
 // vec4 field_breaks(vec2 x, vec2 y, vec2 z): EnclosurePrograms::breaks
 std::string glsl_breaks(const EnclosurePrograms& programs, const ArrayPacking& packing,
                         Numbers numbers = Numbers::floats);

@@ -29,15 +29,18 @@ inline NodeId unless_bounded(Graph& g, NodeId node) {
                         g.unary(Op::abs, node));
 }
 
-// The sum of `decoration` of each node below, over the elements of each array that it is of.
+// Of any element of each array that it is of.
+inline NodeId of_any_element(Graph& g, NodeId decoration) {
+    while (const std::uint32_t arrays = g[decoration].arrays)
+        decoration = g.sum(std::countr_zero(arrays), decoration);
+    return decoration;
+}
+
+// The sum of `decoration` of each node below.
 template<class Decoration> NodeId all_below(Graph& g, NodeId root, Decoration&& decoration) {
     NodeId all = g.constant(0);
-    for (const NodeId id : nodes_below(g, std::array{root})) {
-        NodeId one = decoration(g, id);
-        while (const std::uint32_t arrays = g[one].arrays)
-            one = g.sum(std::countr_zero(arrays), one);
-        all = g.add(all, one);
-    }
+    for (const NodeId id : nodes_below(g, std::array{root}))
+        all = g.add(all, of_any_element(g, decoration(g, id)));
     return all;
 }
 

@@ -94,18 +94,28 @@ NodeId pole_of(Graph& g, NodeId id) {
 
 Roughness roughness(Graph& g, NodeId root) {
     const std::vector<bool> is_smooth = smoothed(g, root);
-    Roughness found{};
-    found.kinks = all_below(g, root, [&](Graph& to, NodeId id) {
-        const bool is_smoothed = is_0_at_kink(to, to[id]) && is_smooth[id];
-        return is_smoothed ? to.constant(0) : kink_of(to, id);
-    });
-    found.jumps = all_below(g, root, [](Graph& to, NodeId id) {
-        const Op op = to[id].op;
-        const bool jumps = op == Op::floor || op == Op::sign || op == Op::random || op == Op::select;
-        return jumps ? unless_continuous(to, id) : to.constant(0);
-    });
-    found.poles = g.add(all_below(g, root, pole_of), gaps(g, root));
+    Roughness found;
+    const auto add = [&](std::vector<NodeId>& to, NodeId decoration) {
+        if (!g.is_constant(decoration, 0)) to.push_back(of_any_element(g, decoration));
+    };
+    for (const NodeId id : nodes_below(g, std::array{root})) {
+        const Op op = g[id].op;
+        const bool is_smoothed = is_0_at_kink(g, g[id]) && is_smooth[id];
+        if (!is_smoothed) add(found.kinks, kink_of(g, id));
+        if (op == Op::floor || op == Op::sign || op == Op::random || op == Op::select)
+            add(found.jumps, unless_continuous(g, id));
+        add(found.poles, pole_of(g, id));
+    }
+    add(found.poles, gaps(g, root));
     return found;
+}
+
+NodeId anywhere(Graph& g, const Roughness& roughness) {
+    NodeId all = g.constant(0);
+    for (const auto* places : {&roughness.kinks, &roughness.jumps, &roughness.poles}) {
+        for (const NodeId decoration : *places) all = g.add(all, decoration);
+    }
+    return all;
 }
 
 } // namespace isomotion::formula

@@ -323,7 +323,6 @@ Scene load_text(std::string_view text, const fs::path& file, const std::vector<O
     const SceneAt first = at(scene, scene.timeline.values(1));
     Isolation& isolation = scene.isolation;
     scene.surface.smoothness = smoothness(*scene.surface.field, regions(scene, first));
-    if (!given.method) isolation.method = default_method(scene.surface.smoothness);
     if (!given.step) isolation.step = first.bounds.radius / 100;
     if (!given.near || !given.far || !given.horizon) {
         const double slope = field_slope(*scene.surface.field, first);

@@ -1,0 +1,89 @@
+// What keeps cubics right where F isn't smooth. Over the piece between two samples intervals tell
+// whether there may be a kink, a jump or a pole; there the step is judged by bounds of F and dF/dt
+// over the piece, as in interval.glsl, and elsewhere by cubics.
+
+// A ray that begins at t, after what its samples tell nothing of. `length`: of the piece to try
+// where F has no value.
+RayState begin_at(RayState s, Ray ray, float t, float length) {
+    s.low = s.high = t;
+    s.other = vec3(length, 0.0, 0.0);
+    s.phase = PHASE_START;
+    if (t >= ray.t_far) return finish(s, VERDICT_MISS);
+    return s.evaluations >= int(limits.y) ? finish(s, VERDICT_STEP_LIMIT) : s;
+}
+
+// F has no value where the ray begins.
+RayState no_value_at_begin(RayState s, Ray ray) {
+    float finest = finest_at(s.low), length = max(s.other.x, finest);
+    bool passes = length <= finest || has_no_value(ray, vec2(s.low, s.low + length));
+    return passes ? begin_at(s, ray, s.low + length, 2.0 * length)
+                  : begin_at(s, ray, s.low, 0.5 * length);
+}
+
+// There is no root up to t, where F is f.
+RayState pass_piece(RayState s, Ray ray, float t, vec2 f, vec3 other, float longest) {
+    float next = clamp(2.0 * (t - s.low), finest_at(t), longest);
+    s.low = t;
+    s.f_low = f;
+    s.other = other;
+    s.high = min(t + next, ray.t_far);
+    s.phase = PHASE_MARCH;
+    if (t >= ray.t_far) return finish(s, VERDICT_MISS);
+    bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);
+    return gives_up ? finish(s, VERDICT_STEP_LIMIT) : s;
+}
+
+// A lower bound of F, positive at both ends of a piece of length h, by its slopes there.
+float least_between(float at_begin, float at_end, vec2 slope, float h) {
+    if (!(slope.x < 0.0)) return at_begin;
+    if (!(slope.y > 0.0)) return at_end;
+    if (!(slope.x > -IM_LARGEST) || !(slope.y < IM_LARGEST)) return -IM_LARGEST;
+    return (slope.y * at_begin - slope.x * at_end + slope.x * slope.y * h) / (slope.y - slope.x);
+}
+
+// From the sample at s.low to that at t.
+RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f, float longest) {
+    float h = t - s.low;
+    bool is_finest = h <= finest_at(t);
+    if (im_is_nan(f.x)) return is_finest ? begin_at(s, ray, t, h) : cut(s, 0.5 * h);
+    Bounds bounds = bounds_over(ray, vec2(s.low, t), ray.direction);
+    bool below = f.x < 0.0, changes = below != (s.f_low.x < 0.0);
+    bool monotone = excludes_0(bounds.derivative);
+    vec2 upright = below ? -bounds.derivative.yx : bounds.derivative;
+    float least = least_between(abs(s.f_low.x), abs(f.x), upright, h);
+    if (excludes_0(bounds.value) || !changes && (monotone || least > 0.0)) {
+        return pass_piece(s, ray, t, f, vec3(t, f), longest);
+    }
+    if (monotone) {
+        s.other = vec3(t, f);
+        s.high = s.low + 0.5 * h;
+        s.refinements = 0;
+        s.phase = PHASE_REFINE;
+        return s;
+    }
+    if (!is_finest) return cut(s, 0.5 * h);
+    if (may_break(ray, vec2(s.low, t))) return begin_at(s, ray, t, h);
+    bool bounded = abs(bounds.value.x) < IM_LARGEST && abs(bounds.value.y) < IM_LARGEST;
+    return bounded ? found(s, 0.5 * (s.low + t)) : finish(s, VERDICT_STEP_LIMIT);
+}
+
+// Whether the piece up to the sample at t was judged here, and s is what comes of it.
+bool judge_by_intervals(inout RayState s, Ray ray, float t, vec2 f, float longest) {
+    if (s.phase == PHASE_START) {
+        if (!im_is_nan(f.x)) return false;
+        s = no_value_at_begin(s, ray);
+        return true;
+    }
+    if (s.phase != PHASE_MARCH) return false;
+    vec2 x, y, z;
+    box_over(ray, vec2(s.low, t), x, y, z);
+    vec4 rough = field_rough(x, y, z);
+    if (excludes_0(rough.xy) && !im_is_nan(f.x)) {
+        vec3 behind = rough.z == 0.0 ? vec3(s.low, s.f_low) : vec3(t, f);
+        s = pass_piece(s, ray, t, f, behind, longest);
+        return true;
+    }
+    if (rough.z == 0.0 && rough.w == 0.0) return false;
+    s = advance_by_bounds(s, ray, t, f, longest);
+    return true;
+}

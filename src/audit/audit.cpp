@@ -1,0 +1,107 @@
+#include "audit/audit.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "truth/tube.h"
+
+namespace isomotion::audit {
+namespace {
+
+constexpr std::size_t most_examples = 8;
+constexpr int fewest_rays = 64, most_rays = 16'384;
+constexpr double part_of_drawing = 0.03;
+// A ray that takes more is left undecided: an audit is to be cheap, and there are other rays.
+constexpr truth::Budget budget{.evaluations = 2'000};
+
+// 30720 as "30,720".
+std::string with_commas(std::int64_t number) {
+    std::string text = std::to_string(number);
+    for (int at = int(text.size()) - 3; at > 0; at -= 3) text.insert(std::size_t(at), ",");
+    return text;
+}
+
+} // namespace
+
+void Findings::add(const Findings& other) {
+    rays += other.rays;
+    undecided += other.undecided;
+    wrong += other.wrong;
+    for (const WrongPixel& pixel : other.examples) {
+        if (examples.size() < most_examples) examples.push_back(pixel);
+    }
+}
+
+double most_wrong(std::int64_t rays) {
+    return rays > 0 ? -std::expm1(std::log(0.05) / double(rays)) : 1;
+}
+
+std::string words(const Findings& findings, int frames) {
+    const std::string rays =
+        fmt::format("audited {} ray{} of {} frame{}", with_commas(findings.rays),
+                    findings.rays == 1 ? "" : "s", with_commas(frames), frames == 1 ? "" : "s");
+    const std::string unknown =
+        findings.undecided > 0
+            ? fmt::format("; truth can't tell of {} more", with_commas(findings.undecided))
+            : "";
+    if (findings.wrong > 0)
+        return fmt::format("{}: {} wrong{}", rays, with_commas(findings.wrong), unknown);
+    if (findings.rays == 0) return rays + unknown;
+    return fmt::format("{}: none wrong (at most {} in a million, 95 % sure){}", rays,
+                       with_commas(std::llround(std::ceil(1e6 * most_wrong(findings.rays)))),
+                       unknown);
+}
+
+std::vector<int> pixels_of_frame(int width, int height, int count, int frame) {
+    std::mt19937_64 random(std::uint64_t(frame) * 0x9E3779B97F4A7C15u);
+    const std::uint64_t all = std::uint64_t(width) * std::uint64_t(height);
+    std::set<int> chosen;
+    while (chosen.size() < std::min(std::uint64_t(count), all)) chosen.insert(int(random() % all));
+    return {chosen.begin(), chosen.end()};
+}
+
+Auditor::Auditor(const scene::Scene& scene)
+    : field_(formula::enclosure_programs(*scene.surface.field)) {}
+
+Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& aim, int width,
+                       int height, std::span<const render::Ending> endings) {
+    const auto begin = std::chrono::steady_clock::now();
+    const truth::Tubes tubes(now, width, height, aim);
+    std::vector<truth::Tube> of_rays;
+    for (const render::Ending& ending : endings)
+        of_rays.push_back(tubes.at(ending.column, ending.row));
+    std::vector<truth::FirstRoot> roots(of_rays.size());
+    truth::RootFinder(field_, now, budget).find(of_rays, roots);
+
+    Findings found;
+    for (std::size_t k = 0; k < endings.size(); ++k) {
+        const render::Ending& ending = endings[k];
+        const truth::Fault fault = truth::judge(roots[k], ending.is_known() && ending.is_hit(),
+                                                double(ending.t), of_rays[k].footprint);
+        if (fault == truth::Fault::undecided) {
+            ++found.undecided;
+            continue;
+        }
+        ++found.rays;
+        if (fault == truth::Fault::none) continue;
+        ++found.wrong;
+        if (found.examples.size() < most_examples)
+            found.examples.push_back({frame, ending.column, ending.row, fault});
+    }
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    rays_ += std::int64_t(endings.size());
+    return found;
+}
+
+int affordable(double drawing_seconds, double seconds_a_ray) {
+    if (seconds_a_ray <= 0) return fewest_rays;
+    const double paid = part_of_drawing * drawing_seconds / seconds_a_ray;
+    return int(std::clamp(paid, double(fewest_rays), double(most_rays)));
+}
+
+} // namespace isomotion::audit

@@ -1,0 +1,180 @@
+#include "scene/sight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "formula/enclosure.h"
+#include "scene/halton.h"
+
+namespace isomotion::scene {
+namespace {
+
+using formula::Interval;
+
+constexpr double most_operations = 2e7;
+
+bool is_in(const BoundsAt& bounds, const glm::dvec3& p) {
+    if (bounds.shape == Bounds::Shape::sphere)
+        return glm::distance(p, bounds.centre) <= bounds.radius;
+    return glm::all(glm::lessThanEqual(bounds.min, p)) &&
+           glm::all(glm::lessThanEqual(p, bounds.max));
+}
+
+BoundsAt enlarged(BoundsAt bounds, double factor) {
+    const glm::dvec3 middle = 0.5 * (bounds.min + bounds.max);
+    bounds.min = middle + factor * (bounds.min - middle);
+    bounds.max = middle + factor * (bounds.max - middle);
+    bounds.radius *= factor;
+    return bounds;
+}
+
+// Evenly over the faces, the k-th of a sequence.
+glm::dvec3 on_faces(const BoundsAt& bounds, int k) {
+    const double u = halton(k, 2), v = halton(k, 3);
+    if (bounds.shape == Bounds::Shape::sphere) {
+        const double z = 2 * u - 1, r = std::sqrt(1 - z * z), a = 2 * std::numbers::pi * v;
+        return bounds.centre + bounds.radius * glm::dvec3(r * std::cos(a), r * std::sin(a), z);
+    }
+    const int axis = k % 3;
+    glm::dvec3 at(0);
+    at[axis] = (k / 3) % 2;
+    at[(axis + 1) % 3] = u;
+    at[(axis + 2) % 3] = v;
+    return bounds.min + at * (bounds.max - bounds.min);
+}
+
+// F's values, if intervals keep them off 0 everywhere in the bounds.
+class Enclosing {
+public:
+    Enclosing(const formula::Program& value, const SceneAt& now, double evaluations)
+        : value_(value)
+        , bindings_(formula::convert<Interval>(now.bindings))
+        , bounds_(now.bounds)
+        , left_(evaluations) {}
+
+    std::optional<Interval> values() {
+        const glm::dvec3 &a = bounds_.min, &b = bounds_.max;
+        if (!keeps_off_0({Interval{a.x, b.x}, Interval{a.y, b.y}, Interval{a.z, b.z}}, 0))
+            return std::nullopt;
+        return all_;
+    }
+
+private:
+    bool keeps_off_0(const std::array<Interval, 3>& box, int halvings) {
+        if (bounds_.shape == Bounds::Shape::sphere) {
+            Interval off = 0;
+            for (int k = 0; k < 3; ++k) {
+                const Interval d = box[std::size_t(k)] - Interval(bounds_.centre[k]);
+                off = off + d * d;
+            }
+            if (off.lo > bounds_.radius * bounds_.radius) return true;
+        }
+        Interval f;
+        value_.point(bindings_, box, {&f, 1});
+        if (f.lo > 0 || f.hi < 0) {
+            all_ = all_ ? hull(*all_, f) : f;
+            return true;
+        }
+        if (halvings == 21 || (left_ -= 2) < 0) return false;
+        std::array parts{box, box};
+        const auto axis = std::size_t(halvings % 3);
+        parts[0][axis].hi = parts[1][axis].lo = mid(box[axis]);
+        return keeps_off_0(parts[0], halvings + 1) && keeps_off_0(parts[1], halvings + 1);
+    }
+
+    formula::Evaluator<Interval> value_;
+    formula::Bindings<Interval> bindings_;
+    BoundsAt bounds_;
+    double left_;
+    std::optional<Interval> all_;
+};
+
+} // namespace
+
+Sight sight(const Scene& scene, const SceneAt& now) {
+    const formula::Field& field = *scene.surface.field;
+    std::vector<int> counts;
+    for (const auto& array : now.bindings.arrays) counts.push_back(array.count);
+    const double evaluations =
+        most_operations / (formula::cost(field.value, counts).operations + 1);
+    const int points = int(std::clamp(evaluations, 8.0, 2048.0));
+
+    formula::FieldEvaluator<double> evaluate(field);
+    const auto bindings = formula::convert<double>(now.bindings);
+    const auto f_at = [&](const glm::dvec3& p) {
+        return evaluate.value(bindings, {p.x, p.y, p.z}) / field.scale;
+    };
+    Sight found;
+    found.least = HUGE_VAL;
+    found.most = -HUGE_VAL;
+    const auto tell = [&](double f) {
+        if (f < found.least) found.least = f;
+        if (f > found.most) found.most = f;
+    };
+    // The part of faces where F is below 0.
+    const auto below_0 = [&](const BoundsAt& bounds, auto&& take) {
+        int below = 0, known = 0;
+        for (int k = 1; k <= points; ++k) {
+            const double f = f_at(on_faces(bounds, k));
+            known += !std::isnan(f);
+            below += f < 0;
+            take(f);
+        }
+        return known > 0 ? double(below) / known : 0;
+    };
+    for (int k = 1; k <= points; ++k) {
+        const glm::dvec3 unit(halton(k, 2), halton(k, 3), halton(k, 5));
+        tell(f_at(now.bounds.min + unit * (now.bounds.max - now.bounds.min)));
+    }
+    const double below = below_0(now.bounds, tell);
+    found.changes_sign = found.least < 0 && found.most > 0;
+    found.cut = std::min(below, 1 - below);
+    bool has_end = found.cut == 0;
+    for (const double factor : {1.1, 1.25, 1.5, 2.0, 3.0}) {
+        if (has_end) break;
+        const double part = below_0(enlarged(now.bounds, factor), [](double) {});
+        has_end = part == 0 || part == 1;
+        if (has_end && !scene.material.inside) found.closed_by = factor;
+    }
+    if (!found.changes_sign) {
+        found.values = Enclosing(formula::enclosure_programs(field).value, now, evaluations)
+                           .values();
+        if (found.values)
+            found.values = Interval{found.values->lo / field.scale, found.values->hi / field.scale};
+    }
+    const glm::dvec3 eye = now.placement.to_local(now.camera.position);
+    const bool is_perspective = now.camera.projection == Camera::Projection::perspective;
+    if (is_perspective && is_in(now.bounds, eye) && has_end) {
+        const double at_eye = f_at(eye);
+        found.eye_in_solid = below > 0.5 ? at_eye > 0 : at_eye < 0;
+    }
+    return found;
+}
+
+std::string why_nothing_is_seen(const Sight& sight) {
+    if (sight.values)
+        return fmt::format("there is no surface: F is {:.4g} to {:.4g} everywhere within the bounds",
+                           sight.values->lo, sight.values->hi);
+    if (sight.changes_sign)
+        return "F changes its sign within the bounds, but no ray meets its zeros: does the camera "
+               "look at them?";
+    if (sight.least > sight.most) return "F is no number at any point of the bounds that was tried";
+    return fmt::format("F is {:.4g} to {:.4g} at some points of the bounds, never 0", sight.least,
+                       sight.most);
+}
+
+std::vector<std::string> slips(const Sight& sight) {
+    std::vector<std::string> told;
+    if (sight.eye_in_solid) told.emplace_back("the camera stands inside the solid");
+    if (sight.closed_by)
+        told.push_back(fmt::format("the bounds cut the surface open: {:.2g} % of their faces are "
+                                   "inside the solid; bounds {:g} times as large would close it; a "
+                                   "back_color says that it is meant",
+                                   100 * sight.cut, *sight.closed_by));
+    return told;
+}
+
+} // namespace isomotion::scene
