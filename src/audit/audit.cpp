@@ -101,7 +101,7 @@ Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& a
 int affordable(double drawing_seconds, double seconds_a_ray) {
     if (seconds_a_ray <= 0) return fewest_rays;
     const double paid = part_of_drawing * drawing_seconds / seconds_a_ray;
-    return int(std::clamp(paid, double(fewest_rays), double(most_rays)));
+    return int(std::lround(std::clamp(paid, double(fewest_rays), double(most_rays))));
 }
 
 } // namespace isomotion::audit

@@ -21,7 +21,7 @@ struct WrongPixel {
 struct Findings {
     std::int64_t rays = 0; // of which truth is certain
     std::int64_t undecided = 0, wrong = 0;
-    std::vector<WrongPixel> examples; // some of the wrong ones
+    std::vector<WrongPixel> examples{}; // some of the wrong ones
 
     void add(const Findings& other);
 };

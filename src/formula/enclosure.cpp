@@ -1,7 +1,5 @@
 #include "formula/enclosure.h"
 
-#include <algorithm>
-
 #include "formula/graph/continuity.h"
 #include "formula/graph/degree.h"
 #include "formula/graph/derivative.h"
@@ -41,15 +39,6 @@ EnclosurePrograms enclosure_programs(const Field& field) {
             schedule(g, gradient), schedule(g, std::array{jump}),
             schedule(g, std::array{jump, without_value(g, field.root)}),
             schedule(g, std::array{value, anywhere(g, roughness(g, field.root))})};
-}
-
-bool may_break(const EnclosurePrograms& programs) {
-    return std::any_of(
-        programs.breaks.instructions.begin(), programs.breaks.instructions.end(),
-        [](const Instruction& now) {
-            return now.kind != Instruction::Kind::operation || now.op != Op::constant ||
-                   now.value != 0;
-        });
 }
 
 std::optional<Program> hessian_program(const Field& field) {

@@ -35,9 +35,6 @@ struct EnclosurePrograms {
 
 EnclosurePrograms enclosure_programs(const Field& field);
 
-// Whether there is anything for `breaks` to tell.
-bool may_break(const EnclosurePrograms& programs);
-
 // Of polynomials: F, dF/dt and the gradient of dF/dt, inputs as of `directional`. Centred about a
 // point of the box, dF/dt is bounded by the latter as closely as its terms, which cancel, are not.
 // None of other fields, where a second derivative may have no bound, or, of chebyshev, only a poor

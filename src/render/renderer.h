@@ -49,9 +49,9 @@ struct Picture {
 
 struct RenderOptions {
     int width = 0, height = 0;
-    std::vector<synthesis::Channel> channels;
+    std::vector<synthesis::Channel> channels{};
     // Instead of the plan made from the formula's cost; tests show that it changes no pixel.
-    std::optional<MarchPlan> plan;
+    std::optional<MarchPlan> plan{};
     // Told what was mended of the files that the scene names.
     std::function<void(const std::string&)> warn = {};
     // What marches the rays; it changes hits by last bits at most.

@@ -159,8 +159,8 @@ std::string why_nothing_is_seen(const Sight& sight) {
         return fmt::format("there is no surface: F is {:.4g} to {:.4g} everywhere within the bounds",
                            sight.values->lo, sight.values->hi);
     if (sight.changes_sign)
-        return "F changes its sign within the bounds, but no ray meets its zeros: does the camera "
-               "look at them?";
+        return "F changes its sign within the bounds, but no ray meets a zero there: the camera "
+               "looks elsewhere, or F jumps or has a pole";
     if (sight.least > sight.most) return "F is no number at any point of the bounds that was tried";
     return fmt::format("F is {:.4g} to {:.4g} at some points of the bounds, never 0", sight.least,
                        sight.most);

@@ -10,8 +10,8 @@
 namespace isomotion::scene {
 namespace {
 
-// Of powers of two. A method squares values that are a millionth of those across the bounds.
-constexpr int moderate = 16;
+// Exponents of two.
+constexpr int moderate_exponent = 30, largest_exponent = 1000;
 
 struct Sample {
     double value = 0, slope = 0;
@@ -71,23 +71,33 @@ Thresholds field_thresholds(double slope, double step) {
     return {2 * step * slope, 8 * step * slope, 0.1 * slope};
 }
 
-Float32Range float32_range(const formula::Field& field, const SceneAt& scene) {
+double field_scale(const formula::Field& field, const SceneAt& scene) {
+    // By floats, which are cut off at 10^30 where doubles go on.
+    double slope = slope_near_surface(samples_of<float>(field, scene));
+    if (slope == 0) slope = field_slope(field, scene);
+    if (slope == 0) return 1;
+    const int exponent = std::ilogb(slope) + std::ilogb(scene.bounds.radius);
+    if (std::abs(exponent) <= moderate_exponent) return 1;
+    return std::ldexp(1.0, -std::clamp(exponent, -largest_exponent, largest_exponent));
+}
+
+Float32Loss float32_loss(const formula::Field& field, const SceneAt& scene) {
     const std::vector<Sample> in_floats = samples_of<float>(field, scene);
     const std::vector<Sample> in_doubles = samples_of<double>(field, scene);
-    Float32Range range;
+    Float32Loss loss;
     std::size_t values = 0, lost = 0;
     for (std::size_t k = 0; k < in_floats.size(); ++k) {
-        const double exact = in_doubles[k].value, rounded = in_floats[k].value;
+        const double exact = in_doubles[k].value;
         if (!std::isfinite(exact) || exact == 0) continue;
         ++values;
-        lost += !std::isfinite(rounded) || std::abs(rounded) < double(FLT_MIN);
-        range.example = exact;
+        const bool overflows =
+            !std::isfinite(in_floats[k].value) ||
+            (!std::isfinite(in_floats[k].slope) && std::isfinite(in_doubles[k].slope));
+        lost += overflows || std::abs(exact) < double(FLT_MIN);
+        loss.example = exact;
     }
-    range.lost = values > 0 ? double(lost) / double(values) : 0;
-    const double slope = slope_near_surface(in_floats);
-    const int exponent = slope > 0 ? std::ilogb(slope) + std::ilogb(scene.bounds.radius) : 0;
-    range.scale = std::abs(exponent) <= moderate ? 1 : std::ldexp(1.0, -exponent);
-    return range;
+    loss.part = values > 0 ? double(lost) / double(values) : 0;
+    return loss;
 }
 
 } // namespace isomotion::scene

@@ -16,15 +16,16 @@ double field_slope(const formula::Field& field, const SceneAt& scene);
 // value eight steps off, and `horizon` the slope of a ray within six degrees of the tangent plane.
 Thresholds field_thresholds(double slope, double step);
 
-struct Float32Range {
-    // A power of two to multiply F with (Field::scale), so that float32 neither overflows nor
-    // underflows on the way to a verdict: 1 where F comes to moderate values across the bounds, and
-    // else what brings it to 1. A field times 2^k, scaled, is the same field.
-    double scale = 1;
-    double lost = 0; // the part of sample points where float32 doesn't hold the value of F
-    double example = 0; // of such values
+// A power of two to multiply F with (Field::scale), so that float32 neither overflows nor underflows
+// on the way to a verdict: 1 where F comes to moderate values across the bounds, and else what brings
+// it to 1. A field times 2^k, scaled, is the same field.
+double field_scale(const formula::Field& field, const SceneAt& scene);
+
+struct Float32Loss {
+    double part = 0;    // of sample points: where float32 doesn't hold F
+    double example = 0; // of F's values
 };
 
-Float32Range float32_range(const formula::Field& field, const SceneAt& scene);
+Float32Loss float32_loss(const formula::Field& field, const SceneAt& scene);
 
 } // namespace isomotion::scene

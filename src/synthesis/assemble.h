@@ -1,8 +1,9 @@
 // Scene -> passes: the files of shaders/ that the scene calls for, and the generated field.
 //
 // The text depends on the formula's structure, the bounds' shape, the method, the effects named,
-// the number of lights and the channels asked for. It depends on no value: a frame changes uniforms
-// only.
+// the number of lights and the channels asked for, and on what the scene's reading found of the
+// formula: whether it is smooth, and a power of two that it is multiplied with. It depends on no
+// other value: a frame changes uniforms only.
 #pragma once
 
 #include <vector>

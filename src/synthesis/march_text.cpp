@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "formula/enclosure.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/bernstein_text.h"
 #include "synthesis/effect_text.h"
@@ -58,8 +57,8 @@ void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes)
 std::vector<FieldFunction> samples_of(const scene::Scene& scene, bool march_takes_gradient) {
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
     const auto with_breaks = [&](std::vector<FieldFunction> functions) {
-        if (formula::may_break(formula::enclosure_programs(*scene.surface.field)))
-            functions.push_back(FieldFunction::breaks);
+        const formula::Smoothness& is = scene.surface.smoothness;
+        if (is.jumps || is.poles) functions.push_back(FieldFunction::breaks);
         return functions;
     };
     if (method.samples == scene::Samples::value_and_bounds)

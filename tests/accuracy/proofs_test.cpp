@@ -98,9 +98,9 @@ TEST_P(Proofs, GivingUpIsNoMissAndNoHit) {
         const Picture tired = draw_formula(method, "x^2 + y^2 + z^2 - 1e-4", "limit = 2");
         EXPECT_GT(count(tired, Verdict::step_limit), 500);
         EXPECT_EQ(count(tired, Verdict::hit), 0);
+        // There is no root where F has no value, and none is missed behind such a place.
         const Picture undefined = draw_formula(method, "log(x - 2) + y");
-        EXPECT_GT(count(undefined, Verdict::nan), 500);
-        EXPECT_EQ(count(undefined, Verdict::nan) + count(undefined, Verdict::miss), 48 * 48);
+        EXPECT_EQ(count(undefined, Verdict::miss), 48 * 48);
         const Picture pole = draw_formula(method, "1/(x - 0.2)");
         EXPECT_EQ(count(pole, Verdict::hit), 0);
     }

@@ -180,12 +180,24 @@ std::vector<std::string> shaders_of(const std::string& text, Stage stage) {
     return texts(assemble(scene, channels, stage));
 }
 
+// Random powers may leave what the GPU's numbers hold, which is a mistake of its own.
+bool fits_floats(const std::string& text) {
+    try {
+        scene::load_text(text, "scene.toml");
+        return true;
+    } catch (const scene::SceneError& error) {
+        if (std::string(error.what()).find("the GPU's numbers hold") == std::string::npos) throw;
+        return false;
+    }
+}
+
 class Hostile : public testing::TestWithParam<unsigned> {};
 
 TEST_P(Hostile, NamesAreNotInTheShaders) {
     Random random(GetParam());
     const Names names = hostile(random);
     SCOPED_TRACE(fmt::format("seed {}\n{}", GetParam(), scene_text(random, names)));
+    if (!fits_floats(scene_text(random, names))) return;
     for (const Stage stage : {Stage::fragment, Stage::compute}) {
         const auto evil = shaders_of(scene_text(random, names), stage);
         const auto good = shaders_of(scene_text(random, harmless(names)), stage);
@@ -252,6 +264,7 @@ TEST_P(Hostile, LoopsAreBounded) {
         text = "[surface]\nformula = \"x^12 + y^7*z - 1\"\nbounds = { sphere = 2 }\n[isolation]\n"
                "method = \"chebyshev\"\n[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n";
     }
+    if (!fits_floats(text)) return;
     int loops = 0;
     for (const std::string& shader : shaders_of(text, Stage::fragment)) {
         const std::string code = fuzz::without_comments(shader);

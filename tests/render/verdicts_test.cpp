@@ -29,7 +29,9 @@ TEST_P(Verdicts, EveryPixelHasOneAndTheChannelAgreesWithTheCount) {
 }
 
 TEST_P(Verdicts, NaNIsReportedAndPaintedMagenta) {
-    const Picture picture = draw_formula("log(x - 2) + y"); // x < 2 everywhere in the bounds
+    // x < 2 everywhere in the bounds. The paper's methods stop there.
+    const Picture picture =
+        draw_formula("log(x - 2) + y", "[isolation]\nmethod = \"amp-sign\"\n");
     const auto nan = count(picture, Verdict::nan);
     EXPECT_GT(nan, 500);
     EXPECT_EQ(nan + count(picture, Verdict::miss), 48 * 48); // rays beside the bounds miss
@@ -57,11 +59,39 @@ TEST_P(Verdicts, AStepTooSmallForFloatEndsInTheStepLimit) {
 }
 
 TEST_P(Verdicts, ZeroGradientIsAHitWithAFiniteNormal) {
-    // A jump: the sign changes where the slope is 0 on either side.
-    const Picture picture = draw_formula("sign(x - 0.2)");
+    // A jump: the sign changes where the slope is 0 on either side. Signs alone tell of it.
+    const Picture picture =
+        draw_formula("sign(x - 0.2)", "[isolation]\nmethod = \"amp-sign\"\n");
     EXPECT_GT(count(picture, Verdict::zero_gradient), 100);
     for (const char* name : {"N.X", "N.Y", "N.Z", "R", "G", "B"}) {
         for (const float v : picture.frame.find(name)->samples) ASSERT_TRUE(std::isfinite(v));
+    }
+}
+
+// F is 0 nowhere: by default there is no surface.
+TEST_P(Verdicts, JumpsPolesAndMissingValuesAreNoRoots) {
+    for (const char* formula : {"sign(x - 0.2)", "floor(3*x) + 0.5 + 0*y", "1/(x - 0.1)",
+                                "log(x - 2) + y", "1/(x*y*z) + 1e-3*sign(z)"}) {
+        for (const char* method : {"hermite", "affine", "interval", "sphere"}) {
+            const Picture picture =
+                draw_formula(formula, std::string("[isolation]\nmethod = \"") + method + "\"\n");
+            EXPECT_EQ(count(picture, Verdict::miss), 48 * 48) << formula << " by " << method;
+        }
+    }
+}
+
+// ... and a root behind one is found.
+TEST_P(Verdicts, RootsBehindJumpsAndMissingValuesAreFound) {
+    const Picture plain = draw_formula("x + 0.4*y - 0.1");
+    EXPECT_GT(count(plain, Verdict::hit), 800);
+    for (const char* formula :
+         {"x + 0.4*y - 0.1 + 0*log(0.7 - x)", "(x + 0.4*y - 0.1)*(2 + sign(x - 0.8))",
+          "(x + 0.4*y - 0.1)*(1 + 1/(x - 0.9)^2)", "(x + 0.4*y - 0.1)*(1 + log(0.8 - x)^2)"}) {
+        for (const char* method : {"hermite", "affine", "interval", "sphere"}) {
+            const Picture picture =
+                draw_formula(formula, std::string("[isolation]\nmethod = \"") + method + "\"\n");
+            EXPECT_EQ(picture.verdicts, plain.verdicts) << formula << " by " << method;
+        }
     }
 }
 

@@ -28,9 +28,13 @@ struct Bound {
 struct HardCase {
     std::string name;
     std::string scene; // TOML
-    std::vector<Bound> bounds;
+    std::vector<Bound> bounds; // of methods that are asked for
     // The same points by a formula that is easier to certify, as G for G^2; empty for `scene`.
     std::string truth = {};
+    double by_default = 0; // of what a scene gets that names no method, as in Bound
+    // Whether F passes 10^30 on the way to the surface, or is noise there: its size matters.
+    bool is_cut_off = false;
+    bool is_drawn_by_chance = false; // no row of the table
 };
 
 inline void PrintTo(const HardCase& a_case, std::ostream* out) { *out << a_case.name; }
@@ -48,7 +52,8 @@ struct Looked {
 // prints at its end.
 Looked look(const HardCase& a_case, scene::Method method);
 
-// Looks with each method that has a bound and expects it to hold: no NaN, no ray out of steps,
+// Looks with what a scene gets that names no method, at three sizes of F and two of the scene, and
+// with each method that has a bound, and expects the bounds to hold: no NaN, no ray out of steps,
 // nothing crooked either.
 void expect_bounds(const HardCase& a_case);
 

@@ -253,17 +253,18 @@ void check_work(const Scene& scene, const SurfaceParts& parts, const TrackTable&
 }
 
 // Values that float32 doesn't hold well are multiplied by a power of two.
-void rescale(Scene& scene, const SurfaceParts& parts, const SceneAt& first) {
-    const Float32Range range = float32_range(*scene.surface.field, first);
-    if (range.lost > 0.9) {
-        fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula",
-             fmt::format("comes to values such as {:.1g} within the bounds; the GPU's numbers hold "
-                         "1e-37 to 1e38: multiply it by another number",
-                         range.example));
+void rescale(Scene& scene, SurfaceParts& parts, const SceneAt& first) {
+    const double scale = field_scale(*scene.surface.field, first);
+    if (scale != 1) {
+        scene.surface.field = parts.surface.field =
+            std::make_shared<formula::Field>(formula::scaled(*scene.surface.field, scale));
     }
-    if (range.scale == 1) return;
-    scene.surface.field =
-        std::make_shared<formula::Field>(formula::scaled(*scene.surface.field, range.scale));
+    const Float32Loss loss = float32_loss(*scene.surface.field, first);
+    if (loss.part <= 0.9) return;
+    fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula",
+         fmt::format("comes to values such as {:.1g} within the bounds; the GPU's numbers hold 1e-37 "
+                     "to 1e38: multiply it by another number",
+                     loss.example / scale));
 }
 
 } // namespace
@@ -332,6 +333,8 @@ Scene load_text(std::string_view text, const fs::path& file, const std::vector<O
         if (!given.horizon) isolation.horizon = found.horizon;
     }
     rescale(scene, *parts, first);
+    // Curvatures are quotients of the same field's slopes.
+    if (painted) scene.material.paint = make_paint(*painted, *parts);
     return scene;
 }
 

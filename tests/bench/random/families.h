@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,8 @@ struct Family {
 };
 
 std::span<const Family> families();
+
+inline void PrintTo(const Family& family, std::ostream* out) { *out << family.name; }
 
 // A scene, as TOML, seen by a camera somewhere outside of its bounds.
 std::string random_scene(const Family& family, std::uint64_t seed, int size);

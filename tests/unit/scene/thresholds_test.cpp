@@ -1,6 +1,7 @@
 #include "scene/thresholds.h"
 
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -131,6 +132,60 @@ TEST_F(FieldThresholds, FillInWhatASceneLeavesOut) {
 
     const Isolation coarse = loaded(text + "[isolation]\nstep = 0.12\n").isolation;
     EXPECT_NEAR(coarse.near, 10 * all.near, 1e-9);
+}
+
+class FieldScale : public Scenes {
+protected:
+    std::shared_ptr<const formula::Field> field(const std::string& factor,
+                                                const std::string& formula) const {
+        return loaded("[surface]\nformula = \"" + factor + "*(" + formula +
+                      ")\"\nbounds = { sphere = 1.2 }\n")
+            .surface.field;
+    }
+};
+
+// Whatever the factor, a power of two: shaders get the same numbers.
+TEST_F(FieldScale, MakesScaledFieldsTheSame) {
+    for (const std::string& formula : {sphere, std::string("sin(3*x) + y*exp(z)")}) {
+        const auto one = field("1", formula);
+        EXPECT_EQ(one->scale, 1);
+        formula::FieldEvaluator<float> unscaled(*one);
+        std::set<float> ratios;
+        for (const int k : {-110, -100, -60, -40, 40, 60, 100, 110}) {
+            const auto other = field(fmt::format("2^({})", k), formula);
+            formula::FieldEvaluator<float> scaled(*other);
+            for (const std::array p : {std::array{0.3f, -0.7f, 0.41f}, {0.9f, 0.2f, -0.33f}})
+                ratios.insert(scaled.value({}, p) / unscaled.value({}, p));
+        }
+        ASSERT_EQ(ratios.size(), 1u);
+        EXPECT_EQ(std::ldexp(1.0f, std::ilogb(*ratios.begin())), *ratios.begin());
+    }
+}
+
+TEST_F(FieldScale, LeavesModerateFieldsAlone) {
+    for (const char* factor : {"0.001", "1", "-40", "3000"}) EXPECT_EQ(field(factor, sphere)->scale, 1);
+}
+
+// The factor and the scale are one number.
+TEST_F(FieldScale, FactorsBeyondFloatsAreScaledToo) {
+    const float one = formula::FieldEvaluator<float>(*field("1", sphere)).value({}, {0.5f, 0, 0});
+    for (const char* factor : {"2^140", "2^200", "2^(-150)", "2^(-200)"}) {
+        const auto other = field(factor, sphere);
+        const float ratio =
+            formula::FieldEvaluator<float>(*other).value({}, {0.5f, 0, 0}) / one;
+        EXPECT_EQ(std::ldexp(1.0f, std::ilogb(ratio)), ratio) << factor;
+    }
+}
+
+TEST_F(FieldScale, ValuesBeyondFloatsAreAMistake) {
+    try {
+        field("1", "(x*1e20)^2*(y*1e20)^2*z");
+        ADD_FAILURE();
+    } catch (const SceneError& error) {
+        EXPECT_NE(std::string(error.what()).find("surface.formula: comes to values such as"),
+                  std::string::npos)
+            << error.what();
+    }
 }
 
 } // namespace

@@ -63,12 +63,12 @@ bounds = { sphere = "3 + t", centre = [1, 2, 3] }
 placement = { translate = [5, 0, "t"], rotate = [0, 30, 0], scale = 1000 }
 [parameters]
 a = { keys = [[0, 0.0], [2, 3.1]], ease = "smooth" }
-b = -1e-20
+b = -1e-2
 [arrays.blobs]
 count = 5
 cx = 'random(i, 0)'
 cy = 'cos(t*i)'
-k = 9
+k = 0.01
 w = 4
 [isolation]
 method = "hermite"
@@ -332,6 +332,7 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         texts.push_back(surface_text("x", bounds) + "certify = true\n");
         texts.push_back(surface_text(all_kernels, bounds) + "certify = true\n");
         texts.push_back(surface_text("x", bounds, "hermite"));
+        texts.push_back(surface_text("abs(x)", bounds, "hermite")); // with kinks alone
         texts.push_back(blobs_text(75, bounds, "hermite"));
     }
     for (const auto& text : texts) {

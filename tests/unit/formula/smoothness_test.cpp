@@ -1,0 +1,90 @@
+// What a formula is said to be, by what it is and not by the names in it.
+#include "formula/smoothness.h"
+
+#include <gtest/gtest.h>
+
+namespace isomotion::formula {
+namespace {
+
+Smoothness of(const std::string& text, Interval parameter = 1, double radius = 1.5) {
+    Vocabulary vocabulary;
+    vocabulary.parameters = {"p"};
+    const Field field = make_field(text, vocabulary);
+    const Interval side{-radius, radius};
+    Region region{{}, {side, side, side}};
+    region.bindings.parameters = {parameter};
+    return smoothness(field, {&region, 1});
+}
+
+std::string words_of(const std::string& text, Interval parameter = 1) {
+    return words(of(text, parameter));
+}
+
+TEST(Smoothness, OfPolynomialsIsTheirDegree) {
+    EXPECT_EQ(words_of("x^2 + y^2 + z^2 - 1"), "polynomial of degree 2");
+    EXPECT_EQ(words_of("(x^2 + y^2 + z^2)^3 - p*x*y"), "polynomial of degree 6");
+    EXPECT_EQ(words_of("x/p + y"), "polynomial of degree 1");
+}
+
+TEST(Smoothness, IsOfTheBoundsNotOfTheNames) {
+    for (const char* text :
+         {"sin(x) + cos(y)*exp(z)", "sqrt(x^2 + y^2 + 0.1) - z", "1/(1 + x^2) - y", "log(x + 2) + z",
+          "abs(x + 2) + y", "max(x, y + 4) - z", "tan(x/2) + y", "acos(x/3) - z",
+          "(x + 2)^0.3 - y", "floor(x/10 + 0.5) + y + z*x", "sign(x + 4)*y - z + x^2*sin(z)"}) {
+        EXPECT_EQ(words_of(text), "smooth") << text;
+    }
+}
+
+TEST(Smoothness, KinksAreWhereSlopesChange) {
+    for (const char* text :
+         {"abs(x) + y", "min(x, y) - 0.1", "max(x^2 + y^2 - 1, z)", "abs(x^2 + y^2 + z^2 - 1) - 0.1",
+          "abs(x)^0.3 + y", "sqrt(abs(x)) + y^2 - 0.5", "abs(x)^1.0001 - y", "asin(x) - y",
+          "sqrt(x) + y", "sqrt(x^2 + y^2) - z"}) { // a cone: no line meets its tip, but F is 0 there
+        EXPECT_EQ(words_of(text), "with kinks") << text;
+    }
+}
+
+TEST(Smoothness, KinksAcrossWhichSlopesGoOnAreNone) {
+    for (const char* text :
+         {"abs(x)^2 + y + sin(z)", "abs(x)^3 + y", "max(0, 1 - x^2 - y^2)^3 - 0.2",
+          "max(0, 1 - x^2 - y^2)^2 - 0.2", "cos(6*acos(abs(x)/2)) + y", "abs(x)^p + y",
+          "max(x, 0)^2 - max(-x, 0)^2 + sin(y)",
+          "(1 - sqrt(x^2 + y^2))^2 + z^2 - 0.1"}) { // a torus: its axis is off the surface
+        EXPECT_EQ(words_of(text, 2.5), "smooth") << text;
+    }
+    // What a parameter comes to decides.
+    EXPECT_EQ(words_of("abs(x)^p + y", 0.8), "with kinks");
+    EXPECT_EQ(words_of("(p - sqrt(x^2 + y^2))^2 + z^2 - 0.25", Interval(0.4, 0.6)), "with kinks");
+}
+
+TEST(Smoothness, JumpsAndPolesCount) {
+    for (const char* text : {"floor(3*x) + y", "sign(x) + y - 0.1", "x - floor(x)"})
+        EXPECT_TRUE(of(text).jumps) << text;
+    for (const char* text : {"1/x + y", "1/(x - 0.3) + 1/(y + 0.2) + z", "tan(3*x) + y",
+                             "log(x) + y", "x^(-3) + y", "log(x + 0.5) - 1", "x^0.5*log(y)"})
+        EXPECT_TRUE(of(text).poles) << text;
+    // A pole that no ray meets and around which F is large changes nothing.
+    EXPECT_EQ(words_of("1/(x^2 + y^2 + z^2) - 1"), "smooth");
+    EXPECT_TRUE(of("(x^2 - y)/(x^2 + y^2 + z^2)").poles);
+}
+
+// Some field of an element decides, whichever.
+TEST(Smoothness, OfSumsIsThatOfAllElements) {
+    Vocabulary vocabulary;
+    vocabulary.arrays = {{"blobs", {{"c", {}}, {"a", {}}}}};
+    const auto with = [&](const char* text, double last) {
+        const Field field = make_field(text, vocabulary);
+        const Interval side{-1, 1};
+        Region region{{}, {side, side, side}};
+        region.bindings.arrays = {{3, {{0, 0.2, 0.4}, {0.1, 0.1, last}}}};
+        return words(smoothness(field, {&region, 1}));
+    };
+    EXPECT_EQ(with("sum(blobs, exp(-(x - c)^2)) - 1", 0.1), "smooth");
+    EXPECT_EQ(with("sum(blobs, abs(x - c)) - 1", 0.1), "with kinks");
+    EXPECT_EQ(with("sum(blobs, abs(y - c + 3)) - 1 + sin(x)", 0.1), "smooth");
+    EXPECT_EQ(with("sum(blobs, abs(y - c - 3 + 30*a)) - 1 + sin(x)", 10), "with kinks");
+    EXPECT_EQ(with("sum(blobs, max(0, 1 - (x - c)^2/a)^3) - 0.5", 0.1), "smooth");
+}
+
+} // namespace
+} // namespace isomotion::formula

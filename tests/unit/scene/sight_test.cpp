@@ -1,0 +1,78 @@
+#include "scene/sight.h"
+
+#include <fmt/format.h>
+
+#include "testing.h"
+
+namespace isomotion::scene {
+namespace {
+
+class Sighting : public Scenes {
+protected:
+    Sight of(const std::string& formula, const std::string& bounds = "{ sphere = 1.5 }",
+             const std::string& more = "") const {
+        const Scene scene = loaded(fmt::format("[surface]\nformula = \"{}\"\nbounds = {}\n{}",
+                                               formula, bounds, more));
+        return sight(scene, at_time(scene, 0));
+    }
+};
+
+TEST_F(Sighting, AFormulaWithoutAZeroIsTold) {
+    for (const char* bounds : {"{ sphere = 1.5 }", "{ box = [[-1, -1, -1], [1, 1, 1]] }"}) {
+        const Sight empty = of("x^2 + y^2 + z^2 + 0.25", bounds);
+        ASSERT_TRUE(empty.values.has_value()) << bounds;
+        EXPECT_NEAR(empty.values->lo, 0.25, 1e-6);
+        EXPECT_GE(empty.values->hi, 2.5);
+        EXPECT_NE(why_nothing_is_seen(empty).find("there is no surface: F is 0.25 to"),
+                  std::string::npos);
+    }
+    // In the user's units, whatever they are.
+    EXPECT_NEAR(of("1e20*(x^2 + y^2 + z^2 + 0.25)").values->lo, 0.25e20, 1e14);
+    EXPECT_LT(of("-(x^2 + y^2 + z^2 + 0.25)").values->hi, 0);
+}
+
+TEST_F(Sighting, AFormulaWithAZeroIsNotSaidToHaveNone) {
+    for (const char* formula :
+         {"x^2 + y^2 + z^2 - 1", "x^2", "x^2 + y^2 + z^2", "abs(x) - 1e-9", "1/x", "log(x)"}) {
+        EXPECT_FALSE(of(formula).values.has_value()) << formula;
+    }
+}
+
+TEST_F(Sighting, AClosedSurfaceThatIsCutIsASlip) {
+    const Sight cut = of("x^2 + y^2 + (z - 1)^2 - 0.7", "{ sphere = 1.5 }");
+    EXPECT_GT(cut.cut, 0.01);
+    EXPECT_EQ(cut.closed_by, 1.25);
+    ASSERT_EQ(slips(cut).size(), 1u);
+    EXPECT_NE(slips(cut)[0].find("1.25 times as large"), std::string::npos);
+    // The other side is to be seen.
+    EXPECT_TRUE(slips(of("x^2 + y^2 + (z - 1)^2 - 0.7", "{ sphere = 1.5 }",
+                         "[material]\nback_color = [1, 0, 0]\n"))
+                    .empty());
+}
+
+TEST_F(Sighting, ASurfaceWithoutAnEndIsNoSlip) {
+    for (const char* formula : {"z - 0.2*x", "x*y*z - 0.1", "x^2 + y^2 - z^2 - 0.1"}) {
+        const Sight endless = of(formula);
+        EXPECT_GT(endless.cut, 0) << formula;
+        EXPECT_TRUE(slips(endless).empty()) << formula;
+    }
+    EXPECT_TRUE(slips(of("x^2 + y^2 + z^2 - 1")).empty());
+}
+
+TEST_F(Sighting, ACameraInTheSolidIsASlip) {
+    const std::string inside = "[camera]\nposition = [0.1, 0, 0.2]\ntarget = [1, 1, 1]\n";
+    for (const char* formula : {"x^2 + y^2 + z^2 - 1", "1 - x^2 - y^2 - z^2"}) {
+        EXPECT_TRUE(of(formula, "{ sphere = 1.5 }", inside).eye_in_solid) << formula;
+        EXPECT_FALSE(of(formula).eye_in_solid) << formula;
+    }
+    // In a hollow, or without an end to tell the solid by.
+    EXPECT_FALSE(of("abs(x^2 + y^2 + z^2 - 1) - 0.2", "{ sphere = 1.5 }", inside).eye_in_solid);
+    EXPECT_FALSE(of("z - 3*x", "{ sphere = 1.5 }", inside).eye_in_solid);
+}
+
+TEST_F(Sighting, FormulasWithoutANumberAreSaidToHaveNone) {
+    EXPECT_NE(why_nothing_is_seen(of("log(x - 5)")).find("no number"), std::string::npos);
+}
+
+} // namespace
+} // namespace isomotion::scene
