@@ -63,9 +63,9 @@ std::optional<int> audit_of(const std::string& text) {
     const char* end = text.data() + text.size();
     const auto [parsed, error] = std::from_chars(text.data(), end, rays);
     if (error != std::errc{} || parsed != end || rays < 1 || rays > most_audited) {
-        throw std::invalid_argument(fmt::format(
-            "--audit {}: write auto, off, or a number of rays of each frame, 1 to {}", text,
-            most_audited));
+        throw std::invalid_argument(
+            fmt::format("--audit {}: write auto, off, or a number of rays of each frame, 1 to {}",
+                        text, most_audited));
     }
     return rays;
 }

@@ -6,11 +6,11 @@
 #include "app/commands.h"
 #include "base/printable.h"
 #include "render/stage.h"
-#include "synthesis/effect.h"
 #include "scene/reading/load.h"
 #include "scene/scene_at.h"
 #include "scene/sight.h"
 #include "synthesis/assemble.h"
+#include "synthesis/effect.h"
 
 namespace isomotion::app {
 namespace {
@@ -106,8 +106,8 @@ int show(const ShowArguments& arguments) {
                    scene::name(isolation.method), isolation.step, isolation.near, isolation.far,
                    isolation.horizon, isolation.bisections);
     }
-    const bool looks_out = isolation.method == scene::Method::hermite &&
-                           !scene.surface.smoothness.is_smooth();
+    const bool looks_out =
+        isolation.method == scene::Method::hermite && !scene.surface.smoothness.is_smooth();
     fmt::print("{}{}\n", !passes.beams.empty() ? ", beams" : "",
                looks_out ? "; by bounds where the formula isn't smooth" : "");
     fmt::print("frame     {} at t = {:g} s\n", arguments.frame, values.time);
@@ -120,7 +120,8 @@ int show(const ShowArguments& arguments) {
         fmt::print("    {:<28} {} elements\n", array.name, values.arrays[a].count);
     }
     std::vector<std::string_view> called;
-    for (const synthesis::Effect effect : synthesis::effects(scene)) called.push_back(synthesis::name(effect));
+    for (const synthesis::Effect effect : synthesis::effects(scene))
+        called.push_back(synthesis::name(effect));
     fmt::print("effects   {}\n",
                called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
     const scene::Sight sight = scene::sight(scene, scene::at(scene, values));

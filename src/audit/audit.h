@@ -1,5 +1,5 @@
-// Pictures that vouch for themselves: some rays of each, drawn at random, are held against certified
-// truth. An audit changes no pixel.
+// Pictures that vouch for themselves: some rays of each, drawn at random, are held against
+// certified truth. An audit changes no pixel.
 #pragma once
 
 #include <cstdint>

@@ -35,8 +35,10 @@ EnclosurePrograms enclosure_programs(const Field& field) {
     const std::array gradient{slope({one, zero, zero}), slope({zero, one, zero}),
                               slope({zero, zero, one})};
     const NodeId jump = jumps(g, field.root);
-    return {schedule(g, std::array{value}), schedule(g, std::array{value, along}),
-            schedule(g, gradient), schedule(g, std::array{jump}),
+    return {schedule(g, std::array{value}),
+            schedule(g, std::array{value, along}),
+            schedule(g, gradient),
+            schedule(g, std::array{jump}),
             schedule(g, std::array{jump, without_value(g, field.root)}),
             schedule(g, std::array{value, anywhere(g, roughness(g, field.root))})};
 }

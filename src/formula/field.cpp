@@ -50,7 +50,8 @@ Field make_field(std::string_view text, Vocabulary vocabulary) {
     vocabulary.inputs = coordinate_names;
     field.root = parse(text, vocabulary, field.graph);
     derive_programs(field);
-    field.packing = packing_of(vocabulary, std::array{&field.value, &field.directional, &field.gradient});
+    field.packing =
+        packing_of(vocabulary, std::array{&field.value, &field.directional, &field.gradient});
     return field;
 }
 
@@ -67,10 +68,11 @@ std::string glsl_value(const Field& field) {
 }
 
 std::string glsl_directional(const Field& field) {
-    return emit_glsl(
-        field.directional,
-        {"vec2 field_directional(vec3 p, vec3 d)", "vec2", {"p.x", "p.y", "p.z", "d.x", "d.y", "d.z"}},
-        field.packing);
+    return emit_glsl(field.directional,
+                     {"vec2 field_directional(vec3 p, vec3 d)",
+                      "vec2",
+                      {"p.x", "p.y", "p.z", "d.x", "d.y", "d.z"}},
+                     field.packing);
 }
 
 std::string glsl_gradient(const Field& field) {

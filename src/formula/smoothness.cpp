@@ -216,8 +216,7 @@ private:
             all = std::max(all, probe.along_lines(region, lines));
             if (all >= least) return true;
         }
-        return all == Met::nothing &&
-               may_be_near_0(decoration, with_gaps(graph_, field_.root));
+        return all == Met::nothing && may_be_near_0(decoration, with_gaps(graph_, field_.root));
     }
 
     const Field& field_;

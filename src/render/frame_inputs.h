@@ -15,10 +15,10 @@
 #include <glm/glm.hpp>
 
 #include "base/fingerprint.h"
-#include "render/uniform_blocks.h"
 #include "render/element_radius.h"
 #include "render/motion.h"
 #include "render/proof_rays.h"
+#include "render/uniform_blocks.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
 #include "synthesis/pass.h"

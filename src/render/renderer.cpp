@@ -368,8 +368,8 @@ struct Renderer::Parts {
             if (!ended) return;
             add(tally, picture);
             if (const auto at = endings_in(inputs)) {
-                take_endings(inputs, tile,
-                             reinterpret_cast<const float*>(begin[std::size_t(*at)]), picture);
+                take_endings(inputs, tile, reinterpret_cast<const float*>(begin[std::size_t(*at)]),
+                             picture);
             }
             picture.frame = layers.blank(options.width, options.height, std::move(used));
             layers.for_each_attachment(picture.frame, [&](int k, const auto& channels) {

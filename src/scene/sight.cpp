@@ -140,8 +140,8 @@ Sight sight(const Scene& scene, const SceneAt& now) {
         if (has_end && !scene.material.inside) found.closed_by = factor;
     }
     if (!found.changes_sign) {
-        found.values = Enclosing(formula::enclosure_programs(field).value, now, evaluations)
-                           .values();
+        found.values =
+            Enclosing(formula::enclosure_programs(field).value, now, evaluations).values();
         if (found.values)
             found.values = Interval{found.values->lo / field.scale, found.values->hi / field.scale};
     }
@@ -156,8 +156,9 @@ Sight sight(const Scene& scene, const SceneAt& now) {
 
 std::string why_nothing_is_seen(const Sight& sight) {
     if (sight.values)
-        return fmt::format("there is no surface: F is {:.4g} to {:.4g} everywhere within the bounds",
-                           sight.values->lo, sight.values->hi);
+        return fmt::format(
+            "there is no surface: F is {:.4g} to {:.4g} everywhere within the bounds",
+            sight.values->lo, sight.values->hi);
     if (sight.changes_sign)
         return "F changes its sign within the bounds, but no ray meets a zero there: the camera "
                "looks elsewhere, or F jumps or has a pole";

@@ -13,7 +13,7 @@ namespace isomotion::scene {
 struct Sight {
     // All of F, where intervals show that it has no zero within the bounds.
     std::optional<formula::Interval> values;
-    bool changes_sign = false; // at some points
+    bool changes_sign = false;  // at some points
     double least = 0, most = 0; // at those points
     // The part of the bounds' faces on which F has the sign that most of them do not: there the
     // surface is cut open.

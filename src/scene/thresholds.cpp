@@ -50,9 +50,8 @@ double slope_near_surface(std::vector<Sample> samples) {
     std::erase_if(samples, [](const Sample& sample) { return !sample.is_known(); });
     if (samples.empty()) return 0;
     const auto nearest = std::ptrdiff_t(std::max<std::size_t>(1, samples.size() / 8));
-    std::partial_sort(
-        samples.begin(), samples.begin() + nearest, samples.end(),
-        [](const Sample& a, const Sample& b) { return a.distance() < b.distance(); });
+    std::partial_sort(samples.begin(), samples.begin() + nearest, samples.end(),
+                      [](const Sample& a, const Sample& b) { return a.distance() < b.distance(); });
     const auto middle = samples.begin() + nearest / 2;
     std::nth_element(samples.begin(), middle, samples.begin() + nearest,
                      [](const Sample& a, const Sample& b) { return a.slope < b.slope; });

@@ -16,9 +16,9 @@ double field_slope(const formula::Field& field, const SceneAt& scene);
 // value eight steps off, and `horizon` the slope of a ray within six degrees of the tangent plane.
 Thresholds field_thresholds(double slope, double step);
 
-// A power of two to multiply F with (Field::scale), so that float32 neither overflows nor underflows
-// on the way to a verdict: 1 where F comes to moderate values across the bounds, and else what brings
-// it to 1. A field times 2^k, scaled, is the same field.
+// A power of two to multiply F with (Field::scale), so that float32 neither overflows nor
+// underflows on the way to a verdict: 1 where F comes to moderate values across the bounds, and
+// else what brings it to 1. A field times 2^k, scaled, is the same field.
 double field_scale(const formula::Field& field, const SceneAt& scene);
 
 struct Float32Loss {

@@ -98,7 +98,7 @@ public:
 
 private:
     const scene::Scene& scene_;
-    audit::Auditor auditor_; // the writing thread's
+    audit::Auditor auditor_;   // the writing thread's
     mutable std::mutex mutex_; // of what follows
     audit::Findings all_;
     double seconds_a_ray_ = 0;
@@ -178,8 +178,7 @@ private:
     // How many rays of the next frame to audit.
     int rays_to_audit() const {
         const int pixels = scene_.output.width * scene_.output.height;
-        const double drawing =
-            totals_.drawn > 0 ? totals_.drawing.count() / totals_.drawn : 0;
+        const double drawing = totals_.drawn > 0 ? totals_.drawing.count() / totals_.drawn : 0;
         return std::min(pixels, options_.audit.value_or(auditing_.affordable(drawing)));
     }
 
@@ -265,7 +264,8 @@ private:
             };
         }
         if (!manifest_) {
-            writer_.submit(pending.frame, std::move(image), [audit](const WrittenFile&) { audit(); });
+            writer_.submit(pending.frame, std::move(image),
+                           [audit](const WrittenFile&) { audit(); });
             return;
         }
         FrameRecord record = record_of(scene_, pending.frame, pending.values, *picture_drawn_);

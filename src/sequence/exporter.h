@@ -59,7 +59,7 @@ struct ExportTotals {
     render::ProofCounts proofs{};                                      // pixels
     std::int64_t evaluations = 0;
     std::chrono::duration<double> drawing{};
-    audit::Findings audit; // of the frames drawn
+    audit::Findings audit;     // of the frames drawn
     int drawn = 0, reused = 0; // frames; those reused show what the one before did
     std::map<FrameStatus, std::vector<int>> found; // with `resume`: how frames stood before
     bool stopped = false; // the watcher asked for it; what is written is whole

@@ -68,7 +68,7 @@ struct FrameRecord {
     std::vector<std::pair<std::string, double>> parameters;
     std::array<std::int64_t, render::verdict_names.size()> verdicts{}; // rays
     std::optional<render::ProofCounts> proofs;                         // pixels, if certified
-    std::optional<AuditCounts> audit; // rays, if there was one
+    std::optional<AuditCounts> audit;                                  // rays, if there was one
     std::int64_t evaluations = 0;
     double drawing = 0; // seconds; 0 for the picture of the frame before, used once more
 };

@@ -16,7 +16,7 @@ struct RayPart {
 // The part of a line inside the bounds, which are grown by `margin` on all sides (shrunk if it is
 // negative).
 RayPart clip(const scene::BoundsAt& bounds, const glm::dvec3& anchor, const glm::dvec3& direction,
-          double margin) {
+             double margin) {
     if (bounds.shape == scene::Bounds::Shape::sphere) {
         const double radius = bounds.radius + margin;
         const glm::dvec3 from = anchor - bounds.centre;

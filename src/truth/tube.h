@@ -1,9 +1,9 @@
 // All the rays that single precision may make of one pixel's ray.
 //
-// The shader computes a ray and the points on it in float32 from the uniforms of render/uniform_blocks.h. A
-// tube is the ray in double from the same float32 values, thickened by what float32 arithmetic can
-// add to it (scene/ray_rounding.h): what holds for all of a tube holds for the ray that was drawn.
-// Formula coordinates.
+// The shader computes a ray and the points on it in float32 from the uniforms of
+// render/uniform_blocks.h. A tube is the ray in double from the same float32 values, thickened by
+// what float32 arithmetic can add to it (scene/ray_rounding.h): what holds for all of a tube holds
+// for the ray that was drawn. Formula coordinates.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -66,8 +66,8 @@ class Audits : public render::Drawing {
 protected:
     render::Picture with_endings(const scene::Scene& scene, int rays, int width = 90,
                                  int height = 70) {
-        render::Renderer renderer(
-            *context, scene, {.width = width, .height = height, .tells_endings = true});
+        render::Renderer renderer(*context, scene,
+                                  {.width = width, .height = height, .tells_endings = true});
         render::FrameInputs inputs = renderer.prepare(scene, 1);
         inputs.pictures.front().endings_of = pixels_of_frame(width, height, rays, 1);
         now = inputs.now;
@@ -147,13 +147,12 @@ TEST_P(Audits, ChangeNoPixel) {
 // A step that is far too long, so that the method misses what the audit must find.
 TEST_P(Audits, ExportsWarnAndRecord) {
     namespace fs = std::filesystem;
-    const fs::path folder =
-        fs::temp_directory_path() / fmt::format("isomotion-audit-{}", getpid());
+    const fs::path folder = fs::temp_directory_path() / fmt::format("isomotion-audit-{}", getpid());
     fs::remove_all(folder);
     for (const bool is_wrong : {true, false}) {
-        const scene::Scene scene = render::scene_of(
-            std::string(body) +
-            (is_wrong ? "[isolation]\nmethod = \"marching\"\nstep = 0.5\n" : ""));
+        const scene::Scene scene =
+            render::scene_of(std::string(body) +
+                             (is_wrong ? "[isolation]\nmethod = \"marching\"\nstep = 0.5\n" : ""));
         sequence::ExportOptions options;
         options.output = (folder / (is_wrong ? "wrong.####.png" : "right.####.png")).string();
         options.frames = {1, 2, 3};

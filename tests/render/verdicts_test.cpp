@@ -30,8 +30,7 @@ TEST_P(Verdicts, EveryPixelHasOneAndTheChannelAgreesWithTheCount) {
 
 TEST_P(Verdicts, NaNIsReportedAndPaintedMagenta) {
     // x < 2 everywhere in the bounds. The paper's methods stop there.
-    const Picture picture =
-        draw_formula("log(x - 2) + y", "[isolation]\nmethod = \"amp-sign\"\n");
+    const Picture picture = draw_formula("log(x - 2) + y", "[isolation]\nmethod = \"amp-sign\"\n");
     const auto nan = count(picture, Verdict::nan);
     EXPECT_GT(nan, 500);
     EXPECT_EQ(nan + count(picture, Verdict::miss), 48 * 48); // rays beside the bounds miss
@@ -45,23 +44,23 @@ TEST_P(Verdicts, NaNIsReportedAndPaintedMagenta) {
 }
 
 TEST_P(Verdicts, ARayThatGivesUpIsNoMiss) {
-    const Picture picture = draw_formula("x^2 + y^2 + z^2 - 1e-4", "[isolation]\nmethod = 'amp-sign'\nlimit = 5\n");
+    const Picture picture =
+        draw_formula("x^2 + y^2 + z^2 - 1e-4", "[isolation]\nmethod = 'amp-sign'\nlimit = 5\n");
     EXPECT_GT(count(picture, Verdict::step_limit), 500);
     EXPECT_EQ(count(picture, Verdict::hit), 0);
 }
 
 // A step below the spacing of floats would stand still for ever.
 TEST_P(Verdicts, AStepTooSmallForFloatEndsInTheStepLimit) {
-    const Picture picture = draw_formula(
-        "x^2 + y^2 + z^2 - 1", "[isolation]\nmethod = 'amp-sign'\nstep = 1e-12\n");
+    const Picture picture =
+        draw_formula("x^2 + y^2 + z^2 - 1", "[isolation]\nmethod = 'amp-sign'\nstep = 1e-12\n");
     EXPECT_GT(count(picture, Verdict::step_limit), 500);
     EXPECT_EQ(count(picture, Verdict::hit), 0);
 }
 
 TEST_P(Verdicts, ZeroGradientIsAHitWithAFiniteNormal) {
     // A jump: the sign changes where the slope is 0 on either side. Signs alone tell of it.
-    const Picture picture =
-        draw_formula("sign(x - 0.2)", "[isolation]\nmethod = \"amp-sign\"\n");
+    const Picture picture = draw_formula("sign(x - 0.2)", "[isolation]\nmethod = \"amp-sign\"\n");
     EXPECT_GT(count(picture, Verdict::zero_gradient), 100);
     for (const char* name : {"N.X", "N.Y", "N.Z", "R", "G", "B"}) {
         for (const float v : picture.frame.find(name)->samples) ASSERT_TRUE(std::isfinite(v));

@@ -40,7 +40,8 @@ public:
 private:
     static constexpr const char* preamble =
         "# Hard cases\n\n"
-        "What a user gets who names no method, the rows `default`, and what the paper's methods get\n"
+        "What a user gets who names no method, the rows `default`, and what the paper's methods "
+        "get\n"
         "wrong of 96 x 96 pixels or so, in pixels of a million, against\n"
         "certified truth: roots missed, hits where nothing is, hits behind the first root; then "
         "the\n"
@@ -139,9 +140,10 @@ void expect_any_size(const HardCase& a_case, const render::Picture& drawn) {
         EXPECT_EQ(different_verdicts(drawn.frame, scaled.frame), 0) << "F times 2^" << k;
         EXPECT_LT(largest_difference(drawn.frame, scaled.frame), 1e-4) << "F times 2^" << k;
     }
-    render::Renderer renderer(
-        context(), scene,
-        {.width = scene.output.width, .height = scene.output.height, .channels = render::every_channel});
+    render::Renderer renderer(context(), scene,
+                              {.width = scene.output.width,
+                               .height = scene.output.height,
+                               .channels = render::every_channel});
     const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
     for (const double scale : {1e-3, 1e3}) {
         const render::Picture sized = renderer.draw(of_other_size(now, scale));
@@ -189,9 +191,9 @@ Looked look(const HardCase& a_case, scene::Method method) {
     if (a_case.is_drawn_by_chance) return looked; // others each time
     table().add(fmt::format("| {:<36} | {:<10} | {:>6} | {:>8.0f} | {:>8.0f} | {:>8.0f} | {:>8.0f} "
                             "| {:>4} | {:>5} | {:>9} |",
-                            a_case.name, method == by_default ? "default" : scene::name(method), looked.hits, e.wrong_ppm(),
-                            ppm(e.missed), ppm(e.false_hits), ppm(e.wrong_roots), e.nan,
-                            e.step_limit, looked.zero_gradients));
+                            a_case.name, method == by_default ? "default" : scene::name(method),
+                            looked.hits, e.wrong_ppm(), ppm(e.missed), ppm(e.false_hits),
+                            ppm(e.wrong_roots), e.nan, e.step_limit, looked.zero_gradients));
     return looked;
 }
 

@@ -27,7 +27,7 @@ struct Bound {
 
 struct HardCase {
     std::string name;
-    std::string scene; // TOML
+    std::string scene;         // TOML
     std::vector<Bound> bounds; // of methods that are asked for
     // The same points by a formula that is easier to certify, as G for G^2; empty for `scene`.
     std::string truth = {};

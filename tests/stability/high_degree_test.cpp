@@ -63,7 +63,7 @@ std::string chmutov(int n, Form form) {
 struct HighDegree {
     int n;
     double recurrence, cosines, powers; // wrong ppm of the sign test
-    double powers_by_default = 0;       // float32 has lost the sum: terms are 10^5 and more times it
+    double powers_by_default = 0; // float32 has lost the sum: terms are 10^5 and more times it
 };
 void PrintTo(const HighDegree& degree, std::ostream* out) { *out << degree.n; }
 

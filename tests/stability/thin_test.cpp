@@ -74,9 +74,9 @@ INSTANTIATE_TEST_SUITE_P(
     Stability, Thin,
     testing::Values(sheets(0.1, 0, 0), sheets(0.01, 0, 0), sheets(0.001, 510000, 0),
                     ring(0.1, 0.02, 0, 390), ring(0.01, 0.02, 5800, 14000, 600),
-                    ring(1e-3, 0.02, 630000, 700000, 250000), ring(1e-4, 0.02, 610000, blind, blind),
-                    ring(1e-4, 1e-4, 750000, blind, blind), round_ring(1e-4, 0.02, 620000, 560000),
-                    round_ring(1e-4, 1e-4, 0, 0)),
+                    ring(1e-3, 0.02, 630000, 700000, 250000),
+                    ring(1e-4, 0.02, 610000, blind, blind), ring(1e-4, 1e-4, 750000, blind, blind),
+                    round_ring(1e-4, 0.02, 620000, 560000), round_ring(1e-4, 1e-4, 0, 0)),
     test_name);
 
 } // namespace

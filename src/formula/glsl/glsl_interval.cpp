@@ -348,9 +348,8 @@ std::string glsl_rough(const EnclosurePrograms& programs, const ArrayPacking& pa
 std::string glsl_breaks(const EnclosurePrograms& programs, const ArrayPacking& packing,
                         Numbers numbers) {
     return emit_interval_glsl(
-        programs.breaks,
-        {"vec4 field_breaks(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec4", {}}, packing,
-        numbers);
+        programs.breaks, {"vec4 field_breaks(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec4", {}},
+        packing, numbers);
 }
 
 std::string glsl_hessian_interval(const Program& bend, const ArrayPacking& packing,

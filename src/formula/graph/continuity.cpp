@@ -94,8 +94,7 @@ NodeId gaps(Graph& g, NodeId root) {
         for (std::size_t k = 0; k < node.arity; ++k)
             is_resting[id] = is_resting[id] && is_resting[node.children[k]];
     }
-    return all_below(g, root,
-                     [&](Graph& to, NodeId id) { return unless_gap(to, id, is_resting); });
+    return all_below(g, root, [&](Graph& to, NodeId id) { return unless_gap(to, id, is_resting); });
 }
 
 NodeId with_gaps(Graph& g, NodeId root) { return g.add(root, gaps(g, root)); }

@@ -8,13 +8,13 @@
 #include "scene/data_folder.h"
 #include "scene/limits.h"
 #include "scene/method_domain.h"
-#include "scene/regions.h"
 #include "scene/reading/camera.h"
 #include "scene/reading/environment.h"
 #include "scene/reading/lights.h"
 #include "scene/reading/material.h"
 #include "scene/reading/space.h"
 #include "scene/reading/surface.h"
+#include "scene/regions.h"
 #include "scene/renamed_keys.h"
 #include "scene/thresholds.h"
 
@@ -262,9 +262,10 @@ void rescale(Scene& scene, SurfaceParts& parts, const SceneAt& first) {
     const Float32Loss loss = float32_loss(*scene.surface.field, first);
     if (loss.part <= 0.9) return;
     fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula",
-         fmt::format("comes to values such as {:.1g} within the bounds; the GPU's numbers hold 1e-37 "
-                     "to 1e38: multiply it by another number",
-                     loss.example / scale));
+         fmt::format(
+             "comes to values such as {:.1g} within the bounds; the GPU's numbers hold 1e-37 "
+             "to 1e38: multiply it by another number",
+             loss.example / scale));
 }
 
 } // namespace

@@ -122,8 +122,8 @@ std::string body(Draw& d) {
         return torus(d);
     case 4: {
         const std::string a = d.number(0.3, 1);
-        return fmt::format("max(max(abs(u) - {}, abs(v) - {}), abs(w) - {})", a,
-                           d.number(0.3, 1), a);
+        return fmt::format("max(max(abs(u) - {}, abs(v) - {}), abs(w) - {})", a, d.number(0.3, 1),
+                           a);
     }
     default:
         return ellipsoid(d);
@@ -165,8 +165,7 @@ std::string fractional(Draw& d) {
     case 0:
         return fmt::format("{} + {} + {} - 1", power("u"), power("v"), power("w"));
     case 1:
-        return fmt::format("sqrt(abs({})) + {} - {}", linear(d, 1), power("v"),
-                           d.number(0.5, 1.5));
+        return fmt::format("sqrt(abs({})) + {} - {}", linear(d, 1), power("v"), d.number(0.5, 1.5));
     default:
         return fmt::format("(sqrt(u^2 + v^2) - {})^2 + {} - {}", d.number(0.4, 1), power("w"),
                            d.number(0.05, 0.2));
@@ -214,7 +213,7 @@ std::string jumps(Draw& d) {
 }
 
 constexpr Family all[]{
-    {"polynomial", polynomial}, {"smooth", smooth}, {"csg", csg},
+    {"polynomial", polynomial}, {"smooth", smooth},    {"csg", csg},
     {"shell", shell},           {"power", fractional}, {"pole", poles},
     {"sum", elements, true},    {"jump", jumps},
 };

@@ -78,8 +78,8 @@ void report(const Family& family, std::vector<Trial> trials, const Arguments& ar
     fmt::print("| {:<10} | {:>4} | {:>4} | {:>5.1f} | {:>4} | {:>7.0f} | {:>6} | {:>6} | {:>6} | "
                "{:>5} | {:>5} | {:>6} | {:>5.1f} | {:>6.2f} |\n",
                family.name, trials.size(), right, 100.0 * right / double(trials.size()), few,
-               1e6 * double(wrong(worst)) / double(worst.errors.pixels), all.missed,
-               all.false_hits, all.wrong_roots, all.nan, all.step_limit, all.undecided,
+               1e6 * double(wrong(worst)) / double(worst.errors.pixels), all.missed, all.false_hits,
+               all.wrong_roots, all.nan, all.step_limit, all.undecided,
                evaluations / double(std::max<std::int64_t>(1, all.rays)),
                ms / double(trials.size()));
     for (int k = 0; k < arguments.list && k < int(trials.size()); ++k) {
@@ -119,7 +119,8 @@ void run(const Arguments& arguments) {
 int main(int argc, char** argv) {
     isomotion::bench::Arguments arguments;
     CLI::App app("wrong pixels on random formulas");
-    app.add_option("--each", arguments.each, "formulas of each class")->check(CLI::Range(1, 100000));
+    app.add_option("--each", arguments.each, "formulas of each class")
+        ->check(CLI::Range(1, 100000));
     app.add_option("--size", arguments.size, "pixels across")->check(CLI::Range(8, 2048));
     app.add_option("--seed", arguments.seed, "of the first formula of each class");
     app.add_option("--method", arguments.method, "instead of the scene's own");

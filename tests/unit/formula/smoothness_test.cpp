@@ -28,8 +28,8 @@ TEST(Smoothness, OfPolynomialsIsTheirDegree) {
 
 TEST(Smoothness, IsOfTheBoundsNotOfTheNames) {
     for (const char* text :
-         {"sin(x) + cos(y)*exp(z)", "sqrt(x^2 + y^2 + 0.1) - z", "1/(1 + x^2) - y", "log(x + 2) + z",
-          "abs(x + 2) + y", "max(x, y + 4) - z", "tan(x/2) + y", "acos(x/3) - z",
+         {"sin(x) + cos(y)*exp(z)", "sqrt(x^2 + y^2 + 0.1) - z", "1/(1 + x^2) - y",
+          "log(x + 2) + z", "abs(x + 2) + y", "max(x, y + 4) - z", "tan(x/2) + y", "acos(x/3) - z",
           "(x + 2)^0.3 - y", "floor(x/10 + 0.5) + y + z*x", "sign(x + 4)*y - z + x^2*sin(z)"}) {
         EXPECT_EQ(words_of(text), "smooth") << text;
     }
@@ -37,9 +37,10 @@ TEST(Smoothness, IsOfTheBoundsNotOfTheNames) {
 
 TEST(Smoothness, KinksAreWhereSlopesChange) {
     for (const char* text :
-         {"abs(x) + y", "min(x, y) - 0.1", "max(x^2 + y^2 - 1, z)", "abs(x^2 + y^2 + z^2 - 1) - 0.1",
-          "abs(x)^0.3 + y", "sqrt(abs(x)) + y^2 - 0.5", "abs(x)^1.0001 - y", "asin(x) - y",
-          "sqrt(x) + y", "sqrt(x^2 + y^2) - z"}) { // a cone: no line meets its tip, but F is 0 there
+         {"abs(x) + y", "min(x, y) - 0.1", "max(x^2 + y^2 - 1, z)",
+          "abs(x^2 + y^2 + z^2 - 1) - 0.1", "abs(x)^0.3 + y", "sqrt(abs(x)) + y^2 - 0.5",
+          "abs(x)^1.0001 - y", "asin(x) - y", "sqrt(x) + y",
+          "sqrt(x^2 + y^2) - z"}) { // a cone: no line meets its tip, but F is 0 there
         EXPECT_EQ(words_of(text), "with kinks") << text;
     }
 }

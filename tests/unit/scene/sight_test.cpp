@@ -11,8 +11,8 @@ class Sighting : public Scenes {
 protected:
     Sight of(const std::string& formula, const std::string& bounds = "{ sphere = 1.5 }",
              const std::string& more = "") const {
-        const Scene scene = loaded(fmt::format("[surface]\nformula = \"{}\"\nbounds = {}\n{}",
-                                               formula, bounds, more));
+        const Scene scene = loaded(
+            fmt::format("[surface]\nformula = \"{}\"\nbounds = {}\n{}", formula, bounds, more));
         return sight(scene, at_time(scene, 0));
     }
 };

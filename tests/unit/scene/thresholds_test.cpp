@@ -20,9 +20,9 @@ protected:
             loaded(fmt::format("[surface]\nformula = \"{}\"\nbounds = {}\n{}\n[isolation]\nnear = "
                                "1\nfar = 1\nhorizon = 1\n",
                                formula, bounds, more));
-        return field_thresholds(
-            field_slope(*scene.surface.field, at_time(scene, 0)) / scene.surface.field->scale,
-            step);
+        return field_thresholds(field_slope(*scene.surface.field, at_time(scene, 0)) /
+                                    scene.surface.field->scale,
+                                step);
     }
     static double slope(const Thresholds& thresholds) { return thresholds.horizon / 0.1; }
 };
@@ -163,7 +163,8 @@ TEST_F(FieldScale, MakesScaledFieldsTheSame) {
 }
 
 TEST_F(FieldScale, LeavesModerateFieldsAlone) {
-    for (const char* factor : {"0.001", "1", "-40", "3000"}) EXPECT_EQ(field(factor, sphere)->scale, 1);
+    for (const char* factor : {"0.001", "1", "-40", "3000"})
+        EXPECT_EQ(field(factor, sphere)->scale, 1);
 }
 
 // The factor and the scale are one number.
@@ -171,8 +172,7 @@ TEST_F(FieldScale, FactorsBeyondFloatsAreScaledToo) {
     const float one = formula::FieldEvaluator<float>(*field("1", sphere)).value({}, {0.5f, 0, 0});
     for (const char* factor : {"2^140", "2^200", "2^(-150)", "2^(-200)"}) {
         const auto other = field(factor, sphere);
-        const float ratio =
-            formula::FieldEvaluator<float>(*other).value({}, {0.5f, 0, 0}) / one;
+        const float ratio = formula::FieldEvaluator<float>(*other).value({}, {0.5f, 0, 0}) / one;
         EXPECT_EQ(std::ldexp(1.0f, std::ilogb(ratio)), ratio) << factor;
     }
 }
