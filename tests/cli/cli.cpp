@@ -40,11 +40,15 @@ Ending Cli::run(Words arguments, const Circumstances& circumstances) const {
     return cli::run(arguments, circumstances);
 }
 
-Ending Cli::render(Words arguments) const {
+Ending Cli::render(Words arguments, const std::string& warning) const {
     arguments.insert(arguments.begin(), "render");
     const Ending ending = run(arguments);
     EXPECT_EQ(ending.code, 0) << ending;
-    EXPECT_THAT(ending.err, IsEmpty());
+    if (warning.empty()) {
+        EXPECT_THAT(ending.err, IsEmpty());
+    } else {
+        EXPECT_THAT(ending.err, testing::HasSubstr(warning));
+    }
     return ending;
 }
 

@@ -42,8 +42,8 @@ protected:
     // The data comes from the source tree, wherever the build is.
     Circumstances circumstances() const;
 
-    // `render`, which is expected to succeed without a warning.
-    Ending render(Words arguments) const;
+    // `render`, which is expected to succeed, without a warning or with this one.
+    Ending render(Words arguments, const std::string& warning = {}) const;
 
     std::string bytes(const std::string& name) const;
     // Names of the files in a folder inside the folder, hidden ones too.

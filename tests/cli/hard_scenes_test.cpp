@@ -26,11 +26,12 @@ const std::string distance2 = "((x-cx)^2 + (y-cy)^2 + (z-cz)^2)";
 class HardScenes : public Cli {
 protected:
     // All channels of the first frame. Warnings are not expected: no pixel is NaN or undecided.
-    image::Frame drawn(const std::string& scene, Words more = {}) const {
+    image::Frame drawn(const std::string& scene, Words more = {},
+                       const std::string& warning = {}) const {
         write("scene.toml", scene);
         more.insert(more.begin(), {"scene.toml", "--frames", "1", "-o", "scene.exr", "--channels",
                                    "z,n,p,verdict,evaluations"});
-        render(more);
+        render(more, warning);
         image::Frame frame = image::decode(*this / "scene.exr");
         for (const auto& channel : frame.channels) {
             EXPECT_TRUE(std::ranges::none_of(channel.samples, [](float v) {
@@ -45,7 +46,8 @@ protected:
 };
 
 TEST_F(HardScenes, NoElementsAreAllBackground) {
-    const image::Frame frame = drawn(balls(0, "exp(-30*" + distance2 + ")"));
+    const image::Frame frame = drawn(balls(0, "exp(-30*" + distance2 + ")"), {},
+                                     "F is -0.5 to -0.5 everywhere within the bounds");
     EXPECT_EQ(hits(frame), 0);
     for (const char* name : {"R", "G", "B", "A", "Z"}) {
         const auto& samples = frame.find(name)->samples;
@@ -107,7 +109,7 @@ size = [49, 49]
         EXPECT_NEAR(frame.find("Z")->samples[24 * 49 + 24], 5, 1e-3);
     }
     // 3 - 1 = 0 has no solution.
-    EXPECT_EQ(hits(drawn(scene, {"--set", "m=0"})), 0);
+    EXPECT_EQ(hits(drawn(scene, {"--set", "m=0"}, "no ray hits anything")), 0);
 }
 
 } // namespace
