@@ -236,9 +236,9 @@ Smoothness smoothness(const Field& field, std::span<const Region> regions, doubl
 std::string words(const Smoothness& smoothness) {
     if (smoothness.degree) return fmt::format("polynomial of degree {}", *smoothness.degree);
     std::vector<std::string_view> places;
-    if (smoothness.kinks) places.push_back("kinks");
-    if (smoothness.jumps) places.push_back("jumps");
-    if (smoothness.poles) places.push_back("poles or places without a value");
+    if (smoothness.kinks) places.emplace_back("kinks");
+    if (smoothness.jumps) places.emplace_back("jumps");
+    if (smoothness.poles) places.emplace_back("poles or places without a value");
     return places.empty() ? "smooth" : fmt::format("with {}", fmt::join(places, ", "));
 }
 

@@ -34,6 +34,7 @@ TEST_P(CriticalTime, AndOneFloatBeforeAndAfter) {
                     fmt::format("[parameters]\n{} = {:.17g}\n", change.parameter, double(value))),
             {}};
         SCOPED_TRACE(when);
+        expect_bounds(a_case); // by default
         const Looked looked = look(a_case, Method::amp_sign);
         EXPECT_GT(looked.hits, 300);
         EXPECT_LE(looked.errors.wrong_ppm(), change.wrong_ppm);

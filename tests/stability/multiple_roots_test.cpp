@@ -46,6 +46,7 @@ class SquaredFactor : public testing::TestWithParam<Factor> {};
 
 TEST_P(SquaredFactor, IsMissedBySignsAndFoundByTaylor) {
     const HardCase square = squared(GetParam());
+    expect_bounds(square); // by default
     for (const Method signs : {Method::marching, Method::amp_sign}) {
         const Looked looked = look(square, signs);
         ASSERT_GT(looked.certain_hits, 1000);
@@ -61,6 +62,7 @@ TEST_P(SquaredFactor, IsMissedBySignsAndFoundByTaylor) {
     HardCase cubed = square;
     cubed.name = GetParam().name + " cubed";
     cubed.scene = scene_of_power(GetParam(), 3);
+    expect_bounds(cubed);
     EXPECT_EQ(look(cubed, Method::amp_sign).errors.missed, 0);
 }
 

@@ -75,7 +75,7 @@ HardCase sized(const Shape& shape, double r) {
 }
 
 TEST_P(OfAnySize, IsDrawnLikeTheUnitOne) {
-    for (const Method method : {Method::amp_sign, Method::amp_taylor}) {
+    for (const Method method : {Method::hermite, Method::amp_sign, Method::amp_taylor}) {
         SCOPED_TRACE(std::string(scene::name(method)));
         const Looked unit = look(sized(GetParam(), 1), method);
         EXPECT_GT(unit.hits, 1000);
