@@ -29,6 +29,9 @@ RayState next_light(RayState s, SurfacePoint p) {
         if (dot(p.normal, light_at(k, p.position).direction) <= 0.0) continue;
         s.refinements = k;
         s.phase = PHASE_START;
+#ifdef THREE_SAMPLES
+        s.other = vec3(0.0);
+#endif
         return s;
     }
     return finish(s, s.verdict);

@@ -72,12 +72,13 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
 
     bool is_finest = h <= finest;
     bool free = same_side && clear && middle > error && !refines;
-    bool isolated = !same_side && !refines && !starts &&
-                    (is_finest || (clear || !dips) && error < 0.5 * max(abs(f0), abs(f.x)));
+    bool fits = error < 0.5 * max(abs(f0), abs(f.x));
+    bool isolated =
+        !same_side && !refines && !starts && (is_finest || (clear || !dips) && fits);
     // A sample that lies on a double root itself leaves none inside of the steps beside it. The
     // finest steps tell nothing of curvature.
     float touching = h > finest ? 4.0 * abs(c2 + 2.0 * h * c3) * rounding * rounding : 0.0;
-    bool on_root = abs(f.x) <= touching;
+    bool on_root = fits && abs(f.x) <= touching;
     bool touches = same_side && (on_root || !free && is_finest) && !refines && !starts;
     bool closes_in = isolated || refines;
     bool moves = starts || free || refines && same_side;

@@ -78,12 +78,14 @@ bool judge_by_intervals(inout RayState s, Ray ray, float t, vec2 f, float longes
     vec2 x, y, z;
     box_over(ray, vec2(s.low, t), x, y, z);
     vec4 rough = field_rough(x, y, z);
+    // Sums of zeros are rounded outwards.
+    bool is_smooth = rough.z > -IM_LARGEST && rough.w < IM_LARGEST;
     if (excludes_0(rough.xy) && !im_is_nan(f.x)) {
-        vec3 behind = rough.z == 0.0 ? vec3(s.low, s.f_low) : vec3(t, f);
+        vec3 behind = is_smooth ? vec3(s.low, s.f_low) : vec3(t, f);
         s = pass_piece(s, ray, t, f, behind, longest);
         return true;
     }
-    if (rough.z == 0.0 && rough.w == 0.0) return false;
+    if (is_smooth) return false;
     s = advance_by_bounds(s, ray, t, f, longest);
     return true;
 }

@@ -14,7 +14,8 @@ namespace isomotion::audit {
 namespace {
 
 constexpr std::size_t most_examples = 8;
-constexpr int fewest_rays = 64, most_rays = 16'384;
+constexpr double fewest_rays = 64, most_rays = 16'384;
+constexpr double cheap_operations = 2e6; // at a point, of all rays of a frame
 constexpr double part_of_drawing = 0.03;
 // A ray that takes more is left undecided: an audit is to be cheap, and there are other rays.
 constexpr truth::Budget budget{.evaluations = 2'000};
@@ -98,10 +99,11 @@ Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& a
     return found;
 }
 
-int affordable(double drawing_seconds, double seconds_a_ray) {
-    if (seconds_a_ray <= 0) return fewest_rays;
+int affordable(double drawing_seconds, double seconds_a_ray, double operations) {
+    const double fewest = std::clamp(cheap_operations / (operations + 1), 0.0, fewest_rays);
+    if (seconds_a_ray <= 0) return int(std::lround(fewest));
     const double paid = part_of_drawing * drawing_seconds / seconds_a_ray;
-    return int(std::lround(std::clamp(paid, double(fewest_rays), double(most_rays))));
+    return int(std::lround(std::clamp(paid, fewest, most_rays)));
 }
 
 } // namespace isomotion::audit

@@ -54,7 +54,8 @@ private:
     std::int64_t rays_ = 0;
 };
 
-// How many rays to hold of a frame: as many as a part of its drawing pays for, and some at least.
-int affordable(double drawing_seconds, double seconds_a_ray);
+// How many rays to hold of a frame: as many as a part of its drawing pays for, and 64 at least, but
+// for formulas of so many operations at a point that these would take seconds.
+int affordable(double drawing_seconds, double seconds_a_ray, double operations);
 
 } // namespace isomotion::audit

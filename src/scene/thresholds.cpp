@@ -11,7 +11,7 @@ namespace isomotion::scene {
 namespace {
 
 // Exponents of two.
-constexpr int moderate_exponent = 30, largest_exponent = 1000;
+constexpr int moderate_exponent = 20, largest_exponent = 1000;
 
 struct Sample {
     double value = 0, slope = 0;
@@ -75,7 +75,9 @@ double field_scale(const formula::Field& field, const SceneAt& scene) {
     double slope = slope_near_surface(samples_of<float>(field, scene));
     if (slope == 0) slope = field_slope(field, scene);
     if (slope == 0) return 1;
-    const int exponent = std::ilogb(slope) + std::ilogb(scene.bounds.radius);
+    // A slope of 1 keeps all that a march takes, F as its second derivative, within float32,
+    // whatever the size of the bounds.
+    const int exponent = std::ilogb(slope);
     if (std::abs(exponent) <= moderate_exponent) return 1;
     return std::ldexp(1.0, -std::clamp(exponent, -largest_exponent, largest_exponent));
 }
@@ -92,8 +94,10 @@ Float32Loss float32_loss(const formula::Field& field, const SceneAt& scene) {
         const bool overflows =
             !std::isfinite(in_floats[k].value) ||
             (!std::isfinite(in_floats[k].slope) && std::isfinite(in_doubles[k].slope));
-        lost += overflows || std::abs(exact) < double(FLT_MIN);
-        loss.example = exact;
+        // What underflows before F is scaled is 0 on the GPU.
+        if (!overflows && std::abs(exact) >= double(FLT_MIN) * field.scale) continue;
+        ++lost;
+        loss.example = exact / field.scale;
     }
     loss.part = values > 0 ? double(lost) / double(values) : 0;
     return loss;

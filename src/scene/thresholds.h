@@ -17,13 +17,13 @@ double field_slope(const formula::Field& field, const SceneAt& scene);
 Thresholds field_thresholds(double slope, double step);
 
 // A power of two to multiply F with (Field::scale), so that float32 neither overflows nor
-// underflows on the way to a verdict: 1 where F comes to moderate values across the bounds, and
-// else what brings it to 1. A field times 2^k, scaled, is the same field.
+// underflows on the way to a verdict: 1 where F's slope near the surface is moderate, and else what
+// brings it to 1. A field times 2^k, scaled, is the same field.
 double field_scale(const formula::Field& field, const SceneAt& scene);
 
 struct Float32Loss {
     double part = 0;    // of sample points: where float32 doesn't hold F
-    double example = 0; // of F's values
+    double example = 0; // of F's values, as the user's formula has them
 };
 
 Float32Loss float32_loss(const formula::Field& field, const SceneAt& scene);

@@ -71,7 +71,8 @@ class Auditing {
 public:
     explicit Auditing(const scene::Scene& scene)
         : scene_(scene)
-        , auditor_(scene) {}
+        , auditor_(scene)
+        , operations_(operations_at_a_point(scene)) {}
 
     // None where no ray was asked for.
     std::optional<AuditCounts> hold(int frame, const scene::SceneAt& now, const scene::Aim& aim,
@@ -88,7 +89,7 @@ public:
 
     int affordable(double drawing_seconds) const {
         const std::lock_guard lock(mutex_);
-        return audit::affordable(drawing_seconds, seconds_a_ray_);
+        return audit::affordable(drawing_seconds, seconds_a_ray_, operations_);
     }
 
     audit::Findings all() const {
@@ -97,8 +98,15 @@ public:
     }
 
 private:
+    static double operations_at_a_point(const scene::Scene& scene) {
+        std::vector<int> counts;
+        for (const auto& array : scene.timeline.animation.arrays()) counts.push_back(array.count);
+        return formula::cost(scene.surface.field->value, counts).operations;
+    }
+
     const scene::Scene& scene_;
     audit::Auditor auditor_;   // the writing thread's
+    const double operations_;  // of the formula
     mutable std::mutex mutex_; // of what follows
     audit::Findings all_;
     double seconds_a_ray_ = 0;

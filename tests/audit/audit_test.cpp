@@ -48,10 +48,13 @@ TEST(Audit, SaysWhatItFound) {
 }
 
 TEST(Audit, TakesAPartOfTheDrawing) {
-    EXPECT_EQ(affordable(1, 0), 64); // nothing known yet
-    EXPECT_EQ(affordable(1, 1e-5), 3000);
-    EXPECT_EQ(affordable(0.001, 1e-5), 64);
-    EXPECT_EQ(affordable(1000, 1e-6), 16'384);
+    EXPECT_EQ(affordable(1, 0, 100), 64); // nothing known yet
+    EXPECT_EQ(affordable(1, 1e-5, 100), 3000);
+    EXPECT_EQ(affordable(0.001, 1e-5, 100), 64);
+    EXPECT_EQ(affordable(1000, 1e-6, 100), 16'384);
+    // Sums of a hundred thousand elements and more.
+    EXPECT_EQ(affordable(1, 0, 1e6), 2);
+    EXPECT_EQ(affordable(1, 0, 1e8), 0);
 }
 
 const char* const body = R"toml(

@@ -265,7 +265,7 @@ void rescale(Scene& scene, SurfaceParts& parts, const SceneAt& first) {
          fmt::format(
              "comes to values such as {:.1g} within the bounds; the GPU's numbers hold 1e-37 "
              "to 1e38: multiply it by another number",
-             loss.example / scale));
+             loss.example));
 }
 
 } // namespace
