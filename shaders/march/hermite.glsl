@@ -40,7 +40,9 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     vec2 first = beyond ? f : s.f_low, last = beyond ? s.other.yz : f;
     float part = inverse_cubic(first, last, ends - begins);
     // Now and then it halves the interval: kinks and noise in slopes cost little.
-    float between = begins + ((s.refinements & 3) == 2 ? 0.5 : part) * (ends - begins);
+    float halfway = begins + 0.5 * (ends - begins);
+    float between = (s.refinements & 3) == 2 ? halfway : begins + part * (ends - begins);
+    between = between > begins && between < ends ? between : halfway;
 
     // The cubic f0 + y (m0 + y (c2 + (y - h) c3)) from y = 0 to h.
     float f0 = s.f_low.x, m0 = s.f_low.y;
@@ -80,6 +82,12 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float touching = h > finest ? 4.0 * abs(c2 + 2.0 * h * c3) * rounding * rounding : 0.0;
     bool on_root = fits && abs(f.x) <= touching;
     bool touches = same_side && (on_root || !free && is_finest) && !refines && !starts;
+#ifdef BOUNDED_TOUCHES
+    vec2 around = is_finest ? vec2(s.low, t) : vec2(t - 0.5 * finest, t + 0.5 * finest);
+    bool is_told = touches && !may_be_0(touches, ray, around, rounding);
+    touches = touches && !is_told;
+    free = free || is_told && is_finest;
+#endif
     bool closes_in = isolated || refines;
     bool moves = starts || free || refines && same_side;
 
@@ -87,8 +95,11 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float forward = min(t + clamp(step, finest, longest), ray.t_far);
     float cut = s.low + clamp(y, 0.1 * h, 0.9 * h);
     float next = closes_in ? between : moves ? forward : cut;
-    // Newton's step leaves as much as the slope changes on the way, told by that to the other end.
-    float change = 0.5 * (newton - t) * (last.y - first.y) / (f.y * (ends - begins));
+    // Newton's step leaves as much as the slope changes on the way, told by the slopes of both ends
+    // and of the chord between: an inflection has the same slope on both sides.
+    float chord = (last.x - first.x) / (ends - begins);
+    float unlike = max(abs(last.y - first.y), 2.0 * abs(f.y - chord));
+    float change = 0.5 * (newton - t) * unlike / (f.y * (ends - begins));
     bool small = abs(newton - t) <= 4.0 * finest || abs((newton - t) * change) <= 0.0625 * finest;
     bool close = refines && small && newton >= begins && newton <= ends;
     bool narrow = refines && (ends - begins <= finest || s.refinements >= 32) ||

@@ -62,8 +62,11 @@ RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f, float longest) 
         return s;
     }
     if (!is_finest) return cut(s, 0.5 * h);
-    if (may_break(ray, vec2(s.low, t))) return begin_at(s, ray, t, h);
     bool bounded = abs(bounds.value.x) < IM_LARGEST && abs(bounds.value.y) < IM_LARGEST;
+#ifdef WALLS
+    if (changes && bounded) return found(s, 0.5 * (s.low + t));
+#endif
+    if (may_break(ray, vec2(s.low, t))) return begin_at(s, ray, t, h);
     return bounded ? found(s, 0.5 * (s.low + t)) : finish(s, VERDICT_STEP_LIMIT);
 }
 

@@ -2,6 +2,7 @@
 
 // A place where F has no root whatever its sign does (breaks.glsl) is passed.
 RayState pass_break(RayState s, Ray ray) {
+    s.refinements = 0;
     float h = s.high - s.low;
     s.low = s.high;
     s.high = min(s.low + max(2.0 * h, finest_at(s.low)), ray.t_far);
@@ -11,8 +12,17 @@ RayState pass_break(RayState s, Ray ray) {
     return gives_up ? finish(s, VERDICT_STEP_LIMIT) : s;
 }
 
+#ifdef WALLS
+// Behind a piece in which F jumps between bounds, where it has the value f: `refinements` tells of it.
+bool is_wall(RayState s, float f) {
+    return s.refinements == 1 && (f < 0.0) != (s.f_low.x < 0.0);
+}
+#endif
+
 // F is not a number at the piece's sample.
 RayState no_value(RayState s, Ray ray) {
+    // Between bounds that prove F continuous only float32 can lose it.
+    if (s.phase == PHASE_REFINE) return finish(s, VERDICT_NAN);
     float h = s.high - s.low;
     bool passes = h <= finest_at(s.low) || has_no_value(ray, vec2(s.low, s.high));
     return passes ? pass_break(s, ray) : cut(s, 0.5 * h);
@@ -21,7 +31,11 @@ RayState no_value(RayState s, Ray ray) {
 // In the shortest piece, around t, nothing keeps F off 0: it is taken to be 0 unless it is beyond all
 // bounds there.
 RayState touches_at(RayState s, Ray ray, float t, Bounds bounds) {
-    if (may_break(ray, vec2(s.low, s.high))) return pass_break(s, ray);
     bool bounded = abs(bounds.value.x) < IM_LARGEST && abs(bounds.value.y) < IM_LARGEST;
+    if (may_break(ray, vec2(s.low, s.high))) {
+        s = pass_break(s, ray);
+        if (s.phase == PHASE_START) s.refinements = int(bounded);
+        return s;
+    }
     return bounded ? found(s, t) : finish(s, VERDICT_STEP_LIMIT);
 }

@@ -17,6 +17,9 @@ RayState turn(RayState s, Ray ray) {
     if (s.phase == PHASE_GRADIENT) return take_derivative(s, vec2(f, slope));
     if (im_is_nan(f)) return no_value(s, ray);
     if (refines) return refine(s, t, f, slope);
+#ifdef WALLS
+    if (starts && is_wall(s, f)) return found(s, t);
+#endif
     if (starts) return step_by_derivative(s, ray, f, bounds);
     return advance(s, ray, t, f, bounds);
 }

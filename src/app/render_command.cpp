@@ -134,7 +134,9 @@ int render(const RenderArguments& arguments) {
     const sequence::ExportTotals totals = exporter.export_frames(*context, watcher);
     progress.reset(); // its line
     if (totals.stopped) return stopped();
-    if (totals.drawn > 0 && !has_hits(totals))
+    // Frames that an earlier run wrote may show something.
+    const bool is_all = totals.drawn + totals.reused == std::int64_t(options.frames.size());
+    if (is_all && !has_hits(totals))
         warn(fmt::format("no ray hits anything: {}", scene::why_nothing_is_seen(sight)));
     say(summary(totals, std::chrono::steady_clock::now() - begin));
     say(fmt::format("frames: {}\n", options.output));

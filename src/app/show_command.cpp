@@ -125,6 +125,7 @@ int show(const ShowArguments& arguments) {
     fmt::print("effects   {}\n",
                called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
     const scene::Sight sight = scene::sight(scene, scene::at(scene, values));
+    if (scene.surface.jumps_are_walls) fmt::print("jumps     are walls\n");
     if (sight.values) fmt::print("nothing   {}\n", scene::why_nothing_is_seen(sight));
     if (sight.cut > 0)
         fmt::print("bounds    cut the surface open: {:.2g} % of their faces are behind it\n",

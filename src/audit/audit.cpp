@@ -17,6 +17,7 @@ constexpr std::size_t most_examples = 8;
 constexpr double fewest_rays = 64, most_rays = 16'384;
 constexpr double cheap_operations = 2e6; // at a point, of all rays of a frame
 constexpr double part_of_drawing = 0.03;
+constexpr std::size_t rays_together = 256;
 // A ray that takes more is left undecided: an audit is to be cheap, and there are other rays.
 constexpr truth::Budget budget{.evaluations = 2'000};
 
@@ -25,6 +26,23 @@ std::string with_commas(std::int64_t number) {
     std::string text = std::to_string(number);
     for (int at = int(text.size()) - 3; at > 0; at -= 3) text.insert(std::size_t(at), ",");
     return text;
+}
+
+void count(const render::Ending& ending, const truth::FirstRoot& root, double footprint, int frame,
+           Findings& found) {
+    const truth::Fault fault =
+        truth::judge(root, ending.is_known() && ending.is_hit(), double(ending.t), footprint);
+    // A ray that may touch the surface and go on may be drawn either way.
+    const bool is_open = root.answer == truth::Answer::touching && fault == truth::Fault::none;
+    if (is_open || fault == truth::Fault::undecided) {
+        ++found.undecided;
+        return;
+    }
+    ++found.rays;
+    if (fault == truth::Fault::none) return;
+    ++found.wrong;
+    if (found.examples.size() < most_examples)
+        found.examples.push_back({frame, ending.column, ending.row, fault});
 }
 
 } // namespace
@@ -61,8 +79,11 @@ std::string words(const Findings& findings, int frames) {
 std::vector<int> pixels_of_frame(int width, int height, int count, int frame) {
     std::mt19937_64 random(std::uint64_t(frame) * 0x9E3779B97F4A7C15u);
     const std::uint64_t all = std::uint64_t(width) * std::uint64_t(height);
+    // Floyd's sampling: each set of so many pixels is as likely as any other.
     std::set<int> chosen;
-    while (chosen.size() < std::min(std::uint64_t(count), all)) chosen.insert(int(random() % all));
+    for (std::uint64_t k = all - std::min(std::uint64_t(count), all); k < all; ++k) {
+        if (!chosen.insert(int(random() % (k + 1))).second) chosen.insert(int(k));
+    }
     return {chosen.begin(), chosen.end()};
 }
 
@@ -70,32 +91,25 @@ Auditor::Auditor(const scene::Scene& scene)
     : field_(formula::enclosure_programs(*scene.surface.field)) {}
 
 Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& aim, int width,
-                       int height, std::span<const render::Ending> endings) {
+                       int height, std::span<const render::Ending> endings,
+                       const std::function<bool()>& stop) {
     const auto begin = std::chrono::steady_clock::now();
     const truth::Tubes tubes(now, width, height, aim);
-    std::vector<truth::Tube> of_rays;
-    for (const render::Ending& ending : endings)
-        of_rays.push_back(tubes.at(ending.column, ending.row));
-    std::vector<truth::FirstRoot> roots(of_rays.size());
-    truth::RootFinder(field_, now, budget).find(of_rays, roots);
-
+    truth::RootFinder finder(field_, now, budget);
     Findings found;
-    for (std::size_t k = 0; k < endings.size(); ++k) {
-        const render::Ending& ending = endings[k];
-        const truth::Fault fault = truth::judge(roots[k], ending.is_known() && ending.is_hit(),
-                                                double(ending.t), of_rays[k].footprint);
-        if (fault == truth::Fault::undecided) {
-            ++found.undecided;
-            continue;
-        }
-        ++found.rays;
-        if (fault == truth::Fault::none) continue;
-        ++found.wrong;
-        if (found.examples.size() < most_examples)
-            found.examples.push_back({frame, ending.column, ending.row, fault});
+    for (std::size_t first = 0; first < endings.size() && !(stop && stop());
+         first += rays_together) {
+        const auto some = endings.subspan(first, std::min(rays_together, endings.size() - first));
+        std::vector<truth::Tube> of_rays;
+        for (const render::Ending& ending : some)
+            of_rays.push_back(tubes.at(ending.column, ending.row));
+        std::vector<truth::FirstRoot> roots(of_rays.size());
+        finder.find(of_rays, roots);
+        for (std::size_t k = 0; k < some.size(); ++k)
+            count(some[k], roots[k], of_rays[k].footprint, frame, found);
+        rays_ += std::int64_t(some.size());
     }
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    rays_ += std::int64_t(endings.size());
     return found;
 }
 

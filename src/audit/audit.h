@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,8 +20,9 @@ struct WrongPixel {
 };
 
 struct Findings {
-    std::int64_t rays = 0; // of which truth is certain
-    std::int64_t undecided = 0, wrong = 0;
+    std::int64_t rays = 0;      // of which truth is certain
+    std::int64_t undecided = 0; // also those that touch the surface, which may be drawn either way
+    std::int64_t wrong = 0;     // of `rays`
     std::vector<WrongPixel> examples{}; // some of the wrong ones
 
     void add(const Findings& other);
@@ -41,9 +43,10 @@ class Auditor {
 public:
     explicit Auditor(const scene::Scene& scene);
 
-    // Of a picture of frame `frame` of the given size and aim.
+    // Of a picture of frame `frame` of the given size and aim. Where it is to stop, of fewer rays.
     Findings hold(int frame, const scene::SceneAt& now, const scene::Aim& aim, int width,
-                  int height, std::span<const render::Ending> endings);
+                  int height, std::span<const render::Ending> endings,
+                  const std::function<bool()>& stop = {});
 
     // What a ray has taken so far, in the mean; 0 before the first.
     double seconds_a_ray() const { return rays_ > 0 ? seconds_ / double(rays_) : 0; }

@@ -1,6 +1,7 @@
 #include "formula/enclosure.h"
 
 #include "formula/graph/continuity.h"
+#include "formula/graph/decoration.h"
 #include "formula/graph/degree.h"
 #include "formula/graph/derivative.h"
 #include "formula/graph/roughness.h"
@@ -35,10 +36,11 @@ EnclosurePrograms enclosure_programs(const Field& field) {
     const std::array gradient{slope({one, zero, zero}), slope({zero, one, zero}),
                               slope({zero, zero, one})};
     const NodeId jump = jumps(g, field.root);
+    const NodeId is_root = field.wall_distance > 0 ? unless_bounded(g, value) : jump;
     return {schedule(g, std::array{value}),
             schedule(g, std::array{value, along}),
             schedule(g, gradient),
-            schedule(g, std::array{jump}),
+            schedule(g, std::array{is_root}),
             schedule(g, std::array{jump, without_value(g, field.root)}),
             schedule(g, std::array{value, anywhere(g, roughness(g, field.root))})};
 }

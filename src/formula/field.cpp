@@ -5,6 +5,7 @@
 #include "formula/graph/derivative.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/parser.h"
+#include "formula/graph/walls.h"
 
 namespace isomotion::formula {
 namespace {
@@ -31,12 +32,14 @@ void derive_programs(Field& field) {
                                         g.input(first_direction + 2)};
     const NodeId one = g.constant(1), zero = g.constant(0);
     const NodeId along = differentiate_inputs(g, field.root, direction);
-    const NodeId fx = differentiate_inputs(g, field.root, {one, zero, zero});
-    const NodeId fy = differentiate_inputs(g, field.root, {zero, one, zero});
-    const NodeId fz = differentiate_inputs(g, field.root, {zero, zero, one});
+    std::array slopes{differentiate_inputs(g, field.root, {one, zero, zero}),
+                      differentiate_inputs(g, field.root, {zero, one, zero}),
+                      differentiate_inputs(g, field.root, {zero, zero, one})};
+    if (field.wall_distance > 0) slopes = wall_gradient(g, field.root, field.wall_distance);
 
     Graph working = g; // lowering adds nodes that only the programs need
-    const std::vector<NodeId> low = lower(working, std::array{field.root, along, fx, fy, fz});
+    const std::vector<NodeId> low =
+        lower(working, std::array{field.root, along, slopes[0], slopes[1], slopes[2]});
     field.value = schedule(working, std::array{low[0]});
     field.directional = schedule(working, std::array{low[0], low[1]});
     field.gradient = schedule(working, std::array{low[2], low[3], low[4]});
@@ -58,6 +61,12 @@ Field make_field(std::string_view text, Vocabulary vocabulary) {
 Field scaled(Field field, double scale) {
     field.scale *= scale;
     field.root = field.graph.multiply(field.graph.constant(scale), field.root);
+    derive_programs(field);
+    return field;
+}
+
+Field with_walls(Field field, double distance) {
+    field.wall_distance = distance;
     derive_programs(field);
     return field;
 }

@@ -27,12 +27,17 @@ struct Field {
     Program gradient;     // inputs x y z          -> F_x, F_y, F_z
     ArrayPacking packing; // the fields each array must supply, in the order they are stored
     double scale = 1;     // F is the user's times this, a power of two
+    // Above 0 where a jump of F across 0 is a wall: how near its normal is the gradient's, see
+    // graph/walls.h.
+    double wall_distance = 0;
 };
 
 // Inputs of the vocabulary are replaced by coordinate_names. Throws ParseError.
 Field make_field(std::string_view text, Vocabulary vocabulary);
 // The field times a power of two.
 Field scaled(Field field, double scale);
+// The same with walls where F jumps.
+Field with_walls(Field field, double distance);
 
 // float field(vec3 p); vec2 field_directional(vec3 p, vec3 d); vec3 field_gradient(vec3 p)
 std::string glsl_value(const Field& field);

@@ -11,6 +11,7 @@
 #include "formula/graph/continuity.h"
 #include "formula/graph/degree.h"
 #include "formula/graph/roughness.h"
+#include "formula/graph/squares.h"
 
 namespace isomotion::formula {
 namespace {
@@ -82,6 +83,7 @@ public:
         Met all = Met::nothing;
         for (int k = 0; k < lines && all != Met::change; ++k) {
             draw_line(region.box);
+            if (!may_be_in(0, 1)) continue;
             usual_slope_ = 0;
             for (int part = 0; part < 16; ++part)
                 usual_slope_ += std::abs(slope((part + 0.5) / 16)) / 16;
@@ -137,7 +139,6 @@ private:
     // At one of the line's places, any.
     Met descend() {
         double a = 0, b = 1;
-        if (!may_be_in(a, b)) return Met::nothing;
         while (b - a > place) {
             const double middle = 0.5 * (a + b);
             const bool to_the_left = random_() >> 63;
@@ -177,6 +178,9 @@ public:
 
     Smoothness result() {
         const Roughness rough = roughness(graph_, field_.root);
+        // A few places may have all; many share.
+        const std::size_t count = rough.kinks.size() + rough.jumps.size() + rough.poles.size();
+        operations_ *= 4 / (3 + double(count));
         const auto any = [&](const std::vector<NodeId>& places, auto&& matters) {
             return std::ranges::any_of(places, matters);
         };
@@ -210,7 +214,7 @@ private:
         LineProbe probe(program, field_.directional);
         // A line takes some 500 evaluations.
         const double most = evaluations(program) / (500 * double(regions_.size()));
-        const int lines = int(std::clamp(most, 1.0, regions_.size() > 1 ? 8.0 : 32.0));
+        const int lines = int(std::clamp(most, 0.0, regions_.size() > 1 ? 8.0 : 32.0));
         Met all = Met::nothing;
         for (const Region& region : regions_) {
             all = std::max(all, probe.along_lines(region, lines));
@@ -229,8 +233,12 @@ private:
 } // namespace
 
 Smoothness smoothness(const Field& field, std::span<const Region> regions, double operations) {
-    if (const auto polynomial = degree(field.graph, field.root)) return {.degree = polynomial};
-    return Examination(field, regions, operations).result();
+    const bool squares = has_squares(field.graph, field.root);
+    if (const auto polynomial = degree(field.graph, field.root))
+        return {.degree = polynomial, .squares = squares};
+    Smoothness found = Examination(field, regions, operations).result();
+    found.squares = squares;
+    return found;
 }
 
 std::string words(const Smoothness& smoothness) {

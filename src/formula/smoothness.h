@@ -17,6 +17,7 @@ struct Smoothness {
     std::optional<int> degree{}; // of a polynomial in x, y and z
     // Whether there may be any that a method has to know of, see graph/roughness.h.
     bool kinks = false, jumps = false, poles = false;
+    bool squares = false; // of expressions, see graph/squares.h
 
     bool is_smooth() const { return !kinks && !jumps && !poles; }
 };
@@ -27,7 +28,7 @@ struct Region {
     std::array<Interval, 3> box;
 };
 
-// Of all regions together, for about so many operations a place; what is not told then counts as
+// Of all regions together, for a few times so many operations; what is not told then counts as
 // rough. Kinks count where slopes really change, on random lines, as poles do on them; what no such
 // line meets counts where F may be 0.
 Smoothness smoothness(const Field& field, std::span<const Region> regions, double operations = 2e7);

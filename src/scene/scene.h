@@ -55,6 +55,7 @@ struct Surface {
     int parameters = 0;        // the first tracks of the animation are the formula's parameters
     std::vector<Range> ranges; // of those among them that a scene can name
     formula::Smoothness smoothness; // within the bounds, over all frames
+    bool jumps_are_walls = false;   // where F jumps across 0, and not only where F is 0
     Bounds bounds;
     Placement placement;
 };

@@ -15,6 +15,7 @@ namespace {
 using formula::Interval;
 
 constexpr double most_operations = 2e7;
+constexpr int fewest_points = 128; // of faces, to tell whether a surface ends within them
 
 bool is_in(const BoundsAt& bounds, const glm::dvec3& p) {
     if (bounds.shape == Bounds::Shape::sphere)
@@ -114,8 +115,8 @@ Sight sight(const Scene& scene, const SceneAt& now) {
         if (f < found.least) found.least = f;
         if (f > found.most) found.most = f;
     };
-    // The part of faces where F is below 0.
-    const auto below_0 = [&](const BoundsAt& bounds, auto&& take) {
+    // The part of faces where F is below 0, of those where it has a value, if it has one at any.
+    const auto below_0 = [&](const BoundsAt& bounds, auto&& take) -> std::optional<double> {
         int below = 0, known = 0;
         for (int k = 1; k <= points; ++k) {
             const double f = f_at(on_faces(bounds, k));
@@ -123,20 +124,22 @@ Sight sight(const Scene& scene, const SceneAt& now) {
             below += f < 0;
             take(f);
         }
-        return known > 0 ? double(below) / known : 0;
+        if (known == 0) return std::nullopt;
+        return double(below) / known;
     };
     for (int k = 1; k <= points; ++k) {
         const glm::dvec3 unit(halton(k, 2), halton(k, 3), halton(k, 5));
         tell(f_at(now.bounds.min + unit * (now.bounds.max - now.bounds.min)));
     }
-    const double below = below_0(now.bounds, tell);
+    const double below = below_0(now.bounds, tell).value_or(0);
     found.changes_sign = found.least < 0 && found.most > 0;
     found.cut = std::min(below, 1 - below);
-    bool has_end = found.cut == 0;
+    bool has_end = found.cut == 0 && points >= fewest_points;
     for (const double factor : {1.1, 1.25, 1.5, 2.0, 3.0}) {
         if (has_end) break;
-        const double part = below_0(enlarged(now.bounds, factor), [](double) {});
-        has_end = part == 0 || part == 1;
+        if (points < fewest_points) break;
+        const auto part = below_0(enlarged(now.bounds, factor), [](double) {});
+        has_end = part && (*part == 0 || *part == 1);
         if (has_end && !scene.material.inside) found.closed_by = factor;
     }
     if (!found.changes_sign) {

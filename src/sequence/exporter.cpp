@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <utility>
 
@@ -59,8 +60,8 @@ void check_options(const scene::Scene& scene, const ExportOptions& options, imag
 struct PendingFrame {
     int frame = 0;
     animation::Values values;
-    scene::SceneAt now;
-    scene::Aim aim; // of its first picture
+    std::shared_ptr<const scene::SceneAt> now; // of an audited one
+    scene::Aim aim;                            // of its first picture
     image::Metadata metadata;
     std::string fingerprint; // of its file
     bool draws = true;       // not what the frame before it shows
@@ -76,11 +77,12 @@ public:
 
     // None where no ray was asked for.
     std::optional<AuditCounts> hold(int frame, const scene::SceneAt& now, const scene::Aim& aim,
-                                    std::span<const render::Ending> endings) {
+                                    std::span<const render::Ending> endings,
+                                    const std::function<bool()>& stop) {
         if (endings.empty()) return std::nullopt;
         const scene::Output& output = scene_.output;
         const audit::Findings found =
-            auditor_.hold(frame, now, aim, output.width, output.height, endings);
+            auditor_.hold(frame, now, aim, output.width, output.height, endings, stop);
         const std::lock_guard lock(mutex_);
         all_.add(found);
         seconds_a_ray_ = auditor_.seconds_a_ray();
@@ -193,10 +195,12 @@ private:
     void add(int frame) {
         render::FrameInputs inputs = renderer_.prepare(scene_, frame);
         const std::string& pixels = inputs.fingerprint;
-        PendingFrame next{frame, inputs.values, inputs.now, {}, {}, {}};
+        PendingFrame next{frame, inputs.values, {}, {}, {}, {}};
         next.aim = inputs.pictures.front().aim;
         inputs.pictures.front().endings_of = audit::pixels_of_frame(
             scene_.output.width, scene_.output.height, rays_to_audit(), frame);
+        if (!inputs.pictures.front().endings_of.empty())
+            next.now = std::make_shared<const scene::SceneAt>(inputs.now);
         next.metadata = frame_metadata(scene_, inputs.now, next.values, frame);
         next.fingerprint =
             file_fingerprint(pixels, sequence_.provenance.renderer, format_, next.metadata);
@@ -265,10 +269,10 @@ private:
         image::Frame image = picture_drawn_->frame;
         image.metadata = std::move(pending.metadata);
         std::function<std::optional<AuditCounts>()> audit = [] { return std::nullopt; };
-        if (pending.draws) {
+        if (pending.draws && pending.now) {
             audit = [this, frame = pending.frame, now = std::move(pending.now), aim = pending.aim,
                      endings = picture_drawn_->endings] {
-                return auditing_.hold(frame, now, aim, endings);
+                return auditing_.hold(frame, *now, aim, endings, watcher_.stop);
             };
         }
         if (!manifest_) {

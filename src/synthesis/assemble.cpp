@@ -36,7 +36,9 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     Passes passes;
     static_cast<FieldStorage&>(passes) = storage_of(scene, writes_buffers);
     passes.stage = stage;
-    passes.march_takes_gradient = is_long(scene.surface.field->gradient);
+    // A wall's normal is no slope along a ray.
+    passes.march_takes_gradient =
+        is_long(scene.surface.field->gradient) && !scene.surface.jumps_are_walls;
     passes.samples = samples_of(scene, passes.march_takes_gradient);
     const bool solves = method.steps == scene::Steps::polynomial;
     if (solves) passes.degree = scene::solved_degree(*scene.surface.field);

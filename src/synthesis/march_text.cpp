@@ -21,11 +21,18 @@ bool meets_rough_places(const scene::Scene& scene) {
            !scene.surface.smoothness.is_smooth();
 }
 
+// Whether bounds judge where cubics take F for 0 without a change of sign.
+bool judges_touches(const scene::Scene& scene) {
+    return meets_rough_places(scene) ||
+           (scene.isolation.method == scene::Method::hermite && scene.surface.smoothness.squares);
+}
+
 // What finds a root between two samples, or in a piece.
 void add_isolation(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
     const bool directional = passes.samples.front() == FieldFunction::directional;
     const bool bounds = method.samples == scene::Samples::value_and_bounds;
+    if (bounds || judges_touches(scene)) text.file("march/piece_box.glsl");
     if (bounds || meets_rough_places(scene)) text.file("march/piece_bounds.glsl");
     if (!bounds) {
         text.file(directional ? "march/sample_directional.glsl" : "march/sample_value.glsl");
@@ -45,10 +52,15 @@ void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes)
         text.file("march/finest.glsl");
         if (!is_rough) text.file("march/refine.glsl");
         const bool breaks = passes.samples.back() == FieldFunction::breaks;
+        if (breaks && scene.surface.jumps_are_walls) text.define("WALLS", 1);
         text.file(breaks ? "march/breaks.glsl" : "march/no_breaks.glsl");
         text.file(is_rough ? "march/rough.glsl" : "march/touches.glsl");
     }
     if (is_rough) text.define("ROUGH", 1);
+    if (judges_touches(scene)) {
+        text.file("march/touch_by_bounds.glsl");
+        text.define("BOUNDED_TOUCHES", 1);
+    }
     add_files(text, method.turn);
 }
 
@@ -66,6 +78,7 @@ std::vector<FieldFunction> samples_of(const scene::Scene& scene, bool march_take
     if (meets_rough_places(scene))
         return with_breaks({FieldFunction::directional, FieldFunction::rough,
                             FieldFunction::directional_interval});
+    if (judges_touches(scene)) return {FieldFunction::directional, FieldFunction::value_interval};
     const bool value_is_enough = method.samples == scene::Samples::value && !march_takes_gradient;
     return {value_is_enough ? FieldFunction::value : FieldFunction::directional};
 }

@@ -120,13 +120,14 @@ int different_verdicts(const image::Frame& a, const image::Frame& b) {
     return different;
 }
 
-// Of depths, in parts of them: drivers may order a product's factors otherwise.
+// Of depths, in parts of them or of what is near: drivers may order a product's factors otherwise.
 double largest_difference(const image::Frame& a, const image::Frame& b) {
     const auto &x = a.find("Z")->samples, &y = b.find("Z")->samples;
     double largest = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {
         if (std::isfinite(x[k]) && std::isfinite(y[k]))
-            largest = std::max(largest, double(std::abs(x[k] - y[k]) / std::abs(x[k])));
+            largest =
+                std::max(largest, double(std::abs(x[k] - y[k]) / std::max(std::abs(x[k]), 0.1f)));
     }
     return largest;
 }

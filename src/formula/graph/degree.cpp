@@ -37,20 +37,22 @@ int degree_of(const Node& node, const std::array<int, 4>& children) {
 
 } // namespace
 
-std::optional<int> degree(const Graph& graph, NodeId root) {
-    std::vector<int> degrees(root + 1);
+std::vector<std::optional<int>> degrees(const Graph& graph, NodeId root) {
+    std::vector<std::optional<int>> all(root + 1);
     for (NodeId id = 0; id <= root; ++id) { // children come before parents
         const Node& node = graph[id];
         std::array<int, 4> children{};
         bool polynomials = true;
         for (std::size_t k = 0; k < node.arity; ++k) {
-            children[k] = degrees[node.children[k]];
-            polynomials = polynomials && children[k] != no_polynomial;
+            polynomials = polynomials && all[node.children[k]];
+            if (polynomials) children[k] = *all[node.children[k]];
         }
-        degrees[id] = polynomials ? degree_of(node, children) : no_polynomial;
+        const int found = polynomials ? degree_of(node, children) : no_polynomial;
+        if (found != no_polynomial) all[id] = found;
     }
-    if (degrees[root] == no_polynomial) return std::nullopt;
-    return degrees[root];
+    return all;
 }
+
+std::optional<int> degree(const Graph& graph, NodeId root) { return degrees(graph, root).back(); }
 
 } // namespace isomotion::formula

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "formula/graph/graph.h"
 
@@ -13,5 +14,8 @@ namespace isomotion::formula {
 // degrees above 2^20 are given as 2^20. Whole powers above 24 of inputs are none, as graphs clamp
 // their base.
 std::optional<int> degree(const Graph& graph, NodeId root);
+
+// Of each node up to `root`.
+std::vector<std::optional<int>> degrees(const Graph& graph, NodeId root);
 
 } // namespace isomotion::formula

@@ -252,6 +252,9 @@ void check_work(const Scene& scene, const SurfaceParts& parts, const TrackTable&
     }
 }
 
+// As near to a jump as a root may be told from it in pictures of 64 pixels across.
+constexpr double wall_part = 0x1p-15;
+
 // Values that float32 doesn't hold well are multiplied by a power of two.
 void rescale(Scene& scene, SurfaceParts& parts, const SceneAt& first) {
     const double scale = field_scale(*scene.surface.field, first);
@@ -332,6 +335,10 @@ Scene load_text(std::string_view text, const fs::path& file, const std::vector<O
         if (!given.near) isolation.near = found.near;
         if (!given.far) isolation.far = std::max(found.far, isolation.near);
         if (!given.horizon) isolation.horizon = found.horizon;
+    }
+    if (scene.surface.jumps_are_walls) {
+        scene.surface.field = parts->surface.field = std::make_shared<formula::Field>(
+            formula::with_walls(*scene.surface.field, wall_part * first.bounds.radius));
     }
     rescale(scene, *parts, first);
     // Curvatures are quotients of the same field's slopes.

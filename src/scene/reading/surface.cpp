@@ -191,6 +191,7 @@ std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::T
         fail(section->table(), "surface",
              "needs formula = \"...\", or use = \"name\" of the catalogue");
     }
+    parts->surface.jumps_are_walls = section->boolean("jumps").value_or(false);
     for (const char* later : {"bounds", "transform"}) section->find(later);
     section->refuse_rest();
     read_parameters(document, *parts, tracks);

@@ -1,0 +1,11 @@
+// A piece of a ray as a box, for interval arithmetic. Bounds may be NaN, which comparisons are
+// written to take for 'may hold 0'.
+void box_over(Ray ray, vec2 piece, out vec2 x, out vec2 y, out vec2 z) {
+    x = im_add(vec2(ray.anchor.x), im_scale(ray.direction.x, piece));
+    y = im_add(vec2(ray.anchor.y), im_scale(ray.direction.y, piece));
+    z = im_add(vec2(ray.anchor.z), im_scale(ray.direction.z, piece));
+}
+
+bool excludes_0(vec2 a) {
+    return a.x > 0.0 || a.y < 0.0;
+}
