@@ -11,7 +11,7 @@ namespace isomotion::scene {
 namespace {
 
 // Exponents of two.
-constexpr int moderate_exponent = 20, largest_exponent = 1000;
+constexpr int moderate_exponent = 30, largest_exponent = 1000;
 
 struct Sample {
     double value = 0, slope = 0;
@@ -94,8 +94,9 @@ Float32Loss float32_loss(const formula::Field& field, const SceneAt& scene) {
         const bool overflows =
             !std::isfinite(in_floats[k].value) ||
             (!std::isfinite(in_floats[k].slope) && std::isfinite(in_doubles[k].slope));
-        // What underflows before F is scaled is 0 on the GPU.
-        if (!overflows && std::abs(exact) >= double(FLT_MIN) * field.scale) continue;
+        // What underflows on the way is 0 at the end, whatever F is scaled by.
+        const bool underflows = std::abs(exact) < double(FLT_MIN) || in_floats[k].value == 0;
+        if (!overflows && !underflows) continue;
         ++lost;
         loss.example = exact / field.scale;
     }

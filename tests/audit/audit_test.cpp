@@ -147,6 +147,43 @@ TEST_P(Audits, ChangeNoPixel) {
     }
 }
 
+// Stairs z = floor(3 x) / 3: every ray from above meets a tread or a wall, whose normal is -x.
+TEST_P(Audits, JumpsAreWallsWhereAskedFor) {
+    const std::string stairs = R"toml(
+[surface]
+formula = "z - floor(3*x)/3"
+jumps = true
+bounds = { box = [[-1, -1, -1.5], [1, 1, 1.5]] }
+[camera]
+azimuth = 190
+elevation = 20
+[output]
+size = [90, 70]
+)toml";
+    for (const char* method : {"hermite", "affine", "interval", "sphere"}) {
+        SCOPED_TRACE(method);
+        const scene::Scene scene =
+            render::scene_of(stairs + fmt::format("[isolation]\nmethod = \"{}\"\n", method));
+        const render::Picture picture = with_endings(scene, 6300);
+        const Findings found = Auditor(scene).hold(1, now, aim, 90, 70, picture.endings);
+        EXPECT_EQ(found.wrong, 0);
+        EXPECT_GT(found.rays, 5900);
+        render::Renderer renderer(
+            *context, scene, {.width = 90, .height = 70, .channels = {synthesis::Channel::normal}});
+        const render::Picture drawn = render::expose(renderer, renderer.prepare(scene, 1));
+        const auto& x = drawn.frame.find("N.X")->samples;
+        const auto& z = drawn.frame.find("N.Z")->samples;
+        int walls = 0, treads = 0;
+        for (std::size_t k = 0; k < x.size(); ++k) {
+            walls += std::abs(x[k] + 1) < 1e-5;
+            treads += std::abs(z[k] - 1) < 1e-5;
+            EXPECT_TRUE(std::isnan(x[k]) || std::abs(x[k]) + std::abs(z[k]) < 1.0001f) << k;
+        }
+        EXPECT_GT(walls, 500);
+        EXPECT_GT(treads, 200);
+    }
+}
+
 // A step that is far too long, so that the method misses what the audit must find.
 TEST_P(Audits, ExportsWarnAndRecord) {
     namespace fs = std::filesystem;
