@@ -94,8 +94,10 @@ Float32Loss float32_loss(const formula::Field& field, const SceneAt& scene) {
         const bool overflows =
             !std::isfinite(in_floats[k].value) ||
             (!std::isfinite(in_floats[k].slope) && std::isfinite(in_doubles[k].slope));
-        // What underflows on the way is 0 at the end, whatever F is scaled by.
-        const bool underflows = std::abs(exact) < double(FLT_MIN) || in_floats[k].value == 0;
+        // What underflows on the way is 0 at the end, whatever F is scaled by; but so is what
+        // cancels.
+        const double least = in_floats[k].value == 0 ? field.scale : 1;
+        const bool underflows = std::abs(exact) < double(FLT_MIN) * std::max(least, 1.0);
         if (!overflows && !underflows) continue;
         ++lost;
         loss.example = exact / field.scale;
