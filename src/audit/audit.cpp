@@ -17,7 +17,7 @@ constexpr std::size_t most_examples = 8;
 constexpr double fewest_rays = 64, most_rays = 16'384;
 constexpr double cheap_operations = 2e6; // at a point, of all rays of a frame
 constexpr double part_of_drawing = 0.03;
-constexpr std::size_t rays_together = 256;
+constexpr std::size_t rays_together = 64;
 // A ray that takes more is left undecided: an audit is to be cheap, and there are other rays.
 constexpr truth::Budget budget{.evaluations = 2'000};
 

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "gpu/error.h"
+#include "player/draw/audit_thread.h"
 #include "player/draw/draw_thread.h"
 #include "player/draw/frame_scheduler.h"
 #include "player/model/camera_text.h"
@@ -60,6 +61,7 @@ public:
         , window_("isomotion", place(scene.get()))
         , drawing_(open_drawing())
         , thread_(*drawing_, Window::wake)
+        , audits_(Window::wake)
         , scheduler_(thread_) {
         if (scene) {
             take(std::move(scene));
@@ -205,6 +207,8 @@ private:
         if (auto shown = thread_.take_shown()) {
             scheduler_.learn(*shown, display_);
             const std::uint64_t number = shown->number;
+            audited_.reset();
+            if (shown->rays) audits_.audit(*std::exchange(shown->rays, std::nullopt));
             window_.make_current();
             area_.take(std::move(*shown));
             // One that was asked for before says nothing of what failed.
@@ -212,7 +216,15 @@ private:
             new_picture_ = true;
         }
         if (const auto given_up = thread_.take_given_up()) scheduler_.learn(*given_up);
+        if (const auto audited = audits_.take()) take_audit(*audited);
         if (auto failure = thread_.take_failure()) fail_to_draw(failure->text, failure->number);
+    }
+
+    void take_audit(const Audited& audited) {
+        if (audited.number != scheduler_.number()) return; // of a picture that is no longer shown
+        audited_ = audited;
+        log_.add(audited);
+        window_.refresh();
     }
 
     void fail_to_draw(const std::string& text, std::uint64_t number) {
@@ -246,6 +258,7 @@ private:
         } catch (const scene::SceneError& error) {
             fail_to_draw(error.what(), scheduler_.number());
         }
+        if (scheduler_.awaits()) audits_.drop();
     }
 
     std::int64_t frame() const { return frame_at(scene_->session.playback, now()).frame; }
@@ -437,7 +450,7 @@ private:
         if (const auto at = scene_now()) wish = camera_section(look, at->camera);
         parameter_section(look, session, session.overridden().timeline.values(frame()));
         method_section(look, session.scene());
-        reading_section(area_.shown(), size_);
+        reading_section(area_.shown(), size_, audited_);
         topology_.show(*scene_);
         export_.show(*scene_, frame(), size_);
         ImGui::End();
@@ -450,7 +463,7 @@ private:
         Session& session = scene_->session;
         session.playback =
             transport_.show(session.playback, session.scene().timeline, scene_->markers(), now());
-        reading_line(area_.shown());
+        reading_line(area_.shown(), audited_);
         ImGui::End();
     }
 
@@ -461,8 +474,10 @@ private:
     Window window_;
     std::unique_ptr<gpu::Context> drawing_;
     DrawThread thread_;
+    AuditThread audits_;
     FrameScheduler scheduler_;
     PictureArea area_;
+    std::optional<Audited> audited_; // the picture that is shown
     Transport transport_;
     TopologySection topology_;
     ExportSection export_;

@@ -52,6 +52,7 @@ TEST_F(Playing, PlaysUntilPausedAndThenDoesNothing) {
     mark();
     key("space");
     const Json rest = await_rest("a pause");
+    await("its audit", [](const Json& line) { return line.contains("audited"); });
     // Until what is left of the last frames and events is done.
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     const double before = cpu_seconds();
@@ -64,6 +65,24 @@ TEST_F(Playing, PlaysUntilPausedAndThenDoesNothing) {
     await("playing again", [&](const Json& line) {
         return line.contains("frame") && line["frame"] != rest["frame"];
     });
+    quit();
+}
+
+TEST_F(Playing, AuditsThePictureAtRest) {
+    play({"--paused", "sphere.toml"});
+    const auto audit = [](const Json& line) { return line.contains("audited"); };
+    const Json right = await("an audit", audit);
+    EXPECT_GE(right["audited"], 64);
+    EXPECT_EQ(right["wrong"], 0);
+    EXPECT_TRUE(right["wrong_pixels"].empty());
+    // What is wrong is told by its pixels, and what changes is audited anew.
+    write("sphere.toml", growing_sphere("max(x^2 + y^2 + z^2 - 1 - 0*r, 0.02 - abs(x - y))") +
+                             "[isolation]\nmethod = \"marching\"\nstep = 0.5\n");
+    const Json wrong =
+        await("wrong rays", [&](const Json& line) { return audit(line) && line["wrong"] > 0; });
+    ASSERT_FALSE(wrong["wrong_pixels"].empty());
+    const int width = await_rest("the picture")["size"][0];
+    for (const Json& pixel : wrong["wrong_pixels"]) EXPECT_LT(pixel[0], width);
     quit();
 }
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <list>
 #include <numeric>
+#include <random>
 
 #include "gpu/error.h"
 #include "render/exposure.h"
@@ -56,9 +57,13 @@ public:
         begin_ = begin;
         Shown shown = blank(request);
         render::Exposure exposure, other_exposure;
+        std::optional<RaysToAudit> rays;
         for (std::size_t k = 0; k < request.samples.size(); ++k) {
             const Sample& sample = request.samples[k];
-            exposure.add(picture(request, request.isolation, sample, shown));
+            render::Picture drawn =
+                picture(request, request.isolation, sample, shown, k == 0 ? request.audited : 0);
+            if (!drawn.endings.empty()) rays = rays_to_audit(request, std::move(drawn.endings));
+            exposure.add(std::move(drawn));
             shown.counts = last_;
             if (request.other) {
                 other_exposure.add(picture(request, *request.other, sample, shown));
@@ -70,6 +75,7 @@ public:
             develop(exposure, other_exposure, shown);
             shown.took = Clock::now() - begin;
             if (is_last) {
+                shown.rays = std::move(rays);
                 thread_.give(std::move(shown));
                 return;
             }
@@ -105,14 +111,25 @@ private:
         return shown;
     }
 
+    static RaysToAudit rays_to_audit(const Request& request, std::vector<render::Ending> endings) {
+        // Endings come tile by tile; an audit may end before it has held them all.
+        std::ranges::shuffle(endings, std::mt19937_64(std::uint64_t(request.frame)));
+        const Sample& sample = request.samples.front();
+        return {request.number, request.scene, sample.now,     sample.aim,
+                request.frame,  request.width, request.height, std::move(endings)};
+    }
+
     render::Picture picture(const Request& request, const scene::Isolation& isolation,
-                            const Sample& sample, Shown& shown) {
+                            const Sample& sample, Shown& shown, int audited = 0) {
         dropped_ = {};
         render::Renderer& renderer = renderer_for(request, isolation, shown);
         renderer.adjust(isolation);
         renderer.resize(request.width, request.height);
         dropped_ = [this, &request] { return thread_.superseded(request, begin_); };
-        render::Picture drawn = renderer.draw(*sample.now, sample.aim);
+        render::PictureInputs inputs = renderer.prepare(*sample.now, sample.aim);
+        inputs.endings_of =
+            audit::pixels_of_frame(request.width, request.height, audited, int(request.frame));
+        render::Picture drawn = renderer.draw(inputs);
         dropped_ = {};
         context_.expect_alive();
         if (drawn.compiled) shown.compiled = true;
@@ -167,6 +184,7 @@ private:
         render::RenderOptions options;
         options.width = options.height = tile_side;
         options.channels = channels_of(request.view);
+        options.tells_endings = true;
         options.stop = [this] { return dropped_ && dropped_(); };
         return std::make_unique<render::Renderer>(context_, scene, std::move(options));
     }

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "gpu/context.h"
+#include "player/draw/audit_thread.h"
 #include "player/draw/views.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
@@ -42,6 +43,7 @@ struct Request {
     std::int64_t frame = 1;
     // At least one. The mean is shown after the first, then each time their number doubles.
     std::vector<Sample> samples;
+    int audited = 0; // so many rays of the first are given back with the last picture
     // A newer request ends it at once. Otherwise only when it takes too long.
     bool may_be_dropped = false;
     std::chrono::steady_clock::time_point asked_at{}; // the first change that it shows
@@ -69,6 +71,7 @@ struct Shown {
     RayCounts other;                      // by the other method
     std::optional<Difference> difference; // its raster is empty
     double heat_end = 0;                  // evaluations at the end of the heat map
+    std::optional<RaysToAudit> rays;      // where some of the first sample's ended
     std::chrono::steady_clock::time_point asked_at{};
     std::chrono::duration<double> took{}; // since the picture before was done
     bool compiled = false; // a shader was, so `took` says nothing of the next picture

@@ -15,6 +15,9 @@ constexpr double rests_after = 0.15;
 // A picture that takes longer is not waited for: what is newer may have it given up.
 constexpr double longest_wait = 0.1;
 
+// Rays of a picture at rest.
+constexpr int most_audited = 16'384;
+
 } // namespace
 
 glm::ivec2 fitted_size(glm::ivec2 area, double aspect) {
@@ -46,6 +49,7 @@ void FrameScheduler::post(const Session& session, double scale, int samples, boo
     request.height = std::max(1, int(std::lround(size.y * scale)));
     request.frame = subject_->frame;
     request.may_be_dropped = may_be_dropped;
+    request.audited = whole_ ? most_audited : 0;
     request.asked_at = noticed_.value_or(std::chrono::steady_clock::now());
     noticed_.reset();
     const double shutter = session.scene().camera.shutter;

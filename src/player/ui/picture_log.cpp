@@ -50,6 +50,20 @@ void PictureLog::add(const Shown& shown, glm::ivec2 corner, glm::ivec2 size, boo
     write(line.dump());
 }
 
+void PictureLog::add(const Audited& audited) {
+    if (!file_) return;
+    const audit::Findings& found = audited.findings;
+    nlohmann::ordered_json pixels = nlohmann::ordered_json::array();
+    for (const audit::WrongPixel& pixel : found.examples)
+        pixels.push_back({pixel.column, pixel.row});
+    const nlohmann::ordered_json line{{"seconds", seconds(Clock::now())},
+                                      {"audited", found.rays},
+                                      {"wrong", found.wrong},
+                                      {"undecided", found.undecided},
+                                      {"wrong_pixels", pixels}};
+    write(line.dump());
+}
+
 void PictureLog::add_failure(const std::string& text) {
     if (!file_) return;
     const nlohmann::ordered_json line{{"seconds", seconds(Clock::now())}, {"error", text}};

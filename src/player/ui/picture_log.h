@@ -21,6 +21,8 @@ public:
     // Call after the picture was sent to the screen. `corner` and `size`: in the window; `at_rest`:
     // no better one follows while nothing changes.
     void add(const Shown& shown, glm::ivec2 corner, glm::ivec2 size, bool at_rest);
+    // What an audit found of the picture at rest.
+    void add(const Audited& audited);
     void add_failure(const std::string& text);
     // Logs the widgets' places if they have changed.
     void add(const WidgetRects& rects);

@@ -166,6 +166,31 @@ bool parameter_slider(const Slider& slider, Overrides& overrides,
     return touched;
 }
 
+// "5120 rays right"
+std::string audit_text(const audit::Findings& found) {
+    if (found.wrong > 0) return fmt::format("{} of {} rays wrong", found.wrong, found.rays);
+    return found.rays > 0 ? fmt::format("{} rays right", found.rays) : "no ray could be told";
+}
+
+void line(const char* name, const std::string& text) {
+    row(name);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+void audit_lines(const audit::Findings& found) {
+    line("audit", audit_text(found));
+    if (found.rays > 0 && found.wrong == 0) {
+        line("95 % sure", fmt::format("at most {:.0f} in a million wrong",
+                                      std::ceil(1e6 * audit::most_wrong(found.rays))));
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, error_color());
+    for (const audit::WrongPixel& pixel : found.examples) {
+        line(fmt::format("{}, {}", pixel.column, pixel.row).c_str(),
+             std::string(truth::words(pixel.fault)));
+    }
+    ImGui::PopStyleColor();
+}
+
 } // namespace
 
 bool heading(const char* title) {
@@ -293,15 +318,13 @@ void method_section(Look& look, const scene::Scene& scene) {
     ImGui::Checkbox("smooth edges at rest", &look.smooth);
 }
 
-void reading_section(const std::optional<Shown>& shown, glm::ivec2 size) {
+void reading_section(const std::optional<Shown>& shown, glm::ivec2 size,
+                     const std::optional<Audited>& audited) {
     if (!heading("Reading") || !shown) return;
     const RayCounts& tally = shown->counts;
-    const auto line = [](const char* name, const std::string& text) {
-        row(name);
-        ImGui::TextUnformatted(text.c_str());
-    };
     const double rays = double(std::max<std::int64_t>(1, tally.rays()));
     const double seconds = std::max(1e-9, tally.drawing.count());
+    if (audited) audit_lines(audited->findings);
     line("drawing", fmt::format("{:.1f} ms", 1e3 * seconds));
     line("evaluations", fmt::format("{:.1f} a ray", double(tally.evaluations) / rays));
     line("rays", fmt::format("{:.2f} million/s", 1e-6 * rays / seconds));
@@ -314,19 +337,26 @@ void reading_section(const std::optional<Shown>& shown, glm::ivec2 size) {
     }
 }
 
-void reading_line(const std::optional<Shown>& shown) {
+void reading_line(const std::optional<Shown>& shown, const std::optional<Audited>& audited) {
     if (!shown) return;
     const RayCounts& tally = shown->counts;
     const double rays = double(std::max<std::int64_t>(1, tally.rays()));
-    const std::string text = fmt::format(
+    const std::string drawn = fmt::format(
         "{} x {}   {:.1f} ms   {:.1f} evaluations a ray", shown->raster.width, shown->raster.height,
         1e3 * tally.drawing.count(), double(tally.evaluations) / rays);
-    const float begin = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x;
+    const std::string found = audited ? audit_text(audited->findings) : drawn;
     ImGui::SameLine();
-    if (ImGui::GetCursorPosX() > begin) return ImGui::NewLine(); // no room
-    ImGui::SetCursorPosX(begin);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", text.c_str());
+    // Of both, where there is room for one alone, what was found.
+    for (const std::string& text : {audited ? drawn + "   " + found : drawn, found}) {
+        const float begin =
+            ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x;
+        if (ImGui::GetCursorPosX() > begin) continue;
+        ImGui::SetCursorPosX(begin);
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", text.c_str());
+        return;
+    }
+    ImGui::NewLine();
 }
 
 } // namespace isomotion::player

@@ -28,8 +28,10 @@ void parameter_section(Look& look, const Session& session, const animation::Valu
 void method_section(Look& look, const scene::Scene& scene);
 
 // What the last picture took: in full, and as one right-aligned line.
-void reading_section(const std::optional<Shown>& shown, glm::ivec2 size);
-void reading_line(const std::optional<Shown>& shown);
+// Beside it what an audit found of it, once it rests.
+void reading_section(const std::optional<Shown>& shown, glm::ivec2 size,
+                     const std::optional<Audited>& audited);
+void reading_line(const std::optional<Shown>& shown, const std::optional<Audited>& audited);
 
 // Saves frames as files.
 class ExportSection {

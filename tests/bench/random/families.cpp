@@ -1,4 +1,4 @@
-#include "random/families.h"
+#include "families.h"
 
 #include <array>
 #include <cmath>

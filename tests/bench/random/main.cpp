@@ -1,8 +1,11 @@
 // Wrong pixels of the default method, or of another, on random formulas of each class, against
 // certified truth.
 //
-//   random_formulas [--each N] [--size N] [--seed N] [--method NAME] [--only CLASS,...] [--list N]
+//   random_formulas [--each N] [--size N] [--seed N] [--method NAME] [--beside NAME]
+//                   [--only CLASS,...] [--list N]
 //
+// --beside draws each formula by another method in turn and prints the ratio of the times: of all
+// together, and the worst of one formula.
 // --list prints the scenes of the worst formulas of each class, as TOML, when they have a wrong
 // pixel.
 #include <algorithm>
@@ -25,6 +28,7 @@ struct Arguments {
     int each = 250, size = 96, list = 0;
     std::uint64_t seed = 1;
     std::string method; // empty for the scene's own
+    std::string beside; // empty for none
     std::vector<std::string> only;
 };
 
@@ -32,30 +36,58 @@ struct Trial {
     std::string scene;
     accuracy::Errors errors;
     double evaluations = 0, ms = 0;
+    double compiling_ms = 0; // with the first picture
+    double beside_ms = 0;
 };
 
 using Clock = std::chrono::steady_clock;
 
-Trial attempt(gpu::Context& context, const std::string& text, const Arguments& arguments) {
-    scene::Scene scene = scene::load_text(text, "random.toml", {}, scene::Reach::own_folder);
-    if (!arguments.method.empty())
-        scene.isolation.method = scene::parse_method(arguments.method).value();
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+double ms_since(Clock::time_point start) {
+    return 1e3 * std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::unique_ptr<render::Renderer> renderer_of(gpu::Context& context, scene::Scene scene,
+                                              const std::string& method) {
+    if (!method.empty()) scene.isolation.method = scene::parse_method(method).value();
     using synthesis::Channel;
-    render::Renderer renderer(
-        context, scene,
-        {scene.output.width,
-         scene.output.height,
-         {Channel::normal, Channel::position, Channel::verdict, Channel::evaluations},
-         {}});
-    renderer.draw(now); // compiles
-    const auto start = Clock::now();
-    const render::Picture picture = renderer.draw(now);
-    const double ms = 1e3 * std::chrono::duration<double>(Clock::now() - start).count();
+    const std::vector channels{Channel::normal, Channel::position, Channel::verdict,
+                               Channel::evaluations};
+    return std::make_unique<render::Renderer>(context, scene,
+                                              render::RenderOptions{.width = scene.output.width,
+                                                                    .height = scene.output.height,
+                                                                    .channels = channels});
+}
+
+Trial attempt(gpu::Context& context, const std::string& text, const Arguments& arguments) {
+    const scene::Scene scene = scene::load_text(text, "random.toml", {}, scene::Reach::own_folder);
+    const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+    Trial trial{text};
+    const auto begin = Clock::now();
+    const auto renderer = renderer_of(context, scene, arguments.method);
+    renderer->draw(now);
+    trial.compiling_ms = ms_since(begin);
+    std::unique_ptr<render::Renderer> beside;
+    if (!arguments.beside.empty()) {
+        beside = renderer_of(context, scene, arguments.beside);
+        beside->draw(now);
+    }
+    render::Picture picture;
+    trial.ms = trial.beside_ms = 1e30;
+    // The least of three, in turn: other programs run meanwhile.
+    for (int k = 0; k < (beside ? 3 : 1); ++k) {
+        auto start = Clock::now();
+        picture = renderer->draw(now);
+        trial.ms = std::min(trial.ms, ms_since(start));
+        if (!beside) continue;
+        start = Clock::now();
+        beside->draw(now);
+        trial.beside_ms = std::min(trial.beside_ms, ms_since(start));
+    }
     const truth::Truth truth =
         truth::certify(scene, now, scene.output.width, scene.output.height, {});
-    return {text, accuracy::compare(scene, now, picture.frame, truth), double(picture.evaluations),
-            ms};
+    trial.errors = accuracy::compare(scene, now, picture.frame, truth);
+    trial.evaluations = double(picture.evaluations);
+    return trial;
 }
 
 void report(const Family& family, std::vector<Trial> trials, const Arguments& arguments) {
@@ -65,23 +97,28 @@ void report(const Family& family, std::vector<Trial> trials, const Arguments& ar
     std::stable_sort(trials.begin(), trials.end(),
                      [&](const Trial& a, const Trial& b) { return wrong(a) > wrong(b); });
     accuracy::Errors all;
-    double ms = 0, evaluations = 0;
+    double ms = 0, evaluations = 0, compiling = 0, beside = 0, worst_ratio = 0;
     int right = 0, few = 0;
     for (const Trial& trial : trials) {
         all.add(trial.errors);
         ms += trial.ms;
         evaluations += trial.evaluations;
+        compiling += trial.compiling_ms;
+        beside += trial.beside_ms;
+        worst_ratio = std::max(worst_ratio, trial.ms / trial.beside_ms);
         right += wrong(trial) == 0;
         few += 1e6 * double(wrong(trial)) <= 100.0 * double(trial.errors.pixels);
     }
     const Trial& worst = trials.front();
     fmt::print("| {:<10} | {:>4} | {:>4} | {:>5.1f} | {:>4} | {:>7.0f} | {:>6} | {:>6} | {:>6} | "
-               "{:>5} | {:>5} | {:>6} | {:>5.1f} | {:>6.2f} |\n",
+               "{:>5} | {:>5} | {:>6} | {:>5.1f} | {:>6.2f} | {:>6.0f} |",
                family.name, trials.size(), right, 100.0 * right / double(trials.size()), few,
                1e6 * double(wrong(worst)) / double(worst.errors.pixels), all.missed, all.false_hits,
                all.wrong_roots, all.nan, all.step_limit, all.undecided,
                evaluations / double(std::max<std::int64_t>(1, all.rays)),
-               ms / double(trials.size()));
+               ms / double(trials.size()), compiling / double(trials.size()));
+    if (!arguments.beside.empty()) fmt::print(" {:.2f} | {:.2f} |", ms / beside, worst_ratio);
+    fmt::print("\n");
     for (int k = 0; k < arguments.list && k < int(trials.size()); ++k) {
         const Trial& t = trials[std::size_t(k)];
         if (wrong(t) == 0) break;
@@ -97,8 +134,10 @@ void run(const Arguments& arguments) {
     fmt::print("seed {}, {} formulas a class, {} x {}\n\n", arguments.seed, arguments.each,
                arguments.size, arguments.size);
     fmt::print("| class | n | right | % | <= 100 ppm | worst ppm | missed | false | behind | NaN | "
-               "limit | undecided | evaluations a ray | ms |\n"
-               "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+               "limit | undecided | evaluations a ray | ms | compiling, ms |{}\n"
+               "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|{}\n",
+               arguments.beside.empty() ? "" : fmt::format(" times {} | worst |", arguments.beside),
+               arguments.beside.empty() ? "" : "--:|--:|");
     for (const Family& family : families()) {
         if (!arguments.only.empty() && std::find(arguments.only.begin(), arguments.only.end(),
                                                  family.name) == arguments.only.end())
@@ -124,6 +163,7 @@ int main(int argc, char** argv) {
     app.add_option("--size", arguments.size, "pixels across")->check(CLI::Range(8, 2048));
     app.add_option("--seed", arguments.seed, "of the first formula of each class");
     app.add_option("--method", arguments.method, "instead of the scene's own");
+    app.add_option("--beside", arguments.beside, "another method, to compare the times");
     app.add_option("--only", arguments.only, "these classes")->delimiter(',');
     app.add_option("--list", arguments.list, "print so many scenes with wrong pixels a class");
     CLI11_PARSE(app, argc, argv);
