@@ -31,6 +31,7 @@ RayState next_light(RayState s, SurfacePoint p) {
         s.phase = PHASE_START;
 #ifdef THREE_SAMPLES
         s.other = vec3(0.0);
+        s.open_end = 0.0;
 #endif
         return s;
     }

@@ -28,6 +28,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     bool nan = im_is_nan(f.x);
 #ifdef ROUGH
     if (judge_by_intervals(s, ray, t, f, longest)) return s;
+    RayState before = s;
 #endif
     // A slope that is not a number (a kink, say) counts as none.
     if (im_is_nan(f.y)) f.y = 0.0;
@@ -92,6 +93,11 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     bool moves = starts || free || refines && same_side;
 
     float step = starts ? abs(t - newton) : h * (min(middle, abs(f.x)) > 8.0 * error ? 2.5 : 1.2);
+#ifdef ROUGH
+    // Behind a break, whose length `other` has, there may be more of it; far from 0 steps grow fast.
+    if (starts && s.other.x > 0.0) step = min(step, 8.0 * s.other.x);
+    if (!starts && min(middle, abs(f.x)) > 800.0 * error) step = 8.0 * h;
+#endif
     float forward = min(t + clamp(step, finest, longest), ray.t_far);
     float cut = s.low + clamp(y, 0.1 * h, 0.9 * h);
     float next = closes_in ? between : moves ? forward : cut;
@@ -112,6 +118,10 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     s.high = next;
     s.refinements = refines ? s.refinements + 1 : 0;
     s.phase = closes_in ? PHASE_REFINE : PHASE_MARCH;
+#ifdef ROUGH
+    if (touches) return doubt_touch(before, t);
+    if (free) s = pass_cubic(s, before, ray, t);
+#endif
     if (nan) return finish(s, VERDICT_NAN);
     if (close) return found(s, newton);
     if (narrow) return found(s, clamp(between, begins, ends));

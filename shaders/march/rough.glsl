@@ -1,6 +1,40 @@
 // What keeps cubics right where F isn't smooth. Over the piece between two samples intervals tell
 // whether there may be a kink, a jump or a pole; there the step is judged by bounds of F and dF/dt
 // over the piece, as in interval.glsl, and elsewhere by cubics.
+//
+// A piece that bounds leave open is cut in halves, and what is left of it is again, as long as at
+// most one part in a row passes: breaks are closed in on at one sample a bit. While a ray marches,
+// `refinements` counts the parts passed, or says that bounds alone may judge.
+const int BY_BOUNDS = 64;
+
+// The piece up to t is left open.
+RayState leave_open(RayState s, float t) {
+    s.open_end = t;
+    s.refinements = s.refinements == BY_BOUNDS ? BY_BOUNDS : 0;
+    return cut(s, 0.5 * (t - s.low));
+}
+
+// Where the next piece ends, if it begins at t and could be as long as `length`.
+float next_end(RayState s, Ray ray, float t, float length) {
+    float rest = s.open_end - t, part = s.refinements < 2 ? 0.5 * rest : rest;
+    float most = rest > 0.0 ? min(length, max(part, finest_at(t))) : length;
+    return min(t + most, ray.t_far);
+}
+
+// Cubics take F for 0 between the samples at s.low and t.
+RayState doubt_touch(RayState s, float t) {
+    s.refinements = BY_BOUNDS;
+    s.other = vec3(s.low, s.f_low);
+    s.high = t;
+    return s;
+}
+
+// A cubic of the ray as it was `before` leaves no root up to t.
+RayState pass_cubic(RayState s, RayState before, Ray ray, float t) {
+    s.refinements = before.refinements + 1;
+    s.high = next_end(s, ray, t, s.high - t);
+    return s;
+}
 
 // A ray that begins at t, after what its samples tell nothing of. `length`: of the piece to try
 // where F has no value.
@@ -21,12 +55,12 @@ RayState no_value_at_begin(RayState s, Ray ray) {
 }
 
 // There is no root up to t, where F is f.
-RayState pass_piece(RayState s, Ray ray, float t, vec2 f, vec3 other, float longest) {
-    float next = clamp(2.0 * (t - s.low), finest_at(t), longest);
+RayState pass_piece(RayState s, Ray ray, float t, vec2 f, vec3 other) {
+    s.refinements = s.refinements == BY_BOUNDS ? 0 : s.refinements + 1;
+    s.high = next_end(s, ray, t, max(2.0 * (t - s.low), finest_at(t)));
     s.low = t;
     s.f_low = f;
     s.other = other;
-    s.high = min(t + next, ray.t_far);
     s.phase = PHASE_MARCH;
     if (t >= ray.t_far) return finish(s, VERDICT_MISS);
     bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);
@@ -42,17 +76,17 @@ float least_between(float at_begin, float at_end, vec2 slope, float h) {
 }
 
 // From the sample at s.low to that at t.
-RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f, float longest) {
+RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f) {
     float h = t - s.low;
     bool is_finest = h <= finest_at(t);
-    if (im_is_nan(f.x)) return is_finest ? begin_at(s, ray, t, h) : cut(s, 0.5 * h);
+    if (im_is_nan(f.x)) return is_finest ? begin_at(s, ray, t, h) : leave_open(s, t);
     Bounds bounds = bounds_over(ray, vec2(s.low, t), ray.direction);
     bool below = f.x < 0.0, changes = below != (s.f_low.x < 0.0);
     bool monotone = excludes_0(bounds.derivative);
     vec2 upright = below ? -bounds.derivative.yx : bounds.derivative;
     float least = least_between(abs(s.f_low.x), abs(f.x), upright, h);
     if (excludes_0(bounds.value) || !changes && (monotone || least > 0.0)) {
-        return pass_piece(s, ray, t, f, vec3(t, f), longest);
+        return pass_piece(s, ray, t, f, vec3(t, f));
     }
     if (monotone) {
         s.other = vec3(t, f);
@@ -61,7 +95,7 @@ RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f, float longest) 
         s.phase = PHASE_REFINE;
         return s;
     }
-    if (!is_finest) return cut(s, 0.5 * h);
+    if (!is_finest) return leave_open(s, t);
     bool bounded = abs(bounds.value.x) < IM_LARGEST && abs(bounds.value.y) < IM_LARGEST;
 #ifdef WALLS
     if (changes && bounded) return found(s, 0.5 * (s.low + t));
@@ -70,7 +104,8 @@ RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f, float longest) 
     return bounded ? found(s, 0.5 * (s.low + t)) : finish(s, VERDICT_STEP_LIMIT);
 }
 
-// Whether the piece up to the sample at t was judged here, and s is what comes of it.
+// Whether the piece up to the sample at t was judged here, and s is what comes of it. Cubics are left
+// no pieces longer than `longest`; others may be longer.
 bool judge_by_intervals(inout RayState s, Ray ray, float t, vec2 f, float longest) {
     if (s.phase == PHASE_START) {
         if (!im_is_nan(f.x)) return false;
@@ -82,13 +117,15 @@ bool judge_by_intervals(inout RayState s, Ray ray, float t, vec2 f, float longes
     box_over(ray, vec2(s.low, t), x, y, z);
     vec4 rough = field_rough(x, y, z);
     // Sums of zeros are rounded outwards.
-    bool is_smooth = rough.z > -IM_LARGEST && rough.w < IM_LARGEST;
+    bool is_smooth = rough.z > -IM_LARGEST && rough.w < IM_LARGEST && s.refinements != BY_BOUNDS;
     if (excludes_0(rough.xy) && !im_is_nan(f.x)) {
         vec3 behind = is_smooth ? vec3(s.low, s.f_low) : vec3(t, f);
-        s = pass_piece(s, ray, t, f, behind, longest);
+        s = pass_piece(s, ray, t, f, behind);
         return true;
     }
-    if (is_smooth) return false;
-    s = advance_by_bounds(s, ray, t, f, longest);
+    // Cut, it is as long but for rounding.
+    if (is_smooth && t - s.low <= 1.01 * longest) return false;
+    if (is_smooth) s = cut(s, longest);
+    else s = advance_by_bounds(s, ray, t, f);
     return true;
 }

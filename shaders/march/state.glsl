@@ -16,9 +16,10 @@ struct RayState {
     int phase;
     int verdict;
     int evaluations;
-    int refinements;   // done so far
+    int refinements;   // done so far; before, see rough.glsl
 #ifdef THREE_SAMPLES
     vec3 other;        // t, F and dF/dt of one sample more, see hermite.glsl
+    float open_end;    // of a piece that bounds left open, see rough.glsl; else not beyond low
 #endif
 #ifdef DEGREE
     // The samples so far of a polynomial. They end with the pass: the next one takes them anew.
@@ -46,7 +47,9 @@ RayState load_state() {
     s.evaluations = int(b.z);
     s.refinements = int(b.w);
 #ifdef THREE_SAMPLES
-    s.other = texelFetch(state_texture_2, at, 0).xyz;
+    vec4 c = texelFetch(state_texture_2, at, 0);
+    s.other = c.xyz;
+    s.open_end = c.w;
 #endif
 #ifdef DEGREE
     s.taken = 0;
@@ -73,6 +76,7 @@ RayState state_at(float t) {
     s.refinements = 0;
 #ifdef THREE_SAMPLES
     s.other = vec3(0.0);
+    s.open_end = 0.0;
 #endif
 #ifdef DEGREE
     s.taken = 0;

@@ -9,6 +9,6 @@ void store_state(RayState s) {
     state_0 = vec4(s.low, s.f_low, s.high);
     state_1 = vec4(float(s.phase), float(s.verdict), float(s.evaluations), float(s.refinements));
 #ifdef THREE_SAMPLES
-    state_2 = vec4(s.other, 0.0);
+    state_2 = vec4(s.other, s.open_end);
 #endif
 }

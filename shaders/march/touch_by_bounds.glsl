@@ -4,11 +4,7 @@
 vec2 bounds_of_value(Ray ray, vec2 piece) {
     vec2 x, y, z;
     box_over(ray, piece, x, y, z);
-#ifdef ROUGH
-    return field_rough(x, y, z).xy;
-#else
     return field_interval(x, y, z);
-#endif
 }
 
 // Whether F may be 0 in the piece, down to the shortest parts of it; false where nobody asks.

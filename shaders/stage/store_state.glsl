@@ -11,6 +11,6 @@ void store_state(RayState s) {
     imageStore(state_image_1, at, vec4(float(s.phase), float(s.verdict), float(s.evaluations),
                                        float(s.refinements)));
 #ifdef THREE_SAMPLES
-    imageStore(state_image_2, at, vec4(s.other, 0.0));
+    imageStore(state_image_2, at, vec4(s.other, s.open_end));
 #endif
 }

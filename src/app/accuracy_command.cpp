@@ -9,6 +9,7 @@
 #include "accuracy/truth_cache.h"
 #include "animation/frame_range.h"
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
 
@@ -141,8 +142,7 @@ int judge(const AccuracyArguments& arguments, const accuracy::Report& report) {
         if (const auto k = accuracy::cheapest(report.measurements, *arguments.max_wrong)) {
             tell("cheapest", *k);
         } else {
-            fmt::print(stderr, "no setting has at most {:g} ppm of wrong pixels\n",
-                       *arguments.max_wrong);
+            message("no setting has at most {:g} ppm of wrong pixels\n", *arguments.max_wrong);
             code = exit_check_failed;
         }
     }
@@ -150,7 +150,7 @@ int judge(const AccuracyArguments& arguments, const accuracy::Report& report) {
         if (const auto k = accuracy::most_accurate(report.measurements, *arguments.budget_ms)) {
             tell("most accurate", *k);
         } else {
-            fmt::print(stderr, "no setting takes at most {:g} ms a frame\n", *arguments.budget_ms);
+            message("no setting takes at most {:g} ms a frame\n", *arguments.budget_ms);
             code = exit_check_failed;
         }
     }

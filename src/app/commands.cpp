@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "app/console.h"
 #include "base/file.h"
 #include "base/printable.h"
 #include "gpu/context.h"
@@ -19,26 +20,12 @@ namespace isomotion::app {
 namespace {
 
 int report(int code, const std::exception& error) {
-    fmt::print(stderr, "{}\n", base::printable(error.what()));
+    message("{}\n", base::printable(error.what()));
     return code;
 }
 
-} // namespace
-
-CLI::Option* add_allow_outside(CLI::App& command, scene::Reach& reach) {
-    return command.add_flag_callback(
-        "--allow-outside", [&reach] { reach = scene::Reach::anywhere; },
-        "let the scene name files outside its own folder and the program's");
-}
-
-void check_amount(std::string_view option, std::optional<double> amount, std::string_view right) {
-    if (!amount || (*amount >= 0 && std::isfinite(*amount))) return;
-    throw std::invalid_argument(fmt::format("{} {}: write {}", option, *amount, right));
-}
-
-int run(int argc, char** argv) {
-    // A file beyond a limit is what a write fails with, not the end of the program.
-    std::signal(SIGXFSZ, SIG_IGN);
+// Parses the command line and carries it out.
+int run_command(int argc, char** argv) {
     CLI::App app(
         "Renders implicit surfaces that move: a formula F(x, y, z; parameters) = 0 and how "
         "its parameters change, drawn frame by frame on the GPU.",
@@ -81,11 +68,33 @@ int run(int argc, char** argv) {
     } catch (const gpu::ResourceError& error) {
         return report(exit_machine, error);
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "out of memory: the picture is too large for this machine\n");
+        message("out of memory: the picture is too large for this machine\n");
         return exit_machine;
     } catch (const std::exception& error) {
         return report(exit_machine, error);
     }
+}
+
+} // namespace
+
+CLI::Option* add_allow_outside(CLI::App& command, scene::Reach& reach) {
+    return command.add_flag_callback(
+        "--allow-outside", [&reach] { reach = scene::Reach::anywhere; },
+        "let the scene name files outside its own folder and the program's");
+}
+
+void check_amount(std::string_view option, std::optional<double> amount, std::string_view right) {
+    if (!amount || (*amount >= 0 && std::isfinite(*amount))) return;
+    throw std::invalid_argument(fmt::format("{} {}: write {}", option, *amount, right));
+}
+
+int run(int argc, char** argv) {
+    keep_standard_descriptors();
+    // A file beyond a limit is what a write fails with, not the end of the program.
+    std::signal(SIGXFSZ, SIG_IGN);
+    const int code = run_command(argc, argv);
+    // Whoever takes the output for all of it is told that it isn't.
+    return code == exit_done && !finish_output() ? int(exit_machine) : code;
 }
 
 } // namespace isomotion::app

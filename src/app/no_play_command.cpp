@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "app/console.h"
 
 namespace isomotion::app {
 
@@ -11,8 +12,8 @@ void add_play(CLI::App& app, Action& chosen) {
         ->prefix_command()
         ->callback([&chosen] {
             chosen = [] {
-                fmt::print(stderr, "isomotion was built without the window (ISOMOTION_WINDOW=OFF); "
-                                   "isomotion render draws frames into files\n");
+                message("isomotion was built without the window (ISOMOTION_WINDOW=OFF); "
+                        "isomotion render draws frames into files\n");
                 return int(exit_machine);
             };
         });

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "app/console.h"
 #include "player/player.h"
 #include "player/ui/window.h"
 
@@ -13,8 +14,7 @@ int play_in_window(const player::PlayOptions& options) {
         player::play(options);
         return exit_done;
     } catch (const player::NoWindow& error) {
-        fmt::print(stderr, "{}\nwithout a display, isomotion render draws frames into files\n",
-                   error.what());
+        message("{}\nwithout a display, isomotion render draws frames into files\n", error.what());
         return exit_machine;
     }
 }

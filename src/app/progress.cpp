@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "app/console.h"
+
 namespace isomotion::app {
 
 Progress::Progress(std::string what, int total, bool quiet)
@@ -14,7 +16,7 @@ Progress::Progress(std::string what, int total, bool quiet)
     , terminal_(!quiet && isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
-    if (drawn_) fmt::print(stderr, "\r\033[K");
+    if (drawn_) message("\r\033[K");
 }
 
 void Progress::show(int done, const std::string& note) {
@@ -26,16 +28,16 @@ void Progress::show(int done, const std::string& note) {
     if (done > 0 && done < total_) {
         left = fmt::format(", {:.0f} s left", passed.count() / done * (total_ - done));
     }
-    fmt::print(stderr, "\r\033[K{} [{:=<{}}{: <{}}] {}/{}{} {}", what_, "", filled, "",
-               width - filled, done, total_, left, note);
+    message("\r\033[K{} [{:=<{}}{: <{}}] {}/{}{} {}", what_, "", filled, "", width - filled, done,
+            total_, left, note);
     std::fflush(stderr);
     drawn_ = true;
 }
 
 void Progress::tell(const std::string& text) {
-    if (drawn_) fmt::print(stderr, "\r\033[K");
+    if (drawn_) message("\r\033[K");
     drawn_ = false;
-    fmt::print(stderr, "{}\n", text);
+    message("{}\n", text);
 }
 
 } // namespace isomotion::app

@@ -10,6 +10,7 @@
 #include "animation/frame_range.h"
 #include "app/choose_setting.h"
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/frame_progress.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
@@ -75,7 +76,7 @@ std::string summary(const sequence::ExportTotals& totals, Seconds wall) {
     return text;
 }
 
-void warn(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
+void warn(const std::string& text) { message("warning: {}\n", text); }
 
 // At the first frame asked for.
 scene::Sight sight_of(const sequence::Exporter& exporter) {
@@ -91,7 +92,7 @@ bool has_hits(const sequence::ExportTotals& totals) {
 }
 
 int stopped() {
-    fmt::print(stderr, "stopped; the frames written are whole, --resume renders the rest\n");
+    message("stopped; the frames written are whole, --resume renders the rest\n");
     return exit_interrupted;
 }
 
@@ -111,10 +112,9 @@ int render(const RenderArguments& arguments) {
                                                .stage = options.stage,
                                                .quiet = arguments.quiet});
         if (!isolation) {
-            fmt::print(stderr,
-                       "--max-wrong {:g}: no setting is that accurate; isomotion accuracy {} tells "
-                       "what there is\n",
-                       *arguments.max_wrong, arguments.scene);
+            message("--max-wrong {:g}: no setting is that accurate; isomotion accuracy {} tells "
+                    "what there is\n",
+                    *arguments.max_wrong, arguments.scene);
             return exit_check_failed;
         }
         exporter.choose(*isolation);

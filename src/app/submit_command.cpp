@@ -9,6 +9,7 @@
 
 #include "animation/frame_range.h"
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
 #include "app/stop_on_signal.h"
@@ -124,15 +125,14 @@ private:
             }
         }
         if (ending.stopped) {
-            fmt::print(stderr, "stopped; the frames written are whole, the same again (or render "
-                               "--resume) renders the rest\n");
+            message("stopped; the frames written are whole, the same again (or render "
+                    "--resume) renders the rest\n");
             return exit_interrupted;
         }
         if (ending.failed > 0) {
-            fmt::print(stderr,
-                       "{} of {} chunks failed; the same again (or render --resume) "
-                       "renders the rest\n",
-                       ending.failed, chunks.size());
+            message("{} of {} chunks failed; the same again (or render --resume) "
+                    "renders the rest\n",
+                    ending.failed, chunks.size());
         }
         if (ending.code != exit_done) return ending.code;
         const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;

@@ -8,6 +8,7 @@
 
 #include "animation/frame_range.h"
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/progress.h"
 #include "app/stop_on_signal.h"
 #include "base/base64.h"
@@ -105,11 +106,9 @@ std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& argument
             thumbnails.push_back({frames[k], "data:image/png;base64," + base::base64(png)});
         }
     } catch (const gpu::Unavailable&) {
-        fmt::print(stderr, "warning: no OpenGL here: {} has no pictures of the surface\n",
-                   arguments.plot);
+        message("warning: no OpenGL here: {} has no pictures of the surface\n", arguments.plot);
     } catch (const std::exception& error) { // a shader too long, a value out of range in between
-        fmt::print(stderr, "warning: {} lacks pictures of the surface: {}\n", arguments.plot,
-                   error.what());
+        message("warning: {} lacks pictures of the surface: {}\n", arguments.plot, error.what());
     }
     return thumbnails;
 }
@@ -164,12 +163,12 @@ int judged(const TopologyArguments& arguments, const topology::Expectation& expe
         if (!arguments.quiet) fmt::print("{}", text);
         return exit_done;
     case topology::Outcome::differs:
-        fmt::print(stderr, "{}", text);
+        message("{}", text);
         return exit_check_failed;
     case topology::Outcome::incomplete:
         break;
     }
-    fmt::print(stderr, "{}", text);
+    message("{}", text);
     return exit_incomplete;
 }
 
@@ -195,7 +194,7 @@ int topology_of(const TopologyArguments& arguments) {
     const int code = expectation ? judged(arguments, *expectation, record) : exit_done;
     write_files(arguments, record, stop);
     if (is_whole) return code;
-    fmt::print(stderr, "interrupted; what was written is what was known\n");
+    message("interrupted; what was written is what was known\n");
     return exit_interrupted;
 }
 

@@ -21,10 +21,11 @@ bool meets_rough_places(const scene::Scene& scene) {
            !scene.surface.smoothness.is_smooth();
 }
 
-// Whether bounds judge where cubics take F for 0 without a change of sign.
+// Whether bounds of F judge where cubics take it for 0 without a change of sign. Where F isn't
+// smooth, rough.glsl does that.
 bool judges_touches(const scene::Scene& scene) {
-    return meets_rough_places(scene) ||
-           (scene.isolation.method == scene::Method::hermite && scene.surface.smoothness.squares);
+    return scene.isolation.method == scene::Method::hermite && scene.surface.smoothness.squares &&
+           !meets_rough_places(scene);
 }
 
 // What finds a root between two samples, or in a piece.
@@ -32,8 +33,9 @@ void add_isolation(ShaderText& text, const scene::Scene& scene, const Passes& pa
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
     const bool directional = passes.samples.front() == FieldFunction::directional;
     const bool bounds = method.samples == scene::Samples::value_and_bounds;
-    if (bounds || judges_touches(scene)) text.file("march/piece_box.glsl");
-    if (bounds || meets_rough_places(scene)) text.file("march/piece_bounds.glsl");
+    const bool is_rough = meets_rough_places(scene);
+    if (bounds || is_rough || judges_touches(scene)) text.file("march/piece_box.glsl");
+    if (bounds || is_rough) text.file("march/piece_bounds.glsl");
     if (!bounds) {
         text.file(directional ? "march/sample_directional.glsl" : "march/sample_value.glsl");
     }

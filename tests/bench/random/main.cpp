@@ -61,7 +61,8 @@ std::unique_ptr<render::Renderer> renderer_of(gpu::Context& context, scene::Scen
 Trial attempt(gpu::Context& context, const std::string& text, const Arguments& arguments) {
     const scene::Scene scene = scene::load_text(text, "random.toml", {}, scene::Reach::own_folder);
     const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
-    Trial trial{text};
+    Trial trial;
+    trial.scene = text;
     const auto begin = Clock::now();
     const auto renderer = renderer_of(context, scene, arguments.method);
     renderer->draw(now);

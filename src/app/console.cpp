@@ -1,0 +1,32 @@
+#include "app/console.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace isomotion::app {
+
+void keep_standard_descriptors() {
+    for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(number, F_GETFD) >= 0 || errno != EBADF) continue;
+        // open() gives the lowest number that is free, which is this one.
+        ::open("/dev/null", number == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+    }
+}
+
+void write_message(std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    std::fflush(stderr);
+}
+
+bool finish_output() {
+    errno = 0;
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
+    message("standard output cannot be written: {}\n", std::strerror(errno ? errno : EIO));
+    return false;
+}
+
+} // namespace isomotion::app

@@ -1,0 +1,25 @@
+// What the program says: results on standard output, which must not be lost in silence, and
+// messages on standard error, which must never end anything.
+#pragma once
+
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace isomotion::app {
+
+// Opens what is closed of the descriptors 0, 1 and 2, so that no file of the program's becomes one
+// of them and gets what is meant for a person. What is written to an output that was closed fails.
+void keep_standard_descriptors();
+
+// Writes a message to standard error, or drops it where that cannot be written.
+void write_message(std::string_view text);
+template<class... Parts> void message(fmt::format_string<Parts...> format, Parts&&... parts) {
+    write_message(fmt::format(format, std::forward<Parts>(parts)...));
+}
+
+// Whether all that was printed has left the program; tells why not.
+bool finish_output();
+
+} // namespace isomotion::app
