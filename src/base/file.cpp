@@ -39,16 +39,24 @@ void write_whole(const std::filesystem::path& path, std::span<const std::byte> b
     partial.publish();
 }
 
-std::vector<std::byte> read_whole(const std::filesystem::path& path) {
-    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+std::vector<std::byte> read_whole(const std::filesystem::path& path, std::size_t most) {
+    // A pipe would keep open() waiting for its other end.
+    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (!file) throw FileError(path, "cannot be opened", errno);
     struct stat found = {};
     if (::fstat(file.number(), &found) != 0) throw FileError(path, "cannot be read", errno);
+    if (S_ISDIR(found.st_mode)) throw FileError(path, "cannot be read", EISDIR);
+    if (!S_ISREG(found.st_mode)) throw FileError(path, "is a pipe or a device", EINVAL);
+    const auto too_large = [&] {
+        return FileError(path, fmt::format("has more than {} bytes", most), EFBIG);
+    };
+    if (std::size_t(found.st_size) > most) throw too_large();
 
     // One byte more than the size, so that the end is met without growing.
-    std::vector<std::byte> bytes(S_ISREG(found.st_mode) ? std::size_t(found.st_size) + 1 : 65536);
+    std::vector<std::byte> bytes(std::size_t(found.st_size) + 1);
     std::size_t size = 0;
     for (;;) {
+        if (size > most) throw too_large();
         if (size == bytes.size()) bytes.resize(2 * size);
         const ssize_t count = ::read(file.number(), bytes.data() + size, bytes.size() - size);
         if (count < 0 && errno == EINTR) continue;

@@ -29,6 +29,9 @@ private:
 /// same file take turns. A device or a pipe is written straight.
 void write_whole(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-std::vector<std::byte> read_whole(const std::filesystem::path& path);
+/// A regular file's bytes. A folder, a pipe or a device is refused, as one may never end, and so is
+/// a file of more than `most` bytes.
+std::vector<std::byte> read_whole(const std::filesystem::path& path,
+                                  std::size_t most = std::size_t(4) << 30);
 
 } // namespace isomotion::base

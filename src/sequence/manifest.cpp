@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string read_text(const fs::path& file) {
-    const std::vector<std::byte> bytes = base::read_whole(file);
+    constexpr std::size_t most = 16 << 20; // 100,000 frames take less
+    const std::vector<std::byte> bytes = base::read_whole(file, most);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/file.h"
+#include "decode_picture.h"
 #include "image/srgb.h"
 
 namespace isomotion::image::oiio {
@@ -19,13 +19,16 @@ namespace {
     throw ImageError(fmt::format("environment {}: {}", file.string(), reason));
 }
 
-OIIO::ImageSpec read_header(const std::filesystem::path& file) {
-    if (const auto input = OIIO::ImageInput::open(file.string())) return input->spec();
-    const std::string reason = OIIO::geterror();
-    base::read_whole(file); // if the file system is to blame, it says so
-    fail(file, fmt::format("not a picture that can be read; give a latitude-longitude map as EXR, "
-                           "HDR, TIFF, PNG or JPEG ({})",
-                           reason));
+constexpr PictureLimits limits{.bytes = std::size_t(256) << 20, .channels = 16};
+
+PictureFile opened(const std::filesystem::path& file) {
+    try {
+        return PictureFile(file, limits);
+    } catch (const ImageError& error) {
+        fail(file, fmt::format("not a picture that can be read; give a latitude-longitude map as "
+                               "EXR, HDR, TIFF, PNG or JPEG ({})",
+                               error.what()));
+    }
 }
 
 void check_size(const std::filesystem::path& file, const OIIO::ImageSpec& spec) {
@@ -108,9 +111,10 @@ int mend(std::vector<float>& texels) {
 } // namespace
 
 EnvironmentMap read_environment(const std::filesystem::path& file) {
-    const OIIO::ImageSpec spec = read_header(file);
+    PictureFile picture = opened(file);
+    const OIIO::ImageSpec spec = picture.spec();
     check_size(file, spec);
-    Frame frame = decode(file);
+    Frame frame = decode(picture);
     const Colour colour = colour_of(file, frame);
 
     EnvironmentMap map{frame.width, frame.height, {}, 0};

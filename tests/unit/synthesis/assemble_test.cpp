@@ -333,6 +333,7 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         texts.push_back(surface_text(all_kernels, bounds) + "certify = true\n");
         texts.push_back(surface_text("x", bounds, "hermite"));
         texts.push_back(surface_text("abs(x)", bounds, "hermite")); // with kinks alone
+        texts.push_back(surface_text("(x^2 - y)^2 - z^3", bounds, "hermite")); // squares
         texts.push_back(blobs_text(75, bounds, "hermite"));
     }
     for (const auto& text : texts) {

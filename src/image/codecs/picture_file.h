@@ -1,0 +1,57 @@
+// Pictures of strangers, opened with care.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+namespace isomotion::image::oiio {
+
+// What a picture may cost.
+struct PictureLimits {
+    std::size_t bytes = std::size_t(4) << 30; // of the file
+    int side = 65'536;
+    int channels = 256;
+    std::size_t tile_bytes = std::size_t(64) << 20;
+};
+
+// The first picture of an EXR, HDR, TIFF, PNG or JPEG, told by its first bytes and read from
+// memory. No other reader of OpenImageIO is ever asked: some open further files that the first one
+// names.
+class PictureFile {
+public:
+    // Throws FileError, and ImageError ("FILE: ...") for what is none of these, broken or beyond
+    // the limits, which the header tells before anything is decoded.
+    explicit PictureFile(const std::filesystem::path& file, const PictureLimits& limits = {});
+
+    const OIIO::ImageSpec& spec() const { return input_->spec(); }
+
+    // Calls take(begin, end, samples) for all rows from the top, with interleaved samples.
+    template<class Sample, class Take> void for_each_band(Take&& take) {
+        const OIIO::ImageSpec& is = spec();
+        const int at_once = is.tile_width ? is.tile_height : 128;
+        const std::size_t row = std::size_t(is.width) * std::size_t(is.nchannels);
+        std::vector<Sample> band(row * std::size_t(std::min(at_once, is.height)));
+        for (int begin = 0; begin < is.height; begin += at_once) {
+            const int end = std::min(begin + at_once, is.height);
+            read(begin, end, OIIO::BaseTypeFromC<Sample>::value, band.data());
+            take(begin, end, std::span<const Sample>(band).first(row * std::size_t(end - begin)));
+        }
+    }
+
+private:
+    void read(int begin, int end, const OIIO::TypeDesc& type, void* samples);
+
+    std::string file_; // as messages have it
+    std::vector<std::byte> bytes_;
+    OIIO::Filesystem::IOMemReader memory_;
+    std::unique_ptr<OIIO::ImageInput> input_; // after what it reads from
+};
+
+} // namespace isomotion::image::oiio
