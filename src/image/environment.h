@@ -16,9 +16,10 @@ struct EnvironmentMap {
 
 inline constexpr int widest_environment = 8192;
 
-/// Reads a map from any file that OpenImageIO knows. Colour in sRGB or with a gamma becomes linear;
-/// a file of integers that names no colour space, as most TIFF, counts as sRGB. Gray is widened to
-/// three channels, coverage counts as over black, and other channels are left out.
+/// Reads a map from an EXR, HDR, TIFF, PNG or JPEG, told by its first bytes. Colour in sRGB or with
+/// a gamma becomes linear; a file of integers that names no colour space, as most TIFF, counts as
+/// sRGB. Gray is widened to three channels, coverage counts as over black, and other channels are
+/// left out.
 ///
 /// No texel spoils what it is filtered with: NaN and what is below 0 become 0, and infinity becomes
 /// the largest finite value of the map, or of half if that is 0. `mended` counts such texels.

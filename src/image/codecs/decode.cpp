@@ -37,27 +37,34 @@ void multiply_by_coverage(Frame& frame, const OIIO::ImageSpec& spec) {
 
 } // namespace
 
-Frame decode(const std::filesystem::path& file) {
-    PictureFile picture(file);
-    return decode(picture);
+void for_each_decoded_band(PictureFile& picture, const std::function<void(int, Frame&&)>& take) {
+    const OIIO::ImageSpec& spec = picture.spec();
+    const auto channels = std::size_t(spec.nchannels);
+    picture.for_each_band<float>([&](int begin, int end, std::span<const float> band) {
+        Frame rows{spec.width, end - begin, {}, {}};
+        for (std::size_t c = 0; c < channels; ++c) {
+            std::vector<float> samples(band.size() / channels);
+            for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = band[i * channels + c];
+            rows.channels.push_back({spec.channelnames[c], std::move(samples)});
+        }
+        make_linear(rows, spec);
+        multiply_by_coverage(rows, spec);
+        take(begin, std::move(rows));
+    });
 }
 
-Frame decode(PictureFile& picture) {
-    const OIIO::ImageSpec spec = picture.spec();
+Frame decode(const std::filesystem::path& file) {
+    PictureFile picture(file);
+    const OIIO::ImageSpec& spec = picture.spec();
     Frame frame{spec.width, spec.height, {}, entries_of(spec)};
-    const auto width = std::size_t(spec.width), channels = std::size_t(spec.nchannels);
-    for (const std::string& name : spec.channelnames)
-        frame.channels.push_back({name, std::vector<float>(width * std::size_t(spec.height))});
-
-    picture.for_each_band<float>([&](int begin, int end, std::span<const float> band) {
-        const std::size_t first = width * std::size_t(begin);
-        const std::size_t count = width * std::size_t(end - begin);
-        for (std::size_t c = 0; c < channels; ++c)
-            for (std::size_t i = 0; i < count; ++i)
-                frame.channels[c].samples[first + i] = band[i * channels + c];
+    for (const std::string& name : spec.channelnames) frame.channels.push_back({name, {}});
+    for_each_decoded_band(picture, [&](int, Frame&& rows) {
+        for (std::size_t c = 0; c < rows.channels.size(); ++c) {
+            std::vector<float>& samples = frame.channels[c].samples;
+            const std::vector<float>& more = rows.channels[c].samples;
+            samples.insert(samples.end(), more.begin(), more.end());
+        }
     });
-    make_linear(frame, spec);
-    multiply_by_coverage(frame, spec);
     return frame;
 }
 

@@ -47,23 +47,20 @@ void check_size(const std::filesystem::path& file, const OIIO::ImageSpec& spec) 
                                widest_environment, resized(widest_environment)));
 }
 
-using Colour = std::array<Channel*, 3>;
+using Colour = std::array<std::size_t, 3>; // channels of a picture
 
-Colour colour_of(const std::filesystem::path& file, Frame& frame) {
-    const auto named = [&](const char* name) -> Channel* {
-        const auto found = std::ranges::find(frame.channels, name, &Channel::name);
-        return found == frame.channels.end() ? nullptr : &*found;
+Colour colour_of(const std::filesystem::path& file, const std::vector<std::string>& names) {
+    const auto named = [&](const char* name) {
+        return std::size_t(std::ranges::find(names, name) - names.begin());
     };
     const Colour colour{named("R"), named("G"), named("B")};
-    if (std::ranges::find(colour, nullptr) == colour.end()) return colour;
-    if (Channel* gray = named("Y")) return {gray, gray, gray};
-    std::vector<std::string> names;
-    for (const Channel& channel : frame.channels) names.push_back(channel.name);
+    if (std::ranges::find(colour, names.size()) == colour.end()) return colour;
+    if (const std::size_t gray = named("Y"); gray < names.size()) return {gray, gray, gray};
     fail(file, fmt::format("no colour: it needs the channels R, G and B, or Y for gray, and has {}",
                            fmt::join(names, ", ")));
 }
 
-// From the samples that decode() gives to light; what a file calls sRGB it has done already.
+// From decoded samples to light; decoding has done what a file calls sRGB already.
 // Colour of integers is meant for a screen unless the file says otherwise.
 class Decoding {
 public:
@@ -114,15 +111,18 @@ EnvironmentMap read_environment(const std::filesystem::path& file) {
     PictureFile picture = opened(file);
     const OIIO::ImageSpec spec = picture.spec();
     check_size(file, spec);
-    Frame frame = decode(picture);
-    const Colour colour = colour_of(file, frame);
+    const Colour colour = colour_of(file, spec.channelnames);
 
-    EnvironmentMap map{frame.width, frame.height, {}, 0};
-    const auto area = std::size_t(map.width) * std::size_t(map.height);
-    map.texels.assign(4 * area, 1.0f);
+    EnvironmentMap map{spec.width, spec.height, {}, 0};
+    map.texels.assign(4 * std::size_t(map.width) * std::size_t(map.height), 1.0f);
     const Decoding light(spec);
-    for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t i = 0; i < area; ++i) map.texels[4 * i + c] = light(colour[c]->samples[i]);
+    for_each_decoded_band(picture, [&](int begin, const Frame& rows) {
+        float* const first = &map.texels[4 * std::size_t(begin) * std::size_t(map.width)];
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::vector<float>& samples = rows.channels[colour[c]].samples;
+            for (std::size_t i = 0; i < samples.size(); ++i) first[4 * i + c] = light(samples[i]);
+        }
+    });
     map.mended = mend(map.texels);
     return map;
 }

@@ -69,19 +69,36 @@ std::vector<std::byte> bytes_of(const std::filesystem::path& file, std::size_t m
     }
 }
 
-void check(const std::string& file, const OIIO::ImageSpec& is, const PictureLimits& limits) {
+// Enough for samples of every kind.
+std::size_t row_bytes(const OIIO::ImageSpec& is) {
+    return std::size_t(is.width) * std::size_t(is.nchannels) * sizeof(float);
+}
+
+void check(const std::string& file, const Signature& signature, const OIIO::ImageSpec& is,
+           const PictureLimits& limits) {
     if (is.width < 1 || is.height < 1 || is.width > limits.side || is.height > limits.side)
         fail(file, fmt::format("{} x {} pixels; sides of 1 to {} are possible", is.width, is.height,
                                limits.side));
     if (is.depth > 1 || is.deep) fail(file, "a volume or deep picture; a flat one belongs here");
     if (is.nchannels < 1 || is.nchannels > limits.channels)
         fail(file, fmt::format("{} channels; 1 to {} are possible", is.nchannels, limits.channels));
-    if (is.tile_width && is.tile_bytes(true) > limits.tile_bytes)
-        fail(file, fmt::format("tiles of {} x {} pixels; at most {} MB a tile are possible",
-                               is.tile_width, is.tile_height, limits.tile_bytes >> 20));
+    constexpr std::size_t whole = std::size_t(2) << 30; // readers but OpenEXR's may hold it all
+    if (signature.reader != "openexr"sv && is.image_bytes(true) > whole)
+        fail(file, fmt::format("{} MB of samples; {} MB are possible", is.image_bytes(true) >> 20,
+                               whole >> 20));
+    const int rows = rows_at_once(is);
+    if (row_bytes(is) * std::size_t(rows) > limits.band_bytes)
+        fail(file, fmt::format("tiles of {} rows in a picture {} wide; they may take {} MB at most",
+                               rows, is.width, limits.band_bytes >> 20));
 }
 
 } // namespace
+
+int rows_at_once(const OIIO::ImageSpec& is) {
+    constexpr std::size_t bytes = std::size_t(64) << 20;
+    if (is.tile_width) return is.tile_height;
+    return int(std::clamp<std::size_t>(bytes / row_bytes(is), 1, 128));
+}
 
 PictureFile::PictureFile(const std::filesystem::path& file, const PictureLimits& limits)
     : file_(file.string())
@@ -98,7 +115,7 @@ PictureFile::PictureFile(const std::filesystem::path& file, const PictureLimits&
                         input_->set_ioproxy(&memory_) && input_->open("picture", found, wish);
     if (!opened)
         fail(file_, "not a whole picture: " + (input_ ? input_->geterror() : OIIO::geterror()));
-    check(file_, spec(), limits);
+    check(file_, *signature, spec(), limits);
 }
 
 void PictureFile::read(int begin, int end, const OIIO::TypeDesc& type, void* samples) {

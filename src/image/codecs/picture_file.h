@@ -1,6 +1,7 @@
 // Pictures of strangers, opened with care.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -16,10 +17,13 @@ namespace isomotion::image::oiio {
 // What a picture may cost.
 struct PictureLimits {
     std::size_t bytes = std::size_t(4) << 30; // of the file
-    int side = 65'536;
-    int channels = 256;
-    std::size_t tile_bytes = std::size_t(64) << 20;
+    int side = 16'384;
+    int channels = 64;
+    std::size_t band_bytes = std::size_t(256) << 20; // of the rows that are decoded at once
 };
+
+// Rows of a band: of one row of tiles, or of some 64 MB.
+int rows_at_once(const OIIO::ImageSpec& is);
 
 // The first picture of an EXR, HDR, TIFF, PNG or JPEG, told by its first bytes and read from
 // memory. No other reader of OpenImageIO is ever asked: some open further files that the first one
@@ -35,8 +39,8 @@ public:
     // Calls take(begin, end, samples) for all rows from the top, with interleaved samples.
     template<class Sample, class Take> void for_each_band(Take&& take) {
         const OIIO::ImageSpec& is = spec();
-        const int at_once = is.tile_width ? is.tile_height : 128;
         const std::size_t row = std::size_t(is.width) * std::size_t(is.nchannels);
+        const int at_once = rows_at_once(is);
         std::vector<Sample> band(row * std::size_t(std::min(at_once, is.height)));
         for (int begin = 0; begin < is.height; begin += at_once) {
             const int end = std::min(begin + at_once, is.height);

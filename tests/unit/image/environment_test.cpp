@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include <sys/stat.h>
+
 #include <gmock/gmock.h>
 
 #include "base/file.h"
@@ -81,6 +83,23 @@ std::string tiff(std::uint16_t width, std::uint16_t height, std::uint16_t channe
     put(0, 4);
     for (int k = 0; k < 3; ++k) put(8, 2);
     return bytes + std::string(size, char(value));
+}
+
+/// A TIFF of one tile, of which the header alone is there: 256 rows of the picture, more of the
+/// tile.
+std::string tiff_of_tall_tiles(std::uint32_t width, std::uint32_t tile_rows) {
+    std::string bytes("II*\0", 4);
+    const auto put = [&](std::uint32_t number, int size) {
+        for (int k = 0; k < size; ++k) bytes += char(number >> 8 * k & 0xff);
+    };
+    const std::pair<std::uint32_t, std::uint32_t> entries[] = {
+        {256, width}, {257, width / 2}, {258, 8},         {259, 1}, {262, 1},
+        {277, 1},     {322, width},     {323, tile_rows}, {324, 8}, {325, 1}};
+    put(8, 4);
+    put(std::uint32_t(std::size(entries)), 2);
+    for (const auto& [tag, number] : entries) put(tag, 2), put(4, 2), put(1, 4), put(number, 4);
+    put(0, 4);
+    return bytes;
 }
 
 std::string radiance_header(int width, int height) {
@@ -234,6 +253,50 @@ TEST_F(EnvironmentFile, WhatIsNoPictureIsRefused) {
                 << name;
         }
     }
+}
+
+/// Readers of video and of playlists open what a file names, and others read no file at all.
+TEST_F(EnvironmentFile, OnlyFiveFormatsAreOpened) {
+    const std::string texts[] = {
+        "#EXTM3U\n#EXTINF:1,\n/tmp/other.mp4\n",
+        "ffconcat version 1.0\nfile /tmp/other.mp4\n",
+        std::string("\0\0\0\x18"
+                    "ftypmp42",
+                    12),
+        "SDPX" + std::string(8188, '\0'),
+        "\x01\xda" + std::string(510, '\0'),
+        "GIF89a" + std::string(100, '\0'),
+        "",
+    };
+    for (const char* name : {"a.mp4", "a.mov", "a.avi", "a.mpg", "a.3gp", "a.exr", "a.png", "a.gif",
+                             "a.dpx", "a.sgi", "a.null?RES=8192x4096&CHANNELS=8"})
+        for (const std::string& text : texts)
+            EXPECT_THAT(mistake(write(name, text)), HasSubstr("EXR, HDR, TIFF, PNG and JPEG are"))
+                << name << ": " << text.substr(0, 8);
+}
+
+TEST_F(EnvironmentFile, TheNameSaysNothing) {
+    const Frame frame = plain(2, 1, 1, 2, 3);
+    for (const char* name : {"a.mp4", "a.png", "a.null?RES=8192x4096", "a"})
+        EXPECT_EQ(read_environment(write(name, frame)).texels[1], 2.0f) << name;
+}
+
+TEST_F(EnvironmentFile, LimitsAreToldBeforeAnythingIsDecoded) {
+    const auto sparse = write("a.exr", std::string("\x76\x2f\x31\x01"));
+    std::filesystem::resize_file(sparse, std::uintmax_t(3) << 30);
+    EXPECT_THAT(mistake(sparse), HasSubstr("has more than 256 MB"));
+    EXPECT_THAT(mistake(write("a.tif", tiff_of_tall_tiles(8192, 16384))),
+                HasSubstr("tiles of 16384 rows in a picture 8192 wide"));
+    Frame many = plain(2, 1, 0, 0, 0);
+    for (int k = 3; k < 17; ++k) many.channels.push_back({std::to_string(k), {0, 0}});
+    EXPECT_THAT(mistake(write("a.exr", many)), HasSubstr("17 channels; 1 to 16"));
+}
+
+TEST_F(EnvironmentFile, APipeIsNotWaitedFor) {
+    const auto pipe = folder_ / "a.exr";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THROW(read_environment(pipe), base::FileError);
+    EXPECT_THROW(read_environment("/dev/zero"), base::FileError);
 }
 
 TEST_F(EnvironmentFile, EveryCutIsNoticed) {
