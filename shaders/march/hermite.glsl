@@ -84,10 +84,8 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     bool on_root = fits && abs(f.x) <= touching;
     bool touches = same_side && (on_root || !free && is_finest) && !refines && !starts;
 #ifdef BOUNDED_TOUCHES
-    vec2 around = is_finest ? vec2(s.low, t) : vec2(t - 0.5 * finest, t + 0.5 * finest);
-    bool is_told = touches && !may_be_0(touches, ray, around, rounding);
-    touches = touches && !is_told;
-    free = free || is_told && is_finest;
+    // The step goes on as if F did not touch 0; solve() asks bounds whether it may.
+    free = free || touches && is_finest;
 #endif
     bool closes_in = isolated || refines;
     bool moves = starts || free || refines && same_side;
@@ -125,7 +123,11 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     if (nan) return finish(s, VERDICT_NAN);
     if (close) return found(s, newton);
     if (narrow) return found(s, clamp(between, begins, ends));
+#ifdef BOUNDED_TOUCHES
+    if (touches) return doubt_touch(s, on_root ? t : cut);
+#else
     if (touches) return found(s, on_root ? t : cut);
+#endif
     if (left) return finish(s, VERDICT_MISS);
     // A step below the spacing of floats would stand still.
     bool stands = !(s.high > s.low) || s.evaluations >= int(limits.y);

@@ -22,7 +22,7 @@ RayState march(Ray ray, RayState s) {
 #endif
     if (turns > 0) {
         do {
-#ifdef DEGREE
+#ifdef SOLVES
             // Software renderers, which skip no branch, should not solve at every sample.
             do {
                 s = turn(s, ray);

@@ -7,7 +7,7 @@ const int PHASE_MARCH = 1;   // sample `high` next: is there a root in [low, hig
 const int PHASE_REFINE = 2;  // there is one: close in on it
 const int PHASE_GRADIENT = 3; // the root is in `low` and `high`: sample the gradient there
 const int PHASE_DONE = 4;
-const int PHASE_SOLVE = 5; // between two samples: they suffice for solve(); never stored
+const int PHASE_SOLVE = 5; // between two samples: solve() goes on; never stored
 
 struct RayState {
     float low;         // t of the last sample before the root; of the root when done
@@ -19,7 +19,8 @@ struct RayState {
     int refinements;   // done so far; before, see rough.glsl
 #ifdef THREE_SAMPLES
     vec3 other;        // t, F and dF/dt of one sample more, see hermite.glsl
-    float open_end;    // of a piece that bounds left open, see rough.glsl; else not beyond low
+    float open_end;    // of a piece that bounds left open, see rough.glsl; else not beyond low;
+                       // in PHASE_SOLVE where F may touch 0, see touch_by_bounds.glsl
 #endif
 #ifdef DEGREE
     // The samples so far of a polynomial. They end with the pass: the next one takes them anew.

@@ -12,7 +12,7 @@ bool may_be_0(bool asks, Ray ray, vec2 piece, float shortest) {
     float begin = piece.x, length = piece.y - piece.x;
     bool found = false, searches = asks;
     int tries = 0;
-    // Software renderers skip loops, but no branches.
+    // Software renderers go through the loop once at least, whoever asks.
     while (searches) {
         bool free = excludes_0(bounds_of_value(ray, vec2(begin, begin + length)));
         found = !free && length <= shortest;
@@ -23,4 +23,25 @@ bool may_be_0(bool asks, Ray ray, vec2 piece, float shortest) {
         searches = !found && begin < piece.y;
     }
     return found;
+}
+
+// The state goes on as if F were not 0 at t, where it may touch it.
+RayState doubt_touch(RayState s, float t) {
+    s.open_end = t;
+    s.phase = PHASE_SOLVE;
+    return s;
+}
+
+// Between two samples: whether F is taken to touch 0.
+RayState solve(RayState s, Ray ray) {
+    bool asks = s.phase == PHASE_SOLVE;
+    float finest = cubics.w, rounding = cubics.z;
+    vec2 around = vec2(s.open_end - finest, s.open_end + finest);
+    bool touches = may_be_0(asks, ray, around, rounding);
+    if (touches) return found(s, s.open_end);
+    if (!asks) return s;
+    s.phase = PHASE_MARCH;
+    if (s.low >= ray.t_far) return finish(s, VERDICT_MISS);
+    bool stands = !(s.high > s.low) || s.evaluations >= int(limits.y);
+    return stands ? finish(s, VERDICT_STEP_LIMIT) : s;
 }

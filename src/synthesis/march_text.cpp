@@ -45,6 +45,7 @@ void add_isolation(ShaderText& text, const scene::Scene& scene, const Passes& pa
 // turn(), which takes a ray on by what one sample of the field tells.
 void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
     if (passes.degree > 0) {
+        text.define("SOLVES", 1);
         text.generated("generated: from samples to Bernstein's form",
                        bernstein_text(passes.degree));
     }
@@ -62,6 +63,7 @@ void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes)
     if (judges_touches(scene)) {
         text.file("march/touch_by_bounds.glsl");
         text.define("BOUNDED_TOUCHES", 1);
+        text.define("SOLVES", 1);
     }
     add_files(text, method.turn);
 }
