@@ -49,11 +49,16 @@ std::vector<std::byte> wrong_picture(const Report& report, const Errors& errors)
     return image::encode(frame, image::Format::png8);
 }
 
-// In a string of gnuplot's a quote is doubled.
-std::string in_quotes(const std::string& text) {
-    std::string safe;
-    for (const char c : text) safe += c == '\'' ? "\'\'" : std::string(1, c);
-    return safe;
+// What gnuplot writes to its standard output: no name of the user's is in a script.
+std::string plotted(const std::string& script) {
+    constexpr const char* failed = "gnuplot could not plot the report; install it: gnuplot-nox";
+    const auto gnuplot = base::find_program("gnuplot");
+    if (!gnuplot) throw PlotError(failed);
+    base::ChildProcess plotting(*gnuplot, {}, base::Output::keep);
+    const bool done = plotting.feed(std::as_bytes(std::span(script))) && plotting.finish();
+    const std::string picture = plotting.output();
+    if (!done || picture.empty()) throw PlotError(failed);
+    return picture;
 }
 
 // One line a point: time, wrong pixels in ppm (what is none at the foot of a logarithmic axis).
@@ -87,17 +92,13 @@ void plot(const Report& report, const fs::path& folder) {
     }
     block("front", front(report.measurements));
     curves += "$front with lines lw 2 lc rgb '#404040' title 'front'";
-    script += fmt::format("set terminal svg size 760,460 dynamic background '#ffffff'\n"
-                          "set output '{1}.svg'\nplot {0}\n"
-                          "set terminal pngcairo size 760,460\nset output '{1}.png'\nreplot\n",
-                          curves, in_quotes((folder / "accuracy").string()));
-    const auto gnuplot = base::find_program("gnuplot");
-    if (!gnuplot) throw PlotError("gnuplot could not plot the report; install it: gnuplot-nox");
-    base::ChildProcess plotting(*gnuplot, {});
-    const bool plotted = plotting.feed(std::as_bytes(std::span(script))) && plotting.finish();
-    if (!plotted || !fs::exists(folder / "accuracy.svg") || !fs::exists(folder / "accuracy.png")) {
-        throw PlotError("gnuplot could not plot the report; install it: gnuplot-nox");
-    }
+    const auto draw = [&](const std::string& terminal, const char* name) {
+        const std::string picture =
+            plotted(script + "set terminal " + terminal + "\nplot " + curves + "\n");
+        base::write_whole(folder / name, std::as_bytes(std::span(picture)));
+    };
+    draw("svg size 760,460 dynamic background '#ffffff'", "accuracy.svg");
+    draw("pngcairo size 760,460", "accuracy.png");
 }
 
 std::string text_of(const fs::path& file) {

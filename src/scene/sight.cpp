@@ -101,7 +101,7 @@ Sight sight(const Scene& scene, const SceneAt& now) {
     for (const auto& array : now.bindings.arrays) counts.push_back(array.count);
     const double evaluations =
         most_operations / (formula::cost(field.value, counts).operations + 1);
-    const int points = int(std::clamp(evaluations, 8.0, 2048.0));
+    const int points = int(std::clamp(evaluations, 2.0, 2048.0));
 
     formula::FieldEvaluator<double> evaluate(field);
     const auto bindings = formula::convert<double>(now.bindings);
@@ -129,7 +129,8 @@ Sight sight(const Scene& scene, const SceneAt& now) {
     };
     for (int k = 1; k <= points; ++k) {
         const glm::dvec3 unit(halton(k, 2), halton(k, 3), halton(k, 5));
-        tell(f_at(now.bounds.min + unit * (now.bounds.max - now.bounds.min)));
+        const glm::dvec3 p = now.bounds.min + unit * (now.bounds.max - now.bounds.min);
+        if (is_in(now.bounds, p)) tell(f_at(p));
     }
     const double below = below_0(now.bounds, tell).value_or(0);
     found.changes_sign = found.least < 0 && found.most > 0;
@@ -166,7 +167,7 @@ std::string why_nothing_is_seen(const Sight& sight) {
         return "F changes its sign within the bounds, but no ray meets a zero there: the camera "
                "looks elsewhere, or F jumps or has a pole";
     if (sight.least > sight.most) return "F is no number at any point of the bounds that was tried";
-    return fmt::format("F is {:.4g} to {:.4g} at some points of the bounds, never 0", sight.least,
+    return fmt::format("F is {:.4g} to {:.4g} at the points of the bounds that were tried", sight.least,
                        sight.most);
 }
 

@@ -26,9 +26,10 @@ std::vector<Sample> samples_of(const formula::Field& field, const SceneAt& scene
     // A large sum makes each sample dear; the median needs few.
     std::vector<int> counts;
     for (const auto& array : scene.bindings.arrays) counts.push_back(array.count);
-    const double operations = formula::cost(field.gradient, counts).operations;
+    const double operations = std::max(formula::cost(field.gradient, counts).operations,
+                                       formula::cost(field.value, counts).operations);
     // But a formula at the limits (scene/limits.h) must not keep a scene from being read.
-    const double least = std::clamp(1.28e8 / (operations + 1), 8.0, 128.0);
+    const double least = std::clamp(1.28e8 / (operations + 1), 2.0, 128.0);
     const int count = int(std::clamp(2e7 / (operations + 1), least, 4096.0));
 
     formula::FieldEvaluator<T> evaluate(field);

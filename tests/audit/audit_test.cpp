@@ -42,6 +42,9 @@ TEST(Audit, FewRaysSayLittle) {
 TEST(Audit, SaysWhatItFound) {
     EXPECT_EQ(words({.rays = 30'720}, 120),
               "audited 30,720 rays of 120 frames: none wrong (at most 98 in a million, 95 % sure)");
+    EXPECT_EQ(words({.rays = 30'720, .undecided = 5000}, 120),
+              "audited 30,720 rays of 120 frames: none wrong (at most 98 in a million of such "
+              "rays, 95 % sure); truth can't tell of 5,000 more");
     EXPECT_EQ(words({.rays = 64, .undecided = 2, .wrong = 3}, 1),
               "audited 64 rays of 1 frame: 3 wrong; truth can't tell of 2 more");
     EXPECT_EQ(words({.undecided = 5}, 1), "audited 0 rays of 1 frame; truth can't tell of 5 more");

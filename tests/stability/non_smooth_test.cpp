@@ -56,7 +56,11 @@ INSTANTIATE_TEST_SUITE_P(
                        "max(max(abs(x + y + z), abs(x - y)), abs(x + y - 2*z)) - 1", 1400, 380),
         along_the_axis("wedge", "abs(y) - 0.3*(1 - x)", 0, 0),
         along_the_axis("star of square roots", "sqrt(abs(x)) + sqrt(abs(y)) + sqrt(abs(z)) - 1",
-                       4400, 16000)),
+                       4400, 16000),
+        along_the_axis("acos of a ball", "acos(x^2 + y^2 + z^2) - 1", 200, 3800),
+        along_the_axis("sheet of asin", "z - 0.5*asin(2*y)", 200, 440),
+        along_the_axis("ball dented by a root", "x^2 + y^2 + z^2 - 1 + 0.5*sqrt(z)", 0, 0),
+        along_the_axis("root of a difference", "exp(sqrt(x - y)) - 1.5 - z", 700, 4600)),
     test_name);
 
 } // namespace

@@ -11,6 +11,41 @@
 namespace isomotion::formula {
 namespace {
 
+// Whether it can be seen from the expression, looked at so deep, that its values are 0 or more.
+bool is_never_negative(const Graph& g, NodeId id, int depth = 12) {
+    if (depth == 0) return false;
+    const Node& node = g[id];
+    const auto child = [&](std::size_t k) {
+        return is_never_negative(g, node.children[k], depth - 1);
+    };
+    switch (node.op) {
+    case Op::constant:
+        return node.value >= 0;
+    case Op::multiply:
+        return node.children[0] == node.children[1] || (child(0) && child(1));
+    case Op::add:
+    case Op::divide:
+    case Op::min:
+        return child(0) && child(1);
+    case Op::max:
+        return child(0) || child(1);
+    case Op::select:
+        return child(2) && child(3);
+    case Op::sum:
+        return child(0);
+    case Op::power: {
+        const NodeId exponent = node.children[1];
+        const bool is_even = g.is_constant(exponent) && std::fmod(g[exponent].value, 2) == 0;
+        return is_even || child(0);
+    }
+    default: {
+        const UnaryTraits* traits = unary_traits(node.op);
+        if (!traits) return false;
+        return traits->sign == Sign::not_negative || (traits->sign == Sign::as_argument && child(0));
+    }
+    }
+}
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN(); // as an interval, the line
 
@@ -140,11 +175,13 @@ private:
 
     // sqrt is constant below 0, asin and acos beyond -1 and 1.
     Term where_rooted(Term a, Term slope) {
-        if (slopes_ != Slopes::generalized) return slope;
+        if (slopes_ != Slopes::generalized && is_never_negative(g_, a.node)) return slope;
         return {&g_, g_.select(a.node, zero(), zero(), slope.node)};
     }
     Term within_unit(Term a, Term slope) {
-        if (slopes_ != Slopes::generalized) return slope;
+        const Op op = g_[a.node].op;
+        const bool never_leaves_it = op == Op::sin || op == Op::cos || op == Op::tanh;
+        if (slopes_ != Slopes::generalized && never_leaves_it) return slope;
         return {&g_, g_.select(g_.constant(1), g_.unary(Op::abs, a.node), zero(), slope.node)};
     }
 

@@ -54,16 +54,16 @@ NodeId kink_of(Graph& g, NodeId id) {
     const NodeId a = node.children[0], b = node.children[1], zero = g.constant(0);
     switch (node.op) {
     case Op::abs:
+    case Op::sqrt: // constant below 0
         return unless_one_value(g, g.unary(Op::sign, a));
     case Op::min:
     case Op::max:
     case Op::select:
         return unless_one_value(g, g.unary(Op::sign, g.subtract(a, b)));
-    case Op::sqrt:
-        return unless_above(g, a, zero);
     case Op::asin:
-    case Op::acos:
-        return unless_above(g, g.constant(1), g.unary(Op::abs, a));
+    case Op::acos: // constant beyond -1 and 1
+        return unless_one_value(
+            g, g.unary(Op::sign, g.subtract(g.constant(1), g.unary(Op::abs, a))));
     case Op::power: { // where the base is 0, unless the exponent is large
         const NodeId unless_large = unless_above(g, b, g.constant(smooth_power));
         return g.select(zero, a, zero, unless_large);

@@ -172,6 +172,34 @@ std::string fractional(Draw& d) {
     }
 }
 
+// Functions beyond whose domain formulas go: sqrt is 0 there, asin and acos stay as at its end.
+std::string roots(Draw& d) {
+    const auto beyond = [&] {
+        const std::string root = d.any_of(std::array{"sqrt", "asin", "acos"});
+        switch (d.below(4)) {
+        case 0:
+            return fmt::format("{}({})", root, linear(d, 1.5));
+        case 1:
+            return fmt::format("{}({})", root, ball(d, 1));
+        case 2:
+            return fmt::format("{}({}*sin({}))", root, d.number(0.5, 2), linear(d, 3));
+        default:
+            return fmt::format("{}({} - {}^2)", root, d.number(0.1, 1), axis(d));
+        }
+    };
+    switch (d.below(4)) {
+    case 0:
+        return fmt::format("{} - {}*{}", axis(d), d.number(0.2, 0.8), beyond());
+    case 1:
+        return fmt::format("{} + {} - {}", beyond(), beyond(), d.number(0.2, 2));
+    case 2:
+        return fmt::format("{} + {}*{}", ball(d, 1.2), d.number(-0.6, 0.6), beyond());
+    default:
+        return fmt::format("exp({}) - {} - {}*{}", beyond(), d.number(0.5, 2), d.number(0.3, 1),
+                           axis(d));
+    }
+}
+
 std::string poles(Draw& d) {
     switch (d.below(5)) {
     case 0:
@@ -215,7 +243,7 @@ std::string jumps(Draw& d) {
 constexpr Family all[]{
     {"polynomial", polynomial}, {"smooth", smooth},    {"csg", csg},
     {"shell", shell},           {"power", fractional}, {"pole", poles},
-    {"sum", elements, true},    {"jump", jumps},
+    {"sum", elements, true},    {"jump", jumps},       {"root", roots},
 };
 
 // The rows of a rotation by a random unit quaternion.
