@@ -187,7 +187,31 @@ void Animation::compile_array(const Array& array) {
             return siblings;
         },
         [&](int f) { return array.name + "." + array.fields[std::size_t(f)].name; });
+    leave_out_unread(array, compiled);
     compiled_arrays_.push_back(std::move(compiled));
+}
+
+// Siblings that others are made of come before them in the order.
+void Animation::leave_out_unread(const Array& array, CompiledArray& compiled) const {
+    const auto tracks = int(nameable_);
+    std::vector<bool> is_needed;
+    for (const ArrayField& field : array.fields) is_needed.push_back(field.is_read);
+    for (auto f = compiled.order.rbegin(); f != compiled.order.rend(); ++f) {
+        const auto& expression = compiled.fields[std::size_t(*f)];
+        if (!is_needed[std::size_t(*f)] || !expression) continue;
+        for (const int other : expression->references) {
+            if (other >= tracks) is_needed[std::size_t(other - tracks)] = true;
+        }
+    }
+    std::erase_if(compiled.order, [&](int f) { return !is_needed[std::size_t(f)]; });
+}
+
+void Animation::keep_fields(const std::vector<std::vector<int>>& read) {
+    for (std::size_t a = 0; a < arrays_.size(); ++a) {
+        for (ArrayField& field : arrays_[a].fields) field.is_read = false;
+        for (const int field : read[a]) arrays_[a].fields[std::size_t(field)].is_read = true;
+        leave_out_unread(arrays_[a], compiled_arrays_[a]);
+    }
 }
 
 Values Animation::at(double time) const {
@@ -263,11 +287,17 @@ formula::ArrayColumns<double> Animation::columns(std::size_t a, const Values& va
 }
 
 double Animation::operations(std::size_t array) const {
-    double total = double(arrays_[array].fields.size());
-    for (const auto& field : compiled_arrays_[array].fields) {
-        if (field) total += formula::cost(field->program, {}).operations;
+    const CompiledArray& compiled = compiled_arrays_[array];
+    double total = 0;
+    for (const int f : compiled.order) {
+        const auto& field = compiled.fields[std::size_t(f)];
+        total += 1 + (field ? formula::cost(field->program, {}).operations : 0);
     }
     return total * arrays_[array].count;
+}
+
+double Animation::values(std::size_t array) const {
+    return double(compiled_arrays_[array].order.size()) * arrays_[array].count;
 }
 
 std::optional<int> Animation::find(std::string_view track) const {

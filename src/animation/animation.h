@@ -40,6 +40,7 @@ using FieldSource = std::variant<double, Expression, std::vector<double>, Column
 struct ArrayField {
     std::string name;
     FieldSource source;
+    bool is_read = true; // what neither is read nor needed by a sibling that is has no values
 };
 
 struct Array {
@@ -76,6 +77,9 @@ public:
     // Throws ExpressionError for bad expressions and for tracks that depend on themselves.
     Animation(std::vector<Track> tracks, std::vector<Array> arrays, std::uint64_t seed = 0);
 
+    // Says which fields (indices, of each array) are read.
+    void keep_fields(const std::vector<std::vector<int>>& read);
+
     Values at(double time) const;
 
     const std::vector<Track>& tracks() const { return tracks_; }
@@ -91,8 +95,10 @@ public:
         return compiled_arrays_[array].referenced[field];
     }
 
-    // Operations that an array's values take at one time, all elements counted.
+    // Operations that an array's values take at one time, and how many values they are, all elements
+    // counted.
     double operations(std::size_t array) const;
+    double values(std::size_t array) const;
 
 private:
     struct Compiled {
@@ -101,7 +107,7 @@ private:
     };
     struct CompiledArray {
         std::vector<std::optional<Compiled>> fields;
-        std::vector<int> order;
+        std::vector<int> order;       // of the fields that have values
         std::vector<bool> referenced; // by siblings
     };
 
@@ -111,6 +117,7 @@ private:
     std::vector<std::string> track_names() const;
     void compile_tracks();
     void compile_array(const Array& array);
+    void leave_out_unread(const Array& array, CompiledArray& compiled) const;
     formula::ArrayColumns<double> columns(std::size_t array, const Values& values) const;
 
     std::vector<Track> tracks_;

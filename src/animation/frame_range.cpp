@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -32,7 +31,8 @@ int parse_number(std::string_view part, std::string_view digits) {
 
 std::vector<int> parse_frame_range(std::string_view text) {
     std::vector<int> frames;
-    std::unordered_set<int> seen;
+    std::vector<bool> seen;
+    int named = 0;
     while (true) {
         const std::size_t comma = text.find(',');
         const std::string_view part = text.substr(0, comma);
@@ -44,7 +44,13 @@ std::vector<int> parse_frame_range(std::string_view text) {
         const int last = dash == span.npos ? first : parse_number(part, span.substr(dash + 1));
         for (int frame = first; first <= last ? frame <= last : frame >= last;
              frame += first <= last ? step : -step) {
-            if (seen.insert(frame).second) frames.push_back(frame);
+            if (++named > last_frame) {
+                throw std::invalid_argument(
+                    fmt::format("more than {} frames are named", last_frame));
+            }
+            if (std::size_t(frame) >= seen.size()) seen.resize(std::size_t(frame) + 1);
+            if (!seen[std::size_t(frame)]) frames.push_back(frame);
+            seen[std::size_t(frame)] = true;
         }
         if (comma == text.npos) return frames;
         text.remove_prefix(comma + 1);

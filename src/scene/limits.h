@@ -14,17 +14,23 @@ namespace isomotion::scene::limits {
 using formula::limits::name_bytes;
 
 inline constexpr std::size_t scene_bytes = 16 << 20;  // of a scene file or a surface's
-inline constexpr std::size_t table_bytes = 256 << 20; // of a table of elements
+inline constexpr std::size_t table_bytes = 256 << 20; // of all tables of elements together
 inline constexpr std::size_t title_bytes = 1000;
 inline constexpr int frames = 10'000'000;
 inline constexpr int parameters = 1000; // fields with one value for all elements included
 inline constexpr int keys = 100'000;    // of one track
 inline constexpr int elements = 1'000'000;
 inline constexpr int fields = 1000; // of an array; columns of a table
-// The formula at one point, with all elements of its sums; all fields of all elements at one frame.
+// Of all tables together: their numbers, eight bytes each, of the columns that become fields.
+inline constexpr double table_values = 3e7;
+// The formula at one point, with all elements of its sums. All fields of all elements at one frame:
+// how many they are, some 50 bytes each, and what they take.
 inline constexpr double operations_at_a_point = 1e8;
-inline constexpr double operations_of_a_frame = 1e9;
+inline constexpr double values_of_a_frame = 1e7;
+inline constexpr double operations_of_a_frame = 2e8;
 inline constexpr int lights = 8;
+// Of a colour, and of an environment's intensity: products of them stay floats.
+inline constexpr double brightness = 1e6;
 inline constexpr int picture_side = 16384; // pixels
 inline constexpr int samples = 1024;
 inline constexpr int bisections = 64;

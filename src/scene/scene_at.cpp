@@ -7,6 +7,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "scene/error.h"
+#include "scene/limits.h"
 
 namespace isomotion::scene {
 namespace {
@@ -20,6 +21,16 @@ public:
     double number(TrackId track) const { return values_.tracks[std::size_t(track)]; }
     glm::dvec3 vector(const Vec3Track& track) const {
         return {number(track[0]), number(track[1]), number(track[2])};
+    }
+    // Linear light; what is below 0 takes light away.
+    glm::dvec3 color(const Vec3Track& track) const {
+        for (const TrackId component : track) {
+            const double value = number(component);
+            if (std::abs(value) <= limits::brightness) continue;
+            fail(component, fmt::format("the colour's part {} is beyond {:g} to {:g}", value,
+                                        -limits::brightness, limits::brightness));
+        }
+        return vector(track);
     }
     [[noreturn]] void fail(const std::string& name, const std::string& message) const {
         throw SceneError(
@@ -173,7 +184,7 @@ public:
         std::vector<LightAt> lights;
         for (const Light& from : scene_.lights) {
             LightAt light;
-            light.color = vector(from.color);
+            light.color = color(from.color);
             light.direction = from.headlight ? shoulder(camera) : vector(from.direction);
             light.is_point = from.is_point;
             if (from.falloff) light.falloff = positive(*from.falloff, "the distance");
@@ -201,11 +212,11 @@ public:
         return glm::dvec4(0);
     }
 
-    GroundAt ground(const Ground& from) const { return {number(from.height), vector(from.color)}; }
+    GroundAt ground(const Ground& from) const { return {number(from.height), color(from.color)}; }
 
     FogAt fog(const Fog& from) const {
         return {not_negative(from.density, "the density"), not_negative(from.start, "the start"),
-                vector(from.color)};
+                color(from.color)};
     }
 
     OcclusionAt occlusion(const Occlusion& from, double size) const {
@@ -221,11 +232,7 @@ public:
         const double angle = glm::radians(std::remainder(number(from.rotation), 360.0));
         to.ahead = {std::cos(angle), std::sin(angle), 0};
         to.left = {-std::sin(angle), std::cos(angle), 0};
-        to.intensity = number(from.intensity);
-        if (!(to.intensity >= 0)) {
-            fail(from.intensity,
-                 fmt::format("the intensity must be 0 or more, not {}", to.intensity));
-        }
+        to.intensity = within(from.intensity, limits::brightness);
         return to;
     }
 
@@ -326,9 +333,9 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     now.placement = read.placement();
     now.camera = read.camera(now.bounds, now.placement);
     now.lights = read.lights(now.camera);
-    now.material_color = read.vector(scene.material.color);
+    now.material_color = read.color(scene.material.color);
     if (scene.material.paint) now.paint_range = read.range(*scene.material.paint);
-    if (scene.material.inside) now.inside_color = read.vector(*scene.material.inside);
+    if (scene.material.inside) now.inside_color = read.color(*scene.material.inside);
     if (scene.ground) now.ground = read.ground(*scene.ground);
     if (scene.fog) now.fog = read.fog(*scene.fog);
     if (scene.occlusion) {

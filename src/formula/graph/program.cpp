@@ -11,53 +11,63 @@ class Scheduler {
 public:
     explicit Scheduler(const Graph& graph)
         : graph_(graph)
-        , registers_(graph.size(), -1) {}
+        , registers_(graph.size(), -1)
+        , done_(graph.size(), false)
+        , scope_of_(graph.size(), 0)
+        , level_(graph.size(), 0) {}
 
     Program run(std::span<const NodeId> roots, std::uint32_t inside) {
-        std::vector<bool> done(graph_.size(), false);
-        emit_scope(inside, {roots.begin(), roots.end()}, done);
+        emit_scope(inside, {roots.begin(), roots.end()});
         for (const NodeId root : roots) program_.outputs.push_back(registers_[root]);
         return std::move(program_);
     }
 
 private:
+    // What a scope computes once sums of lower levels are known; both in ascending order.
+    struct Level {
+        std::map<int, std::vector<NodeId>> sums; // by array
+        std::vector<NodeId> operations;
+    };
+
     // Emits whatever `wanted` needs that can be computed with the arrays of `bound` fixed, in an
     // order where sums of one level (no sum of this scope feeds another) come together.
-    void emit_scope(std::uint32_t bound, const std::vector<NodeId>& wanted,
-                    std::vector<bool>& done) {
-        const std::vector<NodeId> live = reachable(wanted, done);
-        std::map<NodeId, int> level_of;
-        int deepest = 0;
-        for (const NodeId id : live) {
-            const Node& node = graph_[id];
-            int level = 0;
-            for (int k = 0; k < node.arity; ++k) {
-                const auto it = level_of.find(node.children[std::size_t(k)]);
-                if (it != level_of.end()) level = std::max(level, it->second);
-            }
-            if (node.op == Op::sum && belongs(node, bound)) ++level;
-            level_of[id] = level;
-            deepest = std::max(deepest, level);
-        }
-        for (int level = 0; level <= deepest; ++level) {
-            std::map<int, std::vector<NodeId>> sums;
-            for (const NodeId id : live) {
-                const Node& node = graph_[id];
-                if (node.op != Op::sum || !belongs(node, bound) || level_of[id] != level) continue;
-                sums[node.index].push_back(id);
-            }
-            for (const auto& [array, group] : sums) emit_loop(bound, array, group, done);
-            for (const NodeId id : live) {
-                const Node& node = graph_[id];
-                if (node.op == Op::sum || !belongs(node, bound) || level_of[id] != level) continue;
+    void emit_scope(std::uint32_t bound, const std::vector<NodeId>& wanted) {
+        for (const auto& [sums, operations] : levels(bound, wanted)) {
+            for (const auto& [array, group] : sums) emit_loop(bound, array, group);
+            for (const NodeId id : operations) {
                 emit_operation(id);
-                done[id] = true;
+                set_done(id);
             }
         }
     }
 
-    void emit_loop(std::uint32_t bound, int array, const std::vector<NodeId>& sums,
-                   std::vector<bool>& done) {
+    std::vector<Level> levels(std::uint32_t bound, const std::vector<NodeId>& wanted) {
+        const std::vector<NodeId> live = reachable(wanted); // of the scope's number
+        std::vector<Level> levels(1);
+        for (const NodeId id : live) {
+            const Node& node = graph_[id];
+            int level = 0;
+            for (int k = 0; k < node.arity; ++k) {
+                const NodeId child = node.children[std::size_t(k)];
+                if (scope_of_[child] == scope_) level = std::max(level, level_[child]);
+            }
+            const bool is_ours = belongs(node, bound);
+            if (node.op == Op::sum && is_ours) ++level;
+            level_[id] = level;
+            if (!is_ours) continue;
+            if (std::size_t(level) >= levels.size()) levels.resize(std::size_t(level) + 1);
+            Level& at = levels[std::size_t(level)];
+            (node.op == Op::sum ? at.sums[node.index] : at.operations).push_back(id);
+        }
+        return levels;
+    }
+
+    void set_done(NodeId id) {
+        done_[id] = true;
+        trail_.push_back(id);
+    }
+
+    void emit_loop(std::uint32_t bound, int array, const std::vector<NodeId>& sums) {
         std::vector<NodeId> bodies;
         for (const NodeId id : sums) {
             Instruction zero;
@@ -70,16 +80,18 @@ private:
         begin.kind = Instruction::Kind::loop_begin;
         begin.index = array;
         program_.instructions.push_back(begin);
-        std::vector<bool> done_inside = done; // what a loop computes is gone after it
-        emit_scope(bound | 1u << array, bodies, done_inside);
+        const std::size_t before = trail_.size();
+        emit_scope(bound | 1u << array, bodies);
         for (const NodeId id : sums) {
             Instruction accumulate;
             accumulate.kind = Instruction::Kind::accumulate;
             accumulate.result = registers_[id];
             accumulate.operands[0] = registers_[graph_[id].children[0]];
             program_.instructions.push_back(accumulate);
-            done[id] = true;
         }
+        // What a loop computes is gone after it.
+        for (; trail_.size() > before; trail_.pop_back()) done_[trail_.back()] = false;
+        for (const NodeId id : sums) set_done(id);
         Instruction end;
         end.kind = Instruction::Kind::loop_end;
         program_.instructions.push_back(end);
@@ -102,13 +114,12 @@ private:
     }
 
     // Everything not yet done below `wanted`, bodies of sums included, in ascending order.
-    std::vector<NodeId> reachable(const std::vector<NodeId>& wanted,
-                                  const std::vector<bool>& done) const {
+    std::vector<NodeId> reachable(const std::vector<NodeId>& wanted) {
         std::vector<NodeId> stack, found;
-        std::vector<bool> seen(graph_.size(), false);
+        ++scope_;
         const auto visit = [&](NodeId id) {
-            if (seen[id] || done[id]) return;
-            seen[id] = true;
+            if (scope_of_[id] == scope_ || done_[id]) return;
+            scope_of_[id] = scope_;
             stack.push_back(id);
         };
         for (const NodeId id : wanted) visit(id);
@@ -129,6 +140,11 @@ private:
 
     const Graph& graph_;
     std::vector<Register> registers_;
+    std::vector<bool> done_;
+    std::vector<NodeId> trail_; // what is done, in order
+    int scope_ = 0;             // the number of scopes that were looked at
+    std::vector<int> scope_of_; // the last one that a node was found in
+    std::vector<int> level_;    // of a node, in that scope
     Program program_;
 };
 

@@ -1,6 +1,8 @@
 #include "scene/reading/arrays.h"
 
 #include <algorithm>
+#include <deque>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -94,6 +96,27 @@ TableOptions read_data(const toml::table& table, const std::string& key, Reach r
     return options;
 }
 
+// The tables of a scene. One that several arrays name alike is read once.
+class Tables {
+public:
+    explicit Tables(const animation::Timeline& timeline)
+        : timeline_(timeline) {}
+
+    const ElementTable& read(const TableOptions& options) {
+        for (const auto& [known, table] : tables_) {
+            if (known == options) return table;
+        }
+        return tables_.emplace_back(options, read_element_table(options, timeline_, budget_))
+            .second;
+    }
+    const animation::Timeline& timeline() const { return timeline_; }
+
+private:
+    const animation::Timeline& timeline_;
+    TableBudget budget_{limits::table_bytes, limits::table_values};
+    std::deque<std::pair<TableOptions, ElementTable>> tables_;
+};
+
 // Frames beyond the data would show its ends, standing still.
 void check_times(const toml::table& table, const std::string& key, const TableOptions& options,
                  const ElementTable& read, const animation::Timeline& timeline) {
@@ -122,12 +145,12 @@ void check_times(const toml::table& table, const std::string& key, const TableOp
 }
 
 // The columns of a file become fields; a field that the scene writes itself goes before.
-void add_data(const ArrayNodes& nodes, const std::string& key, const animation::Timeline& timeline,
-              TrackTable& tracks, Reach reach, animation::Array& array) {
+void add_data(const ArrayNodes& nodes, const std::string& key, Tables& tables, TrackTable& tracks,
+              Reach reach, animation::Array& array) {
     TableOptions options = read_data(*nodes.data, key, reach);
     options.most = nodes.count ? read_count(*nodes.count, key + ".count") : limits::elements;
-    const ElementTable table = read_element_table(options, timeline);
-    check_times(*nodes.data, key, options, table, timeline);
+    const ElementTable& table = tables.read(options);
+    check_times(*nodes.data, key, options, table, tables.timeline());
     array.samples = table.samples;
     array.count = nodes.count ? options.most : table.samples->most();
     for (std::size_t k = 0; k < table.fields.size(); ++k) {
@@ -139,12 +162,12 @@ void add_data(const ArrayNodes& nodes, const std::string& key, const animation::
 }
 
 animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
-                            const animation::Timeline& timeline, TrackTable& tracks, Reach reach) {
+                            Tables& tables, TrackTable& tracks, Reach reach) {
     animation::Array array;
     array.name = name;
     const std::string key = "arrays." + name;
     if (nodes.data) {
-        add_data(nodes, key, timeline, tracks, reach, array);
+        add_data(nodes, key, tables, tracks, reach, array);
     } else {
         if (!nodes.count) {
             fail(*nodes.place, key,
@@ -200,8 +223,9 @@ std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
     }
     std::vector<animation::Array> arrays;
     arrays.reserve(names.size());
+    Tables tables(timeline);
     for (const std::string& name : names) {
-        arrays.push_back(make_array(name, nodes[name], timeline, tracks, reach));
+        arrays.push_back(make_array(name, nodes[name], tables, tracks, reach));
     }
     return arrays;
 }

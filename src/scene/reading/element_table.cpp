@@ -45,13 +45,16 @@ std::vector<std::string> quoted_cells(std::string_view line) {
 
 class Reader {
 public:
-    Reader(const TableOptions& options, const animation::Timeline& timeline)
+    Reader(const TableOptions& options, const animation::Timeline& timeline, TableBudget& budget)
         : options_(options)
         , timeline_(timeline)
-        , text_(base::file_text(options.file, limits::table_bytes)) {}
+        , text_(base::file_text(options.file, budget.bytes)) {
+        budget.bytes -= text_.size();
+    }
 
-    ElementTable read() {
+    ElementTable read(TableBudget& budget) {
         read_header();
+        take_values_off(budget);
         ElementTable table;
         while (const auto line = next_line()) {
             if (table.first_line == 0) table.first_line = line_;
@@ -85,6 +88,18 @@ private:
             if (!line.empty() && line.front() != '#') return line;
         }
         return std::nullopt;
+    }
+
+    // At most a row a line.
+    void take_values_off(TableBudget& budget) const {
+        const auto rows = std::ranges::count(text_.begin() + std::ptrdiff_t(at_), text_.end(), '\n');
+        const double values = double(fields_.size()) * double(rows);
+        if (values > budget.values) {
+            fail("", fmt::format("has {} columns and {} lines; all tables of a scene hold at most "
+                                 "{:.3g} numbers: leave columns out that the formula doesn't read",
+                                 fields_.size(), rows, limits::table_values));
+        }
+        budget.values -= values;
     }
 
     void read_header() {
@@ -308,8 +323,9 @@ private:
 
 } // namespace
 
-ElementTable read_element_table(const TableOptions& options, const animation::Timeline& timeline) {
-    return Reader(options, timeline).read();
+ElementTable read_element_table(const TableOptions& options, const animation::Timeline& timeline,
+                                TableBudget& budget) {
+    return Reader(options, timeline, budget).read(budget);
 }
 
 } // namespace isomotion::scene

@@ -23,6 +23,12 @@ struct ElementTable {
     int first_line = 0, last_line = 0; // of elements, for messages
 };
 
+// What all tables of a scene together may still hold.
+struct TableBudget {
+    std::size_t bytes = 0;
+    double values = 0;
+};
+
 // How a scene reads a file.
 struct TableOptions {
     std::filesystem::path file;
@@ -30,10 +36,14 @@ struct TableOptions {
     animation::ElementSamples::Interpolation interpolation =
         animation::ElementSamples::Interpolation::linear;
     int most = 0; // elements at one time
+
+    bool operator==(const TableOptions&) const = default;
 };
 
 // Columns that `columns` leaves out keep their names where formulas can say them; others are
-// skipped. `timeline` turns frames into times. Throws SceneError ("drops.csv:12: mass: ...").
-ElementTable read_element_table(const TableOptions& options, const animation::Timeline& timeline);
+// skipped. `timeline` turns frames into times. Takes what it holds off the budget. Throws SceneError
+// ("drops.csv:12: mass: ..."), and for what exceeds the budget before it is read.
+ElementTable read_element_table(const TableOptions& options, const animation::Timeline& timeline,
+                                TableBudget& budget);
 
 } // namespace isomotion::scene

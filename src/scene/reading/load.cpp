@@ -1,5 +1,9 @@
 #include "scene/reading/load.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 #include <fmt/format.h>
 
 #include "base/file_text.h"
@@ -135,7 +139,13 @@ std::array<double, 3> read_still_color(const toml::node& node, const std::string
     const toml::array* list = node.as_array();
     if (!list || list->size() != 3) fail(node, key, right);
     std::array<double, 3> color;
-    for (std::size_t k = 0; k < 3; ++k) color[k] = read_finite(*list->get(k), key);
+    for (std::size_t k = 0; k < 3; ++k) {
+        color[k] = read_finite(*list->get(k), key);
+        if (std::abs(color[k]) > limits::brightness)
+            fail(*list->get(k), key,
+                 fmt::format("a colour's parts are from {:g} to {:g}", -limits::brightness,
+                             limits::brightness));
+    }
     return color;
 }
 
@@ -227,29 +237,47 @@ void read_isolation(Section& document, Isolation& isolation, GivenThresholds& gi
     section->refuse_rest();
 }
 
+// What all arrays together ask for; `what` says how much of it.
+void check_arrays(const animation::Animation& animation, const TrackTable& tracks,
+                  const char* what, double most,
+                  double (animation::Animation::*amount)(std::size_t) const) {
+    const auto& arrays = animation.arrays();
+    std::vector<double> amounts;
+    for (std::size_t a = 0; a < arrays.size(); ++a) amounts.push_back((animation.*amount)(a));
+    const double all = std::accumulate(amounts.begin(), amounts.end(), 0.0);
+    if (all <= most) return;
+    const auto largest = std::size_t(std::ranges::max_element(amounts) - amounts.begin());
+    const animation::Array& array = arrays[largest];
+    tracks.fail_at(array.name + "." + array.fields.front().name,
+                   fmt::format("the fields of {} {}, all elements counted{}; at most {:.3g} are "
+                               "possible: give it fewer elements",
+                               arrays.size() == 1 ? fmt::format("'{}'", array.name) : "all arrays",
+                               fmt::format(fmt::runtime(what), all),
+                               arrays.size() == 1 ? ""
+                                                  : fmt::format(", those of '{}' {:.3g}",
+                                                                array.name, amounts[largest]),
+                               most));
+}
+
 // What would take minutes to read, or to be at one frame, is no scene but a slip of the pen.
 void check_work(const Scene& scene, const SurfaceParts& parts, const TrackTable& tracks) {
     const animation::Animation& animation = scene.timeline.animation;
     std::vector<int> counts;
     for (const animation::Array& array : animation.arrays()) counts.push_back(array.count);
-    const formula::Cost point = formula::cost(parts.surface.field->gradient, counts);
-    if (point.operations > limits::operations_at_a_point) {
+    const double at_a_point =
+        std::max(formula::cost(parts.surface.field->gradient, counts).operations,
+                 formula::cost(parts.surface.field->value, counts).operations);
+    if (at_a_point > limits::operations_at_a_point) {
         fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula",
              fmt::format(
                  "takes {:.3g} operations at one point, all elements of its sums counted; at "
                  "most {:.3g} are possible: give its arrays fewer elements",
-                 point.operations, limits::operations_at_a_point));
+                 at_a_point, limits::operations_at_a_point));
     }
-    for (std::size_t a = 0; a < animation.arrays().size(); ++a) {
-        const double operations = animation.operations(a);
-        if (operations <= limits::operations_of_a_frame) continue;
-        const animation::Array& array = animation.arrays()[a];
-        tracks.fail_at(array.name + "." + array.fields.front().name,
-                       fmt::format("the fields of '{}' take {:.3g} operations at each frame, all "
-                                   "elements counted; at most {:.3g} are possible: give it fewer "
-                                   "elements",
-                                   array.name, operations, limits::operations_of_a_frame));
-    }
+    check_arrays(animation, tracks, "hold {:.3g} values at each frame", limits::values_of_a_frame,
+                 &animation::Animation::values);
+    check_arrays(animation, tracks, "take {:.3g} operations at each frame",
+                 limits::operations_of_a_frame, &animation::Animation::operations);
 }
 
 // As near to a jump as a root may be told from it in pictures of 64 pixels across.
@@ -322,6 +350,7 @@ Scene load_text(std::string_view text, const fs::path& file, const std::vector<O
     refuse_unused(*parts, painted ? scene.material.paint->value.get() : nullptr,
                   scene.timeline.animation, tracks);
     scene.surface = parts->surface;
+    scene.timeline.animation.keep_fields(parts->surface.field->packing);
 
     // Settings are chosen once, at the first frame: every frame is marched alike.
     check_work(scene, *parts, tracks);

@@ -50,6 +50,18 @@ TEST(Schedule, WhatDoesNotNeedTheElementIsComputedOnce) {
     EXPECT_EQ(shape.depths.at(Op::sin), Depths{1});
 }
 
+// Takes minutes where a level of sums costs as much as all of them.
+TEST(Schedule, LongChainsOfSums) {
+    constexpr int levels = 12'000;
+    std::string text = "s0 = x;";
+    for (int k = 0; k < levels; ++k)
+        text +=
+            "s" + std::to_string(k + 1) + " = sum(blobs, sin(cx + s" + std::to_string(k) + "));";
+    const Shape shape = shape_of(program_of(text + "s" + std::to_string(levels)));
+    EXPECT_EQ(shape.loops, levels);
+    EXPECT_EQ(shape.deepest, 1);
+}
+
 TEST(Schedule, NestedSumsHoistToTheLoopTheyNeed) {
     const Shape shape =
         shape_of(program_of("sum(blobs, sum(links, exp(cx*x)*sin(px + cy)*cos(y)))"));

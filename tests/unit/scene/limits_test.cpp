@@ -117,6 +117,49 @@ TEST_F(Limits, WorkAtAPoint) {
                           "1e+08 are possible: give its arrays fewer elements"));
 }
 
+std::string arrays(int many, int fields, const std::string& read) {
+    std::string text = "[surface]\nformula = \"x" + read + "\"\nbounds = { sphere = 1 }\n";
+    for (int a = 0; a < many; ++a) {
+        text += fmt::format("[arrays.a{}]\ncount = 1000000\n", a);
+        for (int f = 0; f < fields; ++f) text += fmt::format("f{} = \"i+{}\"\n", f, f);
+    }
+    return text;
+}
+
+// Each array is within what one may have.
+TEST_F(Limits, ValuesOfAllArraysTogether) {
+    std::string read;
+    for (int a = 0; a < 12; ++a) read += fmt::format(" + sum(a{}, f0*x)/1e6", a);
+    EXPECT_THAT(
+        mistake(arrays(12, 1, read)),
+        HasSubstr("the fields of all arrays hold 1.2e+07 values at each frame, all elements "
+                  "counted, those of 'a0' 1e+06; at most 1e+07 are possible"));
+}
+
+TEST_F(Limits, ArraysThatNothingReadsCostNothing) {
+    const Scene scene = loaded(arrays(32, 300, ""));
+    for (const auto& array : scene.timeline.values(1).arrays) {
+        EXPECT_EQ(array.count, 1'000'000);
+        for (const auto& field : array.fields) EXPECT_TRUE(field.empty());
+    }
+}
+
+TEST_F(Limits, NumbersOfAllTablesTogether) {
+    std::string table = "c0,c1,c2,c3,c4,c5,c6,c7,c8,c9\n";
+    table += repeat("1,2,3,4,5,6,7,8,9,0\n", 1'000'000);
+    for (const char* name : {"0", "1", "2", "3"}) write(std::string(name) + ".csv", table);
+    const auto with = [](auto file) {
+        std::string text = "[surface]\nformula = \"x\"\nbounds = { sphere = 1 }\n";
+        for (int a = 0; a < 4; ++a)
+            text += fmt::format("[arrays.a{}]\nfile = \"{}.csv\"\n", a, file(a));
+        return text;
+    };
+    expect_fine(with([](int) { return 0; })); // one that is named alike is read once
+    EXPECT_EQ(mistake(with([](int a) { return a; })),
+              "3.csv:1: has 10 columns and 1000000 lines; all tables of a scene hold at most 3e+07 "
+              "numbers: leave columns out that the formula doesn't read");
+}
+
 TEST_F(Limits, WorkOfAFrame) {
     const auto with = [](int terms) {
         std::string sum = "i";

@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""What scenes that are as dear as the limits allow (docs/security.md) cost to read.
+
+    tests/bench/dear_scenes.py [ISOMOTION]
+
+Writes scenes into a temporary folder and runs `show` on each: processor time, memory, exit code.
+"""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+SURFACE = "[surface]\nbounds = {{ sphere = 2 }}\nformula = '''{}'''\n"
+REST = "[output]\nsize = [64, 64]\n[time]\nframes = 100\n"
+
+
+def scene(formula, arrays=""):
+    return SURFACE.format(formula) + REST + arrays
+
+
+def array(name, count, fields):
+    lines = "".join(f'{field} = "{value}"\n' for field, value in fields.items())
+    return f"[arrays.{name}]\ncount = {count}\n{lines}"
+
+
+def sums(terms, count):
+    body = "+".join(f"exp(-((x-c*{k})^2+(y-c)^2+z^2))" for k in range(1, terms + 1))
+    return scene(f"sum(a, {body}) - 0.5", array("a", count, {"c": "sin(i)"}))
+
+
+def chain(levels, step, last):
+    parts = "".join(f"u{k + 1} = {step.format(k)};" for k in range(levels))
+    return f"u0 = x; {parts} {last.format(levels)}"
+
+
+def scenes():
+    many = {f"f{k}": f"sin(i*{k}+t)" for k in range(9)}
+    yield "values", scene(f"x + sum(a, {'+'.join(many)})*1e-9", array("a", 10**6, many))
+    sines = "+".join(f"sin(t*{k}+i)" for k in range(30))
+    yield "work of a frame", scene("x + sum(a, f)*1e-9", array("a", 10**6, {"f": sines}))
+    unread = "".join(
+        array(f"a{k}", 10**6, {f"f{m}": f"i*{m}" for m in range(300)}) for k in range(32)
+    )
+    yield "unread fields", scene("x", unread)
+    yield "work at a point", sums(3, 10**6)
+    yield "more of it", sums(8, 6 * 10**5)
+    yield "terms of a shader", sums(3, 55000)
+    waves = "+".join(f"sin({k}*x+{k % 7}*y)*cos({k % 13}*z)" for k in range(1, 9000))
+    yield "waves", scene(waves)
+    yield "a chain of sines", scene(chain(9000, "sin(u{0}*y+z)*u{0}", "u{}-y"))
+    yield "a chain of min and max", scene(chain(5000, "min(u{0},x-{0}*y)+max(u{0},z)", "u{}-y"))
+    elements = array("b", 2, {"c": "i"})
+    yield "a chain of sums", scene(chain(16000, "sum(b,u{0}*c/9)", "u{}-y"), elements)
+    yield "another", scene(chain(9000, "sum(b,sin(u{0}+c))", "u{}-y"), elements)
+    yield "degree 1000", scene("chebyshev(1000,x)+chebyshev(999,y)+chebyshev(998,z)")
+    rough = "+".join(f"abs(x-{k}/300)^0.3*sign(y-{k}/200)" for k in range(1500))
+    yield "kinks and jumps", scene(rough)
+    tables = "".join(f'[arrays.a{k}]\nfile = "table.csv"\n' for k in range(32))
+    yield "a table named often", scene("x+" + "+".join(f"sum(a{k}, c1)" for k in range(32)), tables)
+
+
+def write_table(file):
+    with open(file, "w") as table:
+        table.write("frame," + ",".join(f"c{k}" for k in range(30)) + "\n")
+        for row in range(900_000):
+            table.write(f"{1 + row // 9000}," + ",".join([f"{row % 97 * 0.01:.3f}"] * 30) + "\n")
+
+
+def main():
+    program = sys.argv[1] if len(sys.argv) > 1 else "build/release/isomotion"
+    with tempfile.TemporaryDirectory() as folder:
+        write_table(pathlib.Path(folder) / "table.csv")
+        print("| scene | seconds | MB | exit code |\n|---|--:|--:|--:|")
+        for name, text in scenes():
+            file = pathlib.Path(folder) / "scene.toml"
+            file.write_text(text)
+            shown = subprocess.Popen(
+                [program, "show", str(file)],
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+            )
+            _, status, used = os.wait4(shown.pid, 0)
+            seconds = used.ru_utime + used.ru_stime
+            code = os.waitstatus_to_exitcode(status)
+            print(f"| {name} | {seconds:.1f} | {used.ru_maxrss / 1024:.0f} | {code} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
