@@ -6,7 +6,7 @@ float openness(SurfacePoint p) {
     const int samples = 5;
     float missing = 0.0, most = 0.0;
     for (int k = 1; k <= samples; ++k) {
-        float way = occlusion.x * float(k) / float(samples);
+        float way = clamp(occlusion.x, 1.0e-30, 1.0e30) * float(k) / float(samples);
         float f = field(p.position + way * p.normal) * (p.inside ? -1.0 : 1.0);
         float distance = clamp(f / max(p.steepness, 1.0e-30), 0.0, way);
         float weight = exp2(-float(k));

@@ -72,6 +72,11 @@ void march_pixel() {
 #endif
             if (outcome == RAY_GOES_ON && s.evaluations >= int(limits.y)) outcome = RAY_IS_FREE;
         }
+#ifdef BOUNDED_TOUCHES
+        if (outcome == RAY_IS_SOLVED) outcome = any_hit_solved(s, ray);
+        begins = false;
+        if (outcome == RAY_GOES_ON && turns > 0) continue;
+#endif
         if (outcome == RAY_GOES_ON) break; // in the next pass
         if (outcome == RAY_IS_HIDDEN) s.verdict += 1 << s.refinements;
         begins = true;

@@ -28,6 +28,9 @@ constexpr std::string_view name(Format format) {
     return "?";
 }
 
+/// Of a name in a file's metadata, in bytes.
+constexpr std::size_t longest_name(Format format) { return format == Format::exr ? 255 : 79; }
+
 enum class PngDepth { bits8, bits16 };
 
 /// The format that a file name asks for. Throws an ImageError that lists the choices.

@@ -1,6 +1,7 @@
 #include "image/frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <set>
 
@@ -34,6 +35,21 @@ std::string to_text(const Value& value) { return std::visit(Text{}, value); }
 const Channel* Frame::find(std::string_view name) const {
     const auto channel = std::ranges::find(channels, name, &Channel::name);
     return channel == channels.end() ? nullptr : &*channel;
+}
+
+std::int64_t count_without_colour(const Frame& frame) {
+    std::vector<const float*> planes;
+    for (const char* name : {"R", "G", "B", "A"}) {
+        if (const Channel* channel = frame.find(name)) planes.push_back(channel->samples.data());
+    }
+    const auto area = std::size_t(frame.width) * std::size_t(frame.height);
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < area; ++i) {
+        bool is_finite = true;
+        for (const float* plane : planes) is_finite = is_finite && std::isfinite(plane[i]);
+        count += !is_finite;
+    }
+    return count;
 }
 
 void check(const Frame& frame) {

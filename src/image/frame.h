@@ -60,6 +60,9 @@ struct Frame {
     const Channel* find(std::string_view name) const;
 };
 
+/// How many pixels have a colour or coverage that is infinite or no number.
+std::int64_t count_without_colour(const Frame& frame);
+
 /// Throws an ImageError unless the frame has an area and channels of that area with distinct names.
 void check(const Frame& frame);
 

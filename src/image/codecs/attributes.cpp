@@ -12,11 +12,10 @@
 
 #include <fmt/format.h>
 
+#include "image/encode.h"
+
 namespace isomotion::image::oiio {
 namespace {
-
-constexpr std::size_t longest_png_keyword = 79;
-constexpr std::size_t longest_exr_name = 255;
 
 void check_name(const std::string& name, std::size_t longest) {
     if (name.empty() || name.size() > longest)
@@ -98,14 +97,14 @@ bool describes_file(const OIIO::ParamValue& attribute) {
 
 void add_typed(OIIO::ImageSpec& spec, const Metadata& metadata) {
     for (const Entry& entry : metadata) {
-        check_name(entry.name, longest_exr_name);
+        check_name(entry.name, longest_name(Format::exr));
         std::visit(Adder{spec, entry.name}, entry.value);
     }
 }
 
 void add_as_text(OIIO::ImageSpec& spec, const Metadata& metadata) {
     for (const Entry& entry : metadata) {
-        check_name(entry.name, longest_png_keyword);
+        check_name(entry.name, longest_name(Format::png8));
         spec.attribute(entry.name, to_text(entry.value));
     }
 }

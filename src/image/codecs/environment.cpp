@@ -84,13 +84,15 @@ float mended(float light, float largest) {
     return std::min(light, largest);
 }
 
-// Puts light in the place of what is none; how many texels of R, G, B and 1 that changes.
+// Puts light in the place of what is none, or so much that products of it are no floats; how many
+// texels of R, G, B and 1 that changes.
 int mend(std::vector<float>& texels) {
-    constexpr float largest_half = 65504.0f;
+    constexpr float largest_half = 65504.0f, most = 1e6f;
     float largest = 0.0f;
     for (std::size_t i = 0; i < texels.size(); ++i)
         if (i % 4 != 3 && std::isfinite(texels[i])) largest = std::max(largest, texels[i]);
     if (largest == 0.0f) largest = largest_half;
+    largest = std::min(largest, most);
 
     int changed = 0;
     for (std::size_t i = 0; i < texels.size(); i += 4) {
