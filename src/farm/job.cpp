@@ -1,8 +1,7 @@
 #include "farm/job.h"
 
-#include <regex>
-
 #include "farm/shell.h"
+#include "sequence/names/sequence_name.h"
 
 namespace isomotion::farm {
 namespace {
@@ -42,8 +41,7 @@ std::string shell_line(const Job& job, const Words& words) {
 }
 
 std::string stem(const std::filesystem::path& output) {
-    static const std::regex place("#+|%(0[0-9]{1,2})?d"); // as sequence::SequenceName has it
-    std::string name = std::regex_replace(output.stem().string(), place, "");
+    std::string name = sequence::SequenceName::parse(output.string()).stem();
     name.resize(name.find_last_not_of("._- ") + 1);
     return name.empty() ? "frames" : name;
 }

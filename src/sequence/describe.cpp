@@ -1,6 +1,8 @@
 #include "sequence/describe.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 #include "base/fingerprint.h"
 #include "sequence/scene_fingerprint.h"
@@ -9,6 +11,13 @@ namespace isomotion::sequence {
 namespace {
 
 std::vector<double> components(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+image::Entry rate(const animation::FrameRate& fps) {
+    const image::Rational ratio{fps.numerator, fps.denominator};
+    const bool fits = std::max(ratio.numerator, ratio.denominator) <= INT32_MAX;
+    if (fits) return {"FramesPerSecond", ratio};
+    return {"isomotion:fps", image::to_text(ratio)};
+}
 
 std::vector<std::string> layers(const std::vector<synthesis::Channel>& channels) {
     std::vector<std::string> names{"R", "G", "B", "A"};
@@ -22,11 +31,11 @@ std::vector<std::string> layers(const std::vector<synthesis::Channel>& channels)
 } // namespace
 
 image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& now,
-                               const animation::Values& values, int frame) {
-    const auto& fps = scene.timeline.fps;
+                               const animation::Values& values, int frame,
+                               image::Format format) {
     const scene::Isolation& isolation = scene.isolation;
     image::Metadata metadata{
-        {"FramesPerSecond", image::Rational{fps.numerator, fps.denominator}},
+        rate(scene.timeline.fps),
         {"Software", std::string("isomotion " ISOMOTION_VERSION)},
         {"isomotion:title", scene.title},
         {"isomotion:frame", frame},
@@ -57,8 +66,10 @@ image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& 
     }
     for (int k = 0; k < scene.surface.parameters; ++k) {
         const auto index = std::size_t(k);
-        metadata.push_back({"isomotion:parameter." + scene.timeline.animation.tracks()[index].name,
-                            values.tracks[index]});
+        std::string name =
+            "isomotion:parameter." + scene.timeline.animation.tracks()[index].name;
+        if (name.size() <= image::longest_name(format))
+            metadata.push_back({std::move(name), values.tracks[index]});
     }
     metadata.push_back({fingerprint_key, std::string()});
     return metadata;
@@ -101,6 +112,7 @@ FrameRecord record_of(const scene::Scene& scene, int frame, const animation::Val
     }
     record.verdicts = picture.verdicts;
     if (scene.isolation.certify) record.proofs = picture.proofs;
+    record.without_colour = image::count_without_colour(picture.frame);
     record.evaluations = picture.evaluations;
     record.drawing = picture.drawing.count();
     return record;

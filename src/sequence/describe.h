@@ -17,9 +17,12 @@ namespace isomotion::sequence {
 // The name under which a file keeps the fingerprint of what it was rendered from.
 inline constexpr const char* fingerprint_key = "isomotion:fingerprint";
 
-// The last entry is the fingerprint's, still empty: it covers the others.
+// What fits into a file of the format: a parameter's name that is too long is left out, as is a
+// rate that 32-bit integers can't hold, which becomes a text. The last entry is the fingerprint's,
+// still empty: it covers the others.
 image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& now,
-                               const animation::Values& values, int frame);
+                               const animation::Values& values, int frame,
+                               image::Format format);
 
 // Of the file: of its pixels, given by their fingerprint, its encoding and its metadata.
 std::string file_fingerprint(const std::string& pixels, const std::string& renderer,

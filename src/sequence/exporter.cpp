@@ -201,7 +201,7 @@ private:
             scene_.output.width, scene_.output.height, rays_to_audit(), frame);
         if (!inputs.pictures.front().endings_of.empty())
             next.now = std::make_shared<const scene::SceneAt>(inputs.now);
-        next.metadata = frame_metadata(scene_, inputs.now, next.values, frame);
+        next.metadata = frame_metadata(scene_, inputs.now, next.values, frame, format_);
         next.fingerprint =
             file_fingerprint(pixels, sequence_.provenance.renderer, format_, next.metadata);
         next.metadata.back().value = next.fingerprint;
@@ -238,9 +238,16 @@ private:
             totals_.proofs[p] += picture.proofs[p];
         }
         totals_.evaluations += picture.evaluations;
+        const std::int64_t without_colour = image::count_without_colour(picture.frame);
+        totals_.without_colour += without_colour;
         totals_.drawing += picture.drawing;
         ++totals_.drawn;
         warn_of_verdicts(waiting_.front().frame, picture);
+        if (without_colour > 0) {
+            warn(fmt::format("frame {}: the colour of {} pixel{} is infinite or no number",
+                             waiting_.front().frame, without_colour,
+                             without_colour == 1 ? "" : "s"));
+        }
         for (PendingFrame& frame : std::exchange(waiting_, {})) write(frame);
     }
 
@@ -350,6 +357,7 @@ void Exporter::make_folders() const {
 }
 
 ExportTotals Exporter::export_frames(gpu::Context& context, const ExportWatcher& watcher) {
+    if (!options_.movie.empty()) expect_ffmpeg(); // not after hours of drawing
     make_folders();
     manifest_.reset();
     return Run(context, scene_, options_, name_, format_, watcher, manifest_).run();
@@ -359,13 +367,7 @@ bool Exporter::write_movie(const ExportWatcher& watcher) const {
     if (options_.movie.empty()) return true;
     std::vector<fs::path> pictures;
     for (const int frame : options_.frames) pictures.push_back(name_.path(frame));
-    try {
-        sequence::write_movie(options_.movie, pictures, movie_rate(scene_));
-        return true;
-    } catch (const MovieError&) {
-        if (stopped(watcher)) return false; // a terminal's Ctrl-C reaches ffmpeg too
-        throw;
-    }
+    return sequence::write_movie(options_.movie, pictures, movie_rate(scene_), watcher.stop);
 }
 
 } // namespace isomotion::sequence

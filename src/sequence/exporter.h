@@ -58,6 +58,7 @@ struct ExportTotals {
     std::array<std::int64_t, render::verdict_names.size()> verdicts{}; // rays
     render::ProofCounts proofs{};                                      // pixels
     std::int64_t evaluations = 0;
+    std::int64_t without_colour = 0; // pixels whose colour is infinite or no number
     std::chrono::duration<double> drawing{};
     audit::Findings audit;     // of the frames drawn
     int drawn = 0, reused = 0; // frames; those reused show what the one before did

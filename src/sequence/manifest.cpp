@@ -1,12 +1,14 @@
 #include "sequence/manifest.h"
 
+#include <algorithm>
 #include <span>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "base/extension.h"
 #include "base/file.h"
+#include "base/input_error.h"
+#include "base/printable.h"
 #include "sequence/manifest_json.h"
 
 namespace isomotion::sequence {
@@ -22,10 +24,20 @@ std::string read_text(const fs::path& file) {
 } // namespace
 
 fs::path manifest_folder(const SequenceName& name) {
-    const std::string stem = name.stem();
-    const std::string extension = base::lower_extension(name.path(1));
-    return name.folder() / fmt::format("{}{}.manifest", stem.empty() ? "frames" : stem,
-                                       extension == ".png" ? "" : extension);
+    constexpr std::string_view place = ".####";
+    const std::string pattern = name.pattern();
+    const auto begins_with_a_name = [&](std::string_view ending) {
+        const std::size_t length = pattern.size() - std::min(pattern.size(), ending.size());
+        return length > 0 && pattern.substr(length) == ending &&
+               !pattern.substr(0, length).ends_with(".exr");
+    };
+    std::string folder = pattern;
+    if (begins_with_a_name(".####.png")) {
+        folder = pattern.substr(0, pattern.find(place));
+    } else if (begins_with_a_name(".####.exr")) {
+        folder = pattern.substr(0, pattern.find(place)) + ".exr";
+    }
+    return name.folder() / (folder + ".manifest");
 }
 
 fs::path sequence_file(const fs::path& manifest) { return manifest / "sequence.json"; }
@@ -36,7 +48,20 @@ fs::path frame_file(const fs::path& manifest, int frame) {
 
 Sequence read_sequence(const fs::path& manifest) {
     const fs::path file = sequence_file(manifest);
-    return parse_sequence(read_text(file), file.string());
+    Sequence sequence = parse_sequence(read_text(file), file.string());
+    const std::string& pattern = sequence.format.pattern;
+    const auto fail = [&](std::string_view what) {
+        throw ManifestError(fmt::format("{}: files: {}; this is no manifest",
+                                        base::printable(file.string()), what));
+    };
+    if (pattern.find('/') != std::string::npos)
+        fail("must be names beside the manifest, without a folder");
+    try {
+        if (!SequenceName::parse(pattern).holds_many()) fail("must have a place for the frame");
+    } catch (const base::InputError& error) {
+        fail(error.what());
+    }
+    return sequence;
 }
 
 std::optional<FrameRecord> find_record(const fs::path& manifest, int frame) {

@@ -11,15 +11,16 @@
 
 namespace isomotion::sequence {
 
-// Of out/name.####.png it is out/name.manifest; other formats, which may lie beside it, show in the
-// name: out/name.exr.manifest. Of a name without a place for the frame's number there is none.
+// out/name.manifest for out/name.####.png, out/name.exr.manifest for out/name.####.exr; for any
+// other name the whole pattern, out/name_##.png.manifest. So two sequences never share one. A name
+// without a place for the frame's number has none.
 std::filesystem::path manifest_folder(const SequenceName& name);
 
 std::filesystem::path sequence_file(const std::filesystem::path& manifest);
 std::filesystem::path frame_file(const std::filesystem::path& manifest, int frame);
 
 // Throws FileError if there is no such file, ManifestError with the file's name if it is no
-// manifest.
+// manifest, or one of files elsewhere.
 Sequence read_sequence(const std::filesystem::path& manifest);
 
 // None if there is no record of this frame, or none that can be read.

@@ -9,6 +9,7 @@
 #include "animation/frame_range.h"
 #include "base/document.h"
 #include "base/input_error.h"
+#include "base/printable.h"
 
 namespace isomotion::sequence {
 namespace {
@@ -19,8 +20,13 @@ using Json = nlohmann::ordered_json; // keys as they were added
 class Writer {
 public:
     template<class T> void operator()(const char* key, const T& value) { json_[key] = value; }
+    // Drivers' names and files' may be of any bytes.
+    void operator()(const char* key, const std::string& value) {
+        json_[key] = base::printable_line(value);
+    }
     void operator()(const char* key, const Provenance& value);
 
+    void where_known(const char* key, std::int64_t value) { json_[key] = value; }
     void constant(const char* key, std::string_view value) { json_[key] = value; }
     void size(const char* key, int width, int height) { json_[key] = Json::array({width, height}); }
     void frames(const char* key, const std::vector<int>& frames) {
@@ -56,22 +62,26 @@ public:
     explicit Reader(base::DocumentTable table)
         : table_(std::move(table)) {}
 
-    void operator()(const char* key, std::string& value) { value = table_.at(key).text(); }
+    void operator()(const char* key, std::string& value) { value = line(table_.at(key)); }
     void operator()(const char* key, int& value) {
         value = table_.at(key).integer(std::numeric_limits<int>::min(),
                                        std::numeric_limits<int>::max());
     }
-    void operator()(const char* key, std::int64_t& value) { value = table_.at(key).whole(); }
+    void operator()(const char* key, std::int64_t& value) { value = count(table_.at(key)); }
     void operator()(const char* key, std::uintmax_t& value) {
-        value = std::uintmax_t(table_.at(key).whole());
+        value = std::uintmax_t(count(table_.at(key)));
     }
     void operator()(const char* key, double& value) { value = number(table_.at(key)); }
     void operator()(const char* key, std::vector<std::string>& value) {
         value.clear();
-        for (const base::DocumentNode& each : table_.at(key).list()) value.push_back(each.text());
+        for (const base::DocumentNode& each : table_.at(key).list()) value.push_back(line(each));
     }
     void operator()(const char* key, Provenance& value);
 
+    // Records of earlier versions don't have it.
+    void where_known(const char* key, std::int64_t& value) {
+        if (table_.find(key)) operator()(key, value);
+    }
     void constant(const char* key, std::string_view wanted) {
         const base::DocumentNode node = table_.at(key);
         if (node.text() != wanted) node.fail(fmt::format("must be \"{}\"", wanted));
@@ -100,7 +110,7 @@ public:
     void counts(const char* key, Counts& counts, const Names& names) {
         base::DocumentTable all = table_.at(key).table();
         for (std::size_t k = 0; k < counts.size(); ++k)
-            counts[k] = all.at(std::string(names[k])).whole();
+            counts[k] = count(all.at(std::string(names[k])));
     }
     template<class Counts, class Names>
     void counts(const char* key, std::optional<Counts>& given, const Names& names) {
@@ -108,6 +118,20 @@ public:
     }
 
 private:
+    // Programs print what manifests say: none of it may move the cursor or begin a line.
+    static std::string line(const base::DocumentNode& node) {
+        std::string text = node.text();
+        constexpr std::size_t most = 4096;
+        if (text.size() > most || !base::is_one_printable_line(text))
+            node.fail(fmt::format("must be one printable line of at most {} bytes", most));
+        return text;
+    }
+    static std::int64_t count(const base::DocumentNode& node) {
+        constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() / 2;
+        const std::int64_t number = node.whole();
+        if (number < 0 || number > most) node.fail(fmt::format("must be from 0 to {}", most));
+        return number;
+    }
     // JSON has no NaN and no infinity.
     static double number(const base::DocumentNode& node) {
         return node.is_null() ? std::numeric_limits<double>::quiet_NaN() : node.number();
@@ -154,6 +178,7 @@ template<class Visitor, Is<FrameRecord> R> void fields(Visitor& at, R& record) {
     at("time", record.time);
     at.numbers("parameters", record.parameters);
     at.counts("rays", record.verdicts, render::verdict_names);
+    at.where_known("pixels without colour", record.without_colour);
     at("evaluations", record.evaluations);
     at("drawing seconds", record.drawing);
     at("made by", record.provenance);

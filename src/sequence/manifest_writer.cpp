@@ -13,6 +13,7 @@
 
 #include "base/file.h"
 #include "base/partial_file.h"
+#include "base/printable.h"
 #include "sequence/manifest.h"
 #include "sequence/manifest_json.h"
 
@@ -40,7 +41,9 @@ void make_folder(const fs::path& folder) {
 
 base::FileDescriptor open_writers(const fs::path& manifest) {
     const fs::path file = writers_file(manifest);
-    base::FileDescriptor writers(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    // Not through a link, which may lead to a file of somebody else.
+    base::FileDescriptor writers(
+        ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
     if (!writers) throw base::FileError(file, "cannot be created", errno);
     struct stat found = {};
     if (::fstat(writers.number(), &found) == 0 && found.st_size == 0) {
@@ -87,6 +90,12 @@ void ManifestWriter::join(const Sequence& wanted) {
     // Of those who join at the same time, one after the other has this file.
     base::PartialFile file(sequence_file(folder_));
     const std::optional<Sequence> there = sequence_there(folder_);
+    if (there && there->format.pattern != wanted.format.pattern) {
+        throw ConflictError(fmt::format("{}: is the manifest of {}, not of {}; move it away, or "
+                                        "give these frames another name with -o",
+                                        base::printable_line(folder_.string()),
+                                        there->format.pattern, wanted.format.pattern));
+    }
     Sequence joined = there.value_or(wanted);
     const std::string other = difference(joined, wanted);
     if (!other.empty()) {
@@ -108,8 +117,9 @@ void ManifestWriter::join(const Sequence& wanted) {
 
 void ManifestWriter::expect_manifest() const {
     struct stat joined = {}, named = {};
-    const bool same = ::fstat(writers_.number(), &joined) == 0 &&
-                      ::stat(writers_file(folder_).c_str(), &named) == 0 &&
+    if (::fstat(writers_.number(), &joined) != 0)
+        throw base::FileError(writers_file(folder_), "cannot be read", errno);
+    const bool same = ::stat(writers_file(folder_).c_str(), &named) == 0 &&
                       joined.st_dev == named.st_dev && joined.st_ino == named.st_ino;
     if (!same) {
         throw base::FileError(folder_, "was removed or replaced while its frames were rendered",

@@ -120,14 +120,19 @@ void check_movie(const std::filesystem::path& movie, image::Rational frames_per_
     check_rate(movie, container_of(movie), frames_per_second);
 }
 
-void write_movie(const std::filesystem::path& movie,
+void expect_ffmpeg() {
+    if (!base::find_program("ffmpeg"))
+        throw MovieError("ffmpeg is not on PATH: install it with apt-get install ffmpeg");
+}
+
+bool write_movie(const std::filesystem::path& movie,
                  std::span<const std::filesystem::path> pictures,
-                 image::Rational frames_per_second) {
+                 image::Rational frames_per_second, const std::function<bool()>& stop) {
     const Container container = container_of(movie);
     check_rate(movie, container, frames_per_second);
     if (pictures.empty()) throw MovieError(movie.string() + ": a movie needs at least one picture");
+    expect_ffmpeg();
     const auto ffmpeg = base::find_program("ffmpeg");
-    if (!ffmpeg) throw MovieError("ffmpeg is not on PATH: install it with apt-get install ffmpeg");
 
     image::Frame frame = image::decode(pictures.front());
     const Size size{frame.width, frame.height};
@@ -137,22 +142,26 @@ void write_movie(const std::filesystem::path& movie,
     base::ChildProcess encoder(*ffmpeg,
                                command(container, shown, frames_per_second, partial.path()));
     bool fed = true;
+    const auto stopped = [&] { return stop && stop(); };
     for (std::size_t i = 0; fed && i < pictures.size(); ++i) {
+        if (stopped()) return false;
         if (i > 0) frame = image::decode(pictures[i]);
         if (Size{frame.width, frame.height} != size)
             throw MovieError(fmt::format("{}: is {} x {}, but the movie's first picture is {} x {}",
                                          pictures[i].string(), frame.width, frame.height,
                                          size.width, size.height));
-        fed = encoder.feed(screen_bytes(frame, shown));
+        fed = encoder.feed(screen_bytes(frame, shown), stopped);
     }
     // Words are an error even with status 0: ffmpeg 5.1 ends like this when the disk fills up while
     // it writes the last of a file. It is asked for errors only.
-    const bool ended_well = encoder.finish();
+    const bool ended_well = encoder.finish_unless(stopped);
+    if (stopped()) return false; // a terminal's Ctrl-C reaches ffmpeg too
     const std::string words = encoder.last_words(5);
     if (!ended_well || !fed || !words.empty())
         throw MovieError(
             fmt::format("{}: ffmpeg failed ({}): {}", movie.string(), encoder.ending(), words));
     partial.publish();
+    return true;
 }
 
 } // namespace isomotion::sequence

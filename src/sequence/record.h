@@ -69,6 +69,7 @@ struct FrameRecord {
     std::array<std::int64_t, render::verdict_names.size()> verdicts{}; // rays
     std::optional<render::ProofCounts> proofs;                         // pixels, if certified
     std::optional<AuditCounts> audit;                                  // rays, if there was one
+    std::int64_t without_colour = 0; // pixels whose colour is infinite or no number
     std::int64_t evaluations = 0;
     double drawing = 0; // seconds; 0 for the picture of the frame before, used once more
 };

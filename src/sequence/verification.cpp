@@ -1,6 +1,8 @@
 #include "sequence/verification.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -27,19 +29,22 @@ void note_differences(Verification& found, const FrameRecord& record) {
     note("stage", made.stage, wanted.stage);
 }
 
+// Manifests may say any number.
+void add(std::int64_t& sum, std::int64_t count) {
+    if (__builtin_add_overflow(sum, count, &sum)) sum = std::numeric_limits<std::int64_t>::max();
+}
+
+template<class Counts> void add(Counts& sums, const Counts& counts) {
+    for (std::size_t k = 0; k < sums.size(); ++k) add(sums[k], counts[k]);
+}
+
 void sum_up(Verification& found, const FrameRecord& record) {
-    for (std::size_t v = 0; v < found.verdicts.size(); ++v) {
-        found.verdicts[v] += record.verdicts[v];
-    }
-    if (record.proofs) {
-        for (std::size_t p = 0; p < found.proofs.size(); ++p)
-            found.proofs[p] += (*record.proofs)[p];
-    }
-    if (record.audit) {
-        for (std::size_t a = 0; a < found.audit.size(); ++a) found.audit[a] += (*record.audit)[a];
-    }
+    add(found.verdicts, record.verdicts);
+    if (record.proofs) add(found.proofs, *record.proofs);
+    if (record.audit) add(found.audit, *record.audit);
     found.audited += record.audit.has_value();
-    found.evaluations += record.evaluations;
+    add(found.without_colour, record.without_colour);
+    add(found.evaluations, record.evaluations);
     found.drawing += record.drawing;
 }
 
@@ -110,6 +115,7 @@ Json json(const Verification& found) {
             {"differing", differing},
             {"foreign", range(found.foreign)},
             {"rays", rays},
+            {"pixels without colour", found.without_colour},
             {"evaluations", found.evaluations},
             {"drawing seconds", found.drawing}};
 }

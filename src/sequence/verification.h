@@ -31,6 +31,7 @@ struct Verification {
     render::ProofCounts proofs{};
     AuditCounts audit{};
     int audited = 0; // frames
+    std::int64_t without_colour = 0;
     std::int64_t evaluations = 0;
     double drawing = 0; // seconds
 

@@ -1,8 +1,10 @@
 // `isomotion submit` on this machine: the bytes of one `render`, whatever happens to the workers.
 #include "farm/local.h"
 
+#include <chrono>
 #include <csignal>
 #include <fstream>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -152,6 +154,20 @@ TEST_F(Local, ControlCEndsTheWorkersToo) {
         EXPECT_EQ(run(many).code, 0);
         expect_same_files("one", "many");
     }
+}
+
+TEST_F(Local, WorkersEndWithTheirFarm) {
+    cli::Circumstances circumstances = this->circumstances();
+    circumstances.interrupt_when = [&](auto) { return frames_in("many") >= 2; };
+    circumstances.interrupt_signal = SIGKILL;
+    const cli::Ending ending =
+        run(command("submit", "many", slow({"--workers", "2"})), circumstances);
+    EXPECT_EQ(ending.signal, SIGKILL) << ending;
+    for (int waited = 0; works() && waited < 600; ++waited)
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    EXPECT_FALSE(works());
+    EXPECT_LT(frames_in("many"), 18u);
+    expect_only_whole_files();
 }
 
 TEST_F(Local, AWrongCommandStartsNothing) {

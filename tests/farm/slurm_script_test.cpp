@@ -8,6 +8,7 @@
 #include "cli.h"
 #include "files.h"
 #include "nasty_words.h"
+#include "sequence/names/sequence_name.h"
 
 namespace isomotion::farm {
 namespace {
@@ -71,7 +72,7 @@ TEST_F(SlurmScript, SaysWhatItShouldWhateverTheNames) {
         job.program = *this / "program";
         job.folder = folder() / name();
         job.scene = "/" + name();
-        job.output = job.folder / name() / (name() + ".####.png");
+        job.output = job.folder / name() / (sequence::stem_of_frames(name()) + ".####.png");
         if (k % 2) job.movie = job.folder / (name() + ".mp4");
         job.options = {nasty_word(random), "$frames", nasty_word(random)};
         job.environment = {"EXTRA=" + nasty_word(random)};

@@ -8,12 +8,6 @@
 namespace isomotion::player {
 namespace fs = std::filesystem;
 
-std::string stem_of_frames(std::string name) {
-    std::ranges::replace(name, '#', '_');
-    std::ranges::replace(name, '%', '_');
-    return name;
-}
-
 std::vector<std::string> render_words(const RenderOrder& order) {
     std::vector<std::string> words{"render", order.scene.string(), "--quiet", "-o", order.output};
     words.insert(

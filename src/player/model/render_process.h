@@ -53,9 +53,6 @@ private:
     base::ChildProcess process_;
 };
 
-// A scene's name as the stem of file names: `#` and `%`, places for a number, become `_`.
-std::string stem_of_frames(std::string name);
-
 // The words after `isomotion`.
 std::vector<std::string> render_words(const RenderOrder& order);
 

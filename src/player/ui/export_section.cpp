@@ -13,7 +13,7 @@
 namespace isomotion::player {
 
 std::string ExportSection::stem(const scene::Scene& scene) const {
-    return (folder_ / stem_of_frames(scene.file.stem().string())).string();
+    return (folder_ / sequence::stem_of_frames(scene.file.stem().string())).string();
 }
 
 ExportSection::~ExportSection() {

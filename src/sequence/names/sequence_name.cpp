@@ -2,13 +2,45 @@
 
 #include <algorithm>
 #include <charconv>
-#include <regex>
 
 #include <fmt/format.h>
 
 #include "base/input_error.h"
+#include "base/printable.h"
 
 namespace isomotion::sequence {
+namespace {
+
+constexpr std::size_t most_digits = 32;
+
+struct Place {
+    std::size_t begin = std::string::npos, end = std::string::npos;
+    std::size_t digits = 0;
+};
+
+// `####`, `%d` or `%04d`, from `begin` on.
+Place find_place(std::string_view text, std::size_t begin) {
+    const auto is_digit = [&](std::size_t k) {
+        return k < text.size() && '0' <= text[k] && text[k] <= '9';
+    };
+    for (std::size_t k = begin; k < text.size(); ++k) {
+        if (text[k] == '#') {
+            const std::size_t end = std::min(text.find_first_not_of('#', k), text.size());
+            return {k, end, end - k};
+        }
+        if (text[k] != '%') continue;
+        std::size_t end = k + 1, digits = 1;
+        if (end < text.size() && text[end] == '0' && is_digit(end + 1)) {
+            digits = 0;
+            for (++end; is_digit(end); ++end)
+                digits = std::min(10 * digits + std::size_t(text[end] - '0'), most_digits + 1);
+        }
+        if (end < text.size() && text[end] == 'd') return {k, end + 1, digits};
+    }
+    return {};
+}
+
+} // namespace
 
 SequenceName SequenceName::parse(std::string_view text) {
     const std::filesystem::path whole(text);
@@ -23,21 +55,26 @@ SequenceName SequenceName::parse(std::string_view text) {
     name.folder_ = whole.parent_path();
     name.before_ = file;
 
-    static const std::regex place("#+|%(0[0-9]{1,2})?d");
-    std::sregex_iterator match(file.begin(), file.end(), place);
-    if (match == std::sregex_iterator()) return name;
+    const Place place = find_place(file, 0);
+    if (place.begin == std::string::npos) return name;
 
     name.has_place_ = true;
-    name.before_ = match->prefix();
-    name.after_ = match->suffix();
-    name.digits_ = match->str().front() == '#' ? int(match->length())
-                   : (*match)[1].matched       ? std::stoi((*match)[1])
-                                               : 1;
-    if (++match != std::sregex_iterator())
+    name.before_ = file.substr(0, place.begin);
+    name.after_ = file.substr(place.end);
+    name.digits_ = int(std::min(std::max(place.digits, std::size_t(1)), most_digits));
+    if (find_place(file, place.end).begin != std::string::npos)
         throw base::InputError(
             fmt::format("{}: has two places for the frame's number; one run of # or "
                         "one %04d is right",
-                        text));
+                        base::printable(text)));
+    if (place.digits > most_digits)
+        throw base::InputError(fmt::format("{}: the frame's number has at most {} digits",
+                                           base::printable(text.substr(0, 60)), most_digits));
+    if (!base::is_one_printable_line(file))
+        throw base::InputError(
+            fmt::format("{}: a sequence's name must be UTF-8 that can be printed, as its manifest "
+                        "holds it",
+                        base::printable(text)));
     return name;
 }
 
@@ -69,6 +106,13 @@ std::string SequenceName::stem() const {
     const std::string extension = std::filesystem::path("." + before_ + after_).extension();
     stem.resize(stem.size() - std::min(stem.size(), extension.size()));
     return stem;
+}
+
+std::string stem_of_frames(const std::string& name) {
+    std::string stem = name;
+    std::ranges::replace(stem, '#', '_');
+    std::ranges::replace(stem, '%', '_');
+    return base::is_one_printable_line(stem) ? stem : base::printable_line(stem);
 }
 
 void SequenceName::check_holds(std::size_t frames) const {

@@ -13,7 +13,8 @@ namespace isomotion::sequence {
 // the frame's number in the last part; or a name without a place, which holds one frame.
 class SequenceName {
 public:
-    // Throws an InputError for more than one place.
+    // Throws an InputError for a folder, for more than one place or more than 32 digits, and for a
+    // sequence whose name is not printable UTF-8: manifests hold it.
     static SequenceName parse(std::string_view text);
 
     // The file of a frame: the number padded with zeros, with more digits where it needs them.
@@ -41,5 +42,9 @@ private:
     int digits_ = 0;
     bool has_place_ = false;
 };
+
+// A scene's name as the stem of file names: `#` and `%`, places for a number, become `_`, and so do
+// bytes that a sequence's name can't have.
+std::string stem_of_frames(const std::string& name);
 
 } // namespace isomotion::sequence

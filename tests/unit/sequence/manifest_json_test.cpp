@@ -43,6 +43,32 @@ TEST(ManifestJson, KeepsNamesThatNeedCare) {
     }
 }
 
+TEST(ManifestJson, SaysNothingThatATerminalObeys) {
+    const auto replaced = [](const char* from, const char* to) {
+        std::string text = to_json(some_sequence());
+        const std::size_t at = text.find(from);
+        return text.replace(at, std::string(from).size(), to);
+    };
+    EXPECT_NO_THROW(parse_sequence(replaced("Sphere", "Ball"), "a"));
+    for (const char* text : {"Sphere\\n  whole", "\\u001b[2J", "a\\rb", "\\u202ea", "\\u0007"}) {
+        EXPECT_THROW(parse_sequence(replaced("Sphere", text), "a"), ManifestError) << text;
+        EXPECT_THROW(parse_sequence(replaced("llvmpipe", text), "a"), ManifestError) << text;
+        EXPECT_THROW(parse_sequence(replaced("0.1.0", text), "a"), ManifestError) << text;
+    }
+    EXPECT_THROW(parse_sequence(replaced("Sphere", std::string(5000, 'x').c_str()), "a"),
+                 ManifestError);
+}
+
+TEST(ManifestJson, RefusesCountsThatNoFrameHas) {
+    const std::string whole = to_json(FrameRecord{});
+    for (const char* number : {"-1", "9223372036854775807", "1e300", "18446744073709551616"}) {
+        std::string text = whole;
+        const std::string key = "\"evaluations\": 0";
+        text.replace(text.find(key), key.size(), std::string("\"evaluations\": ") + number);
+        EXPECT_THROW(parse_frame_record(text, "a"), ManifestError) << number;
+    }
+}
+
 TEST(ManifestJson, AValueThatIsNoneStaysNone) {
     FrameRecord record;
     record.parameters = {{"a", std::numeric_limits<double>::quiet_NaN()}};

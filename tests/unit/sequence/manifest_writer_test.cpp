@@ -2,10 +2,13 @@
 
 #include <atomic>
 #include <latch>
+#include <map>
 #include <optional>
 #include <thread>
 
+#include "base/input_error.h"
 #include "records.h"
+#include "sequence/manifest_json.h"
 
 namespace isomotion::sequence {
 namespace {
@@ -21,10 +24,37 @@ TEST(ManifestFolder, StandsBesideTheFrames) {
     EXPECT_EQ(folder("blob.####.png"), "blob.manifest");
     EXPECT_EQ(folder("blob.####.exr"), "blob.exr.manifest");
     EXPECT_EQ(folder("blob.v2.####.png"), "blob.v2.manifest");
-    EXPECT_EQ(folder("blob_##.png"), "blob_.manifest");
-    EXPECT_EQ(folder("blob.####.left.png"), "blob.left.manifest");
-    EXPECT_EQ(folder("####.png"), "frames.manifest");
-    EXPECT_EQ(folder("####.exr"), "frames.exr.manifest");
+    EXPECT_EQ(folder("blob_##.png"), "blob_##.png.manifest");
+    EXPECT_EQ(folder("blob.####.left.png"), "blob.####.left.png.manifest");
+    EXPECT_EQ(folder("out/####.png"), "out/####.png.manifest");
+}
+
+TEST(ManifestFolder, IsOfOneSequenceAlone) {
+    std::map<std::string, std::string> pattern_of;
+    const auto add = [&](const std::string& text) {
+        const SequenceName name = SequenceName::parse(text);
+        const auto [at, is_new] =
+            pattern_of.emplace(manifest_folder(name).string(), name.pattern());
+        EXPECT_EQ(at->second, name.pattern()) << at->first;
+    };
+    // All that can be put together from parts that folders' names have.
+    const std::string parts[] = {"",    "a",   ".",    ".exr",      ".png",
+                                 "_",   ".a",  "####", ".manifest", ".####",
+                                 "##",  "#####", "%04d", "%d",       "frames"};
+    for (const auto& one : parts) {
+        for (const auto& two : parts) {
+            for (const auto& three : parts) {
+                for (const auto& four : parts) {
+                    try {
+                        if (SequenceName::parse(one + two + three + four).holds_many())
+                            add(one + two + three + four);
+                    } catch (const base::InputError&) { // two places, or a folder
+                    }
+                }
+            }
+        }
+    }
+    EXPECT_GT(pattern_of.size(), 5000u);
 }
 
 using RecordingTest = Recorded;
@@ -51,6 +81,25 @@ TEST_F(RecordingTest, ManyWhoJoinAtOnceLoseNothing) {
     for (const auto& entry : fs::directory_iterator(manifest())) {
         EXPECT_NE(entry.path().filename().string().front(), '.');
     }
+}
+
+// A manifest that was moved here from elsewhere.
+TEST_F(RecordingTest, TheManifestOfOtherFilesIsKept) {
+    { const ManifestWriter recording(name(), some_sequence()); }
+    Sequence other = some_sequence();
+    other.format.pattern = "b.##.png";
+    const std::string text = to_json(other);
+    base::write_whole(sequence_file(manifest()), std::as_bytes(std::span(text)));
+    EXPECT_THROW(ManifestWriter(name(), some_sequence()), ConflictError);
+    EXPECT_EQ(read_sequence(manifest()).format.pattern, "b.##.png");
+}
+
+TEST_F(RecordingTest, DoesNotWriteThroughALink) {
+    { const ManifestWriter recording(name(), some_sequence()); }
+    fs::remove(manifest() / "writers");
+    fs::create_symlink(folder_ / "elsewhere", manifest() / "writers");
+    EXPECT_THROW(ManifestWriter(name(), some_sequence()), base::FileError);
+    EXPECT_FALSE(fs::exists(folder_ / "elsewhere"));
 }
 
 TEST_F(RecordingTest, AnotherSequenceIsRefusedWhileSomebodyIsAtWork) {

@@ -168,6 +168,18 @@ TEST_F(RealMovie, ABrokenPictureStopsIt) {
     expect_nothing_made();
 }
 
+TEST_F(RealMovie, IsStopped) {
+    make_pictures(3, 8, 8);
+    for (int asked_before = 0; asked_before < 6; ++asked_before) {
+        int asked = 0;
+        const bool done = write_movie(folder_ / "m.mp4", pictures_, {30, 1},
+                                      [&] { return asked++ >= asked_before; });
+        EXPECT_FALSE(done) << asked_before;
+        expect_nothing_made();
+    }
+    EXPECT_TRUE(write_movie(folder_ / "m.mp4", pictures_, {30, 1}, [] { return false; }));
+}
+
 TEST_F(RealMovie, AMissingFolderIsReported) {
     make_pictures(1, 8, 8);
     EXPECT_THROW(write_movie(folder_ / "none/m.mp4", pictures_, {30, 1}), base::FileError);

@@ -45,6 +45,23 @@ TEST(SequenceName, RefusesTwoPlacesAndFolders) {
         EXPECT_THROW(SequenceName::parse(text), base::InputError) << text;
 }
 
+TEST(SequenceName, RefusesWhatAManifestCannotHold) {
+    const std::string refused[] = {"a\xff.##.png",
+                                   "a\n.##.png",
+                                   "a\x1b[2J.##.png",
+                                   std::string(33, '#'),
+                                   std::string(300'000, '#') + ".png",
+                                   "a%033d.png",
+                                   "a%018446744073709551620d.png"};
+    for (const std::string& text : refused)
+        EXPECT_THROW(SequenceName::parse(text), base::InputError) << text.substr(0, 60);
+    // One picture has no manifest, and folders may have any name.
+    EXPECT_EQ(SequenceName::parse("a\xff.png").path(1), "a\xff.png");
+    EXPECT_EQ(SequenceName::parse("\xff/a.#.png").path(1), "\xff/a.1.png");
+    EXPECT_EQ(SequenceName::parse("h\u00e9.#.png").path(1), "h\u00e9.1.png");
+    EXPECT_EQ(SequenceName::parse(std::string(32, '#')).path(1), std::string(31, '0') + "1");
+}
+
 TEST(SequenceName, KnowsItsOwnFiles) {
     const unsigned seed = std::random_device{}();
     SCOPED_TRACE(seed);
@@ -76,6 +93,16 @@ TEST(SequenceName, HasOnePatternAndAStem) {
     expect("####", "####", "");
     expect("a.b.##.c.png", "a.b.##.c.png", "a.b.c");
     expect("a.png", "a.png", "a");
+}
+
+// Frames are told apart by their numbers alone, whatever a scene's file is called.
+TEST(StemOfFrames, HasNoPlaceForANumber) {
+    EXPECT_EQ(stem_of_frames("torus"), "torus");
+    for (const std::string name : {"a#b", "%d", "50%04d", "##_#", "take %3d #2", "a\xff", "a\nb"}) {
+        const std::string stem = stem_of_frames(name);
+        const SequenceName frames = SequenceName::parse("out/" + stem + ".####.png");
+        EXPECT_EQ(frames.path(7), "out/" + stem + ".0007.png");
+    }
 }
 
 } // namespace
