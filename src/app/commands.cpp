@@ -24,6 +24,18 @@ int report(int code, const std::exception& error) {
     return code;
 }
 
+// An option that was given nothing, as by a shell's empty variable, is not one that was left out.
+void refuse_empty_words(CLI::App& app) {
+    const auto something = [](const std::string& word) {
+        return word.empty() ? std::string("is given without a value") : std::string();
+    };
+    for (CLI::App* command : app.get_subcommands({})) {
+        for (CLI::Option* option : command->get_options()) {
+            if (option->get_items_expected_max() > 0) option->check(something, "", "not empty");
+        }
+    }
+}
+
 // Parses the command line and carries it out.
 int run_command(int argc, char** argv) {
     CLI::App app(
@@ -43,6 +55,7 @@ int run_command(int argc, char** argv) {
     add_verify(app, chosen);
     add_doctor(app, chosen);
     add_describe(app, chosen);
+    refuse_empty_words(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -90,6 +103,7 @@ void check_amount(std::string_view option, std::optional<double> amount, std::st
 
 int run(int argc, char** argv) {
     keep_standard_descriptors();
+    end_with_input();
     // A file beyond a limit is what a write fails with, not the end of the program.
     std::signal(SIGXFSZ, SIG_IGN);
     const int code = run_command(argc, argv);

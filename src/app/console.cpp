@@ -1,10 +1,14 @@
 #include "app/console.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <thread>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 namespace isomotion::app {
@@ -15,6 +19,16 @@ void keep_standard_descriptors() {
         // open() gives the lowest number that is free, which is this one.
         ::open("/dev/null", number == STDERR_FILENO ? O_WRONLY : O_RDONLY);
     }
+}
+
+void end_with_input() {
+    if (!std::getenv(ends_with_input)) return;
+    std::thread([] {
+        pollfd input{STDIN_FILENO, 0, 0}; // POLLHUP alone
+        while (::poll(&input, 1, -1) < 0 && errno == EINTR) {
+        }
+        ::kill(::getpid(), SIGTERM);
+    }).detach();
 }
 
 void write_message(std::string_view text) {

@@ -13,6 +13,11 @@ namespace isomotion::app {
 // of them and gets what is meant for a person. What is written to an output that was closed fails.
 void keep_standard_descriptors();
 
+// The environment's variable that says so to a process whose standard input is held open by the one
+// that started it: where that one ends, however it does, this one is asked to end, as by SIGTERM.
+inline constexpr const char* ends_with_input = "ISOMOTION_ENDS_WITH_INPUT";
+void end_with_input();
+
 // Writes a message to standard error, or drops it where that cannot be written.
 void write_message(std::string_view text);
 template<class... Parts> void message(fmt::format_string<Parts...> format, Parts&&... parts) {

@@ -11,6 +11,7 @@
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "scene/method.h"
+#include "sequence/names/sequence_name.h"
 #include "synthesis/channel.h"
 
 namespace isomotion::app {
@@ -78,7 +79,7 @@ std::vector<int> frames_of(const RenderArguments& arguments, const scene::Scene&
 
 std::string output_of(const RenderArguments& arguments, const scene::Scene& scene) {
     if (!arguments.output.empty()) return arguments.output;
-    return fmt::format("out/{}.####.png", scene.file.stem().string());
+    return fmt::format("out/{}.####.png", sequence::stem_of_frames(scene.file.stem().string()));
 }
 
 // In one order, whatever the user's: it decides shader text and fingerprint.

@@ -54,6 +54,10 @@ std::string summary(const sequence::ExportTotals& totals, Seconds wall) {
                 fmt::format("{} {} {}", v == 0 ? "" : ",", verdicts[v], render::verdict_names[v]);
         }
         text += "\n";
+        if (totals.without_colour > 0) {
+            text += fmt::format("{} pixels whose colour is infinite or no number\n",
+                                totals.without_colour);
+        }
         const bool certified =
             std::ranges::any_of(totals.proofs, [](auto count) { return count > 0; });
         if (certified) text += render::summary(totals.proofs) + "\n";

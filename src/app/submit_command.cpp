@@ -106,6 +106,7 @@ private:
     int local() {
         const std::size_t workers = arguments_.workers > 0 ? arguments_.workers : cores();
         const auto chunks = farm::chunks(frames_, {.size = arguments_.chunk, .workers = workers});
+        job_.environment.push_back(fmt::format("{}=1", ends_with_input));
         // Any number of threads draws the same; one each is what several processes do best with.
         if (!std::getenv("LP_NUM_THREADS")) job_.environment.emplace_back("LP_NUM_THREADS=1");
 

@@ -55,7 +55,13 @@ std::vector<fs::path> manifests_of(const std::string& what) {
                               ENOENT);
     }
     const auto name = sequence::SequenceName::parse(what);
-    if (name.holds_many()) return {sequence::manifest_folder(name)};
+    if (name.holds_many()) {
+        const fs::path manifest = sequence::manifest_folder(name);
+        const std::string files = sequence::read_sequence(manifest).format.pattern;
+        if (files != name.pattern())
+            throw base::FileError(manifest, "is the manifest of " + files, EINVAL);
+        return {manifest};
+    }
     if (fs::path stem = path; is_manifest(stem += ".manifest")) return {stem};
     throw base::FileError(path, "is neither a folder nor a sequence's name, as out/name.####.png",
                           ENOENT);
@@ -65,7 +71,8 @@ void tell(const sequence::Verification& found) {
     const sequence::Sequence& sequence = found.sequence;
     const std::size_t asked = sequence.asked.size();
     fmt::print("{}: {}, {} frame{}, {}x{}, {}\n",
-               (found.manifest.parent_path() / sequence.format.pattern).string(), sequence.title,
+               base::printable_line((found.manifest.parent_path() / sequence.format.pattern).string()),
+               sequence.title,
                asked, asked == 1 ? "" : "s", sequence.format.width, sequence.format.height,
                sequence.provenance.renderer);
     const auto list = [](const std::string& what, const std::vector<int>& frames) {
@@ -75,7 +82,7 @@ void tell(const sequence::Verification& found) {
     if (sequence.provenance.version != ISOMOTION_VERSION) {
         fmt::print("  made by isomotion {}: --resume by {} draws its frames again, as versions may "
                    "differ in pixels\n",
-                   base::printable(sequence.provenance.version), ISOMOTION_VERSION);
+                   sequence.provenance.version, ISOMOTION_VERSION);
     }
     list("missing", found.missing);
     list("truncated or changed", found.changed);
@@ -93,6 +100,9 @@ void tell(const sequence::Verification& found) {
             fmt::print("{} {} {}", v == 0 ? "" : ",", found.verdicts[v], render::verdict_names[v]);
         }
         fmt::print("; {} evaluations; {:.2f} s of drawing\n", found.evaluations, found.drawing);
+    }
+    if (found.without_colour > 0) {
+        fmt::print("  {} pixels whose colour is infinite or no number\n", found.without_colour);
     }
     if (std::accumulate(found.proofs.begin(), found.proofs.end(), std::int64_t(0)) > 0) {
         fmt::print("  {}\n", render::summary(found.proofs));

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
@@ -123,8 +124,13 @@ ChildProcess::~ChildProcess() {
     finish();
 }
 
-bool ChildProcess::feed(std::span<const std::byte> bytes) {
+bool ChildProcess::feed(std::span<const std::byte> bytes, const Stop& stop) {
+    constexpr int glance = 50; // ms
     while (!bytes.empty()) {
+        pollfd waiting{input_.number(), POLLOUT, 0};
+        while (stop && ::poll(&waiting, 1, glance) <= 0) {
+            if (stop()) return false;
+        }
         const ssize_t sent = ::send(input_.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
         if (sent < 0 && errno == EINTR) continue;
         if (sent < 0) return false;
@@ -141,11 +147,11 @@ bool ChildProcess::finish() {
     return succeeded();
 }
 
-bool ChildProcess::finish_by(std::chrono::steady_clock::time_point deadline) {
+bool ChildProcess::ends_before(const Stop& stop) {
     using namespace std::chrono_literals;
     input_.close();
     while (!ended()) {
-        if (std::chrono::steady_clock::now() > deadline) {
+        if (stop && stop()) {
             ::kill(id_, SIGKILL);
             finish();
             return false;
@@ -153,6 +159,12 @@ bool ChildProcess::finish_by(std::chrono::steady_clock::time_point deadline) {
         std::this_thread::sleep_for(2ms);
     }
     return true;
+}
+
+bool ChildProcess::finish_unless(const Stop& stop) { return ends_before(stop) && succeeded(); }
+
+bool ChildProcess::finish_by(std::chrono::steady_clock::time_point deadline) {
+    return ends_before([deadline] { return std::chrono::steady_clock::now() > deadline; });
 }
 
 bool ChildProcess::ended() {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,11 +32,17 @@ public:
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// Hands the bytes over; false if the program no longer takes any.
-    bool feed(std::span<const std::byte> bytes);
+    /// Asked now and then while something is waited for; true ends the waiting.
+    using Stop = std::function<bool()>;
+
+    /// Hands the bytes over; false if the program no longer takes any, or if it was stopped.
+    bool feed(std::span<const std::byte> bytes, const Stop& stop = {});
 
     /// Ends the input and waits for the program: true if it ended with exit status 0.
     bool finish();
+
+    /// The same, but the program is killed, and this is false, once `stop` says so.
+    bool finish_unless(const Stop& stop);
 
     /// Ends the input and waits for the program, which is killed if it still runs at this time:
     /// true if it ended by itself, however it did.
@@ -65,6 +72,8 @@ public:
     std::string last_words(std::size_t lines) const;
 
 private:
+    bool ends_before(const Stop& stop);
+
     FileDescriptor input_;
     FileDescriptor output_;
     FileDescriptor errors_;

@@ -37,16 +37,14 @@ bool is_shown(const Character& character) {
     return character.is_valid && !is_control && !turns;
 }
 
-} // namespace
-
-std::string printable(std::string_view text) {
+std::string shown(std::string_view text, bool keeps_lines) {
     std::string result;
     result.reserve(text.size());
     while (!text.empty()) {
         const Character character = first_character(text);
         const std::string_view bytes = text.substr(0, character.bytes);
-        const bool stays = bytes == "\n" || bytes == "\t" || text.starts_with("\r\n");
-        if (stays || is_shown(character)) {
+        const bool ends = bytes == "\n" || bytes == "\t" || text.starts_with("\r\n");
+        if ((keeps_lines && ends) || is_shown(character)) {
             result += bytes;
         } else {
             result += "\xEF\xBF\xBD";
@@ -55,6 +53,11 @@ std::string printable(std::string_view text) {
     }
     return result;
 }
+
+} // namespace
+
+std::string printable(std::string_view text) { return shown(text, true); }
+std::string printable_line(std::string_view text) { return shown(text, false); }
 
 bool is_one_printable_line(std::string_view text) {
     while (!text.empty()) {

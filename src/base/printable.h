@@ -11,6 +11,9 @@ namespace isomotion::base {
 // that are no UTF-8. Line ends and tabs stay.
 std::string printable(std::string_view text);
 
+// The same with U+FFFD for line ends and tabs too: one line, whatever the text.
+std::string printable_line(std::string_view text);
+
 // True if the text is one line of such as are shown.
 bool is_one_printable_line(std::string_view text);
 

@@ -1,6 +1,8 @@
 // Scenes of strangers: what they may read, and what they may say on a terminal.
 #include "cli.h"
 
+#include <cmath>
+
 #include <sys/stat.h>
 
 namespace isomotion::cli {
@@ -39,6 +41,76 @@ TEST_F(Stranger, ReadsItsOwnFolderUnlessAllowedMore) {
     EXPECT_EQ(run({"show", "from_elsewhere/scene.toml", "--allow-outside"}).code, 0);
     EXPECT_EQ(run({"render", "from_elsewhere/scene.toml", "--allow-outside", "--quiet"}).code, 0);
     EXPECT_THAT(run({"play", "--help"}).out, HasSubstr("--allow-outside"));
+}
+
+void expect_finite(const std::filesystem::path& file) {
+    for (const image::Channel& channel : image::decode(file).channels) {
+        for (const float sample : channel.samples) {
+            ASSERT_TRUE(std::isfinite(sample)) << channel.name << " of " << file;
+        }
+    }
+}
+
+TEST_F(Stranger, FiniteScenesGiveFinitePictures) {
+    const char* const extremes[] = {
+        "[[lights]]\nposition = [3, 1, 2]\nfalloff = 1e18\n",
+        "[[lights]]\nposition = [3, 1, 2]\nfalloff = 3e38\ncolor = [1e6, -1e6, 1e6]\n",
+        "[[lights]]\nposition = [3e38, 1, 2]\nfalloff = 1e-38\nshadow = true\n",
+        "[occlusion]\nradius = 3e38\n",
+        "[occlusion]\nradius = 1e-38\n",
+        "[fog]\ndensity = 3e38\n",
+        "[fog]\ndensity = 3e38\nstart = 3e38\n",
+        "[fog]\ndensity = 0\nstart = 3e38\n",
+        "[ground]\nheight = -3e38\ncolor = [1e6, 1e6, -1e6]\n",
+    };
+    for (const std::string extreme : extremes) {
+        write("extreme.toml", sphere_scene() + extreme);
+        render({"extreme.toml", "--frames", "1", "--size", "24x24", "-o", "a.exr"});
+        expect_finite(*this / "a.exr");
+    }
+    for (const std::string beyond : {"[[lights]]\ndirection = [0, 0, 1]\ncolor = [1e7, 0, 0]\n",
+                                     "[ground]\nheight = 0\ncolor = [0, 1e30, 0]\n",
+                                     "[fog]\ndensity = 1\ncolor = [0, 0, -1e38]\n"}) {
+        write("beyond.toml", sphere_scene() + beyond);
+        const Ending ending = run({"show", "beyond.toml"});
+        EXPECT_EQ(ending.code, 2) << beyond << ending;
+        EXPECT_THAT(ending.err, HasSubstr("the colour's part")) << beyond;
+    }
+}
+
+// A shader that is not the product's own.
+TEST_F(Stranger, PixelsWithoutColourAreCounted) {
+    namespace fs = std::filesystem;
+    for (const char* part : {"shaders", "animations"})
+        fs::copy(fs::path(ISOMOTION_SOURCE_DIR) / part, *this / part, fs::copy_options::recursive);
+    std::string fog = bytes("shaders/effects/fog.glsl");
+    const std::string exp = "exp(-thick)";
+    ASSERT_NE(fog.find(exp), fog.npos);
+    write("shaders/effects/fog.glsl",
+          fog.replace(fog.find(exp), exp.size(), "1.0 / (thick * 0.0)"));
+    write("fog.toml", sphere_scene() + "[fog]\ndensity = 1\n");
+    Circumstances circumstances = this->circumstances();
+    circumstances.environment["ISOMOTION_DATA"] = folder().string();
+    const Ending ending =
+        run({"render", "fog.toml", "--frames", "1", "--size", "24x24", "-o", "a.##.exr"},
+            circumstances);
+    EXPECT_EQ(ending.code, 0) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("is infinite or no number"));
+    EXPECT_THAT(ending.out, HasSubstr("pixels whose colour is infinite or no number"));
+    EXPECT_THAT(run({"verify", "a.##.exr"}).out, HasSubstr("pixels whose colour is infinite"));
+}
+
+TEST_F(Stranger, KeepsItsNamesWhereFilesCannot) {
+    const std::string name(62, 'p');
+    std::string scene = formula_scene("x^2 + y^2 + z^2 - r^2 - 0*" + name);
+    write("long.toml", scene + "[parameters." + name + "]\ndefault = 1\n");
+    for (const char* file : {"a.png", "a.exr"})
+        render({"long.toml", "--frames", "1", "--set", "time.fps=3000000000", "-o", file});
+    const auto found = image::decode(*this / "a.exr").metadata;
+    EXPECT_NE(image::find(found, "isomotion:parameter." + name), nullptr);
+    EXPECT_EQ(image::to_text(*image::find(found, "isomotion:fps")), "3000000000/1");
+    EXPECT_EQ(image::find(image::decode(*this / "a.png").metadata, "isomotion:parameter." + name),
+              nullptr);
 }
 
 TEST_F(Stranger, IsNoPipe) {

@@ -54,6 +54,37 @@ TEST_F(Machine, ReadOnlyDisk) {
     expect_refusal(render_to(place / "new/a.####.png"), "folder cannot be created: Read-only");
 }
 
+// As a shell redirects: {0} stands for the command.
+TEST_F(Machine, OutputsThatCannotBeWritten) {
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+    const auto shell = [this](const std::string& redirection, Words words) {
+        Words all{"/bin/sh", "-c", R"(exec "$0" "$@" )" + redirection, ISOMOTION_PROGRAM};
+        all.insert(all.end(), words.begin(), words.end());
+        return cli::run(all, circumstances());
+    };
+    const Words render{"render", "sphere.toml", "--frames", "1-3", "-o", "a.####.png"};
+    // Messages are dropped; frames are not.
+    for (const char* redirection : {"2>/dev/full", "2>&-", "2>&- 1>&- 0<&-"}) {
+        std::filesystem::remove_all(*this / "a.manifest");
+        const Ending ending = shell(redirection, render);
+        EXPECT_EQ(ending.signal, 0) << redirection;
+        EXPECT_EQ(run({"verify", "a.####.png"}).code, 0) << redirection << ending;
+        EXPECT_THAT(bytes("a.manifest/writers"), StartsWith("Locked by every process"))
+            << redirection;
+        EXPECT_THAT(bytes("a.manifest/writers"), Not(HasSubstr("warning"))) << redirection;
+    }
+    // What is the result itself is not lost in silence.
+    for (const Words& words : {Words{"list"},
+                               {"show", "sphere.toml"},
+                               {"verify", "a.####.png"},
+                               {"submit", "sphere.toml", "--engine", "print"}}) {
+        const Ending ending = shell(">/dev/full", words);
+        EXPECT_EQ(ending.code, 3) << words[0] << ending;
+        EXPECT_THAT(ending.err, HasSubstr("standard output cannot be written: No space left"))
+            << words[0];
+    }
+}
+
 TEST_F(Machine, FullDisk) {
     const image::TemporaryFolder place;
     const image::Disk disk(place, 0, "size=64k");

@@ -79,6 +79,35 @@ TEST_F(Verify, AllSequencesOfAFolder) {
     EXPECT_EQ(verify("out/a.####.png").code, 0);
 }
 
+TEST_F(Verify, SequencesOfLikeNamesDontMeet) {
+    const std::string names[] = {"out/a####.png", "out/a.##.png", "out/a%06d.png", "out/a.#####.png"};
+    for (const std::string& name : names)
+        render({"sphere.toml", "--frames", "1-2", "--size", "8x8", "-o", name});
+    EXPECT_EQ(verify("out").code, 0);
+    for (const std::string& name : names) EXPECT_EQ(verify(name).code, 0) << name;
+    for (const char* file : {"out/a0001.png", "out/a0002.png"}) fs::remove(*this / file);
+    EXPECT_EQ(verify("out/a####.png").code, 1);
+    EXPECT_EQ(verify("out/a.####.png").code, 0);
+    // Nor where a manifest was put in another's place.
+    fs::remove_all(*this / "out/a####.png.manifest");
+    fs::rename(*this / "out/a.##.png.manifest", *this / "out/a####.png.manifest");
+    const Ending moved = verify("out/a####.png");
+    EXPECT_EQ(moved.code, 3) << moved;
+    EXPECT_THAT(moved.err, HasSubstr("is the manifest of a.##.png"));
+}
+
+TEST_F(Verify, AManifestOfFilesElsewhereIsNone) {
+    std::string text = bytes("out/a.manifest/sequence.json");
+    for (const char* files : {"../out/a.####.png", "/a.####.png", "a.png", "a.##.##.png", ""}) {
+        std::string other = text;
+        other.replace(other.find("a.####.png"), 10, files);
+        write("out/a.manifest/sequence.json", other);
+        const Ending ending = verify("out");
+        EXPECT_EQ(ending.code, 3) << files << ending;
+        EXPECT_THAT(ending.err, StartsWith("out/a.manifest/sequence.json: files: ")) << files;
+    }
+}
+
 TEST_F(Verify, WhatCannotBeRead) {
     for (const std::string name : {"nowhere", "nowhere/a.####.png", "sphere.toml", "."}) {
         const Ending ending = verify(name);
