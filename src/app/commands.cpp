@@ -42,20 +42,8 @@ int run_command(int argc, char** argv) {
         "Renders implicit surfaces that move: a formula F(x, y, z; parameters) = 0 and how "
         "its parameters change, drawn frame by frame on the GPU.",
         "isomotion");
-    app.set_version_flag("--version", "isomotion " ISOMOTION_VERSION);
-    app.require_subcommand(1);
     Action chosen;
-    add_render(app, chosen);
-    add_submit(app, chosen);
-    add_play(app, chosen);
-    add_show(app, chosen);
-    add_list(app, chosen);
-    add_accuracy(app, chosen);
-    add_topology(app, chosen);
-    add_verify(app, chosen);
-    add_doctor(app, chosen);
-    add_describe(app, chosen);
-    refuse_empty_words(app);
+    add_commands(app, chosen);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -63,6 +51,7 @@ int run_command(int argc, char** argv) {
         return app.exit(error) == 0 ? exit_done : exit_usage;
     }
     try {
+        end_with_input();
         return chosen();
     } catch (const scene::SceneError& error) {
         return report(exit_usage, error);
@@ -90,6 +79,22 @@ int run_command(int argc, char** argv) {
 
 } // namespace
 
+void add_commands(CLI::App& app, Action& chosen) {
+    app.set_version_flag("--version", "isomotion " ISOMOTION_VERSION);
+    app.require_subcommand(1);
+    add_render(app, chosen);
+    add_submit(app, chosen);
+    add_play(app, chosen);
+    add_show(app, chosen);
+    add_list(app, chosen);
+    add_accuracy(app, chosen);
+    add_topology(app, chosen);
+    add_verify(app, chosen);
+    add_doctor(app, chosen);
+    add_describe(app, chosen);
+    refuse_empty_words(app);
+}
+
 CLI::Option* add_allow_outside(CLI::App& command, scene::Reach& reach) {
     return command.add_flag_callback(
         "--allow-outside", [&reach] { reach = scene::Reach::anywhere; },
@@ -103,7 +108,6 @@ void check_amount(std::string_view option, std::optional<double> amount, std::st
 
 int run(int argc, char** argv) {
     keep_standard_descriptors();
-    end_with_input();
     // A file beyond a limit is what a write fails with, not the end of the program.
     std::signal(SIGXFSZ, SIG_IGN);
     const int code = run_command(argc, argv);

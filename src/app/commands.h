@@ -39,6 +39,9 @@ void add_verify(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
 void add_describe(CLI::App& app, Action& chosen);
 
+// All of them, and what holds for all.
+void add_commands(CLI::App& app, Action& chosen);
+
 // --allow-outside: the scene may name files beyond its own folder.
 CLI::Option* add_allow_outside(CLI::App& command, scene::Reach& reach);
 

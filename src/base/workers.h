@@ -6,6 +6,7 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -46,8 +47,11 @@ template<class MakeWorker> void share(const SharedLoop& loop, const MakeWorker& 
     };
     {
         std::vector<std::jthread> others;
-        for (int k = 1; k < loop.threads && std::size_t(k) < loop.count; ++k)
-            others.emplace_back(work);
+        try {
+            for (int k = 1; k < loop.threads && std::size_t(k) < loop.count; ++k)
+                others.emplace_back(work);
+        } catch (const std::system_error&) { // no more threads are to be had: fewer do it
+        }
         work();
     }
     if (thrown) std::rethrow_exception(thrown);

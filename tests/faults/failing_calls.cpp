@@ -3,7 +3,9 @@
 // C library and by drivers go through. `COUNT_CALLS` names a file that gets, at the end, how many
 // calls of each kind there were.
 #include <dlfcn.h>
+#include <execinfo.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <spawn.h>
 #include <sys/file.h>
 #include <sys/mman.h>
@@ -33,11 +35,19 @@ enum Call {
     call_spawn,
     call_socketpair,
     call_memfd,
+    call_read,
+    call_pread,
+    call_send,
+    call_stat,
+    call_mmap,
+    call_thread,
     calls
 };
 constexpr const char* names[calls] = {"open",      "write",      "fsync", "rename",
                                       "ftruncate", "flock",      "fstat", "unlink",
-                                      "spawn",     "socketpair", "memfd"};
+                                      "spawn",     "socketpair", "memfd", "read",
+                                      "pread",     "send",       "stat",  "mmap",
+                                      "thread"};
 
 std::array<std::atomic<int>, calls> counts{};
 
@@ -56,7 +66,9 @@ Fault fault_asked_for() {
     return fault;
 }
 
-bool is_of_the_program(void* caller) {
+enum class Owner { program, standard_library, another };
+
+Owner owner_of(void* caller) {
     Dl_info where = {};
     // The program itself is the object without an address to be loaded from others.
     static const void* const program = [] {
@@ -64,15 +76,32 @@ bool is_of_the_program(void* caller) {
         dladdr(dlsym(RTLD_DEFAULT, "main"), &info);
         return info.dli_fbase;
     }();
-    if (dladdr(caller, &where) == 0) return false;
+    if (dladdr(caller, &where) == 0) return Owner::another;
     const char* base = std::strrchr(where.dli_fname, '/');
     base = base ? base + 1 : where.dli_fname;
-    return where.dli_fbase == program || std::strncmp(base, "isomotion", 9) == 0 ||
-           std::strncmp(base, "libstdc++", 9) == 0;
+    if (where.dli_fbase == program || std::strncmp(base, "isomotion", 9) == 0)
+        return Owner::program;
+    return std::strncmp(base, "libstdc++", 9) == 0 ? Owner::standard_library : Owner::another;
+}
+
+// The standard library starts the threads of every library of C++, and takes its memory.
+bool is_of_the_program_in_the_end() {
+    std::array<void*, 8> callers{};
+    const int count = backtrace(callers.data(), int(callers.size()));
+    for (int k = 2; k < count; ++k) {
+        const Owner owner = owner_of(callers[std::size_t(k)]);
+        if (owner != Owner::standard_library) return owner == Owner::program;
+    }
+    return false;
+}
+
+bool is_of_the_program(Call call, void* caller) {
+    if (call == call_thread || call == call_mmap) return is_of_the_program_in_the_end();
+    return owner_of(caller) != Owner::another;
 }
 
 bool fails(Call call, void* caller) {
-    if (!is_of_the_program(caller)) return false;
+    if (!is_of_the_program(call, caller)) return false;
     static const Fault fault = fault_asked_for();
     const int count = ++counts[call];
     if (fault.call != call || fault.at != count) return false;
@@ -143,6 +172,33 @@ int socketpair(int domain, int type, int protocol, int* ends) noexcept {
 }
 int memfd_create(const char* name, unsigned flags) noexcept {
     HAND_ON(call_memfd, memfd_create, -1, int (*)(const char*, unsigned), (name, flags))
+}
+ssize_t read(int descriptor, void* bytes, size_t size) {
+    HAND_ON(call_read, read, -1, ssize_t(*)(int, void*, size_t), (descriptor, bytes, size))
+}
+ssize_t pread(int descriptor, void* bytes, size_t size, off_t from) {
+    HAND_ON(call_pread, pread, -1, ssize_t(*)(int, void*, size_t, off_t),
+            (descriptor, bytes, size, from))
+}
+ssize_t send(int socket, const void* bytes, size_t size, int flags) {
+    HAND_ON(call_send, send, -1, ssize_t(*)(int, const void*, size_t, int),
+            (socket, bytes, size, flags))
+}
+int stat(const char* path, struct stat* found) noexcept {
+    HAND_ON(call_stat, stat, -1, int (*)(const char*, struct stat*), (path, found))
+}
+// What takes pages of its own from the system, by operator new.
+extern void* __libc_malloc(size_t size) noexcept;
+void* malloc(size_t size) noexcept {
+    constexpr size_t least_of_pages = 128 << 10;
+    if (size >= least_of_pages && fails(call_mmap, CALLER)) return nullptr;
+    return __libc_malloc(size);
+}
+int pthread_create(pthread_t* id, const pthread_attr_t* attributes, void* (*run)(void*),
+                   void* given) noexcept {
+    if (fails(call_thread, CALLER)) return errno;
+    static const auto next = real<decltype(&pthread_create)>("pthread_create");
+    return next(id, attributes, run, given);
 }
 
 } // extern "C"

@@ -24,8 +24,10 @@ std::vector<Input> inputs() {
     const fs::path folder = ISOMOTION_SOURCE_DIR "/tests/fuzz";
     for (const char* from : {"corpus", "found"}) {
         for (const auto& [name, target] : {std::pair("claims", &claims),
+                                           {"command_line", &command_line},
                                            {"formula", &formula},
                                            {"manifest", &manifest},
+                                           {"picture", &picture},
                                            {"scene", &scene},
                                            {"timeline", &timeline}}) {
             if (!fs::exists(folder / from / name)) continue; // nothing was found yet
