@@ -9,3 +9,8 @@
 #endif
 // Operations<float>::saturation() of the CPU.
 #define IM_SATURATION 1.0e30
+// `condition ? then : otherwise` of a number and of two. Both are worked out, so for what is cheap.
+// Mesa makes branches of `?:`, and the memory of its compiler grows with branches times variables:
+// a formula of 40 powers took 5.4 GB and 33 s with it, and takes 0.8 GB and 8 s with this.
+#define IM_SELECT(condition, then, otherwise) mix(otherwise, then, condition)
+#define IM_SELECT2(condition, then, otherwise) mix(otherwise, then, bvec2(condition))

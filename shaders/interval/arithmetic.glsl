@@ -33,8 +33,8 @@ REAL2 im_not_negative(REAL2 a) {
 
 // Results beyond the saturation of floats are unbounded, and begin no further out than there.
 REAL2 im_saturate(REAL2 a) {
-    return REAL2(a.x < -IM_SATURATION ? -IM_INFINITY : min(a.x, IM_SATURATION),
-                 a.y > IM_SATURATION ? IM_INFINITY : max(a.y, -IM_SATURATION));
+    return REAL2(IM_SELECT(a.x < -IM_SATURATION, -IM_INFINITY, min(a.x, IM_SATURATION)),
+                 IM_SELECT(a.y > IM_SATURATION, IM_INFINITY, max(a.y, -IM_SATURATION)));
 }
 
 // The smallest and the largest distance from 0.
@@ -60,14 +60,14 @@ REAL2 im_multiply(REAL2 a, REAL2 b) {
     precise REAL r = a.y * b.x;
     precise REAL s = a.y * b.y;
     precise REAL member = max(a.x, -IM_LARGEST) * max(b.x, -IM_LARGEST);
-    precise REAL lo = p < member ? p : member;
-    lo = q < lo ? q : lo;
-    lo = r < lo ? r : lo;
-    lo = s < lo ? s : lo;
-    precise REAL hi = p > member ? p : member;
-    hi = q > hi ? q : hi;
-    hi = r > hi ? r : hi;
-    hi = s > hi ? s : hi;
+    precise REAL lo = IM_SELECT(p < member, p, member);
+    lo = IM_SELECT(q < lo, q, lo);
+    lo = IM_SELECT(r < lo, r, lo);
+    lo = IM_SELECT(s < lo, s, lo);
+    precise REAL hi = IM_SELECT(p > member, p, member);
+    hi = IM_SELECT(q > hi, q, hi);
+    hi = IM_SELECT(r > hi, r, hi);
+    hi = IM_SELECT(s > hi, s, hi);
     return im_outwards(REAL2(lo, hi));
 }
 
@@ -75,8 +75,8 @@ REAL2 im_multiply(REAL2 a, REAL2 b) {
 REAL2 im_multiply_by_not_negative(REAL2 a, REAL2 b) {
     precise REAL2 inner = REAL2(max(a.x, -IM_LARGEST), min(a.y, IM_LARGEST)) * b.x;
     precise REAL2 outer = a * b.y;
-    precise REAL lo = outer.x < inner.x ? outer.x : inner.x;
-    precise REAL hi = outer.y > inner.y ? outer.y : inner.y;
+    precise REAL lo = IM_SELECT(outer.x < inner.x, outer.x, inner.x);
+    precise REAL hi = IM_SELECT(outer.y > inner.y, outer.y, inner.y);
     return im_outwards(REAL2(lo, hi));
 }
 
@@ -84,7 +84,7 @@ REAL2 im_multiply_not_negative(REAL2 a, REAL2 b) {
     precise REAL lo = a.x * b.x;
     precise REAL member = min(a.y, IM_LARGEST) * b.x;
     precise REAL hi = a.y * b.y;
-    hi = hi > member ? hi : member;
+    hi = IM_SELECT(hi > member, hi, member);
     return im_not_negative(im_outwards(REAL2(lo, hi)));
 }
 
@@ -92,10 +92,10 @@ REAL2 im_multiply_not_negative(REAL2 a, REAL2 b) {
 REAL2 im_scale(REAL s, REAL2 a) {
     precise REAL2 r = s * a;
     precise REAL member = s * max(a.x, -IM_LARGEST);
-    precise REAL lo = r.x < member ? r.x : member;
-    lo = r.y < lo ? r.y : lo;
-    precise REAL hi = r.x > member ? r.x : member;
-    hi = r.y > hi ? r.y : hi;
+    precise REAL lo = IM_SELECT(r.x < member, r.x, member);
+    lo = IM_SELECT(r.y < lo, r.y, lo);
+    precise REAL hi = IM_SELECT(r.x > member, r.x, member);
+    hi = IM_SELECT(r.y > hi, r.y, hi);
     return im_outwards(REAL2(lo, hi));
 }
 
@@ -114,6 +114,6 @@ REAL2 im_square(REAL2 a) {
 
 REAL2 im_select(REAL2 a, REAL2 b, REAL2 then, REAL2 otherwise) {
     REAL2 either = REAL2(min(then.x, otherwise.x), max(then.y, otherwise.y));
-    either = a.x >= b.y ? otherwise : either;
-    return a.y < b.x ? then : either;
+    either = IM_SELECT2(a.x >= b.y, otherwise, either);
+    return IM_SELECT2(a.y < b.x, then, either);
 }

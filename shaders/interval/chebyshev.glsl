@@ -10,18 +10,19 @@ vec2 im_acosh(float y) {
     precise float t = im_log(1.0 + v);
     // The rounding of 1 + v is 2^-24 of it, those before it are 2^-20 of v generously.
     precise float margin = 2.4e-7 + 1.9e-6 * t;
-    precise vec2 result = vec2(max(t - margin, 0.0), y > 1.0e18 ? IM_INFINITY : t + margin);
-    return y > 1.0 ? result : vec2(0.0);
+    precise vec2 result =
+        vec2(max(t - margin, 0.0), IM_SELECT(y > 1.0e18, IM_INFINITY, t + margin));
+    return IM_SELECT2(y > 1.0, result, vec2(0.0));
 }
 
 // What beyond 1 comes to what is inside; `even`: values at -x are those at x.
 vec2 im_with_outside(vec2 a, vec2 inside, vec2 low, vec2 high, bool even) {
-    vec2 left = even ? low : -low.yx;
-    vec2 left_inner = even ? high : -high.yx;
+    vec2 left = IM_SELECT2(even, low, -low.yx);
+    vec2 left_inner = IM_SELECT2(even, high, -high.yx);
     if (a.x > 1.0) return vec2(low.x, high.y);
     if (a.y < -1.0) return vec2(min(left.x, left_inner.x), max(left.y, left_inner.y));
-    inside = a.y > 1.0 ? vec2(min(inside.x, high.x), max(inside.y, high.y)) : inside;
-    return a.x < -1.0 ? vec2(min(inside.x, left.x), max(inside.y, left.y)) : inside;
+    inside = IM_SELECT2(a.y > 1.0, vec2(min(inside.x, high.x), max(inside.y, high.y)), inside);
+    return IM_SELECT2(a.x < -1.0, vec2(min(inside.x, left.x), max(inside.y, left.y)), inside);
 }
 
 vec2 im_chebyshev(int n, vec2 a) {
@@ -38,9 +39,9 @@ vec2 im_chebyshev(int n, vec2 a) {
 vec2 im_chebyshev_stopped(int n, float reach, float stop, vec2 a) {
     vec2 r = im_chebyshev(n, a);
     vec2 right = vec2(0.5 * stop, 2.0 * stop);
-    vec2 left = (n & 1) == 0 ? right : -right.yx;
-    r = a.y < reach ? r : vec2(min(r.x, right.x), max(r.y, right.y));
-    return a.x > -reach ? r : vec2(min(r.x, left.x), max(r.y, left.y));
+    vec2 left = IM_SELECT2((n & 1) == 0, right, -right.yx);
+    r = IM_SELECT2(a.y < reach, r, vec2(min(r.x, right.x), max(r.y, right.y)));
+    return IM_SELECT2(a.x > -reach, r, vec2(min(r.x, left.x), max(r.y, left.y)));
 }
 
 // sin h of x = cos h; the differences are exact where it is small.
@@ -71,7 +72,7 @@ vec2 im_slope_outside(float degree, float y) {
 vec2 im_slope_at(float degree, float y) {
     vec2 inside = im_slope_inside(degree, min(y, 1.0));
     vec2 outside = im_slope_outside(degree, y);
-    return y <= 1.0 ? inside : outside;
+    return IM_SELECT2(y <= 1.0, inside, outside);
 }
 
 vec2 im_chebyshev_slope(int n, vec2 a) {
@@ -84,14 +85,15 @@ vec2 im_chebyshev_slope(int n, vec2 a) {
     if (a.x >= edge) return vec2(low_end.x, high_end.y);
     if (a.y <= -edge) {
         vec2 mirrored = vec2(high_end.x, low_end.y);
-        return even ? mirrored : -mirrored.yx;
+        return IM_SELECT2(even, mirrored, -mirrored.yx);
     }
     vec2 inner = clamp(a, -1.0, 1.0);
     vec2 sines = im_sin(im_scale_up(degree, im_acos(inner)));
     vec2 low = im_sine_of_cosine(inner.x);
     vec2 high = im_sine_of_cosine(inner.y);
     // sin h is largest at x = 0 and falls to both sides.
-    vec2 size = vec2(min(low.x, high.x), a.x <= 0.0 && a.y >= 0.0 ? 1.0 : max(low.y, high.y));
+    vec2 size = vec2(min(low.x, high.x),
+                     IM_SELECT(a.x <= 0.0 && a.y >= 0.0, 1.0, max(low.y, high.y)));
     vec2 slope = im_scale_up(degree, im_divide(sines, size));
     slope = clamp(slope, -degree * degree, degree * degree);
     if (max(-a.x, a.y) <= 1.0) return slope;
@@ -100,5 +102,5 @@ vec2 im_chebyshev_slope(int n, vec2 a) {
 
 // Of a higher derivative: `bound` is its value at 1, the largest in [-1, 1].
 vec2 im_chebyshev_steep(float bound, vec2 a) {
-    return max(-a.x, a.y) <= 1.0 ? vec2(-bound, bound) : IM_ENTIRE;
+    return IM_SELECT2(max(-a.x, a.y) <= 1.0, vec2(-bound, bound), IM_ENTIRE);
 }

@@ -6,18 +6,19 @@
 // counted.
 REAL2 im_divide(REAL2 a, REAL2 b) {
     bool negative = b.y < 0.0;
-    REAL2 n = negative ? -a.yx : a;
-    REAL2 d = negative ? -b.yx : b;
+    REAL2 n = IM_SELECT2(negative, -a.yx, a);
+    REAL2 d = IM_SELECT2(negative, -b.yx, b);
     REAL least = d.x;
     // What divides is not negative where there is a bound; nor is its zero.
     d = abs(REAL2(min(d.x, IM_MOST_DIVISOR), d.y));
-    precise REAL2 q = REAL2(n.x / (n.x < 0.0 ? d.x : d.y), n.y / (n.y < 0.0 ? d.y : d.x));
+    precise REAL2 q =
+        REAL2(n.x / IM_SELECT(n.x < 0.0, d.x, d.y), n.y / IM_SELECT(n.y < 0.0, d.y, d.x));
     q = im_saturate(im_widen(q, IM_DRIVER_ERROR));
-    q.x = n.x >= 0.0 ? max(q.x, 0.0) : q.x;
-    q.y = n.y <= 0.0 ? min(q.y, 0.0) : q.y;
+    q.x = IM_SELECT(n.x >= 0.0, max(q.x, 0.0), q.x);
+    q.y = IM_SELECT(n.y <= 0.0, min(q.y, 0.0), q.y);
     // Positive if there is a bound: the divisor is, or it ends at 0 and the numerator doesn't hold
     // 0.
-    REAL bounded = least == 0.0 ? max(n.x, -n.y) : least;
-    precise REAL2 result = bounded > 0.0 ? q : IM_ENTIRE;
+    REAL bounded = IM_SELECT(least == 0.0, max(n.x, -n.y), least);
+    precise REAL2 result = IM_SELECT2(bounded > 0.0, q, IM_ENTIRE);
     return result;
 }

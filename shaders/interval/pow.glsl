@@ -19,13 +19,15 @@ vec2 im_pow(vec2 a, float b) {
     bool whole = floor(b) == b;
     bool odd = floor(0.5 * b) != 0.5 * b;
     // 0 is in between.
-    vec2 even_power = across ? (b > 0.0 ? vec2(0.0, size.y) : vec2(size.x, IM_INFINITY)) : size;
+    vec2 even_across = IM_SELECT2(b > 0.0, vec2(0.0, size.y), vec2(size.x, IM_INFINITY));
+    vec2 even_power = IM_SELECT2(across, even_across, size);
     vec2 left = im_powers(r.x, r.x);
     vec2 right = im_powers(r.y, r.y);
-    vec2 odd_power = across ? (b > 0.0 ? vec2(-left.y, right.y) : IM_ENTIRE) : -size.yx;
-    vec2 signed_power = whole ? (odd ? odd_power : even_power) : IM_ENTIRE;
-    vec2 power = below ? signed_power : size;
-    return b == 0.0 ? vec2(1.0) : power;
+    vec2 odd_across = IM_SELECT2(b > 0.0, vec2(-left.y, right.y), IM_ENTIRE);
+    vec2 odd_power = IM_SELECT2(across, odd_across, -size.yx);
+    vec2 signed_power = IM_SELECT2(whole, IM_SELECT2(odd, odd_power, even_power), IM_ENTIRE);
+    vec2 power = IM_SELECT2(below, signed_power, size);
+    return IM_SELECT2(b == 0.0, vec2(1.0), power);
 }
 
 vec2 im_pow(vec2 a, vec2 b) {
@@ -35,5 +37,5 @@ vec2 im_pow(vec2 a, vec2 b) {
     vec2 least = min(p, q);
     vec2 most = max(p, q);
     vec2 power = im_powers(min(least.x, least.y), max(most.x, most.y));
-    return a.x < 0.0 ? IM_ENTIRE : power;
+    return IM_SELECT2(a.x < 0.0, IM_ENTIRE, power);
 }

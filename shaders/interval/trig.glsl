@@ -26,9 +26,9 @@ vec2 im_wave(vec2 a, vec2 inner, vec2 values, float crest) {
     vec2 turns = im_half_turns(inner);
     precise float lo = min(values.x, values.y) - IM_WAVE_ERROR;
     precise float hi = max(values.x, values.y) + IM_WAVE_ERROR;
-    lo = im_may_hold(turns, crest + 1.0, 0.5) ? -1.0 : max(lo, -1.0);
-    hi = im_may_hold(turns, crest, 0.5) ? 1.0 : min(hi, 1.0);
-    return max(-a.x, a.y) > IM_WAVE_REACH ? vec2(-1.0, 1.0) : vec2(lo, hi);
+    lo = IM_SELECT(im_may_hold(turns, crest + 1.0, 0.5), -1.0, max(lo, -1.0));
+    hi = IM_SELECT(im_may_hold(turns, crest, 0.5), 1.0, min(hi, 1.0));
+    return IM_SELECT2(max(-a.x, a.y) > IM_WAVE_REACH, vec2(-1.0, 1.0), vec2(lo, hi));
 }
 
 vec2 im_within_wave_reach(vec2 a) {
@@ -54,5 +54,5 @@ vec2 im_tan(vec2 a) {
     float lo = im_divide(low.x + error, low.y + error).x;
     float hi = im_divide(high.x + error, high.y + error).y;
     bool pole = im_may_hold(im_half_turns(inner), 0.5, 1.0) || max(-a.x, a.y) > IM_WAVE_REACH;
-    return pole ? IM_ENTIRE : vec2(lo, hi);
+    return IM_SELECT2(pole, IM_ENTIRE, vec2(lo, hi));
 }

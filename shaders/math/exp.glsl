@@ -3,7 +3,7 @@
 // exp and cosh saturate at IM_SATURATION and sinh at +-IM_SATURATION instead of overflowing, so
 // that a term exp(100)*0 of a field is 0 and not NaN. exp is 0 below the smallest normal float.
 // NaN gives NaN: selections are written so that a comparison with NaN keeps it, are precise because
-// Mesa makes min() and max() of them otherwise, and avoid `? 0.0 :`, for which it turns the
+// Mesa makes min() and max() of them otherwise, and avoid 0.0 as the first, for which it turns the
 // comparison round all the same.
 
 // exp(r) * 2^exponent for |r| <= ln(2)/2; 0 where the power is below the normal floats.
@@ -26,9 +26,9 @@ float im_exp_scaled(float x, int shift) {
 }
 
 float im_exp(float x) {
-    precise float bounded = x < -100.0 ? -100.0 : x;
+    precise float bounded = IM_SELECT(x < -100.0, -100.0, x);
     precise float y = im_exp_scaled(bounded, 0);
-    y = x >= 69.07755 ? IM_SATURATION : y;
+    y = IM_SELECT(x >= 69.07755, IM_SATURATION, y);
     return y;
 }
 
@@ -43,9 +43,9 @@ float im_sinh(float x) {
     // Half of exp at once: exp alone would saturate a factor of two too early.
     precise float h = im_exp_scaled(a, -1);
     precise float far = h - 0.25 / h;
-    far = a > 69.7707 ? IM_SATURATION : far;
-    far = x < 0.0 ? -far : far;
-    precise float y = a < 1.0 ? near : far;
+    far = IM_SELECT(a > 69.7707, IM_SATURATION, far);
+    far = IM_SELECT(x < 0.0, -far, far);
+    precise float y = IM_SELECT(a < 1.0, near, far);
     return y;
 }
 
@@ -53,7 +53,7 @@ float im_cosh(float x) {
     float a = abs(x);
     precise float h = im_exp_scaled(a, -1);
     precise float y = h + 0.25 / h;
-    y = a > 69.7707 ? IM_SATURATION : y;
+    y = IM_SELECT(a > 69.7707, IM_SATURATION, y);
     return y;
 }
 
@@ -67,7 +67,7 @@ float im_tanh(float x) {
     p = p * z - 0.333332807;
     precise float near = x + x * z * p;
     precise float far = 1.0 - 2.0 / (im_exp(2.0 * a) + 1.0);
-    far = x < 0.0 ? -far : far;
-    precise float y = a < 0.625 ? near : far;
+    far = IM_SELECT(x < 0.0, -far, far);
+    precise float y = IM_SELECT(a < 0.625, near, far);
     return y;
 }

@@ -25,29 +25,29 @@ float im_turned_back(float turn, float turn_rest, float a, float excess) {
 
 float im_asin(float x) {
     precise float size = abs(x);
-    size = size > 1.0 ? 1.0 : size;
+    size = IM_SELECT(size > 1.0, 1.0, size);
     bool large = size > 0.5;
-    precise float z = large ? 0.5 * (1.0 - size) : size * size;
-    precise float a = large ? sqrt(z) : size;
+    precise float z = IM_SELECT(large, 0.5 * (1.0 - size), size * size);
+    precise float a = IM_SELECT(large, sqrt(z), size);
     float excess = im_asin_excess(a, z);
-    precise float y =
-        large ? im_turned_back(1.57079637, -4.37113883e-8, a, excess) : a + excess;
-    y = x < 0.0 ? -y : y;
+    precise float back = im_turned_back(1.57079637, -4.37113883e-8, a, excess);
+    precise float y = IM_SELECT(large, back, a + excess);
+    y = IM_SELECT(x < 0.0, -y, y);
     return y;
 }
 
 float im_acos(float x) {
     precise float size = abs(x);
-    size = size > 1.0 ? 1.0 : size;
+    size = IM_SELECT(size > 1.0, 1.0, size);
     bool large = size > 0.5;
-    precise float z = large ? 0.5 * (1.0 - size) : size * size;
-    precise float a = large ? sqrt(z) : size;
+    precise float z = IM_SELECT(large, 0.5 * (1.0 - size), size * size);
+    precise float a = IM_SELECT(large, sqrt(z), size);
     float excess = im_asin_excess(a, z);
-    precise float asin_x = x < 0.0 ? -(a + excess) : a + excess;
+    precise float asin_x = IM_SELECT(x < 0.0, -(a + excess), a + excess);
     precise float y = 1.57079637 - (asin_x + 4.37113883e-8);
-    precise float close = x < 0.0 ? im_turned_back(3.14159274, -8.74227766e-8, a, excess)
-                                  : 2.0 * asin_x;
-    y = large ? close : y;
+    precise float back = im_turned_back(3.14159274, -8.74227766e-8, a, excess);
+    precise float close = IM_SELECT(x < 0.0, back, 2.0 * asin_x);
+    y = IM_SELECT(large, close, y);
     return y;
 }
 
@@ -56,10 +56,10 @@ float im_atan(float x) {
     // Turned by 0, pi/4 or pi/2 into [-tan(pi/8), tan(pi/8)], with one division for all.
     bool steep = a > 2.41421356;
     bool middle = a > 0.414213562;
-    float above = steep ? -1.0 : (middle ? a - 1.0 : a);
-    float below = steep ? a : (middle ? a + 1.0 : 1.0);
-    float turn = steep ? 1.57079637 : (middle ? 0.785398185 : 0.0);
-    float turn_rest = steep ? -4.37113883e-8 : (middle ? -2.18556941e-8 : 0.0);
+    float above = IM_SELECT(steep, -1.0, IM_SELECT(middle, a - 1.0, a));
+    float below = IM_SELECT(steep, a, IM_SELECT(middle, a + 1.0, 1.0));
+    float turn = IM_SELECT(steep, 1.57079637, IM_SELECT(middle, 0.785398185, 0.0));
+    float turn_rest = IM_SELECT(steep, -4.37113883e-8, IM_SELECT(middle, -2.18556941e-8, 0.0));
     precise float t = above / below;
     precise float z = t * t;
     precise float p = 8.05374449538e-2;
@@ -67,6 +67,6 @@ float im_atan(float x) {
     p = p * z + 1.99777106478e-1;
     p = p * z - 3.33329491539e-1;
     precise float y = turn + (t + (t * z * p + turn_rest));
-    y = x < 0.0 ? -y : y;
+    y = IM_SELECT(x < 0.0, -y, y);
     return y;
 }

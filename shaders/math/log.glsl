@@ -23,7 +23,7 @@ float im_log(float x) {
     p = p * f - 0.249997973;
     p = p * f + 0.333332151;
     precise float y = n * 0.693359375 + (f + (f * f * (f * p - 0.5) - n * 2.12194440e-4));
-    y = x > IM_LARGEST ? IM_SATURATION : y;
-    y = x >= IM_SMALLEST ? y : (x >= 0.0 ? -IM_SATURATION : IM_NAN);
+    y = IM_SELECT(x > IM_LARGEST, IM_SATURATION, y);
+    y = IM_SELECT(x >= IM_SMALLEST, y, IM_SELECT(x >= 0.0, -IM_SATURATION, IM_NAN));
     return y;
 }

@@ -43,21 +43,21 @@ float im_pow_of_log(float l_high, float l_low, float b) {
     float k = floor(y * 1.44269504 + 0.5);
     precise float r = ((y_high - k * 0.693359375) + k * 2.12194440e-4) + y_low;
     precise float power = im_exp_reduced(r, int(k));
-    power = y >= 69.07755 ? IM_SATURATION : power;
-    return y < -87.33654 ? 0.0 : power;
+    power = IM_SELECT(y >= 69.07755, IM_SATURATION, power);
+    return IM_SELECT(y < -87.33654, 0.0, power);
 }
 
 // a^b from |a|^b.
 float im_pow_special(float a, float b, float y) {
     float size = abs(a);
-    y = size < IM_SMALLEST ? (b > 0.0 ? 0.0 : IM_SATURATION) : y;
-    y = size > IM_LARGEST ? (b > 0.0 ? IM_SATURATION : 0.0) : y;
-    if (a < 0.0) {
-        bool odd = floor(0.5 * b) != 0.5 * b;
-        y = floor(b) != b ? IM_NAN : (odd ? -y : y);
-    }
-    y = im_is_nan(a) || im_is_nan(b) ? IM_NAN : y;
-    return b == 0.0 ? 1.0 : y;
+    y = IM_SELECT(size < IM_SMALLEST, IM_SELECT(b > 0.0, 0.0, IM_SATURATION), y);
+    y = IM_SELECT(size > IM_LARGEST, IM_SELECT(b > 0.0, IM_SATURATION, 0.0), y);
+    bool odd = floor(0.5 * b) != 0.5 * b;
+    float signed_power = IM_SELECT(floor(b) != b, IM_NAN, IM_SELECT(odd, -y, y));
+    y = IM_SELECT(a < 0.0, signed_power, y);
+    y = IM_SELECT(im_is_nan(a), IM_NAN, y);
+    y = IM_SELECT(im_is_nan(b), IM_NAN, y);
+    return IM_SELECT(b == 0.0, 1.0, y);
 }
 
 float im_pow(float a, float b) {

@@ -15,7 +15,7 @@ float im_quarter_turns(float x, out int quadrant) {
     // Where nothing is left of x, at least stay where the polynomials are within +-1. The clamp
     // loses NaN: infinity and NaN are told by their bits.
     r = clamp(r, -1.5, 1.5);
-    return (floatBitsToUint(x) & 0x7f800000u) == 0x7f800000u ? IM_NAN : r;
+    return IM_SELECT((floatBitsToUint(x) & 0x7f800000u) == 0x7f800000u, IM_NAN, r);
 }
 
 float im_sin_reduced(float r) {
@@ -43,10 +43,10 @@ vec2 im_sin_cos(float x) {
     float s = im_sin_reduced(r);
     float c = im_cos_reduced(r);
     bool turned = (quadrant & 1) != 0;
-    float sine = turned ? c : s;
-    float cosine = turned ? s : c;
-    return vec2((quadrant & 2) == 0 ? sine : -sine,
-                ((quadrant + 1) & 2) == 0 ? cosine : -cosine);
+    float sine = IM_SELECT(turned, c, s);
+    float cosine = IM_SELECT(turned, s, c);
+    return vec2(IM_SELECT((quadrant & 2) == 0, sine, -sine),
+                IM_SELECT(((quadrant + 1) & 2) == 0, cosine, -cosine));
 }
 
 float im_sin(float x) {

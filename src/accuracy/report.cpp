@@ -1,8 +1,6 @@
 #include "accuracy/report.h"
 
-#include <fstream>
 #include <span>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +8,7 @@
 #include "base/base64.h"
 #include "base/child_process.h"
 #include "base/file.h"
+#include "base/file_text.h"
 #include "image/encode.h"
 
 namespace isomotion::accuracy {
@@ -101,11 +100,6 @@ void plot(const Report& report, const fs::path& folder) {
     draw("pngcairo size 760,460", "accuracy.png");
 }
 
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::string escaped(const std::string& text) {
     std::string safe;
     for (const char c : text) {
@@ -116,7 +110,8 @@ std::string escaped(const std::string& text) {
 
 std::string page(const Report& report, const fs::path& folder,
                  const std::vector<std::vector<std::byte>>& pictures) {
-    std::string svg = text_of(folder / "accuracy.svg");
+    constexpr std::size_t most_of_a_plot = 16 << 20;
+    std::string svg = base::file_text(folder / "accuracy.svg", most_of_a_plot);
     svg = svg.substr(svg.find("<svg"));
     std::string html = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>{0}</title>\n<style>"

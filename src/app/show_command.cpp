@@ -11,6 +11,7 @@
 #include "scene/sight.h"
 #include "synthesis/assemble.h"
 #include "synthesis/effect.h"
+#include "synthesis/inlined_size.h"
 
 namespace isomotion::app {
 namespace {
@@ -124,6 +125,9 @@ int show(const ShowArguments& arguments) {
         called.push_back(synthesis::name(effect));
     fmt::print("effects   {}\n",
                called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
+    const double size = synthesis::inlined_size(passes), largest = synthesis::largest_shaders();
+    fmt::print("shaders   {} passes, {:.0f} operations{}\n", passes.list.size(), size,
+               size > largest ? fmt::format("; more than {:.0f} are not compiled", largest) : "");
     const scene::Sight sight = scene::sight(scene, scene::at(scene, values));
     if (scene.surface.jumps_are_walls) fmt::print("jumps     are walls\n");
     if (sight.values) fmt::print("nothing   {}\n", scene::why_nothing_is_seen(sight));

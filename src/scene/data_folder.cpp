@@ -11,10 +11,17 @@ namespace isomotion::scene {
 namespace fs = std::filesystem;
 namespace {
 
+// `error` says why where that is not known.
+bool holds_data(const fs::path& folder, std::error_code& error) {
+    for (const char* part : {"shaders", "animations"}) {
+        if (!fs::is_directory(folder / part, error)) return false;
+    }
+    return true;
+}
+
 bool holds_data(const fs::path& folder) {
     std::error_code ignored;
-    return fs::is_directory(folder / "shaders", ignored) &&
-           fs::is_directory(folder / "animations", ignored);
+    return holds_data(folder, ignored);
 }
 
 std::vector<std::string> toml_names(const fs::path& folder) {
@@ -31,7 +38,10 @@ std::vector<std::string> toml_names(const fs::path& folder) {
 
 fs::path data_folder() {
     if (const char* given = std::getenv("ISOMOTION_DATA")) {
-        if (holds_data(given)) return given;
+        std::error_code error;
+        if (holds_data(given, error)) return given;
+        if (error && error != std::errc::no_such_file_or_directory)
+            throw SceneError(fmt::format("ISOMOTION_DATA={}: {}", given, error.message()));
         throw SceneError(fmt::format("ISOMOTION_DATA={}: this folder has no shaders/ and "
                                      "animations/ in it; name the one that has, or unset it",
                                      given));

@@ -33,10 +33,10 @@ std::span<const std::byte> bytes_of(std::string_view text) {
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directory(folder, error);
-    if (error || !fs::is_directory(folder)) {
+    std::error_code unknown;
+    if (error && !fs::is_directory(folder, unknown))
         throw base::FileError(folder, "the folder cannot be created",
-                              error ? error.value() : ENOTDIR);
-    }
+                              unknown ? unknown.value() : error.value());
 }
 
 base::FileDescriptor open_writers(const fs::path& manifest) {

@@ -1,10 +1,8 @@
 #include "synthesis/shader_files.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
 
+#include "base/file_text.h"
 #include "scene/data_folder.h"
 
 namespace isomotion::synthesis {
@@ -108,12 +106,8 @@ std::vector<std::string> files_of(const KernelTable& table, const std::set<std::
 } // namespace
 
 std::string read_shader(const std::string& name) {
-    const auto path = scene::data_folder() / "shaders" / name;
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) throw std::runtime_error(path.string() + ": this shader file cannot be read");
-    return text.str();
+    constexpr std::size_t most = 1 << 20;
+    return base::file_text(scene::data_folder() / "shaders" / name, most);
 }
 
 std::vector<std::string> kernel_files(const std::set<std::string>& kernels) {

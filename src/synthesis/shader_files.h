@@ -7,7 +7,7 @@
 
 namespace isomotion::synthesis {
 
-// The text of shaders/<name>. Throws std::runtime_error if it cannot be read.
+// The text of shaders/<name>. Throws base::InputError if it cannot be read.
 std::string read_shader(const std::string& name);
 
 // The files of shaders/math/ that define these kernels ("exp", "pow") and what they need

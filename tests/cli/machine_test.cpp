@@ -54,6 +54,20 @@ TEST_F(Machine, ReadOnlyDisk) {
     expect_refusal(render_to(place / "new/a.####.png"), "folder cannot be created: Read-only");
 }
 
+// Less than a compiler of shaders or a nested formula needs.
+TEST_F(Machine, ASmallStack) {
+    std::string nested = "z";
+    for (int k = 0; k < 100; ++k) nested = "sin(" + nested + "+x)";
+    write("nested.toml", formula_scene(nested + " - r"));
+    for (const Words& words :
+         {Words{"show", "nested.toml"}, {"render", "nested.toml", "--frames", "1", "-o", "a.png"}}) {
+        Words limited{"/bin/sh", "-c", R"(ulimit -s 128; exec "$0" "$@")", ISOMOTION_PROGRAM};
+        limited.insert(limited.end(), words.begin(), words.end());
+        const Ending ending = cli::run(limited, circumstances());
+        EXPECT_EQ(ending.code, 0) << ending;
+    }
+}
+
 // As a shell redirects: {0} stands for the command.
 TEST_F(Machine, OutputsThatCannotBeWritten) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";

@@ -24,8 +24,11 @@ constexpr Fault faults[] = {
 
 class FailingCalls : public Export, public testing::WithParamInterface<Fault> {
 protected:
-    static Words short_command(const std::string& output, Words more = {}) {
-        more.insert(more.end(), {"--frames", "1-4", "--size", "8x8", "--audit", "off"});
+    Words short_command(const std::string& output, Words more = {}) {
+        // Memory has pages of its own where a picture is not the smallest.
+        const bool is_of_memory = GetParam().code == ENOMEM;
+        more.insert(more.end(), {"--frames", "1-4", "--size", is_of_memory ? "96x96" : "8x8",
+                                 "--audit", "off"});
         return command(output, more);
     }
     Ending run_preloaded(const Words& words, const std::string& fault,
@@ -52,11 +55,12 @@ protected:
         return fmt::format("{}:{}:{}", GetParam().call, count, GetParam().code);
     }
     // Exit code 0 is right where nothing of what was asked for depends on the call.
-    static void expect_an_orderly_end(const Ending& ending) {
+    void expect_an_orderly_end(const Ending& ending) {
         EXPECT_EQ(ending.signal, 0) << ending;
-        EXPECT_THAT(ending.code, testing::AnyOf(0, 3)) << ending;
+        // 2 where the scene or the program's own files cannot be read.
+        EXPECT_THAT(ending.code, testing::AnyOf(0, 2, 3)) << ending;
         const int reason = GetParam().code;
-        if (ending.code == 3) {
+        if (ending.code != 0) {
             EXPECT_THAT(ending.err,
                         HasSubstr(reason == ENOMEM ? "out of memory" : std::strerror(reason)))
                 << ending;
@@ -85,11 +89,12 @@ TEST_P(FailingCalls, OfARender) {
         fs::remove_all(*this / "cut");
         const Ending ending = run_preloaded(short_command("cut"), fault_at(count));
         expect_an_orderly_end(ending);
-        told += ending.code == 3;
+        told += ending.code != 0;
         if (ending.code == 0) expect_verified("cut");
         expect_all_by_resume("cut");
     }
     fmt::print("{} fails: {} of {} calls tried, {} told\n", GetParam().call, tried, calls, told);
+    RecordProperty("tried", tried);
 }
 
 TEST_P(FailingCalls, OfAResume) {
@@ -102,42 +107,47 @@ TEST_P(FailingCalls, OfAResume) {
     };
     cut();
     const int calls = calls_of(short_command("cut", {"--resume"}));
-    for (int count = 1; count <= calls; count = next(count)) {
+    int tried = 0;
+    for (int count = 1; count <= calls; count = next(count), ++tried) {
         SCOPED_TRACE(fault_at(count));
         cut();
         expect_an_orderly_end(run_preloaded(short_command("cut", {"--resume"}), fault_at(count)));
         expect_all_by_resume("cut");
     }
+    RecordProperty("tried", tried);
 }
 
 TEST_P(FailingCalls, OfAVerify) {
     ASSERT_EQ(run(short_command("whole")).code, 0);
     const Words verify{"verify", "whole", "--pixels"};
     const int calls = calls_of(verify);
-    for (int count = 1; count <= calls; count = next(count)) {
+    int tried = 0;
+    for (int count = 1; count <= calls; count = next(count), ++tried) {
         SCOPED_TRACE(fault_at(count));
         const Ending ending = run_preloaded(verify, fault_at(count));
         EXPECT_EQ(ending.signal, 0) << ending;
         // What cannot be read is not called whole.
-        EXPECT_THAT(ending.code, testing::AnyOf(0, 1, 3)) << ending;
+        EXPECT_THAT(ending.code, testing::AnyOf(0, 1, 2, 3)) << ending;
         if (ending.code == 0) {
             EXPECT_THAT(ending.out, HasSubstr("\n  whole\n"));
         } else {
             EXPECT_THAT(ending.out + ending.err, Not(IsEmpty()));
         }
     }
+    RecordProperty("tried", tried);
 }
 
 TEST_P(FailingCalls, OfASubmit) {
     ASSERT_EQ(run(short_command("whole")).code, 0);
-    const auto submit = [](const std::string& output) {
+    const auto submit = [this](const std::string& output) {
         Words words = short_command(output);
         words[0] = "submit";
         words.insert(words.end(), {"--workers", "2"});
         return words;
     };
     const int calls = calls_of(submit("counted_frames"));
-    for (int count = 1; count <= calls; count = next(count)) {
+    int tried = 0;
+    for (int count = 1; count <= calls; count = next(count), ++tried) {
         SCOPED_TRACE(fault_at(count));
         fs::remove_all(*this / "cut");
         // Its workers have the fault too, and are tried again.
@@ -146,6 +156,7 @@ TEST_P(FailingCalls, OfASubmit) {
         if (ending.code == 0) expect_verified("cut");
         expect_all_by_resume("cut");
     }
+    RecordProperty("tried", tried);
 }
 
 INSTANTIATE_TEST_SUITE_P(Once, FailingCalls, testing::ValuesIn(faults), [](const auto& tested) {

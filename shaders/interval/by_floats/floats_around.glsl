@@ -8,6 +8,8 @@ vec2 im_floats_around(dvec2 a) {
     // However it is rounded, and if it is flushed to 0.
     precise vec2 margin = abs(r) * 2.38418579e-7 + 4.70197740e-38;
     precise vec2 outer = vec2(r.x - margin.x, r.y + margin.y);
-    outer = vec2(a.x >= 0.0 ? max(outer.x, 0.0) : outer.x, a.y <= 0.0 ? min(outer.y, 0.0) : outer.y);
-    return vec2(dvec2(r).x == a.x ? r.x : outer.x, dvec2(r).y == a.y ? r.y : outer.y);
+    outer = vec2(IM_SELECT(a.x >= 0.0, max(outer.x, 0.0), outer.x),
+                 IM_SELECT(a.y <= 0.0, min(outer.y, 0.0), outer.y));
+    return vec2(IM_SELECT(dvec2(r).x == a.x, r.x, outer.x),
+                IM_SELECT(dvec2(r).y == a.y, r.y, outer.y));
 }

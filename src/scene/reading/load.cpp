@@ -27,18 +27,18 @@ namespace fs = std::filesystem;
 namespace {
 
 fs::path locate(const std::string& scene) {
-    std::error_code ignored;
-    if (fs::exists(scene, ignored)) {
-        if (fs::is_directory(scene, ignored)) {
-            throw SceneError(scene + ": is a folder; name a scene file (.toml)");
-        }
-        return scene;
-    }
+    std::error_code error;
+    const fs::file_type type = fs::status(scene, error).type();
+    if (type == fs::file_type::directory)
+        throw SceneError(scene + ": is a folder; name a scene file (.toml)");
+    if (type == fs::file_type::none)
+        throw SceneError(fmt::format("{}: cannot be read: {}", scene, error.message()));
+    if (type != fs::file_type::not_found) return scene;
     const bool looks_like_path =
         scene.find('/') != scene.npos || fs::path(scene).extension() == ".toml";
     if (looks_like_path) throw SceneError(scene + ": no such file");
     fs::path installed = animation_file(scene);
-    if (fs::exists(installed)) return installed;
+    if (fs::exists(installed, error)) return installed;
     const auto known = animation_names();
     const std::string near = base::nearest_name(scene, known);
     throw SceneError(

@@ -21,7 +21,7 @@ struct Arguments {
     float a = 0, b = 0;
 };
 
-/// What stands before the kernels: a version, how to say `precise` there, and the saturation.
+/// What stands before the kernels: a version, and how to say `precise` there.
 struct Prelude {
     const char* name;
     const char* text;
@@ -35,15 +35,20 @@ inline constexpr Prelude plain_330 = {"3.30 core, no precise",
 inline constexpr Prelude web = {
     "3.00 es", "#version 300 es\nprecision highp float;\nprecision highp int;\n#define precise\n"};
 
-/// The text of all kernels, each after what it needs.
+inline std::string shader_text(const std::string& name) {
+    const auto path = std::string(ISOMOTION_SOURCE_DIR "/shaders/") + name + ".glsl";
+    std::ifstream stream(path);
+    if (!stream) throw std::runtime_error("cannot read " + path);
+    return (std::ostringstream() << stream.rdbuf()).str();
+}
+
+/// The text of all kernels, each after what it needs, and what the prelude defines for all versions.
 inline std::string kernel_source() {
-    std::string source = "#define IM_SATURATION 1.0e30\n";
+    const std::string prelude = shader_text("prelude");
+    std::string source = prelude.substr(prelude.find("#define IM_"));
     for (const char* file :
          {"bits", "divide", "sqrt", "exp", "log", "pow", "trig", "inverse_trig"}) {
-        const auto path = std::string(ISOMOTION_SOURCE_DIR "/shaders/math/") + file + ".glsl";
-        std::ifstream stream(path);
-        if (!stream) throw std::runtime_error("cannot read " + path);
-        source += (std::ostringstream() << stream.rdbuf()).str();
+        source += shader_text(std::string("math/") + file);
     }
     return source;
 }

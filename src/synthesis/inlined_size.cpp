@@ -1,0 +1,129 @@
+#include "synthesis/inlined_size.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace isomotion::synthesis {
+namespace {
+
+constexpr double usual_largest = 75'000;
+
+constexpr std::string_view letters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+
+std::string_view line_of(std::string_view& rest) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    return line;
+}
+
+struct Function {
+    int overloads = 0;
+    double operators = 0;
+    std::map<std::string_view, int> calls; // of words before a parenthesis: no functions among them
+};
+
+// `float im_exp(float x) {`, or empty.
+std::string_view function_begun_by(std::string_view line) {
+    if (line.empty() || !std::isalpha(static_cast<unsigned char>(line[0]))) return {};
+    const std::size_t parenthesis = line.find('(');
+    if (parenthesis == line.npos || line.find(';') != line.npos) return {};
+    const std::string_view before = line.substr(0, parenthesis);
+    const std::size_t space = before.find_last_not_of(letters);
+    return space == before.npos ? std::string_view() : before.substr(space + 1);
+}
+
+void add_body(Function& function, std::string_view line) {
+    line = line.substr(0, line.find("//"));
+    for (std::size_t k = 0; k < line.size(); ++k) {
+        function.operators += std::string_view("-+*/<>=?").find(line[k]) != std::string_view::npos;
+        if (line[k] != '(') continue;
+        const std::size_t before = line.substr(0, k).find_last_not_of(letters) + 1;
+        if (before < k) ++function.calls[line.substr(before, k - before)];
+    }
+}
+
+std::map<std::string_view, Function> functions_of(std::string_view shader) {
+    std::map<std::string_view, Function> functions;
+    Function* open = nullptr;
+    while (!shader.empty()) {
+        const std::string_view line = line_of(shader);
+        if (line.starts_with('}')) {
+            open = nullptr;
+        } else if (const auto name = function_begun_by(line); !name.empty()) {
+            open = &functions[name];
+            ++open->overloads;
+        } else if (open) {
+            add_body(*open, line);
+        }
+    }
+    return functions;
+}
+
+class Sizes {
+public:
+    explicit Sizes(const std::map<std::string_view, Function>& functions)
+        : functions_(functions) {}
+
+    double of(std::string_view name) {
+        const auto found = functions_.find(name);
+        if (found == functions_.end()) return 0;
+        const auto [known, is_new] = sizes_.emplace(name, 0);
+        if (!is_new) return known->second; // while it is summed: of an overload that calls another
+        double size = found->second.operators;
+        for (const auto& [called, times] : found->second.calls) size += times * of(called);
+        return sizes_[name] = size / found->second.overloads;
+    }
+
+private:
+    const std::map<std::string_view, Function>& functions_;
+    std::map<std::string_view, double> sizes_;
+};
+
+} // namespace
+
+double inlined_size(std::string_view shader) {
+    const auto functions = functions_of(shader);
+    return Sizes(functions).of("main");
+}
+
+double inlined_size(const Passes& passes) {
+    double size = 0;
+    for (const Pass& pass : passes.list) {
+        if (!is_exceptional(pass.when)) size += inlined_size(pass.text);
+    }
+    return size;
+}
+
+double largest_shaders() {
+    const char* const given = std::getenv("ISOMOTION_LARGEST_SHADERS");
+    if (!given) return usual_largest;
+    const std::string_view text(given);
+    double size = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+    if (error != std::errc{} || end != text.data() + text.size() || !(size > 0))
+        throw std::invalid_argument(fmt::format(
+            "ISOMOTION_LARGEST_SHADERS={}: write a number of operations, {:.0f}", text, usual_largest));
+    return size;
+}
+
+void check_size(const Passes& passes) {
+    const double size = inlined_size(passes), largest = largest_shaders();
+    if (size <= largest) return;
+    throw std::length_error(fmt::format(
+        "the formula is long: the scene's shaders have {:.0f} operations once every call is in its "
+        "place, and a driver compiles {:.0f} in some ten seconds, twice as many in four times as "
+        "long; sum over an array what repeats itself, or set ISOMOTION_LARGEST_SHADERS={:.0f} and "
+        "wait",
+        size, largest, size));
+}
+
+} // namespace isomotion::synthesis

@@ -1,0 +1,25 @@
+// How long shaders become in a driver.
+#pragma once
+
+#include <string_view>
+
+#include "synthesis/pass.h"
+
+namespace isomotion::synthesis {
+
+// Operators in a shader's text once the body of every function stands where it is called, as
+// drivers put it before they compile; of overloads, the mean. Functions begin and end in the first
+// column, as ours do.
+double inlined_size(std::string_view shader);
+
+// Of all passes that are compiled before the first frame.
+double inlined_size(const Passes& passes);
+
+// What Mesa's llvmpipe compiles in some 10 s of one core and 0.8 GB: its time grows with the square.
+// ISOMOTION_LARGEST_SHADERS in the environment takes its place.
+double largest_shaders();
+
+// Throws std::length_error for more.
+void check_size(const Passes& passes);
+
+} // namespace isomotion::synthesis

@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""What strangers' files and failing machines are tried with, and how much of it held.
+
+    tests/hostile.py BUILD
+
+Runs those tests of a build that docs/security.md names and prints a row for each kind. A test that
+draws or loops tells how many inputs it tried and how many held (RecordProperty); others count as one.
+Ends with 1 unless all held.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+KINDS = [
+    ("limits of scenes, and one more", "unit/scene/scene_test", "Limits.*"),
+    ("files that scenes name", "unit/scene/scene_test", "Scenes.*:Outside.*"),
+    ("slips in scenes", "unit/scene/scene_test", "*Mistakes*"),
+    ("pictures of light", "unit/image/image_test", "EnvironmentFile.*"),
+    ("names and numbers that reach shaders", "fuzz/hostile_scene_test", "*"),
+    ("what fuzzers learnt and found", "fuzz/fuzz_replay_test", "*Replay*"),
+    ("manifests", "unit/sequence/sequence_test", "ManifestJson.*:ManifestFolder.*:RecordingTest.*"),
+    ("scenes on the command line", "cli/cli_test", "Stranger.*"),
+    ("manifests on the command line", "cli/cli_test", "Verify.*"),
+    ("drawn command lines", "cli/cli_test", "DrawnCommandLines.*"),
+    ("outputs and machines that refuse", "cli/cli_test", "Machine.*"),
+    ("places that vanish or are full", "faults/faults_test", "Places.*"),
+    ("several at once", "faults/faults_test", "Several.*"),
+    ("kills", "faults/faults_test", "*Kills*"),
+    ("system calls that fail once", "faults/faults_test", "*FailingCalls*"),
+]
+
+
+def cases(build, binary, selection, folder):
+    """Of a test binary: name, tried, held."""
+    report = folder / "report.json"
+    report.unlink(missing_ok=True)
+    words = [str(build / "tests" / binary), f"--gtest_filter={selection}", f"--gtest_output=json:{report}"]
+    run = subprocess.run(words, cwd=(build / "tests" / binary).parent, capture_output=True, text=True)
+    if not report.exists():
+        raise SystemExit(f"{binary} {selection} ended without a report:\n{run.stdout}{run.stderr}")
+    for suite in json.loads(report.read_text())["testsuites"]:
+        for case in suite["testsuite"]:
+            name = f"{suite['name']}.{case['name']}"
+            if case["result"] == "SKIPPED":
+                print(f"skipped: {name}", file=sys.stderr)
+                continue
+            tried = int(case.get("tried", 1))
+            failed = "failures" in case
+            held = int(case["held"]) if "held" in case else 0 if failed else tried
+            if failed:
+                print(f"failed: {name}", file=sys.stderr)
+            yield tried, min(held, tried - 1) if failed else held
+
+
+def main():
+    if len(sys.argv) != 2:
+        raise SystemExit(__doc__)
+    build = pathlib.Path(sys.argv[1]).resolve()
+    all_tried = all_held = 0
+    print("| what is tried | tried | held |\n|---|--:|--:|")
+    with tempfile.TemporaryDirectory() as folder:
+        for what, binary, selection in KINDS:
+            counts = list(cases(build, binary, selection, pathlib.Path(folder)))
+            if not counts:
+                raise SystemExit(f"no test of {binary} is named {selection}")
+            tried, held = (sum(column) for column in zip(*counts))
+            print(f"| {what} | {tried} | {held} |", flush=True)
+            all_tried += tried
+            all_held += held
+    print(f"| all | {all_tried} | {all_held} |")
+    sys.exit(all_held < all_tried)
+
+
+if __name__ == "__main__":
+    main()
