@@ -59,6 +59,11 @@ the folder to take shaders and animations from instead
 .TP
 .B ISOMOTION_OSMESA
 the OSMesa library to load instead of the system's
+.TP
+.B ISOMOTION_LARGEST_SHADERS
+how many operations a scene's shaders may have, as
+.B isomotion show
+counts them, instead of what a driver compiles in some ten seconds
 .SH EXIT STATUS
 .TP
 .B 0

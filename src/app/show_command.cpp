@@ -126,7 +126,7 @@ int show(const ShowArguments& arguments) {
     fmt::print("effects   {}\n",
                called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
     const double size = synthesis::inlined_size(passes), largest = synthesis::largest_shaders();
-    fmt::print("shaders   {} passes, {:.0f} operations{}\n", passes.list.size(), size,
+    fmt::print("compiles  {} passes, {:.0f} operations{}\n", passes.list.size(), size,
                size > largest ? fmt::format("; more than {:.0f} are not compiled", largest) : "");
     const scene::Sight sight = scene::sight(scene, scene::at(scene, values));
     if (scene.surface.jumps_are_walls) fmt::print("jumps     are walls\n");

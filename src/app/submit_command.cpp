@@ -74,6 +74,9 @@ public:
         if (const char* data = std::getenv("ISOMOTION_DATA")) {
             job_.environment.push_back("ISOMOTION_DATA=" + fs::absolute(data).string());
         }
+        if (const char* largest = std::getenv("ISOMOTION_LARGEST_SHADERS")) {
+            job_.environment.push_back(std::string("ISOMOTION_LARGEST_SHADERS=") + largest);
+        }
     }
 
     int run() {

@@ -70,11 +70,11 @@ std::vector<fs::path> manifests_of(const std::string& what) {
 void tell(const sequence::Verification& found) {
     const sequence::Sequence& sequence = found.sequence;
     const std::size_t asked = sequence.asked.size();
-    fmt::print("{}: {}, {} frame{}, {}x{}, {}\n",
-               base::printable_line((found.manifest.parent_path() / sequence.format.pattern).string()),
-               sequence.title,
-               asked, asked == 1 ? "" : "s", sequence.format.width, sequence.format.height,
-               sequence.provenance.renderer);
+    fmt::print(
+        "{}: {}, {} frame{}, {}x{}, {}\n",
+        base::printable_line((found.manifest.parent_path() / sequence.format.pattern).string()),
+        sequence.title, asked, asked == 1 ? "" : "s", sequence.format.width, sequence.format.height,
+        sequence.provenance.renderer);
     const auto list = [](const std::string& what, const std::vector<int>& frames) {
         if (frames.empty()) return;
         fmt::print("  {}: {} ({})\n", what, frames.size(), animation::frame_range(frames));

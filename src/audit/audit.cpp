@@ -71,7 +71,8 @@ std::string words(const Findings& findings, int frames) {
     if (findings.wrong > 0)
         return fmt::format("{}: {} wrong{}", rays, with_commas(findings.wrong), unknown);
     if (findings.rays == 0) return rays + unknown;
-    // The others are no random part of all: they meet the surface where it is touched or has an edge.
+    // The others are no random part of all: they meet the surface where it is touched or has an
+    // edge.
     return fmt::format("{}: none wrong (at most {} in a million{}, 95 % sure){}", rays,
                        with_commas(std::llround(std::ceil(1e6 * most_wrong(findings.rays)))),
                        findings.undecided > 0 ? " of such rays" : "", unknown);

@@ -45,8 +45,8 @@ struct Planned {
     Planned(const scene::Scene& scene, const RenderOptions& options, const gpu::ContextInfo& info)
         : passes(synthesis::assemble(scene, options.channels, choose_stage(options.stage, info),
                                      info.has(4, 3), options.finest_beam, options.tells_endings))
-        , plan(plan_scene(scene, checked(passes), options.width, options.height, info.max_texture_size,
-                          options.plan)) {
+        , plan(plan_scene(scene, checked(passes), options.width, options.height,
+                          info.max_texture_size, options.plan)) {
         const bool too_little = plan.march.evaluations_per_pass <= 1; // to end a ray in one draw
         if (too_little) passes = synthesis::without_fused_pass(std::move(passes));
     }

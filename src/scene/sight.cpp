@@ -167,8 +167,8 @@ std::string why_nothing_is_seen(const Sight& sight) {
         return "F changes its sign within the bounds, but no ray meets a zero there: the camera "
                "looks elsewhere, or F jumps or has a pole";
     if (sight.least > sight.most) return "F is no number at any point of the bounds that was tried";
-    return fmt::format("F is {:.4g} to {:.4g} at the points of the bounds that were tried", sight.least,
-                       sight.most);
+    return fmt::format("F is {:.4g} to {:.4g} at the points of the bounds that were tried",
+                       sight.least, sight.most);
 }
 
 std::vector<std::string> slips(const Sight& sight) {

@@ -31,8 +31,7 @@ std::vector<std::string> layers(const std::vector<synthesis::Channel>& channels)
 } // namespace
 
 image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& now,
-                               const animation::Values& values, int frame,
-                               image::Format format) {
+                               const animation::Values& values, int frame, image::Format format) {
     const scene::Isolation& isolation = scene.isolation;
     image::Metadata metadata{
         rate(scene.timeline.fps),
@@ -66,8 +65,7 @@ image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& 
     }
     for (int k = 0; k < scene.surface.parameters; ++k) {
         const auto index = std::size_t(k);
-        std::string name =
-            "isomotion:parameter." + scene.timeline.animation.tracks()[index].name;
+        std::string name = "isomotion:parameter." + scene.timeline.animation.tracks()[index].name;
         if (name.size() <= image::longest_name(format))
             metadata.push_back({std::move(name), values.tracks[index]});
     }

@@ -21,8 +21,7 @@ inline constexpr const char* fingerprint_key = "isomotion:fingerprint";
 // rate that 32-bit integers can't hold, which becomes a text. The last entry is the fingerprint's,
 // still empty: it covers the others.
 image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& now,
-                               const animation::Values& values, int frame,
-                               image::Format format);
+                               const animation::Values& values, int frame, image::Format format);
 
 // Of the file: of its pixels, given by their fingerprint, its encoding and its metadata.
 std::string file_fingerprint(const std::string& pixels, const std::string& renderer,

@@ -33,10 +33,12 @@ std::span<const std::byte> bytes_of(std::string_view text) {
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directory(folder, error);
+    if (!error) return;
     std::error_code unknown;
-    if (error && !fs::is_directory(folder, unknown))
-        throw base::FileError(folder, "the folder cannot be created",
-                              unknown ? unknown.value() : error.value());
+    if (fs::is_directory(folder, unknown)) return;
+    const bool is_in_the_way = error == std::errc::file_exists;
+    throw base::FileError(folder, "the folder cannot be created",
+                          is_in_the_way && unknown ? unknown.value() : error.value());
 }
 
 base::FileDescriptor open_writers(const fs::path& manifest) {

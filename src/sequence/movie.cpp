@@ -126,8 +126,8 @@ void expect_ffmpeg() {
 }
 
 bool write_movie(const std::filesystem::path& movie,
-                 std::span<const std::filesystem::path> pictures,
-                 image::Rational frames_per_second, const std::function<bool()>& stop) {
+                 std::span<const std::filesystem::path> pictures, image::Rational frames_per_second,
+                 const std::function<bool()>& stop) {
     const Container container = container_of(movie);
     check_rate(movie, container, frames_per_second);
     if (pictures.empty()) throw MovieError(movie.string() + ": a movie needs at least one picture");

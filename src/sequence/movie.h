@@ -30,7 +30,7 @@ void expect_ffmpeg();
 // Throws a MovieError; what decode() throws for a picture that cannot be read; a FileError if the
 // movie has no place to be written; a std::system_error if ffmpeg is there but does not start.
 bool write_movie(const std::filesystem::path& movie,
-                 std::span<const std::filesystem::path> pictures,
-                 image::Rational frames_per_second, const std::function<bool()>& stop = {});
+                 std::span<const std::filesystem::path> pictures, image::Rational frames_per_second,
+                 const std::function<bool()>& stop = {});
 
 } // namespace isomotion::sequence

@@ -29,8 +29,9 @@ Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, i
                 row_of_tubes[std::size_t(column)] = tubes.at(column, int(row));
             }
             const std::int64_t before = finder.evaluations();
-            finder.find(row_of_tubes, std::span(truth.roots)
-                                          .subspan(row * std::size_t(width), std::size_t(width)));
+            finder.find(
+                row_of_tubes,
+                std::span(truth.roots).subspan(row * std::size_t(width), std::size_t(width)));
             const std::lock_guard lock(counting);
             truth.evaluations += finder.evaluations() - before;
         };

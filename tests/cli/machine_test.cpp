@@ -59,8 +59,8 @@ TEST_F(Machine, ASmallStack) {
     std::string nested = "z";
     for (int k = 0; k < 100; ++k) nested = "sin(" + nested + "+x)";
     write("nested.toml", formula_scene(nested + " - r"));
-    for (const Words& words :
-         {Words{"show", "nested.toml"}, {"render", "nested.toml", "--frames", "1", "-o", "a.png"}}) {
+    for (const Words& words : {Words{"show", "nested.toml"},
+                               {"render", "nested.toml", "--frames", "1", "-o", "a.png"}}) {
         Words limited{"/bin/sh", "-c", R"(ulimit -s 128; exec "$0" "$@")", ISOMOTION_PROGRAM};
         limited.insert(limited.end(), words.begin(), words.end());
         const Ending ending = cli::run(limited, circumstances());

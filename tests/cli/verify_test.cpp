@@ -80,7 +80,8 @@ TEST_F(Verify, AllSequencesOfAFolder) {
 }
 
 TEST_F(Verify, SequencesOfLikeNamesDontMeet) {
-    const std::string names[] = {"out/a####.png", "out/a.##.png", "out/a%06d.png", "out/a.#####.png"};
+    const std::string names[] = {"out/a####.png", "out/a.##.png", "out/a%06d.png",
+                                 "out/a.#####.png"};
     for (const std::string& name : names)
         render({"sphere.toml", "--frames", "1-2", "--size", "8x8", "-o", name});
     EXPECT_EQ(verify("out").code, 0);

@@ -43,11 +43,9 @@ enum Call {
     call_thread,
     calls
 };
-constexpr const char* names[calls] = {"open",      "write",      "fsync", "rename",
-                                      "ftruncate", "flock",      "fstat", "unlink",
-                                      "spawn",     "socketpair", "memfd", "read",
-                                      "pread",     "send",       "stat",  "mmap",
-                                      "thread"};
+constexpr const char* names[calls] = {
+    "open",       "write", "fsync", "rename", "ftruncate", "flock", "fstat", "unlink", "spawn",
+    "socketpair", "memfd", "read",  "pread",  "send",      "stat",  "mmap",  "thread"};
 
 std::array<std::atomic<int>, calls> counts{};
 
@@ -171,16 +169,14 @@ int socketpair(int domain, int type, int protocol, int* ends) noexcept {
             (domain, type, protocol, ends))
 }
 int memfd_create(const char* name, unsigned flags) noexcept {
-    HAND_ON(call_memfd, memfd_create, -1, int (*)(const char*, unsigned), (name, flags))
-}
-ssize_t read(int descriptor, void* bytes, size_t size) {
-    HAND_ON(call_read, read, -1, ssize_t(*)(int, void*, size_t), (descriptor, bytes, size))
-}
-ssize_t pread(int descriptor, void* bytes, size_t size, off_t from) {
-    HAND_ON(call_pread, pread, -1, ssize_t(*)(int, void*, size_t, off_t),
-            (descriptor, bytes, size, from))
-}
-ssize_t send(int socket, const void* bytes, size_t size, int flags) {
+    HAND_ON(call_memfd, memfd_create, -1, int (*)(const char*, unsigned), (name, flags))} ssize_t
+    read(int descriptor, void* bytes,
+         size_t size){HAND_ON(call_read, read, -1, ssize_t (*)(int, void*, size_t),
+                              (descriptor, bytes, size))} ssize_t
+    pread(int descriptor, void* bytes, size_t size,
+          off_t from){HAND_ON(call_pread, pread, -1, ssize_t (*)(int, void*, size_t, off_t),
+                              (descriptor, bytes, size, from))} ssize_t
+    send(int socket, const void* bytes, size_t size, int flags) {
     HAND_ON(call_send, send, -1, ssize_t(*)(int, const void*, size_t, int),
             (socket, bytes, size, flags))
 }

@@ -54,7 +54,8 @@ void command_line(std::string_view text) {
     for (const std::string& word : words) {
         expect_mistake_or_none([&] {
             const std::vector<int> frames = animation::parse_frame_range(word);
-            if (animation::parse_frame_range(animation::frame_range(frames)).size() != frames.size())
+            if (animation::parse_frame_range(animation::frame_range(frames)).size() !=
+                frames.size())
                 throw Violation("a range of frames, written shorter, has others");
         });
         expect_mistake_or_none([&] {

@@ -28,8 +28,8 @@ void timeline(std::string_view text);
 // A picture's file: a map of light, its size as said and all of it finite, or a mistake.
 void picture(std::string_view bytes);
 
-// A command line, a word a line: what it asks for, not done; each word also as a range of frames, as a
-// sequence's name and as a setting of a scene.
+// A command line, a word a line: what it asks for, not done; each word also as a range of frames,
+// as a sequence's name and as a setting of a scene.
 void command_line(std::string_view text);
 
 // What a person claims of a topology, in JSON or TOML: claims, checked against an empty record.

@@ -41,7 +41,8 @@ bool is_never_negative(const Graph& g, NodeId id, int depth = 12) {
     default: {
         const UnaryTraits* traits = unary_traits(node.op);
         if (!traits) return false;
-        return traits->sign == Sign::not_negative || (traits->sign == Sign::as_argument && child(0));
+        return traits->sign == Sign::not_negative ||
+               (traits->sign == Sign::as_argument && child(0));
     }
     }
 }

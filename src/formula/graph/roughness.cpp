@@ -62,8 +62,8 @@ NodeId kink_of(Graph& g, NodeId id) {
         return unless_one_value(g, g.unary(Op::sign, g.subtract(a, b)));
     case Op::asin:
     case Op::acos: // constant beyond -1 and 1
-        return unless_one_value(
-            g, g.unary(Op::sign, g.subtract(g.constant(1), g.unary(Op::abs, a))));
+        return unless_one_value(g,
+                                g.unary(Op::sign, g.subtract(g.constant(1), g.unary(Op::abs, a))));
     case Op::power: { // where the base is 0, unless the exponent is large
         const NodeId unless_large = unless_above(g, b, g.constant(smooth_power));
         return g.select(zero, a, zero, unless_large);

@@ -161,8 +161,8 @@ void add_data(const ArrayNodes& nodes, const std::string& key, Tables& tables, T
     }
 }
 
-animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
-                            Tables& tables, TrackTable& tracks, Reach reach) {
+animation::Array make_array(const std::string& name, const ArrayNodes& nodes, Tables& tables,
+                            TrackTable& tracks, Reach reach) {
     animation::Array array;
     array.name = name;
     const std::string key = "arrays." + name;

@@ -92,7 +92,8 @@ private:
 
     // At most a row a line.
     void take_values_off(TableBudget& budget) const {
-        const auto rows = std::ranges::count(text_.begin() + std::ptrdiff_t(at_), text_.end(), '\n');
+        const auto rows =
+            std::ranges::count(text_.begin() + std::ptrdiff_t(at_), text_.end(), '\n');
         const double values = double(fields_.size()) * double(rows);
         if (values > budget.values) {
             fail("", fmt::format("has {} columns and {} lines; all tables of a scene hold at most "

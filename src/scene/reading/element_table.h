@@ -41,7 +41,8 @@ struct TableOptions {
 };
 
 // Columns that `columns` leaves out keep their names where formulas can say them; others are
-// skipped. `timeline` turns frames into times. Takes what it holds off the budget. Throws SceneError
+// skipped. `timeline` turns frames into times. Takes what it holds off the budget. Throws
+// SceneError
 // ("drops.csv:12: mass: ..."), and for what exceeds the budget before it is read.
 ElementTable read_element_table(const TableOptions& options, const animation::Timeline& timeline,
                                 TableBudget& budget);

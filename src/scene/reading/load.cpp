@@ -238,9 +238,8 @@ void read_isolation(Section& document, Isolation& isolation, GivenThresholds& gi
 }
 
 // What all arrays together ask for; `what` says how much of it.
-void check_arrays(const animation::Animation& animation, const TrackTable& tracks,
-                  const char* what, double most,
-                  double (animation::Animation::*amount)(std::size_t) const) {
+void check_arrays(const animation::Animation& animation, const TrackTable& tracks, const char* what,
+                  double most, double (animation::Animation::*amount)(std::size_t) const) {
     const auto& arrays = animation.arrays();
     std::vector<double> amounts;
     for (std::size_t a = 0; a < arrays.size(); ++a) amounts.push_back((animation.*amount)(a));

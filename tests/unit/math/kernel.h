@@ -42,7 +42,8 @@ inline std::string shader_text(const std::string& name) {
     return (std::ostringstream() << stream.rdbuf()).str();
 }
 
-/// The text of all kernels, each after what it needs, and what the prelude defines for all versions.
+/// The text of all kernels, each after what it needs, and what the prelude defines for all
+/// versions.
 inline std::string kernel_source() {
     const std::string prelude = shader_text("prelude");
     std::string source = prelude.substr(prelude.find("#define IM_"));

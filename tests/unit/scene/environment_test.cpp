@@ -121,9 +121,8 @@ TEST_F(EnvironmentSection, Mistakes) {
          "scene.toml:1: environment: must be a table: [environment]"},
     };
     for (const auto& [text, message] : mistakes) EXPECT_EQ(mistake(text), message) << text;
-    EXPECT_EQ(
-        mistake(with("intensity = -1")),
-        "scene.toml: environment.intensity at t = 0: must be from 0 to 1000000, not -1");
+    EXPECT_EQ(mistake(with("intensity = -1")),
+              "scene.toml: environment.intensity at t = 0: must be from 0 to 1000000, not -1");
     EXPECT_EQ(mistake(with("rotation = \"log(t - 1)\"")),
               "scene.toml: environment.rotation at t = 0: the value is not a number");
 }

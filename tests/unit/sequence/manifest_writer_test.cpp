@@ -38,9 +38,8 @@ TEST(ManifestFolder, IsOfOneSequenceAlone) {
         EXPECT_EQ(at->second, name.pattern()) << at->first;
     };
     // All that can be put together from parts that folders' names have.
-    const std::string parts[] = {"",    "a",   ".",    ".exr",      ".png",
-                                 "_",   ".a",  "####", ".manifest", ".####",
-                                 "##",  "#####", "%04d", "%d",       "frames"};
+    const std::string parts[] = {"",          "a",     ".",  ".exr",  ".png", "_",  ".a",    "####",
+                                 ".manifest", ".####", "##", "#####", "%04d", "%d", "frames"};
     for (const auto& one : parts) {
         for (const auto& two : parts) {
             for (const auto& three : parts) {
