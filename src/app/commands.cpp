@@ -4,6 +4,8 @@
 #include <csignal>
 #include <cstdio>
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -12,6 +14,7 @@
 #include "base/printable.h"
 #include "gpu/context.h"
 #include "gpu/error.h"
+#include "gpu/lost_display.h"
 #include "image/frame.h"
 #include "scene/error.h"
 #include "sequence/movie.h"
@@ -36,6 +39,12 @@ void refuse_empty_words(CLI::App& app) {
     }
 }
 
+// Threads that draw are still at it: nothing is left to them.
+[[noreturn]] void end_without_display() {
+    write_message("the display is gone; what is written is whole\n");
+    ::_exit(exit_machine);
+}
+
 // Parses the command line and carries it out.
 int run_command(int argc, char** argv) {
     CLI::App app(
@@ -52,6 +61,7 @@ int run_command(int argc, char** argv) {
     }
     try {
         end_with_input();
+        gpu::end_when_display_is_lost(end_without_display);
         return chosen();
     } catch (const scene::SceneError& error) {
         return report(exit_usage, error);

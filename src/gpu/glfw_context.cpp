@@ -1,6 +1,7 @@
 #include "gpu/glfw_context.h"
 
 #include "gpu/backends.h"
+#include "gpu/lost_display.h"
 
 // Its own GL headers would declare what the loader defines.
 #define GLFW_INCLUDE_NONE
@@ -49,6 +50,7 @@ std::shared_ptr<Glfw> Glfw::open() {
     static std::weak_ptr<Glfw> opened;
     if (auto held = opened.lock()) return held;
     if (!glfwInit()) throw std::runtime_error(reason());
+    watch_display();
     std::shared_ptr<Glfw> glfw(new Glfw);
     opened = glfw;
     return glfw;
