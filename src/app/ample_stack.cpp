@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t ample = std::size_t(8) << 20;
 
-// glibc takes it from the limit when the program starts.
+// glibc sets the stack of threads from the limit when the program starts.
 bool make_default_of_threads() {
     pthread_attr_t attributes;
     if (::pthread_attr_init(&attributes) != 0) return false;

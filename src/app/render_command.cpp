@@ -18,6 +18,7 @@
 #include "scene/method.h"
 #include "scene/sight.h"
 #include "sequence/exporter.h"
+#include "sequence/movie.h"
 
 namespace isomotion::app {
 namespace {
@@ -108,6 +109,7 @@ int render(const RenderArguments& arguments) {
     sequence::Exporter exporter = exporter_of(arguments);
     const sequence::ExportOptions& options = exporter.options();
     exporter.make_folders();
+    if (!options.movie.empty()) sequence::expect_ffmpeg();
     const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
     if (arguments.max_wrong) {
         const auto isolation = choose_setting(*context, exporter.scene(), options.frames,
@@ -131,10 +133,14 @@ int render(const RenderArguments& arguments) {
     std::optional<Progress> progress;
     progress.emplace("rendering", int(options.frames.size()), arguments.quiet);
     FrameProgress of_frame(*progress);
-    const sequence::ExportWatcher watcher{
-        .stop = [&] { return stop.asked(); },
-        .warn = warn,
-        .progress = [&](const sequence::ExportProgress& now) { of_frame.show(now); }};
+    const sequence::ExportWatcher watcher{.stop = [&] { return stop.asked(); },
+                                          .warn = warn,
+                                          .progress =
+                                              [&](const sequence::ExportProgress& now) {
+                                                  if (now.done > 0 || now.part > 0)
+                                                      stop.work_has_begun();
+                                                  of_frame.show(now);
+                                              }};
     const sequence::ExportTotals totals = exporter.export_frames(*context, watcher);
     progress.reset(); // its line
     if (totals.stopped) return stopped();

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
+#include <cstdio>
 #include <mutex>
 
 #include <unistd.h>
@@ -14,7 +15,7 @@
 namespace isomotion::app {
 namespace {
 
-std::atomic<bool> stop{false}, heard{false};
+std::atomic<bool> stop{false}, heard{false}, begun{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "written by a signal handler");
 
 constexpr int signals[] = {SIGINT, SIGTERM};
@@ -28,16 +29,17 @@ void watch(const std::stop_token& over) {
     std::unique_lock lock(mutex);
     for (auto waited = 0ms; waited < patience; waited += stop ? glance : 0ms) {
         waiting.wait_for(lock, over, glance, [] { return false; }); // at once when it is over
-        if (over.stop_requested() || heard) return;
+        if (over.stop_requested() || heard || begun) return;
     }
     write_message("stopped\n");
+    std::fflush(stdout);
     ::_exit(exit_interrupted);
 }
 
 } // namespace
 
 StopOnSignal::StopOnSignal() {
-    stop = heard = false;
+    stop = heard = begun = false;
     for (const int signal : signals) {
         struct sigaction action {};
         action.sa_handler = [](int) { stop = true; };
@@ -50,6 +52,8 @@ StopOnSignal::StopOnSignal() {
 StopOnSignal::~StopOnSignal() {
     for (const int signal : signals) std::signal(signal, SIG_DFL);
 }
+
+void StopOnSignal::work_has_begun() const { begun = true; }
 
 bool StopOnSignal::asked() const {
     if (stop) heard = true;

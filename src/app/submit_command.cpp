@@ -115,6 +115,7 @@ private:
 
         const auto begin = std::chrono::steady_clock::now();
         const StopOnSignal stop;
+        stop.work_has_begun();
         farm::Ending ending;
         {
             Progress progress("rendering", int(frames_.size()), arguments_.render.quiet);

@@ -140,6 +140,7 @@ topology::TimelineRecord analysed(const TopologyArguments& arguments, const scen
     how.last = frames.second;
     Progress progress("topology", 1000, arguments.quiet);
     how.progress = [&](const std::string& what, double part) {
+        stop.work_has_begun();
         progress.show(int(1000 * part), what);
     };
     how.stop = [&] { return stop.asked(); };

@@ -131,8 +131,9 @@ bool ChildProcess::feed(std::span<const std::byte> bytes, const Stop& stop) {
         while (stop && ::poll(&waiting, 1, glance) <= 0) {
             if (stop()) return false;
         }
-        const ssize_t sent = ::send(input_.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
-        if (sent < 0 && errno == EINTR) continue;
+        const int how = MSG_NOSIGNAL | (stop ? MSG_DONTWAIT : 0); // some room is not room for all
+        const ssize_t sent = ::send(input_.number(), bytes.data(), bytes.size(), how);
+        if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (sent < 0) return false;
         bytes = bytes.subspan(std::size_t(sent));
     }

@@ -21,8 +21,9 @@ inline constexpr int widest_environment = 8192;
 /// sRGB. Gray is widened to three channels, coverage counts as over black, and other channels are
 /// left out.
 ///
-/// No texel spoils what it is filtered with: NaN and what is below 0 become 0, and infinity becomes
-/// the largest finite value of the map, or of half if that is 0. `mended` counts such texels.
+/// No texel spoils what it is filtered with: NaN and what is below 0 become 0, infinity becomes the
+/// largest finite value of the map, or of half if that is 0, and nothing stays above 10^6. `mended`
+/// counts such texels.
 ///
 /// Throws a FileError if the file cannot be read, and an ImageError if it is no whole picture, has
 /// no colour, is wider than `widest_environment` (checked before its pixels are read) or is not

@@ -35,8 +35,9 @@ int texels_for_lists(const gpu::ContextInfo& info) {
                      info.max_storage_block_size / int(sizeof(glm::vec4)), 1 << 24});
 }
 
-const synthesis::Passes& checked(const synthesis::Passes& passes) {
-    synthesis::check_size(passes);
+// Drivers of hardware have compilers of their own: the limit is of Mesa's for processors.
+const synthesis::Passes& checked(const synthesis::Passes& passes, const gpu::ContextInfo& info) {
+    if (info.software) synthesis::check_size(passes);
     return passes;
 }
 
@@ -45,7 +46,7 @@ struct Planned {
     Planned(const scene::Scene& scene, const RenderOptions& options, const gpu::ContextInfo& info)
         : passes(synthesis::assemble(scene, options.channels, choose_stage(options.stage, info),
                                      info.has(4, 3), options.finest_beam, options.tells_endings))
-        , plan(plan_scene(scene, checked(passes), options.width, options.height,
+        , plan(plan_scene(scene, checked(passes, info), options.width, options.height,
                           info.max_texture_size, options.plan)) {
         const bool too_little = plan.march.evaluations_per_pass <= 1; // to end a ray in one draw
         if (too_little) passes = synthesis::without_fused_pass(std::move(passes));

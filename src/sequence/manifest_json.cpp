@@ -127,7 +127,7 @@ private:
         return text;
     }
     static std::int64_t count(const base::DocumentNode& node) {
-        constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() / 2;
+        constexpr std::int64_t most = std::int64_t(1) << 54;
         const std::int64_t number = node.whole();
         if (number < 0 || number > most) node.fail(fmt::format("must be from 0 to {}", most));
         return number;

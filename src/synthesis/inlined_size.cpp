@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <stdexcept>
@@ -132,7 +133,7 @@ void check_size(const Passes& passes) {
         "place, and a driver compiles {:.0f} in some ten seconds, twice as many in four times as "
         "long; sum over an array what repeats itself, or set ISOMOTION_LARGEST_SHADERS={:.0f} and "
         "wait",
-        size, largest, size));
+        std::ceil(size), largest, std::ceil(size)));
 }
 
 } // namespace isomotion::synthesis

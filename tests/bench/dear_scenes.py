@@ -3,7 +3,8 @@
 
     tests/bench/dear_scenes.py [ISOMOTION]
 
-Writes scenes into a temporary folder and runs `show` on each: processor time, memory, exit code.
+Writes scenes into a temporary folder and runs `show` on each: processor time, memory, exit code. Ends
+with 1 where one takes over 10 s or 1 GB, or is not shown.
 """
 
 import os
@@ -72,6 +73,7 @@ def main():
     program = sys.argv[1] if len(sys.argv) > 1 else "build/release/isomotion"
     with tempfile.TemporaryDirectory() as folder:
         write_table(pathlib.Path(folder) / "table.csv")
+        dear = []
         print("| scene | seconds | MB | exit code |\n|---|--:|--:|--:|")
         for name, text in scenes():
             file = pathlib.Path(folder) / "scene.toml"
@@ -85,6 +87,10 @@ def main():
             seconds = used.ru_utime + used.ru_stime
             code = os.waitstatus_to_exitcode(status)
             print(f"| {name} | {seconds:.1f} | {used.ru_maxrss / 1024:.0f} | {code} |", flush=True)
+            if seconds > 10 or used.ru_maxrss > 1 << 20 or code != 0:
+                dear.append(name)
+    if dear:
+        sys.exit("too dear, or not shown: " + ", ".join(dear))
 
 
 if __name__ == "__main__":

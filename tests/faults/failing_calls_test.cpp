@@ -18,8 +18,8 @@ constexpr Fault faults[] = {
     {"open", EMFILE},   {"write", ENOSPC},  {"write", EIO},         {"fsync", EIO},
     {"rename", EACCES}, {"ftruncate", EIO}, {"flock", ENOLCK},      {"fstat", EIO},
     {"unlink", EACCES}, {"spawn", EAGAIN},  {"socketpair", EMFILE}, {"memfd", EMFILE},
-    {"read", EIO},      {"pread", EIO},     {"send", EPIPE},        {"stat", EACCES},
-    {"thread", EAGAIN}, {"mmap", ENOMEM},
+    {"read", EIO},      {"pread", EIO},     {"stat", EACCES},       {"thread", EAGAIN},
+    {"mmap", ENOMEM},
 };
 
 class FailingCalls : public Export, public testing::WithParamInterface<Fault> {
@@ -27,7 +27,7 @@ protected:
     Words short_command(const std::string& output, Words more = {}) {
         // Memory has pages of its own where a picture is not the smallest.
         const bool is_of_memory = GetParam().code == ENOMEM;
-        more.insert(more.end(), {"--frames", "1-4", "--size", is_of_memory ? "96x96" : "8x8",
+        more.insert(more.end(), {"--frames", "1-4", "--size", is_of_memory ? "256x256" : "8x8",
                                  "--audit", "off"});
         return command(output, more);
     }
@@ -50,6 +50,11 @@ protected:
         }
         ADD_FAILURE() << "no call was counted in " << file;
         return 0;
+    }
+    static Words as_submitted(Words words) {
+        words[0] = "submit";
+        words.insert(words.end(), {"--workers", "2"});
+        return words;
     }
     std::string fault_at(int count) const {
         return fmt::format("{}:{}:{}", GetParam().call, count, GetParam().code);
@@ -79,6 +84,16 @@ protected:
     // Most calls of a run are alike: the first, and every so many after them.
     static int next(int count) { return count < 6 ? count + 1 : count + 1 + count / 4; }
 };
+
+// A call that is counted nowhere would be tried nowhere, in silence.
+TEST_P(FailingCalls, AreMadeBySomeCommand) {
+    ASSERT_EQ(run(short_command("whole")).code, 0);
+    EXPECT_GT(calls_of(short_command("counted_frames")) +
+                  calls_of(short_command("whole", {"--resume"})) +
+                  calls_of({"verify", "whole", "--pixels"}) +
+                  calls_of(as_submitted(short_command("counted_chunks"))),
+              0);
+}
 
 TEST_P(FailingCalls, OfARender) {
     ASSERT_EQ(run(short_command("whole")).code, 0);
@@ -140,10 +155,7 @@ TEST_P(FailingCalls, OfAVerify) {
 TEST_P(FailingCalls, OfASubmit) {
     ASSERT_EQ(run(short_command("whole")).code, 0);
     const auto submit = [this](const std::string& output) {
-        Words words = short_command(output);
-        words[0] = "submit";
-        words.insert(words.end(), {"--workers", "2"});
-        return words;
+        return as_submitted(short_command(output));
     };
     const int calls = calls_of(submit("counted_frames"));
     int tried = 0;
@@ -159,9 +171,37 @@ TEST_P(FailingCalls, OfASubmit) {
     RecordProperty("tried", tried);
 }
 
-INSTANTIATE_TEST_SUITE_P(Once, FailingCalls, testing::ValuesIn(faults), [](const auto& tested) {
+class FailingMovies : public FailingCalls {};
+
+TEST_P(FailingMovies, AreToldAndMadeByResume) {
+    const Words movie = short_command("cut", {"--movie", "cut.mp4"});
+    const int calls = calls_of(movie);
+    EXPECT_GT(calls, 0);
+    for (int count = 1; count <= calls; count = next(count)) {
+        SCOPED_TRACE(fault_at(count));
+        fs::remove_all(*this / "cut");
+        fs::remove(*this / "cut.mp4");
+        const Ending ending = run_preloaded(movie, fault_at(count));
+        EXPECT_EQ(ending.code, 3) << ending;
+        EXPECT_THAT(ending.err, Not(IsEmpty()));
+        EXPECT_FALSE(fs::exists(*this / "cut.mp4"));
+        expect_verified("cut");
+        const Ending rest = run(short_command("cut", {"--movie", "cut.mp4", "--resume"}));
+        EXPECT_EQ(rest.code, 0) << rest;
+        EXPECT_TRUE(fs::exists(*this / "cut.mp4"));
+    }
+    RecordProperty("tried", calls);
+}
+
+std::string name_of(const testing::TestParamInfo<Fault>& tested) {
     return fmt::format("{}_{}", tested.param.call, strerrorname_np(tested.param.code));
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Once, FailingCalls, testing::ValuesIn(faults), name_of);
+INSTANTIATE_TEST_SUITE_P(Once, FailingMovies,
+                         testing::Values(Fault{"spawn", EAGAIN}, Fault{"socketpair", EMFILE},
+                                         Fault{"send", EPIPE}),
+                         name_of);
 
 } // namespace
 } // namespace isomotion::faults

@@ -43,14 +43,25 @@ std::vector<std::string> quoted_cells(std::string_view line) {
     return cells;
 }
 
+std::string text_of(const std::filesystem::path& file, TableBudget& budget) {
+    std::error_code unknown;
+    if (const auto size = std::filesystem::file_size(file, unknown);
+        !unknown && size > budget.bytes)
+        throw SceneError(fmt::format("{}: has {} bytes; {} are left of the {} of all tables that "
+                                     "arrays of a scene name, with each name counted whose columns "
+                                     "differ",
+                                     file.string(), size, budget.bytes, limits::table_bytes));
+    std::string text = base::file_text(file, budget.bytes);
+    budget.bytes -= text.size();
+    return text;
+}
+
 class Reader {
 public:
     Reader(const TableOptions& options, const animation::Timeline& timeline, TableBudget& budget)
         : options_(options)
         , timeline_(timeline)
-        , text_(base::file_text(options.file, budget.bytes)) {
-        budget.bytes -= text_.size();
-    }
+        , text_(text_of(options.file, budget)) {}
 
     ElementTable read(TableBudget& budget) {
         read_header();

@@ -104,7 +104,7 @@ void override_key(toml::table& document, const Override& setting) {
 // It goes to terminals, windows and into pictures.
 std::string read_title(Section& document, const fs::path& file) {
     const auto title = document.text("title");
-    if (!title) return base::printable(file.stem().string());
+    if (!title) return base::printable_line(file.stem().string());
     if (title->size() > limits::title_bytes || !base::is_one_printable_line(*title)) {
         fail(*document.find("title"), "title",
              fmt::format("must be one line of at most {} bytes, without control characters",

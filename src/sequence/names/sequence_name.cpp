@@ -110,8 +110,13 @@ std::string SequenceName::stem() const {
 
 std::string stem_of_frames(const std::string& name) {
     std::string stem = name;
-    std::ranges::replace(stem, '#', '_');
-    std::ranges::replace(stem, '%', '_');
+    for (Place place = find_place(stem, 0); place.begin != std::string::npos;
+         place = find_place(stem, place.end)) {
+        const auto begin = stem.begin() + std::ptrdiff_t(place.begin);
+        const auto end = stem.begin() + std::ptrdiff_t(place.end);
+        std::replace(begin, end, '#', '_');
+        std::replace(begin, end, '%', '_');
+    }
     return base::is_one_printable_line(stem) ? stem : base::printable_line(stem);
 }
 

@@ -43,8 +43,8 @@ private:
     bool has_place_ = false;
 };
 
-// A scene's name as the stem of file names: `#` and `%`, places for a number, become `_`, and so do
-// bytes that a sequence's name can't have.
+// A scene's name as the stem of file names: places for a number have `_` for their `#` and `%`, and
+// bytes that a sequence's name can't have become U+FFFD.
 std::string stem_of_frames(const std::string& name);
 
 } // namespace isomotion::sequence

@@ -98,6 +98,8 @@ TEST(SequenceName, HasOnePatternAndAStem) {
 // Frames are told apart by their numbers alone, whatever a scene's file is called.
 TEST(StemOfFrames, HasNoPlaceForANumber) {
     EXPECT_EQ(stem_of_frames("torus"), "torus");
+    EXPECT_EQ(stem_of_frames("50%"), "50%");
+    EXPECT_EQ(stem_of_frames("take#2 %3d %d"), "take_2 %3d _d");
     for (const std::string name : {"a#b", "%d", "50%04d", "##_#", "take %3d #2", "a\xff", "a\nb"}) {
         const std::string stem = stem_of_frames(name);
         const SequenceName frames = SequenceName::parse("out/" + stem + ".####.png");
