@@ -1,6 +1,7 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
@@ -36,6 +37,7 @@ constexpr int thumbnail_size = 192; // shown at half of it: sharp on screens of 
 struct TopologyArguments {
     std::string scene, frames, certify = "full", output, csv, plot, check, backend = "auto";
     std::vector<std::string> settings;
+    std::optional<int> grid;
     double dt = 1e-9;
     bool quiet = false;
     scene::Reach reach = scene::Reach::own_folder;
@@ -53,6 +55,19 @@ topology::Certify parse_certify(const std::string& text) {
     if (text == "fast") return topology::Certify::fast;
     if (text == "full") return topology::Certify::full;
     throw std::invalid_argument(fmt::format("--certify {}: write off, fast or full", text));
+}
+
+void check_grid(const TopologyArguments& arguments) {
+    const topology::Certify certify = parse_certify(arguments.certify);
+    if (!arguments.grid) return;
+    if (*arguments.grid < 8 || *arguments.grid > 1024) {
+        throw std::invalid_argument(
+            fmt::format("--grid {}: write vertices along a side, 8 to 1024", *arguments.grid));
+    }
+    if (certify == topology::Certify::full) {
+        throw std::invalid_argument(
+            "--grid: proofs use no grid; write it with --certify off or fast");
+    }
 }
 
 // First and last of what is searched, all time in between included.
@@ -138,6 +153,7 @@ topology::TimelineRecord analysed(const TopologyArguments& arguments, const scen
     how.certify = parse_certify(arguments.certify);
     how.first = frames.first;
     how.last = frames.second;
+    how.grid = arguments.grid;
     Progress progress("topology", 1000, arguments.quiet);
     how.progress = [&](const std::string& what, double part) {
         stop.work_has_begun();
@@ -178,7 +194,7 @@ int topology_of(const TopologyArguments& arguments) {
     check_extension("-o", arguments.output, ".json");
     check_extension("--csv", arguments.csv, ".csv");
     check_extension("--plot", arguments.plot, ".svg");
-    parse_certify(arguments.certify);
+    check_grid(arguments);
     check_amount("--dt", arguments.dt, "seconds, 0 or more: 1e-9");
     gpu::parse_backend(arguments.backend);
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
@@ -213,6 +229,10 @@ void add_topology(CLI::App& app, Action& chosen) {
                         "off: sample; fast: prove events found from seeds, others may be missing; "
                         "full: prove all that can be "
                         "(default)");
+    command->add_option("--grid", a.grid,
+                        "vertices along each side of the grid that off and fast take signs on "
+                        "(default: 128 for fast; 64 for off, fewer where that takes over about "
+                        "ten seconds)");
     command->add_option("-o,--output", a.output, "file for the timeline: NAME.timeline.json");
     command->add_option("--csv", a.csv, "file for Betti numbers, frame by frame: NAME.betti.csv");
     command->add_option("--plot", a.plot, "file for a picture of the timeline: NAME.svg");

@@ -45,6 +45,12 @@ EnclosurePrograms enclosure_programs(const Field& field) {
             schedule(g, std::array{value, anywhere(g, roughness(g, field.root))})};
 }
 
+Program value_enclosure(const Field& field) {
+    Graph g = field.graph;
+    g.fold_exactly();
+    return schedule(g, std::array{g.add(field.root, gaps(g, field.root))});
+}
+
 std::optional<Program> hessian_program(const Field& field) {
     if (!degree(field.graph, field.root) || has_chebyshev(field.graph)) return {};
     Graph g = field.graph;

@@ -34,6 +34,7 @@ struct EnclosurePrograms {
 };
 
 EnclosurePrograms enclosure_programs(const Field& field);
+Program value_enclosure(const Field& field); // the first of them alone
 
 // Of polynomials: F, dF/dt and the gradient of dF/dt, inputs as of `directional`. Centred about a
 // point of the box, dF/dt is bounded by the latter as closely as its terms, which cancel, are not.

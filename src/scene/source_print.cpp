@@ -31,10 +31,12 @@ void add(base::Fingerprint& print, const animation::Track& track) {
     add_source(print, track.source);
 }
 
-void add(base::Fingerprint& print, const animation::Array& array) {
+void add_array(base::Fingerprint& print, const animation::Animation& animation, std::size_t index) {
+    const animation::Array& array = animation.arrays()[index];
     print.add(array.name);
     add_number(print, double(array.count));
-    for (const animation::ArrayField& field : array.fields) {
+    for (std::size_t f = 0; f < array.fields.size(); ++f) {
+        const animation::ArrayField& field = array.fields[f];
         print.add(field.name).add(std::to_string(field.source.index()));
         if (const auto* number = std::get_if<double>(&field.source)) add_number(print, *number);
         if (const auto* expression = std::get_if<animation::Expression>(&field.source)) {
@@ -43,7 +45,9 @@ void add(base::Fingerprint& print, const animation::Array& array) {
         if (const auto* list = std::get_if<std::vector<double>>(&field.source)) {
             print.add_values(std::span(*list));
         }
-        if (const auto* column = std::get_if<animation::Column>(&field.source)) {
+        const auto* column = std::get_if<animation::Column>(&field.source);
+        // Tables may have many other columns, and be long.
+        if (column && (field.is_read || animation.is_referenced(index, f))) {
             const auto& rows = array.samples->rows();
             print.add_values(std::span(rows.values[column->index]));
         }

@@ -9,6 +9,7 @@ namespace isomotion::scene {
 // A track's name says what moves by it: "camera.position.x", "lights[1].falloff". The print has it
 // as it was first called, so that sequences and timelines outlive a key's renaming.
 void add(base::Fingerprint& print, const animation::Track& track);
-void add(base::Fingerprint& print, const animation::Array& array);
+// With the columns of a table that something reads.
+void add_array(base::Fingerprint& print, const animation::Animation& animation, std::size_t index);
 
 } // namespace isomotion::scene

@@ -39,7 +39,8 @@ std::string scene_fingerprint(const scene::Scene& scene) {
     print.add("isomotion scene 1").add(scene.title).add(scene.surface.field->text);
     print.add(animation::to_string(scene.timeline.fps)).add(std::to_string(animation.seed()));
     for (const animation::Track& track : animation.tracks()) scene::add(print, track);
-    for (const animation::Array& array : animation.arrays()) scene::add(print, array);
+    for (std::size_t a = 0; a < animation.arrays().size(); ++a)
+        scene::add_array(print, animation, a);
     for (const synthesis::Effect effect : synthesis::effects(scene)) print.add(synthesis::name(effect));
     print.add(std::to_string(int(scene.surface.bounds.shape)));
     add(print, scene.isolation);

@@ -8,6 +8,7 @@
 
 #include "topology/betti/frame_signs.h"
 #include "topology/moving_scene.h"
+#include "topology/sampling.h"
 #include "topology/search/arb_verifier.h"
 #include "topology/search/critical.h"
 
@@ -48,44 +49,14 @@ int threads_of(const AnalyseOptions& how) {
     return how.threads > 0 ? how.threads : std::max(1, int(std::thread::hardware_concurrency()));
 }
 
-Betti on_grid(const scene::Scene& scene, const scene::SceneAt& now, Side side, int grid,
-              int threads) {
-    return betti(frame_signs(*scene.surface.field, formula::convert<double>(now.bindings),
-                             now.bounds, side, grid, threads));
-}
-
-// Signs on a grid at each frame. Where two frames differ something happened in between.
-Timeline sampled(const scene::Scene& scene, Side side, const AnalyseOptions& how, int first,
-                 int last, const SerialCallbacks& callbacks) {
-    constexpr int grid = 64;
-    Timeline timeline;
-    timeline.range = {scene.timeline.time(first), scene.timeline.time(last)};
-    timeline.doubts.push_back(
-        fmt::format("nothing was proved: signs on a grid of {0}x{0}x{0}, frame by frame", grid));
-    std::optional<Betti> before;
-    double since = 0;
-    for (int frame = first; frame <= last; ++frame) {
-        if (callbacks.stopped()) {
-            timeline.doubts.emplace_back("interrupted");
-            return timeline;
-        }
-        const animation::Values values = scene.timeline.values(frame);
-        const scene::SceneAt now = scene::at(scene, values);
-        const Betti here = on_grid(scene, now, side, grid, how.threads);
-        if (before && *before != here) {
-            std::array<Interval, 3> where;
-            for (int k = 0; k < 3; ++k) {
-                where[std::size_t(k)] = {now.bounds.min[k], now.bounds.max[k]};
-            }
-            timeline.unresolved.push_back(
-                {{since, values.time}, where, "these two frames differ", before, here});
-        }
-        if (!before) timeline.start = here;
-        timeline.end = before = here;
-        since = values.time;
-        callbacks.show("sampling", double(frame - first + 1) / (last - first + 1));
-    }
-    return timeline;
+// None where it was stopped.
+std::optional<Betti> on_grid(const scene::Scene& scene, const scene::SceneAt& now, Side side,
+                             int grid, int threads, const SerialCallbacks& callbacks) {
+    Work work([&] { return callbacks.stopped(); });
+    const auto signs =
+        FrameSigns(*scene.surface.field)
+            .at(formula::convert<double>(now.bindings), now.bounds, side, grid, threads, work);
+    return signs ? std::optional(betti(*signs)) : std::nullopt;
 }
 
 EventSearchOptions event_search(const AnalyseOptions& how, const SerialCallbacks& callbacks) {
@@ -113,7 +84,8 @@ void check_euler_number(Timeline& timeline) {
 // between the ends.
 Timeline seeded(const scene::Scene& scene, Side side, const AnalyseOptions& how, int first,
                 int last, const SerialCallbacks& callbacks) {
-    constexpr int seeds = 1 << 16, grid = 128;
+    constexpr int seeds = 1 << 16;
+    const int grid = how.grid.value_or(128);
     EventSearchOptions searching = event_search(how, callbacks);
     searching.seeds = seeds;
     Timeline timeline = find_events(
@@ -121,7 +93,7 @@ Timeline seeded(const scene::Scene& scene, Side side, const AnalyseOptions& how,
     const auto end = [&](int frame, std::optional<Betti>& betti) {
         if (callbacks.stopped()) return;
         const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
-        betti = on_grid(scene, now, side, grid, how.threads);
+        betti = on_grid(scene, now, side, grid, how.threads, callbacks);
     };
     end(first, timeline.start);
     end(last, timeline.end);
@@ -182,7 +154,16 @@ Timeline analyse(const scene::Scene& scene, const AnalyseOptions& how) {
     const int last = how.last == 0 ? scene.timeline.frames : how.last;
     const Side side = solid_side(scene);
     const SerialCallbacks callbacks(how);
-    if (how.certify == Certify::off) return sampled(scene, side, how, how.first, last, callbacks);
+    if (how.certify == Certify::off) {
+        Sampling sampling;
+        sampling.first = how.first;
+        sampling.last = last;
+        sampling.grid = how.grid;
+        sampling.threads = how.threads;
+        sampling.progress = [&](double part) { callbacks.show("sampling", part); };
+        sampling.stopped = [&] { return callbacks.stopped(); };
+        return sampled(scene, side, sampling);
+    }
     if (how.certify == Certify::fast) return seeded(scene, side, how, how.first, last, callbacks);
     const Interval range{scene.timeline.time(how.first), scene.timeline.time(last)};
     return proved(scene, side, how, range, callbacks);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "scene/scene.h"
@@ -19,7 +20,9 @@ enum class Certify {
 struct AnalyseOptions {
     Certify certify = Certify::full;
     int first = 1, last = 0; // frames, first < last; 0: the scene's last
-    int threads = 0;         // 0: as many as the machine runs at once
+    // Vertices along each side of grids; none: as sampling.h says for `off`, 128 for `fast`.
+    std::optional<int> grid;
+    int threads = 0; // 0: as many as the machine runs at once
     // Called from one thread at a time; `part` in [0, 1] of what `what` is, which doesn't fall.
     std::function<void(const std::string& what, double part)> progress;
     // Asked often, from one thread at a time. Once true, the timeline returned has what is known so
@@ -28,7 +31,8 @@ struct AnalyseOptions {
 };
 
 // The timeline's range is from the time of the first frame to that of the last. The same for any
-// number of threads. Throws SceneError where values leave their range.
+// number of threads. Throws SceneError where values leave their range, std::invalid_argument where
+// a sample of all frames takes too much.
 Timeline analyse(const scene::Scene& scene, const AnalyseOptions& how = {});
 
 } // namespace isomotion::topology

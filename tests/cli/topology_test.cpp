@@ -25,6 +25,8 @@ TEST_F(Topology, AMistakeIsToldBeforeAnythingIsSearched) {
     const std::pair<Words, const char*> wrongs[] = {
         {{"--nope"}, "--nope"},
         {{"--certify", "maybe"}, "--certify maybe: write off, fast or full"},
+        {{"--grid", "7", "--certify", "off"}, "--grid 7: write vertices along a side, 8 to 1024"},
+        {{"--grid", "64"}, "--grid: proofs use no grid; write it with --certify off or fast"},
         {{"--frames", "abc"}, "'abc' is not a frame range"},
         {{"--frames", "5"}, "--frames 5: topology searches a span with all time in it; write 1-10"},
         {{"--frames", "1-9x2"}, "--frames 1-9x2: topology searches a span"},

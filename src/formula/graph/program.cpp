@@ -4,6 +4,8 @@
 #include <cassert>
 #include <map>
 
+#include "formula/graph/functions.h"
+
 namespace isomotion::formula {
 namespace {
 
@@ -174,6 +176,7 @@ Cost cost(const Program& program, std::span<const int> counts) {
             break;
         case Instruction::Kind::operation:
             if (instruction.arity > 0) total.operations += repeats.back();
+            if (!kernel(instruction.op).empty()) total.functions += repeats.back();
             break;
         case Instruction::Kind::zero:
             break;

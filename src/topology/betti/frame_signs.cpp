@@ -5,12 +5,38 @@
 #include <thread>
 
 #include "base/workers.h"
-#include "topology/field/frame_field.h"
+#include "formula/enclosure.h"
+#include "formula/evaluate/evaluate.h"
 
 namespace isomotion::topology {
 namespace {
 
 constexpr int whole = 8, part = 4; // vertices along the edge of a block, and of its eight parts
+
+// What one evaluation takes, in operations on numbers.
+struct Price {
+    double of_point, of_box;
+};
+
+Price price(const formula::Field& field, const formula::Bindings<double>& bindings) {
+    // Times as dear as a sum or product of numbers. Of long programs the registers fit no cache.
+    constexpr double function = 20, turn = 3, interval = 3, long_one = 3;
+    constexpr std::size_t is_long = 1000;
+    std::vector<int> counts;
+    for (const auto& array : bindings.arrays) counts.push_back(array.count);
+    const formula::Cost cost = formula::cost(field.value, counts);
+    double point = 1 + cost.operations + function * cost.functions + turn * cost.iterations;
+    if (field.value.instructions.size() > is_long) point *= long_one;
+    return {point, interval * point};
+}
+
+// What all threads share.
+struct FrameValues {
+    const formula::Field& field;
+    const formula::Program& enclosure;
+    const formula::Bindings<double>& numbers;
+    const formula::Bindings<formula::Interval> intervals;
+};
 
 // Vertices `first` to `last` of each axis.
 struct Block {
@@ -21,15 +47,16 @@ struct Block {
 // the sign at all of their vertices; in the others these are evaluated.
 class BlockSigns {
 public:
-    BlockSigns(const formula::Field& field, const formula::Bindings<double>& bindings,
-               const scene::BoundsAt& bounds, Side solid, SignGrid& grid)
-        : evaluator_(field.value)
-        , enclosures_(space_formula(field, formula::convert<formula::Interval>(bindings), solid))
-        , everything_(enclosures_.everything())
-        , bindings_(bindings)
+    BlockSigns(const FrameValues& frame, const scene::BoundsAt& bounds, Side solid, SignGrid& grid,
+               Work& work)
+        : evaluator_(frame.field.value)
+        , enclosure_(frame.enclosure)
+        , frame_(frame)
         , bounds_(bounds)
         , solid_(solid)
-        , grid_(grid) {
+        , grid_(grid)
+        , price_(price(frame.field, frame.numbers))
+        , work_(work) {
         for (std::size_t i = 0; i < 3; ++i) {
             const double low = bounds.min[int(i)], high = bounds.max[int(i)];
             for (int k = 0; k < grid.side(); ++k)
@@ -85,63 +112,88 @@ private:
 
     // Those with vertices on both sides, as far as is known.
     std::vector<Block> undecided(std::span<const Block> blocks) {
-        std::vector<SpaceBox> boxes;
+        work_.add(double(blocks.size()) * price_.of_box);
+        if (work_.is_over()) return {};
+        std::array<std::vector<formula::Interval>, 3> boxes;
         for (const Block& one : blocks) {
-            SpaceBox& box = boxes.emplace_back();
-            for (std::size_t i = 0; i < 3; ++i)
-                box[i] = {at_[i][std::size_t(one.first[i])], at_[i][std::size_t(one.last[i])]};
+            for (std::size_t i = 0; i < 3; ++i) {
+                boxes[i].emplace_back(at_[i][std::size_t(one.first[i])],
+                                      at_[i][std::size_t(one.last[i])]);
+            }
         }
-        std::vector<formula::Interval> g(boxes.size());
-        enclosures_.values(everything_, boxes, g);
+        std::vector<formula::Interval> f(blocks.size());
+        const std::array<std::span<const formula::Interval>, 3> inputs{boxes[0], boxes[1],
+                                                                       boxes[2]};
+        const std::array<std::span<formula::Interval>, 1> outputs{f};
+        enclosure_.points(frame_.intervals, inputs, outputs);
         std::vector<Block> open;
         for (std::size_t k = 0; k < blocks.size(); ++k) {
-            if (g[k].lo > 0) continue;
-            if (g[k].hi < 0) {
-                each_inside(blocks[k], [&](const auto& v) { grid_.set(v[0], v[1], v[2]); });
-            } else {
+            if (!(f[k].lo > 0 || f[k].hi < 0)) {
                 open.push_back(blocks[k]);
+            } else if (is_solid(f[k].lo)) {
+                each_inside(blocks[k], [&](const auto& v) { grid_.set(v[0], v[1], v[2]); });
             }
         }
         return open;
     }
+
+    bool is_solid(double f) const { return solid_ == Side::negative ? f < 0 : f > 0; }
 
     void evaluate(std::span<const std::array<int, 3>> vertices) {
         std::array<std::vector<double>, 3> points;
         for (const auto& v : vertices) {
             for (std::size_t i = 0; i < 3; ++i) points[i].push_back(at_[i][std::size_t(v[i])]);
         }
+        work_.add(double(vertices.size()) * price_.of_point);
+        if (work_.is_over()) return;
         std::vector<double> f(vertices.size());
         const std::array<std::span<const double>, 3> inputs{points[0], points[1], points[2]};
         const std::array<std::span<double>, 1> outputs{f};
-        evaluator_.points(bindings_, inputs, outputs);
+        evaluator_.points(frame_.numbers, inputs, outputs);
         for (std::size_t k = 0; k < vertices.size(); ++k) {
-            const bool is_solid = solid_ == Side::negative ? f[k] < 0 : f[k] > 0;
-            if (is_solid) grid_.set(vertices[k][0], vertices[k][1], vertices[k][2]);
+            if (is_solid(f[k])) grid_.set(vertices[k][0], vertices[k][1], vertices[k][2]);
         }
     }
 
     formula::Evaluator<double> evaluator_;
-    FrameField enclosures_;
-    Elements everything_;
-    const formula::Bindings<double>& bindings_;
+    formula::Evaluator<formula::Interval> enclosure_;
+    const FrameValues& frame_;
     const scene::BoundsAt& bounds_;
     Side solid_;
     SignGrid& grid_;
+    const Price price_;
+    Work& work_;
     std::array<std::vector<double>, 3> at_; // coordinates of vertices
 };
 
 } // namespace
 
-SignGrid frame_signs(const formula::Field& field, const formula::Bindings<double>& bindings,
-                     const scene::BoundsAt& bounds, Side solid, int side, int threads) {
+FrameSigns::FrameSigns(const formula::Field& field)
+    : field_(field)
+    , enclosure_(formula::value_enclosure(field)) {}
+
+std::optional<SignGrid> FrameSigns::at(const formula::Bindings<double>& bindings,
+                                       const scene::BoundsAt& bounds, Side solid, int side,
+                                       int threads, Work& work) const {
     SignGrid grid(side);
+    const FrameValues frame{field_, enclosure_, bindings,
+                            formula::convert<formula::Interval>(bindings)};
     const auto layers = [&] {
-        return [blocks = std::make_unique<BlockSigns>(field, bindings, bounds, solid, grid)](
+        return [blocks = std::make_unique<BlockSigns>(frame, bounds, solid, grid, work)](
                    std::size_t layer) { blocks->make(int(layer)); };
     };
-    const int wanted = threads > 0 ? threads : int(std::thread::hardware_concurrency());
-    base::share({.count = std::size_t((side + whole - 1) / whole), .threads = wanted}, layers);
+    base::SharedLoop loop{.count = std::size_t((side + whole - 1) / whole)};
+    loop.threads = threads > 0 ? threads : int(std::thread::hardware_concurrency());
+    loop.stopped = [&] { return work.is_over(); };
+    base::share(loop, layers);
+    if (work.is_over()) return std::nullopt;
     return grid;
+}
+
+SignGrid frame_signs(const formula::Field& field, const formula::Bindings<double>& bindings,
+                     const scene::BoundsAt& bounds, Side solid, int side, int threads) {
+    Work unlimited;
+    return *FrameSigns(field).at(bindings, bounds, solid, side, threads, unlimited);
 }
 
 } // namespace isomotion::topology

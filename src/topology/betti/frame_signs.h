@@ -1,16 +1,56 @@
 // A frame's solid on a grid, by numbers: fast, and no proof.
 #pragma once
 
+#include <atomic>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <utility>
+
 #include "scene/scene_at.h"
 #include "topology/betti/sign_grid.h"
 #include "topology/field/solid.h"
 
 namespace isomotion::topology {
 
+// What a caller has for it: operations, all elements of sums counted, and patience.
+class Work {
+public:
+    // `stopped` may be asked by any thread.
+    explicit Work(std::function<bool()> stopped = {},
+                  double most = std::numeric_limits<double>::infinity())
+        : stopped_(std::move(stopped))
+        , most_(most) {}
+    void add(double operations) { done_.fetch_add(operations, std::memory_order_relaxed); }
+    bool is_too_much() const { return done_.load(std::memory_order_relaxed) > most_; }
+    bool is_over() const { return is_too_much() || (stopped_ && stopped_()); }
+
+private:
+    std::function<bool()> stopped_;
+    double most_;
+    std::atomic<double> done_ = 0;
+};
+
 // Vertices from one corner of the bounds' box to the other, `side` (at least 2) in each direction.
 // No vertex outside of the bounds is solid, and none where F is 0 or no number. `threads`: 0 for as
 // many as the machine runs at once.
 SignGrid frame_signs(const formula::Field& field, const formula::Bindings<double>& bindings,
                      const scene::BoundsAt& bounds, Side solid, int side, int threads = 0);
+
+// Of many frames of one field, which must outlive it.
+class FrameSigns {
+public:
+    explicit FrameSigns(const formula::Field& field);
+
+    // As frame_signs(). Adds what it takes to `work`; none where that is over. Whether it becomes
+    // too much is the same for any number of threads.
+    std::optional<SignGrid> at(const formula::Bindings<double>& bindings,
+                               const scene::BoundsAt& bounds, Side solid, int side, int threads,
+                               Work& work) const;
+
+private:
+    const formula::Field& field_;
+    formula::Program enclosure_;
+};
 
 } // namespace isomotion::topology

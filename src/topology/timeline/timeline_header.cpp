@@ -85,7 +85,8 @@ std::string fingerprint(const scene::Scene& scene) {
     for (const int id : needed.tracks()) {
         scene::add(print, animation.tracks()[std::size_t(id)]);
     }
-    for (const animation::Array& array : animation.arrays()) scene::add(print, array);
+    for (std::size_t a = 0; a < animation.arrays().size(); ++a)
+        scene::add_array(print, animation, a);
     return print.text();
 }
 

@@ -39,8 +39,9 @@ protected:
     // Of how it moves and is seen.
     static std::string print(const Scene& scene) {
         base::Fingerprint print;
-        for (const auto& track : scene.timeline.animation.tracks()) add(print, track);
-        for (const auto& array : scene.timeline.animation.arrays()) add(print, array);
+        const animation::Animation& animation = scene.timeline.animation;
+        for (const auto& track : animation.tracks()) add(print, track);
+        for (std::size_t a = 0; a < animation.arrays().size(); ++a) add_array(print, animation, a);
         return print.text();
     }
 

@@ -47,6 +47,26 @@ TEST(SceneFingerprint, TheNumberOfFramesDoesNotCount) {
               print({"time.frames=9", "output.poster=2"}));
 }
 
+TEST(SceneFingerprint, OfATableCountsWhatIsRead) {
+    const auto print_of = [](const char* rows) {
+        const auto folder = std::filesystem::temp_directory_path();
+        const std::string table = fmt::format("isomotion-columns-{}.csv", getpid());
+        std::ofstream(folder / table) << "t,a,b,unread\n" << rows;
+        const scene::Scene loaded = scene::load_text(
+            fmt::format("[surface]\nformula = 'sum(p, (x-a)^2 + (y-c)^2) + z'\n"
+                        "bounds = {{ sphere = 2 }}\n"
+                        "[arrays.p]\nfile = '{}'\nc = 'b/2'\n",
+                        table),
+            folder / "columns.toml");
+        std::filesystem::remove(folder / table);
+        return scene_fingerprint(loaded);
+    };
+    const std::string before = print_of("0,1,2,3\n");
+    EXPECT_NE(print_of("0,9,2,3\n"), before);
+    EXPECT_NE(print_of("0,1,9,3\n"), before); // a sibling's expression reads it
+    EXPECT_EQ(print_of("0,1,2,9\n"), before);
+}
+
 // A key's new name leaves fingerprints as they were, so that sequences from before go on: this one
 // is from when there were only the old names.
 TEST(SceneFingerprint, OutlivesRenamedKeys) {
