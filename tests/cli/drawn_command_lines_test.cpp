@@ -116,7 +116,7 @@ class DrawnCommandLines : public Cli {};
 
 TEST_F(DrawnCommandLines, EndWithACodeThatSaysWhy) {
     const char* const given = std::getenv("ISOMOTION_SEED");
-    const unsigned seed = given ? unsigned(std::atoi(given)) : std::random_device{}();
+    const unsigned seed = given ? unsigned(std::atoi(given)) : 1;
     Random random(seed);
     constexpr int tried = 60;
     int done = 0, held = 0;

@@ -9,7 +9,7 @@ void claims(std::string_view text) {
     for (const char* file : {"claims.json", "claims.toml"}) {
         try {
             const topology::Claims claims =
-                topology::parse_claims(text, file, animation::FrameRate(30, 1));
+                topology::parse_claims(text, file, animation::FrameRate{30, 1});
             topology::check(claims, topology::TimelineRecord{});
         } catch (const base::InputError& error) {
             if (base::printable(error.what()) != error.what()) {

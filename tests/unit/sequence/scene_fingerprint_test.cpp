@@ -52,12 +52,12 @@ TEST(SceneFingerprint, OfATableCountsWhatIsRead) {
         const auto folder = std::filesystem::temp_directory_path();
         const std::string table = fmt::format("isomotion-columns-{}.csv", getpid());
         std::ofstream(folder / table) << "t,a,b,unread\n" << rows;
-        const scene::Scene loaded = scene::load_text(
-            fmt::format("[surface]\nformula = 'sum(p, (x-a)^2 + (y-c)^2) + z'\n"
-                        "bounds = {{ sphere = 2 }}\n"
-                        "[arrays.p]\nfile = '{}'\nc = 'b/2'\n",
-                        table),
-            folder / "columns.toml");
+        const scene::Scene loaded =
+            scene::load_text(fmt::format("[surface]\nformula = 'sum(p, (x-a)^2 + (y-c)^2) + z'\n"
+                                         "bounds = {{ sphere = 2 }}\n"
+                                         "[arrays.p]\nfile = '{}'\nc = 'b/2'\n",
+                                         table),
+                             folder / "columns.toml");
         std::filesystem::remove(folder / table);
         return scene_fingerprint(loaded);
     };
