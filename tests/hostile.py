@@ -5,11 +5,14 @@
 
 Runs those tests of a build that docs/security.md names and prints a row for each kind. A test that
 draws or loops tells how many inputs it tried and how many held (RecordProperty); others count as one.
-Ends with 1 unless all held.
+Those that draw take ISOMOTION_SEED from the environment, or a seed of this run's own. Ends with 1
+unless all held.
 """
 
 import json
+import os
 import pathlib
+import random
 import subprocess
 import sys
 import tempfile
@@ -25,6 +28,7 @@ KINDS = [
     ("scenes on the command line", "cli/cli_test", "Stranger.*"),
     ("manifests on the command line", "cli/cli_test", "Verify.*"),
     ("drawn command lines", "cli/cli_test", "DrawnCommandLines.*"),
+    ("drawn effects", "cli/cli_test", "DrawnEffects.*"),
     ("outputs and machines that refuse", "cli/cli_test", "Machine.*"),
     ("places that vanish or are full", "faults/faults_test", "Places.*"),
     ("several at once", "faults/faults_test", "Several.*"),
@@ -60,6 +64,8 @@ def main():
         raise SystemExit(__doc__)
     build = pathlib.Path(sys.argv[1]).resolve()
     all_tried = all_held = 0
+    seed = os.environ.setdefault("ISOMOTION_SEED", str(random.randrange(1, 10**6)))
+    print(f"ISOMOTION_SEED={seed}")
     print("| what is tried | tried | held |\n|---|--:|--:|")
     with tempfile.TemporaryDirectory() as folder:
         for what, binary, selection in KINDS:

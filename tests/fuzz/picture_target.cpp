@@ -1,42 +1,15 @@
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-
-#include <fmt/format.h>
-#include <unistd.h>
 
 #include "base/file.h"
+#include "fuzz/scratch_file.h"
 #include "fuzz/targets.h"
 #include "image/codecs.h"
 #include "image/decode.h"
 #include "image/environment.h"
 
 namespace isomotion::fuzz {
-namespace {
-
-// A file of this process, gone with it.
-class File {
-public:
-    File()
-        : path_(std::filesystem::temp_directory_path() / fmt::format("picture.{}", ::getpid())) {}
-    File(const File&) = delete;
-    File& operator=(const File&) = delete;
-    ~File() { std::filesystem::remove(path_); }
-
-    const std::filesystem::path& holding(std::string_view bytes) const {
-        std::ofstream(path_, std::ios::binary | std::ios::trunc)
-            .write(bytes.data(), std::streamsize(bytes.size()));
-        return path_;
-    }
-
-private:
-    std::filesystem::path path_;
-};
-
-} // namespace
-
 void picture(std::string_view bytes) {
-    static const File file;
+    static const ScratchFile file("picture");
     const std::filesystem::path& path = file.holding(bytes);
     try {
         const image::EnvironmentMap map = image::read_environment(path);

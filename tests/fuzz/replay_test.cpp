@@ -29,6 +29,7 @@ std::vector<Input> inputs() {
                                            {"manifest", &manifest},
                                            {"picture", &picture},
                                            {"scene", &scene},
+                                           {"table", &table},
                                            {"timeline", &timeline}}) {
             if (!fs::exists(folder / from / name)) continue; // nothing was found yet
             for (const auto& entry : fs::directory_iterator(folder / from / name)) {

@@ -93,7 +93,7 @@ private:
         while (at_ < text_.size()) {
             const std::size_t end = std::min(text_.find('\n', at_), text_.size());
             std::string_view line = std::string_view(text_).substr(at_, end - at_);
-            at_ = end + 1;
+            at_ = std::min(end + 1, text_.size()); // the last line may have no end
             if (++line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
             line = trimmed(line);
             if (!line.empty() && line.front() != '#') return line;
@@ -104,7 +104,7 @@ private:
     // At most a row a line.
     void take_values_off(TableBudget& budget) const {
         const auto rows =
-            std::ranges::count(text_.begin() + std::ptrdiff_t(at_), text_.end(), '\n');
+            1 + std::ranges::count(text_.begin() + std::ptrdiff_t(at_), text_.end(), '\n');
         const double values = double(fields_.size()) * double(rows);
         if (values > budget.values) {
             fail("", fmt::format("has {} columns and {} lines; all tables of a scene hold at most "

@@ -143,6 +143,7 @@ TEST_F(ElementTables, MistakesInTheFileNameItsLine) {
              {"\n# nothing\n",
               "d.csv:2: is empty; it needs a line of column names, then one element a line"},
              {"cx,cy,cz\n\n", "d.csv:2: holds no element below its header"},
+             {"cx,cy,cz", "d.csv:1: holds no element below its header"},
              {"cx,cy,cx\n1,2,3\n", "d.csv:1: cx: two columns have this name"},
              {"frame,t,cx,cy,cz\n1,0,0,0,0\n",
               "d.csv:1: t: the file has a column `frame` already; one of the two tells the time"},
