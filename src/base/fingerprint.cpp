@@ -4,14 +4,25 @@
 
 namespace isomotion::base {
 
-Fingerprint& Fingerprint::add(std::span<const std::byte> bytes) {
-    constexpr auto prime = (static_cast<unsigned __int128>(0x1000000u) << 64) | 0x13bu;
+namespace {
+
+constexpr auto prime = (static_cast<unsigned __int128>(0x1000000u) << 64) | 0x13bu;
+
+} // namespace
+
+Fingerprint& Fingerprint::begin(std::uint64_t length) {
     // The length goes in too, so that parts can't run into one another.
-    for (std::uint64_t length = bytes.size(), k = 0; k < 8; ++k, length >>= 8) {
-        hash_ = (hash_ ^ (length & 0xFF)) * prime;
-    }
-    for (const std::byte byte : bytes) hash_ = (hash_ ^ static_cast<unsigned char>(byte)) * prime;
+    for (int k = 0; k < 8; ++k, length >>= 8) hash_ = (hash_ ^ (length & 0xFF)) * prime;
     return *this;
+}
+
+Fingerprint& Fingerprint::append(std::span<const std::byte> piece) {
+    for (const std::byte byte : piece) hash_ = (hash_ ^ static_cast<unsigned char>(byte)) * prime;
+    return *this;
+}
+
+Fingerprint& Fingerprint::add(std::span<const std::byte> bytes) {
+    return begin(bytes.size()).append(bytes);
 }
 
 Fingerprint& Fingerprint::add(std::string_view text) {

@@ -16,6 +16,9 @@ public:
     template<class T> Fingerprint& add_values(std::span<const T> values) {
         return add(std::as_bytes(values));
     }
+    // A part that comes in pieces: how many bytes it has, then all of them.
+    Fingerprint& begin(std::uint64_t length);
+    Fingerprint& append(std::span<const std::byte> piece);
     std::string text() const; // 32 hexadecimal digits
 
 private:

@@ -75,8 +75,17 @@ Texture::Texture(Format format, int width, int height, std::span<const float> te
 
 void Texture::update(std::span<const float> texels) {
     expect_size(format_, width_, height_, texels);
+    update_rows(0, texels);
+}
+
+void Texture::update_rows(int first, std::span<const float> texels) {
+    const int rows = int(texels.size() / (std::size_t(width_) * std::size_t(channels(format_))));
+    expect_size(format_, width_, rows, texels);
+    if (first < 0 || first + rows > height_)
+        throw std::invalid_argument(
+            fmt::format("rows {} to {} of a texture with {}", first, first + rows - 1, height_));
     bind(editing_unit);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, layout(format_).external, GL_FLOAT,
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first, width_, rows, layout(format_).external, GL_FLOAT,
                     texels.data());
 }
 

@@ -23,6 +23,9 @@ public:
     /// Replaces all texels.
     void update(std::span<const float> texels);
 
+    /// Replaces those of whole rows from `first` on.
+    void update_rows(int first, std::span<const float> texels);
+
     void bind(int unit) const;
 
     Format format() const noexcept { return format_; }

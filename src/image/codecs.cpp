@@ -50,8 +50,23 @@ Frame decode(const std::filesystem::path& file) { return codecs().decode(file); 
 
 std::string pixel_hash(const std::filesystem::path& file) { return codecs().pixel_hash(file); }
 
+int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink) {
+    return codecs().read_environment(file, sink);
+}
+
 EnvironmentMap read_environment(const std::filesystem::path& file) {
-    return codecs().read_environment(file);
+    EnvironmentMap map;
+    EnvironmentSink sink;
+    sink.begin = [&](int width, int height) {
+        map.width = width;
+        map.height = height;
+        map.texels.reserve(4 * std::size_t(width) * std::size_t(height));
+    };
+    sink.rows = [&](int, std::span<const float> texels) {
+        map.texels.insert(map.texels.end(), texels.begin(), texels.end());
+    };
+    map.mended = read_environment(file, sink);
+    return map;
 }
 
 } // namespace isomotion::image

@@ -18,7 +18,7 @@ struct Codecs {
     std::vector<std::byte> (*encode)(const Frame& frame, Format format, PixelHash* hash);
     Frame (*decode)(const std::filesystem::path& file);
     std::string (*pixel_hash)(const std::filesystem::path& file);
-    EnvironmentMap (*read_environment)(const std::filesystem::path& file);
+    int (*read_environment)(const std::filesystem::path& file, const EnvironmentSink& sink);
 };
 
 // Throws std::runtime_error if the module cannot be loaded. From any thread.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,17 @@ inline constexpr int widest_environment = 8192;
 /// no colour, is wider than `widest_environment` (checked before its pixels are read) or is not
 /// twice as wide as high: any other shape is another projection, and would show a wrong world.
 EnvironmentMap read_environment(const std::filesystem::path& file);
+
+/// What takes a map as it is read: its size, then its rows from the top, some at a time. The widest
+/// has half a gigabyte of texels, which need not be held twice.
+struct EnvironmentSink {
+    std::function<void(int width, int height)> begin;
+    std::function<void(int first, std::span<const float> texels)> rows; ///< as in EnvironmentMap
+};
+
+/// Returns how many texels were mended. Decodes what holds floats twice: what the largest is must
+/// be known before the first row.
+int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink);
 
 /// What to tell about a map with mended texels: `environment FILE: 12 texels were ...`.
 std::string mending(const std::filesystem::path& file, int mended);

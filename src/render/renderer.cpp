@@ -110,13 +110,20 @@ struct Renderer::Parts {
     }
 
     void load_environment() {
-        const image::EnvironmentMap map = image::read_environment(scene.environment->map);
-        if (map.mended > 0 && options.warn) {
-            options.warn(image::mending(scene.environment->map, map.mended));
-        }
-        environment.emplace(gpu::Format::rgba32f, map.width, map.height, map.texels);
-        environment_print =
-            base::Fingerprint().add_values(std::span<const float>(map.texels)).text();
+        base::Fingerprint print;
+        image::EnvironmentSink sink;
+        sink.begin = [&](int width, int height) {
+            environment.emplace(gpu::Format::rgba32f, width, height);
+            print.begin(4 * sizeof(float) * std::size_t(width) * std::size_t(height));
+        };
+        sink.rows = [&](int first, std::span<const float> texels) {
+            environment->update_rows(first, texels);
+            print.append(std::as_bytes(texels));
+        };
+        const int mended = image::read_environment(scene.environment->map, sink);
+        if (mended > 0 && options.warn)
+            options.warn(image::mending(scene.environment->map, mended));
+        environment_print = print.text();
     }
 
     // ----- what a frame is drawn from

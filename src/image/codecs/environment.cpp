@@ -79,54 +79,55 @@ private:
     float gamma_ = 1.0f;
 };
 
+constexpr float largest_half = 65504.0f, most = 1e6f;
+
+// The largest light of a map that is finite: what takes the place of infinity.
+float largest_of(PictureFile& picture, const Colour& colour, const Decoding& light) {
+    float largest = 0.0f;
+    for_each_decoded_band(picture, [&](int, const Frame& rows) {
+        for (const std::size_t c : colour) {
+            for (const float sample : rows.channels[c].samples) {
+                if (const float value = light(sample); std::isfinite(value))
+                    largest = std::max(largest, value);
+            }
+        }
+    });
+    return largest == 0.0f ? largest_half : std::min(largest, most);
+}
+
 float mended(float light, float largest) {
     if (!(light > 0.0f)) return 0.0f; // of NaN too
     return std::min(light, largest);
 }
 
-// Puts light in the place of what is none, or so much that products of it are no floats; how many
-// texels of R, G, B and 1 that changes.
-int mend(std::vector<float>& texels) {
-    constexpr float largest_half = 65504.0f, most = 1e6f;
-    float largest = 0.0f;
-    for (std::size_t i = 0; i < texels.size(); ++i)
-        if (i % 4 != 3 && std::isfinite(texels[i])) largest = std::max(largest, texels[i]);
-    if (largest == 0.0f) largest = largest_half;
-    largest = std::min(largest, most);
-
-    int changed = 0;
-    for (std::size_t i = 0; i < texels.size(); i += 4) {
-        bool whole = true;
-        for (std::size_t c = i; c < i + 3; ++c) {
-            const float light = mended(texels[c], largest);
-            whole = whole && light == texels[c];
-            texels[c] = light;
-        }
-        changed += !whole;
-    }
-    return changed;
-}
-
 } // namespace
 
-EnvironmentMap read_environment(const std::filesystem::path& file) {
+int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink) {
     PictureFile picture = opened(file);
     const OIIO::ImageSpec spec = picture.spec();
     check_size(file, spec);
     const Colour colour = colour_of(file, spec.channelnames);
-
-    EnvironmentMap map{spec.width, spec.height, {}, 0};
-    map.texels.assign(4 * std::size_t(map.width) * std::size_t(map.height), 1.0f);
     const Decoding light(spec);
+    // Whole numbers are from 0 to 1, and need no mending.
+    const float largest =
+        spec.format.is_floating_point() ? largest_of(picture, colour, light) : 1.0f;
+
+    sink.begin(spec.width, spec.height);
+    int changed = 0;
     for_each_decoded_band(picture, [&](int begin, const Frame& rows) {
-        float* const first = &map.texels[4 * std::size_t(begin) * std::size_t(map.width)];
-        for (std::size_t c = 0; c < 3; ++c) {
-            const std::vector<float>& samples = rows.channels[colour[c]].samples;
-            for (std::size_t i = 0; i < samples.size(); ++i) first[4 * i + c] = light(samples[i]);
+        std::vector<float> texels(4 * rows.channels[colour[0]].samples.size(), 1.0f);
+        for (std::size_t i = 0; i < texels.size(); i += 4) {
+            bool whole = true;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float sample = light(rows.channels[colour[c]].samples[i / 4]);
+                texels[i + c] = mended(sample, largest);
+                whole = whole && texels[i + c] == sample;
+            }
+            changed += !whole;
         }
+        sink.rows(begin, texels);
     });
-    map.mended = mend(map.texels);
-    return map;
+    return changed;
 }
 
 } // namespace isomotion::image::oiio

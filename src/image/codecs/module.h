@@ -16,6 +16,6 @@ namespace isomotion::image::oiio {
 std::vector<std::byte> encode(const Frame& frame, Format format, PixelHash* hash);
 Frame decode(const std::filesystem::path& file);
 std::string pixel_hash(const std::filesystem::path& file);
-EnvironmentMap read_environment(const std::filesystem::path& file);
+int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink);
 
 } // namespace isomotion::image::oiio

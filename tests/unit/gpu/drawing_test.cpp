@@ -226,6 +226,11 @@ TEST_P(DrawingTest, TexturesReachTheShader) {
     texture.update(std::array<float, 8>{0, 0, 20, 0, 0, 0.5f, 0, 0});
     texture.bind(1);
     EXPECT_EQ(draw_one(program), 20.5f);
+    texture.update_rows(1, std::array<float, 4>{0, 3, 0, 0});
+    texture.bind(1);
+    EXPECT_EQ(draw_one(program), 23.0f);
+    EXPECT_THROW(texture.update_rows(2, std::array<float, 4>{}), std::invalid_argument);
+    EXPECT_THROW(texture.update_rows(0, std::array<float, 3>{}), std::invalid_argument);
     EXPECT_THROW(Texture(Format::r32f, 2, 2, texels), std::invalid_argument);
 }
 

@@ -149,6 +149,34 @@ TEST_F(EnvironmentFile, GrayIsWidened) {
     EXPECT_EQ(map.texels, (std::vector{0.25f, 0.25f, 0.25f, 1.0f, 4.0f, 4.0f, 4.0f, 1.0f}));
 }
 
+TEST_F(EnvironmentFile, LargeMapsComeInBands) {
+    // More than the 64 MB of rows that are decoded at once.
+    constexpr int width = 4000, height = 2000;
+    Frame frame = plain(width, height, 1, 2, 3);
+    std::vector<float>& red = frame.channels[0].samples;
+    for (std::size_t i = 0; i < red.size(); ++i) red[i] = float(i / width);
+    red[0] = infinity; // becomes the largest, which is in the last row
+    int bands = 0, next = 0, begun = 0;
+    EnvironmentSink sink;
+    sink.begin = [&](int w, int h) { begun += w == width && h == height; };
+    sink.rows = [&](int first, std::span<const float> texels) {
+        EXPECT_EQ(first, next);
+        ASSERT_EQ(texels.size() % (4 * width), 0u);
+        for (std::size_t i = 0; i < texels.size(); i += 4) {
+            const auto pixel = std::size_t(first) * width + i / 4;
+            const float wanted = pixel == 0 ? float(height - 1) : float(pixel / width);
+            ASSERT_EQ(texels[i], wanted) << pixel;
+            ASSERT_EQ(texels[i + 1], 2.0f) << pixel;
+        }
+        next += int(texels.size() / (4 * width));
+        ++bands;
+    };
+    EXPECT_EQ(read_environment(write("a.exr", frame), sink), 1);
+    EXPECT_EQ(begun, 1);
+    EXPECT_GT(bands, 1);
+    EXPECT_EQ(next, height);
+}
+
 TEST_F(EnvironmentFile, OtherChannelsAreLeftOut) {
     Frame frame = plain(2, 1, 1, 2, 3);
     frame.channels.push_back({"Z", {nan, infinity}});
