@@ -286,6 +286,14 @@ formula::ArrayColumns<double> Animation::columns(std::size_t a, const Values& va
     return columns;
 }
 
+double Animation::operations() const {
+    double total = double(tracks_.size());
+    for (const std::optional<Compiled>& track : compiled_) {
+        if (track) total += formula::cost(track->program, {}).operations;
+    }
+    return total;
+}
+
 double Animation::operations(std::size_t array) const {
     const CompiledArray& compiled = compiled_arrays_[array];
     double total = 0;

@@ -95,6 +95,8 @@ public:
         return compiled_arrays_[array].referenced[field];
     }
 
+    // Operations that all tracks take at one time.
+    double operations() const;
     // Operations that an array's values take at one time, and how many values they are, all
     // elements counted.
     double operations(std::size_t array) const;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <iostream>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -56,8 +58,11 @@ int run_command(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        // CLI11 counts --help and --version as errors with code 0.
-        return app.exit(error) == 0 ? exit_done : exit_usage;
+        // CLI11 counts --help and --version as errors with code 0. Its messages repeat words.
+        std::ostringstream messages;
+        if (app.exit(error, std::cout, messages) == 0) return exit_done;
+        write_message(base::printable(messages.str()));
+        return exit_usage;
     }
     try {
         end_with_input();
@@ -80,7 +85,7 @@ int run_command(int argc, char** argv) {
     } catch (const gpu::ResourceError& error) {
         return report(exit_machine, error);
     } catch (const std::bad_alloc&) {
-        message("out of memory: the picture is too large for this machine\n");
+        message("out of memory: this takes more than the machine or a limit allows\n");
         return exit_machine;
     } catch (const std::exception& error) {
         return report(exit_machine, error);

@@ -224,8 +224,8 @@ std::size_t Document::line_of(const std::string& key) const {
 }
 
 void DocumentNode::fail(const std::string& message) const {
-    throw InputError(
-        fmt::format("{}: {}", place(document_->file_, document_->line_of(key_), key_), message));
+    throw InputError(printable_line(
+        fmt::format("{}: {}", place(document_->file_, document_->line_of(key_), key_), message)));
 }
 
 std::string DocumentNode::text() const {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/partial_file.h"
+#include "base/printable.h"
 
 namespace isomotion::base {
 namespace {
@@ -23,7 +24,8 @@ bool is_stream(const std::filesystem::path& path) {
 
 FileError::FileError(const std::filesystem::path& path, const std::string& attempt, int code)
     : std::runtime_error(
-          fmt::format("{}: {}: {}", path.string(), attempt, std::generic_category().message(code)))
+          fmt::format("{}: {}: {}", printable_line(path.string()), attempt,
+                      std::generic_category().message(code)))
     , path_(path)
     , code_(code) {}
 

@@ -43,8 +43,9 @@ std::string shown(std::string_view text, bool keeps_lines) {
     while (!text.empty()) {
         const Character character = first_character(text);
         const std::string_view bytes = text.substr(0, character.bytes);
-        const bool ends = bytes == "\n" || bytes == "\t" || text.starts_with("\r\n");
-        if ((keeps_lines && ends) || is_shown(character)) {
+        const bool ends = bytes == "\n" || bytes == "\t";
+        if (keeps_lines && text.starts_with("\r\n")) { // the line end alone
+        } else if ((keeps_lines && ends) || is_shown(character)) {
             result += bytes;
         } else {
             result += "\xEF\xBF\xBD";

@@ -8,7 +8,7 @@ namespace isomotion::base {
 
 // The text with U+FFFD in place of each character that would not be shown but obeyed: control
 // characters (escape sequences begin with one), those that turn the direction of writing, and bytes
-// that are no UTF-8. Line ends and tabs stay.
+// that are no UTF-8. Line ends stay, without a carriage return, and tabs.
 std::string printable(std::string_view text);
 
 // The same with U+FFFD for line ends and tabs too: one line, whatever the text.

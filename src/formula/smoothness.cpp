@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -199,7 +200,20 @@ private:
 
     bool may_be_there(NodeId decoration) { return may_be_near_0(decoration, graph_.constant(0)); }
 
+    // Making programs for one place of many takes as long as running them.
+    bool may_look() {
+        made_ += double(graph_.size() + field_.directional.instructions.size());
+        return made_ <= 2e7;
+    }
+
+    // F, and the entire line where it has no value.
+    NodeId value_with_gaps() {
+        if (!value_) value_ = with_gaps(graph_, field_.root);
+        return *value_;
+    }
+
     bool may_be_near_0(NodeId decoration, NodeId value) {
+        if (!may_look()) return true;
         const Program program = schedule(graph_, std::array{value, decoration});
         Inspection inspection(program, evaluations(program));
         return !std::all_of(regions_.begin(), regions_.end(),
@@ -210,6 +224,7 @@ private:
     // turns from a to b, b may be on its way to 0. Places that few rays meet, as
     // sqrt(x^2 + y^2) = 0, matter where F may be 0.
     bool matters(NodeId decoration, Met least) {
+        if (!may_look()) return true;
         const Program program = schedule(graph_, std::array{decoration});
         LineProbe probe(program, field_.directional);
         // A line takes some 500 evaluations.
@@ -220,13 +235,15 @@ private:
             all = std::max(all, probe.along_lines(region, lines));
             if (all >= least) return true;
         }
-        return all == Met::nothing && may_be_near_0(decoration, with_gaps(graph_, field_.root));
+        return all == Met::nothing && may_be_near_0(decoration, value_with_gaps());
     }
 
     const Field& field_;
     Graph graph_;
     std::span<const Region> regions_;
     double operations_;
+    double made_ = 0; // nodes and instructions of programs
+    std::optional<NodeId> value_;
     std::vector<int> counts_;
 };
 

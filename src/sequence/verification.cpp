@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "animation/frame_range.h"
+#include "base/printable.h"
 #include "image/decode.h"
 #include "sequence/frame_status.h"
 #include "sequence/manifest.h"
+#include "sequence/manifest_json.h"
 #include "sequence/names/sequence_name.h"
 
 namespace isomotion::sequence {
@@ -134,6 +136,12 @@ Verification verify(const fs::path& manifest, const VerifyOptions& how) {
     std::ranges::sort(asked);
     const auto name =
         SequenceName::parse((manifest.parent_path() / found.sequence.format.pattern).string());
+    if (const fs::path right = manifest_folder(name); right.filename() != manifest.filename()) {
+        throw ManifestError(fmt::format("{}: is a manifest of {}, which belongs into {}",
+                                        base::printable_line(manifest.string()),
+                                        found.sequence.format.pattern,
+                                        base::printable_line(right.filename().string())));
+    }
     for (std::size_t k = 0; k < asked.size(); ++k) {
         if (how.progress) how.progress(int(k), int(asked.size()));
         look_at(asked[k], name.path(asked[k]), how.pixels, found);

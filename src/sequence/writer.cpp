@@ -5,6 +5,7 @@
 
 #include "base/content_hash.h"
 #include "base/file.h"
+#include "base/partial_file.h"
 
 namespace isomotion::sequence {
 
@@ -66,7 +67,14 @@ void SequenceWriter::write(Job job) const {
     const std::filesystem::path file = name_.path(job.frame);
     const image::Encoded encoded = image::encode_with_hash(job.image, format_);
     job.image = {}; // its memory is free for the next frame while this one goes to the disk
-    base::write_whole(file, encoded.bytes);
+    // A pipe or a device may be a lone picture's; in the place of one of many it would swallow it.
+    if (name_.holds_many()) {
+        base::PartialFile partial(file);
+        partial.write(encoded.bytes);
+        partial.publish();
+    } else {
+        base::write_whole(file, encoded.bytes);
+    }
     if (!job.then) return;
     job.then({file, encoded.bytes.size(), base::content_hash(encoded.bytes), encoded.pixels});
 }

@@ -17,7 +17,7 @@ constexpr double of_vertex = 8, of_value = 50, of_value_operation = 25;
 
 double operations_of_values(const scene::Scene& scene) {
     const animation::Animation& animation = scene.timeline.animation;
-    double operations = 0;
+    double operations = of_value_operation * animation.operations();
     for (std::size_t a = 0; a < animation.arrays().size(); ++a)
         operations += of_value_operation * animation.operations(a) + of_value * animation.values(a);
     return operations;

@@ -43,6 +43,23 @@ TEST_F(Stranger, ReadsItsOwnFolderUnlessAllowedMore) {
     EXPECT_THAT(run({"play", "--help"}).out, HasSubstr("--allow-outside"));
 }
 
+TEST_F(Stranger, NamesAndValuesThatCommandATerminalAreShownOnly) {
+    write("e.json", "{\"events\": [\"\\r\\nforged\"]}");
+    const Words lines[] = {
+        {"show", "sphere.toml", "\x1b[31mEVIL"},
+        {"render", "sphere.toml", "--max-wrong=\x1b[31mEVIL"},
+        {"show", "a\rb\x1b[2J.toml"},
+        {"verify", "a\rb\x1b[2J.####.png"},
+        {"topology", "sphere.toml", "--certify", "off", "--check", "e.json"},
+    };
+    for (const Words& line : lines) {
+        const Ending ending = run(line);
+        EXPECT_GE(ending.code, 2) << ending;
+        EXPECT_THAT(ending.err + ending.out,
+                    Not(AnyOf(HasSubstr("\r"), HasSubstr("\x1b"), HasSubstr("\nforged"))));
+    }
+}
+
 void expect_finite(const std::filesystem::path& file) {
     for (const image::Channel& channel : image::decode(file).channels) {
         for (const float sample : channel.samples) {

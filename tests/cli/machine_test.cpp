@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include <sys/mount.h>
+#include <sys/stat.h>
 
 namespace isomotion::cli {
 namespace {
@@ -42,6 +43,17 @@ TEST_F(Machine, AFolderIsWhereAFrameBelongs) {
     std::filesystem::create_directory(*this / "a.0002.png");
     expect_refusal(render_to("a.####.png"), "a.0002.png: cannot be replaced: Is a directory");
     EXPECT_TRUE(std::filesystem::is_directory(*this / "a.0002.png"));
+}
+
+TEST_F(Machine, APipeOrADeviceIsWhereAFrameBelongs) {
+    ASSERT_EQ(::mkfifo((*this / "p.0001.png").c_str(), 0600), 0);
+    std::filesystem::create_symlink("/dev/zero", *this / "d.0001.png");
+    for (const char* name : {"p.####.png", "d.####.png"}) {
+        const Ending ending = run(
+            {"render", "sphere.toml", "--frames", "1-2", "--size", "8x8", "--quiet", "-o", name});
+        EXPECT_EQ(ending.code, 3) << name << ending;
+        EXPECT_THAT(ending.err, HasSubstr("0001.png: cannot be replaced")) << name;
+    }
 }
 
 TEST_F(Machine, ReadOnlyDisk) {

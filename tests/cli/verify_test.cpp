@@ -95,6 +95,10 @@ TEST_F(Verify, SequencesOfLikeNamesDontMeet) {
     const Ending moved = verify("out/a####.png");
     EXPECT_EQ(moved.code, 3) << moved;
     EXPECT_THAT(moved.err, HasSubstr("is the manifest of a.##.png"));
+    const Ending all = verify("out");
+    EXPECT_EQ(all.code, 3) << all;
+    EXPECT_THAT(all.err, HasSubstr("a####.png.manifest: is a manifest of a.##.png, which belongs "
+                                   "into a.##.png.manifest"));
 }
 
 TEST_F(Verify, AManifestOfFilesElsewhereIsNone) {
@@ -115,6 +119,16 @@ TEST_F(Verify, WhatCannotBeRead) {
         EXPECT_EQ(ending.code, 3) << name << ending;
         EXPECT_THAT(ending.err, Not(IsEmpty()));
         EXPECT_THAT(ending.out, IsEmpty());
+    }
+    for (const std::string frames : {"a\\r\\nforged", "1-\\u001b[2J"}) {
+        std::string other = bytes("out/a.manifest/sequence.json");
+        const auto at = other.find("\"frames\": \"") + 11;
+        other.replace(at, other.find('"', at) - at, frames);
+        write("out/a.manifest/sequence.json", other);
+        const Ending forged = verify("out");
+        EXPECT_EQ(forged.code, 3) << forged;
+        EXPECT_THAT(forged.err,
+                    Not(AnyOf(HasSubstr("\r"), HasSubstr("\nforged"), HasSubstr("\x1b"))));
     }
     write("out/a.manifest/sequence.json", "{");
     const Ending ending = verify("out");

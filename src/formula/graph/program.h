@@ -45,8 +45,8 @@ Program schedule(const Graph& graph, std::span<const NodeId> roots, std::uint32_
 // What one run of the program takes when array k has counts[k] elements.
 struct Cost {
     double operations = 0; // arithmetic operations and functions
-    double functions = 0;  // of them, those that aren't built into processors: exp, sin, power, ...
     double iterations = 0; // loop iterations, nested ones multiplied out
+    double functions = 0;  // operations that aren't built into processors: exp, sin, power, ...
 };
 Cost cost(const Program& program, std::span<const int> counts);
 

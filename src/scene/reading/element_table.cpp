@@ -103,8 +103,9 @@ private:
 
     // At most a row a line.
     void take_values_off(TableBudget& budget) const {
+        const bool ends = text_.empty() || text_.back() == '\n';
         const auto rows =
-            1 + std::ranges::count(text_.begin() + std::ptrdiff_t(at_), text_.end(), '\n');
+            std::ranges::count(text_.begin() + std::ptrdiff_t(at_), text_.end(), '\n') + !ends;
         const double values = double(fields_.size()) * double(rows);
         if (values > budget.values) {
             fail("", fmt::format("has {} columns and {} lines; all tables of a scene hold at most "

@@ -19,7 +19,7 @@ struct Price {
 };
 
 Price price(const formula::Field& field, const formula::Bindings<double>& bindings) {
-    // Times as dear as a sum or product of numbers. Of long programs the registers fit no cache.
+    // Times as dear as a sum or product of numbers. The registers of long programs fit no cache.
     constexpr double function = 20, turn = 3, interval = 3, long_one = 3;
     constexpr std::size_t is_long = 1000;
     std::vector<int> counts;

@@ -37,7 +37,7 @@ private:
 SignGrid frame_signs(const formula::Field& field, const formula::Bindings<double>& bindings,
                      const scene::BoundsAt& bounds, Side solid, int side, int threads = 0);
 
-// Of many frames of one field, which must outlive it.
+// Signs of many frames of one field, which must outlive this.
 class FrameSigns {
 public:
     explicit FrameSigns(const formula::Field& field);

@@ -15,7 +15,7 @@ using formula::Interval;
 constexpr int per_face = 64; // intervals in each direction
 constexpr int smallest = 8;  // of a patch
 
-// Of a formula that takes more at all points, fewer are asked.
+// A formula that takes more at all points is asked at fewer.
 constexpr double most_operations = 1e9;
 
 // Points `u` to `u + side` and `v` to `v + side` of a face, 0 to 5.
@@ -34,7 +34,8 @@ public:
         , enclosure_(enclosure_program_) {
         std::vector<int> counts;
         for (const auto& array : numbers_.arrays) counts.push_back(array.count);
-        of_point_ = formula::cost(field.value, counts).operations + 1;
+        const formula::Cost cost = formula::cost(field.value, counts);
+        of_point_ = 1 + cost.operations + 20 * cost.functions;
     }
 
     Side solid() {
@@ -109,7 +110,7 @@ private:
         }
         Interval f;
         enclosure_.point(intervals_, box, {&f, 1});
-        operations_ += 8 * of_point_;
+        operations_ += 3 * of_point_;
         negative_ |= f.hi < 0;
         positive_ |= f.lo > 0;
         return f.hi < 0 || f.lo > 0;

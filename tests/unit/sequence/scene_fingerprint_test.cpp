@@ -47,7 +47,7 @@ TEST(SceneFingerprint, TheNumberOfFramesDoesNotCount) {
               print({"time.frames=9", "output.poster=2"}));
 }
 
-TEST(SceneFingerprint, OfATableCountsWhatIsRead) {
+TEST(SceneFingerprint, CountsTheColumnsOfATableThatAreRead) {
     const auto print_of = [](const char* rows) {
         const auto folder = std::filesystem::temp_directory_path();
         const std::string table = fmt::format("isomotion-columns-{}.csv", getpid());
