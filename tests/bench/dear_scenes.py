@@ -61,6 +61,16 @@ def scenes():
     yield "kinks and jumps", scene(rough)
     yield "surface everywhere", scene("+".join(f"sin({90+k}*x)*cos({k}*y-z)" for k in range(900)))
     yield "a million frames", scene("x-c*1e-6").replace("frames = 100", "frames = 1000000") + "[parameters]\nc = 't'\n"
+    turning = "+".join(f"acos(sin({k}*x+y*{k + 1}+p))^(p+1.5)" for k in range(9000))
+    yield "kinks that may be", scene(turning, "[parameters]\np = 't'\n")
+    steps = "+".join(f"floor({k % 7 + 1}*x+y/{k + 1})" for k in range(10000))
+    yield "steps", scene(steps)
+    moving = {"cx": "sin(i*t+i)", "cy": "cos(i*t+2*i)", "cz": "sin(3*i+t)", "r": "1+random(i,0)"}
+    power = "sum(a, 1/(exp(x-cx)+sin(y-cy)^1.3+(z-cz)^r+0.01)) - 5"
+    yield "functions of elements", scene(power, array("a", 10**6, moving))
+    long = "+".join(f"sin({k}*t)" for k in range(20000))
+    often = scene("x-p", f"[parameters]\np = '{long}'\n")
+    yield "a long expression of time", often.replace("frames = 100", "frames = 100000")
     tables = "".join(f'[arrays.a{k}]\nfile = "table.csv"\n' for k in range(32))
     yield "a table named often", scene("x+" + "+".join(f"sum(a{k}, c1)" for k in range(32)), tables)
 

@@ -100,7 +100,7 @@ TEST_F(Driver, SixteenThousandPixelsSquareInTooLittleMemory) {
         words.push_back(word);
     }
     const Ending ending = cli::run(words, circumstances());
-    expect_refusal(ending, "out of memory: the picture is too large for this machine");
+    expect_refusal(ending, "out of memory: this takes more than the machine or a limit allows");
     EXPECT_EQ(finished("out"), 0);
 }
 
