@@ -145,7 +145,7 @@ TEST_F(Scenes, AreRegularFiles) {
 TEST_F(Scenes, ArePrinted) {
     for (const auto& [text, shown] :
          {std::pair<std::string, std::string>{"plain, ä, 形, 🎥\n\ttext\r\n",
-                                              "plain, ä, 形, 🎥\n\ttext\r\n"},
+                                              "plain, ä, 形, 🎥\n\ttext\n"},
           {"\x1b[31mred\x07", "\uFFFD[31mred\uFFFD"},
           {"over\rwritten", "over\uFFFDwritten"},
           {std::string("\0end", 4), "\uFFFDend"},
