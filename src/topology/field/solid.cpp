@@ -40,6 +40,7 @@ public:
 
     Side solid() {
         std::vector<Patch> open;
+        open.reserve(6);
         for (int face = 0; face < 6; ++face) open.push_back({face, 0, 0, per_face});
         while (!open.empty()) {
             std::vector<Patch> quarters;
