@@ -3,6 +3,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <sstream>
 
@@ -80,6 +81,9 @@ int run_command(int argc, char** argv) {
         return report(exit_machine, error);
     } catch (const base::FileError& error) {
         return report(exit_machine, error);
+    } catch (const std::filesystem::filesystem_error& error) { // a path that is too long
+        return report(exit_machine,
+                      base::FileError(error.path1(), "cannot be reached", error.code().value()));
     } catch (const sequence::MovieError& error) {
         return report(exit_machine, error);
     } catch (const gpu::ResourceError& error) {

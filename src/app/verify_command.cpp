@@ -51,20 +51,17 @@ std::vector<fs::path> manifests_of(const std::string& what) {
     if (fs::is_directory(path)) {
         auto found = manifests_in(path);
         if (!found.empty()) return found;
-        throw base::FileError(path, "has no sequence with a manifest, as render writes them",
-                              ENOENT);
+        throw base::FileError(path, "has no sequence with a manifest, as render writes them");
     }
     const auto name = sequence::SequenceName::parse(what);
     if (name.holds_many()) {
         const fs::path manifest = sequence::manifest_folder(name);
         const std::string files = sequence::read_sequence(manifest).format.pattern;
-        if (files != name.pattern())
-            throw base::FileError(manifest, "is the manifest of " + files, EINVAL);
+        if (files != name.pattern()) throw base::FileError(manifest, "is the manifest of " + files);
         return {manifest};
     }
     if (fs::path stem = path; is_manifest(stem += ".manifest")) return {stem};
-    throw base::FileError(path, "is neither a folder nor a sequence's name, as out/name.####.png",
-                          ENOENT);
+    throw base::FileError(path, "is neither a folder nor a sequence's name, as out/name.####.png");
 }
 
 void tell(const sequence::Verification& found) {

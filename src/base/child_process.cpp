@@ -142,10 +142,16 @@ bool ChildProcess::feed(std::span<const std::byte> bytes, const Stop& stop) {
 
 bool ChildProcess::finish() {
     input_.close();
+    wait();
+    return succeeded();
+}
+
+void ChildProcess::wait() {
+    if (id_ < 0) return;
     while (::waitpid(id_, &status_, 0) < 0 && errno == EINTR) {
     }
+    input_.close();
     id_ = -1;
-    return succeeded();
 }
 
 bool ChildProcess::ends_before(const Stop& stop) {

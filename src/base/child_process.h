@@ -55,10 +55,14 @@ public:
     void interrupt();
 
     /// Asks it to end by SIGTERM: Ctrl-C at a terminal reaches it too, and a second interrupt would
-    /// not leave it the time to put its files in order.
+    /// not leave it the time to put its files in order. wait() for it, with its input open.
     void terminate();
 
-    /// Only after finish(), or once it has ended().
+    /// Waits for the program without ending its input, which a worker of a farm takes for its
+    /// farm's end, so for a second SIGTERM.
+    void wait();
+
+    /// Only after finish() or wait(), or once it has ended().
     bool succeeded() const;
     /// How it ended: "exit status 1", "signal 9".
     std::string ending() const;

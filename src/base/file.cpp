@@ -23,11 +23,15 @@ bool is_stream(const std::filesystem::path& path) {
 } // namespace
 
 FileError::FileError(const std::filesystem::path& path, const std::string& attempt, int code)
-    : std::runtime_error(
-          fmt::format("{}: {}: {}", printable_line(path.string()), attempt,
-                      std::generic_category().message(code)))
+    : std::runtime_error(fmt::format("{}: {}: {}", printable_line(path.string()), attempt,
+                                     std::generic_category().message(code)))
     , path_(path)
     , code_(code) {}
+
+FileError::FileError(const std::filesystem::path& path, const std::string& wrong)
+    : std::runtime_error(fmt::format("{}: {}", printable_line(path.string()), wrong))
+    , path_(path)
+    , code_(0) {}
 
 void write_whole(const std::filesystem::path& path, std::span<const std::byte> bytes) {
     if (is_stream(path)) {
@@ -48,7 +52,7 @@ std::vector<std::byte> read_whole(const std::filesystem::path& path, std::size_t
     struct stat found = {};
     if (::fstat(file.number(), &found) != 0) throw FileError(path, "cannot be read", errno);
     if (S_ISDIR(found.st_mode)) throw FileError(path, "cannot be read", EISDIR);
-    if (!S_ISREG(found.st_mode)) throw FileError(path, "is a pipe or a device", EINVAL);
+    if (!S_ISREG(found.st_mode)) throw FileError(path, "is a pipe or a device");
     const auto too_large = [&] {
         return FileError(path, fmt::format("has more than {} bytes", most), EFBIG);
     };

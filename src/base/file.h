@@ -9,13 +9,15 @@
 
 namespace isomotion::base {
 
-/// The file system refused. The message has the path, what was tried and the system's reason.
+/// The file system refused, or a file is not what it has to be. The message has the path, what was
+/// tried or is wrong, and the system's reason if there is one.
 class FileError : public std::runtime_error {
 public:
     FileError(const std::filesystem::path& path, const std::string& attempt, int code);
+    FileError(const std::filesystem::path& path, const std::string& wrong);
 
     const std::filesystem::path& path() const { return path_; }
-    /// The errno, such as ENOSPC.
+    /// The errno, such as ENOSPC; 0 where it was not the system that refused.
     int code() const { return code_; }
 
 private:

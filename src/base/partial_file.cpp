@@ -51,7 +51,8 @@ FileDescriptor open_locked(const std::filesystem::path& path,
 void refuse_special(const std::filesystem::path& destination) {
     struct stat found = {};
     if (::stat(destination.c_str(), &found) != 0 || S_ISREG(found.st_mode)) return;
-    throw FileError(destination, "cannot be replaced", S_ISDIR(found.st_mode) ? EISDIR : EINVAL);
+    if (S_ISDIR(found.st_mode)) throw FileError(destination, "cannot be replaced", EISDIR);
+    throw FileError(destination, "cannot be replaced: it is a pipe or a device");
 }
 
 /// A renamed file survives a power cut only once its folder is on the disk too. Not every file

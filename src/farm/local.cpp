@@ -79,7 +79,7 @@ public:
             std::this_thread::sleep_for(glance);
         }
         for (const auto& worker : working_) worker->process.terminate();
-        for (const auto& worker : working_) worker->process.finish();
+        for (const auto& worker : working_) worker->process.wait();
         ending_.stopped = true;
         return ending_;
     }
@@ -157,7 +157,7 @@ Ending run_locally(const Words& words, const Watcher& watcher) {
     while (!process.ended()) {
         if (watcher.stop()) {
             process.terminate();
-            process.finish();
+            process.wait();
             return {.stopped = true};
         }
         std::this_thread::sleep_for(glance);

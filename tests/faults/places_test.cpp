@@ -53,6 +53,18 @@ TEST_F(Places, AFileIsWhereTheManifestBelongs) {
     EXPECT_EQ(finished("out"), 0);
 }
 
+TEST_F(Places, AnOutputsPathIsTooLong) {
+    for (const std::string& name : {std::string(300, 'a'), std::string(100, 'a') + '/'}) {
+        std::string folder;
+        while (folder.size() < 5000) folder += name;
+        const Ending ending = run(command(folder, {"--frames", "1-2"}));
+        EXPECT_EQ(ending.code, 3) << ending;
+        EXPECT_THAT(ending.err, HasSubstr(name));
+        EXPECT_THAT(ending.err, HasSubstr("File name too long"));
+        EXPECT_THAT(ending.err, Not(HasSubstr("filesystem error")));
+    }
+}
+
 TEST_F(Places, AFolderIsWhereARecordBelongs) {
     fs::create_directories(*this / "out/a.manifest/0002.json");
     const Ending ending = run(command("out", {"--frames", "1-3"}));

@@ -41,11 +41,16 @@ fs::path beside(const toml::node& node, const std::string& name) {
 
 fs::path named_file(const toml::node& node, const std::string& key,
                     std::span<const fs::path> places, Reach reach) {
+    const fs::path* endless = nullptr;
     for (const fs::path& file : places) {
         // A zero would end the name for the system and not for us.
         std::error_code ignored;
         if (file.native().find('\0') != std::string::npos) continue;
-        if (!fs::is_regular_file(file, ignored)) continue;
+        const fs::file_status found = fs::status(file, ignored);
+        if (!fs::is_regular_file(found)) {
+            if (fs::exists(found) && !fs::is_directory(found)) endless = &file;
+            continue;
+        }
         const auto& document = node.source().path;
         if (document && reach == Reach::own_folder && !is_near(file, *document)) {
             fail(node, key,
@@ -54,6 +59,10 @@ fs::path named_file(const toml::node& node, const std::string& key,
                              file.string()));
         }
         return file;
+    }
+    if (endless) {
+        fail(node, key,
+             fmt::format("{} is a pipe or a device, not a regular file", endless->string()));
     }
     std::vector<std::string> names;
     for (const fs::path& file : places) names.push_back(file.string());

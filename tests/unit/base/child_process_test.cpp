@@ -53,5 +53,19 @@ TEST(ChildProcess, EndsByItselfBeforeADeadlineThatHasPassed) {
     EXPECT_EQ(child.ending(), "signal 11");
 }
 
+// A worker takes the end of its input for a second signal, which leaves it no time.
+TEST(ChildProcess, WaitsWithItsInputOpen) {
+    ChildProcess child = shell("exec 3<&0; (read line <&3; echo input ended) &"
+                               "trap 'sleep 0.2; kill $!; exit 7' TERM; echo ready; wait");
+    while (child.output().empty()) {
+    }
+    child.terminate();
+    child.wait();
+    EXPECT_EQ(child.exit_status(), 7);
+    EXPECT_EQ(child.output(), "ready\n");
+    child.wait(); // once more changes nothing
+    EXPECT_EQ(child.exit_status(), 7);
+}
+
 } // namespace
 } // namespace isomotion::base
