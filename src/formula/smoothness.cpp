@@ -203,7 +203,7 @@ private:
     // Making programs for one place of many takes as long as running them.
     bool may_look() {
         made_ += double(graph_.size() + field_.directional.instructions.size());
-        return made_ <= 2e7;
+        return made_ <= 1e7;
     }
 
     // F, and the entire line where it has no value.

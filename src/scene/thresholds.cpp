@@ -29,7 +29,7 @@ std::vector<Sample> samples_of(const formula::Field& field, const SceneAt& scene
     const double operations = std::max(formula::cost(field.gradient, counts).operations,
                                        formula::cost(field.value, counts).operations);
     // But a formula at the limits (scene/limits.h) must not keep a scene from being read.
-    const double least = std::clamp(1.28e8 / (operations + 1), 2.0, 128.0);
+    const double least = std::clamp(6.4e7 / (operations + 1), 2.0, 128.0);
     const int count = int(std::clamp(2e7 / (operations + 1), least, 4096.0));
 
     formula::FieldEvaluator<T> evaluate(field);

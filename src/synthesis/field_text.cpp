@@ -1,6 +1,7 @@
 #include "synthesis/field_text.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -67,29 +68,44 @@ std::string as_comment(std::string formula) {
 
 bool is_on_intervals(FieldFunction function) { return function >= FieldFunction::value_interval; }
 
-// The instructions behind a function.
-formula::Program program_of(const formula::Field& field, FieldFunction function) {
-    switch (function) {
-    case FieldFunction::value:
-        return field.value;
-    case FieldFunction::directional:
-        return field.directional;
-    case FieldFunction::gradient:
-        return field.gradient;
-    case FieldFunction::value_interval:
-        return formula::enclosure_programs(field).value;
-    case FieldFunction::directional_interval:
-        return formula::enclosure_programs(field).directional;
-    case FieldFunction::rough:
-        return formula::enclosure_programs(field).rough;
-    case FieldFunction::breaks:
-        return formula::enclosure_programs(field).breaks;
-    case FieldFunction::hessian_interval:
-        return formula::hessian_program(field).value();
-    default:
-        return formula::enclosure_programs(field).gradient;
+// The instructions behind functions. Those on intervals are derived once, where they are asked for.
+class FieldPrograms {
+public:
+    explicit FieldPrograms(const formula::Field& field)
+        : field_(field) {}
+
+    const formula::EnclosurePrograms& enclosures() {
+        if (!enclosures_) enclosures_ = formula::enclosure_programs(field_);
+        return *enclosures_;
     }
-}
+
+    formula::Program of(FieldFunction function) {
+        switch (function) {
+        case FieldFunction::value:
+            return field_.value;
+        case FieldFunction::directional:
+            return field_.directional;
+        case FieldFunction::gradient:
+            return field_.gradient;
+        case FieldFunction::value_interval:
+            return enclosures().value;
+        case FieldFunction::directional_interval:
+            return enclosures().directional;
+        case FieldFunction::rough:
+            return enclosures().rough;
+        case FieldFunction::breaks:
+            return enclosures().breaks;
+        case FieldFunction::hessian_interval:
+            return formula::hessian_program(field_).value();
+        default:
+            return enclosures().gradient;
+        }
+    }
+
+private:
+    const formula::Field& field_;
+    std::optional<formula::EnclosurePrograms> enclosures_;
+};
 
 struct FunctionParts {
     std::set<std::string> kernels;
@@ -97,7 +113,7 @@ struct FunctionParts {
     bool on_intervals = false;
 };
 
-FunctionParts parts_of(const formula::Field& field, FieldFunction function,
+FunctionParts parts_of(const formula::Field& field, FieldPrograms& all, FieldFunction function,
                        formula::Numbers numbers = formula::Numbers::floats) {
     using formula::interval_kernels_used, formula::kernels_used;
     switch (function) {
@@ -111,11 +127,11 @@ FunctionParts parts_of(const formula::Field& field, FieldFunction function,
         break;
     }
     if (function == FieldFunction::hessian_interval) {
-        const formula::Program bend = formula::hessian_program(field).value();
+        const formula::Program bend = all.of(function);
         return {interval_kernels_used(bend),
                 formula::glsl_hessian_interval(bend, field.packing, numbers), true};
     }
-    const formula::EnclosurePrograms programs = formula::enclosure_programs(field);
+    const formula::EnclosurePrograms& programs = all.enclosures();
     switch (function) {
     case FieldFunction::value_interval:
         return {interval_kernels_used(programs.value),
@@ -163,9 +179,10 @@ FieldStorage field_storage(const formula::Field& field, int parameters, std::spa
 
 formula::Cost cost(const formula::Field& field, const std::vector<FieldFunction>& functions,
                    std::span<const int> counts) {
+    FieldPrograms programs(field);
     formula::Cost total;
     for (const FieldFunction function : functions) {
-        const formula::Cost one = formula::cost(program_of(field, function), counts);
+        const formula::Cost one = formula::cost(programs.of(function), counts);
         total.operations += (is_on_intervals(function) ? interval_operations : 1) * one.operations;
         total.iterations += one.iterations;
     }
@@ -178,8 +195,9 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     std::set<std::string> kernels, interval_kernels;
     bool on_intervals = false;
     std::string generated;
+    FieldPrograms programs(field);
     for (const FieldFunction function : functions) {
-        FunctionParts parts = parts_of(field, function);
+        FunctionParts parts = parts_of(field, programs, function);
         (parts.on_intervals ? interval_kernels : kernels).merge(parts.kernels);
         on_intervals |= parts.on_intervals;
         generated += parts.glsl;
@@ -207,8 +225,9 @@ void add_field_on_doubles(ShaderText& text, const formula::Field& field,
                           const std::vector<FieldFunction>& functions) {
     std::set<std::string> kernels;
     std::string generated;
+    FieldPrograms programs(field);
     for (const FieldFunction function : functions) {
-        FunctionParts parts = parts_of(field, function, formula::Numbers::doubles);
+        FunctionParts parts = parts_of(field, programs, function, formula::Numbers::doubles);
         kernels.merge(parts.kernels);
         generated += parts.glsl;
     }

@@ -16,7 +16,7 @@ constexpr int per_face = 64; // intervals in each direction
 constexpr int smallest = 8;  // of a patch
 
 // A formula that takes more at all points is asked at fewer.
-constexpr double most_operations = 1e9;
+constexpr double most_operations = 5e8;
 
 // Points `u` to `u + side` and `v` to `v + side` of a face, 0 to 5.
 struct Patch {
