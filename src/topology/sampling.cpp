@@ -13,7 +13,7 @@ namespace isomotion::topology {
 namespace {
 
 // Beside F: components and loops of a grid, and fields of arrays.
-constexpr double of_vertex = 8, of_value = 50, of_value_operation = 25;
+constexpr double of_vertex = 8, of_value = 150, of_value_operation = 25;
 
 double operations_of_values(const scene::Scene& scene) {
     const animation::Animation& animation = scene.timeline.animation;
