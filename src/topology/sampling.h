@@ -15,7 +15,7 @@ struct Sampling {
     // Vertices along each side of the grid. Without it 64, or the first of 32 and 16 with which all
     // frames take no more than so many operations: some 7 s of one core, of sines.
     std::optional<int> grid;
-    double most_operations = 2.2e10;
+    double most_operations = 2.8e10;
     int threads = 0; // 0: as many as the machine runs at once
     std::function<void(double part)> progress;
     std::function<bool()> stopped;
