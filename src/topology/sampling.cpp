@@ -48,6 +48,9 @@ std::optional<Timeline> sampled_on(int grid, const scene::Scene& scene, Side sol
         const auto signs = signs_of.at(formula::convert<double>(now.bindings), now.bounds, solid,
                                        grid, sampling.threads, work);
         if (!signs) break;
+        // What some tenth of the frames took tells what all will take.
+        const int done = frame - first + 1;
+        if (done == frames / 10 && 0.9 * later.done() / done * frames > most) return std::nullopt;
         const Betti here = betti(*signs);
         if (before && *before != here) {
             std::array<formula::Interval, 3> where;
@@ -59,7 +62,7 @@ std::optional<Timeline> sampled_on(int grid, const scene::Scene& scene, Side sol
         if (!before) timeline.start = here;
         timeline.end = before = here;
         since = values.time;
-        if (sampling.progress) sampling.progress(double(frame - first + 1) / frames);
+        if (sampling.progress) sampling.progress(double(done) / frames);
     }
     if (at_first.is_too_much() || later.is_too_much()) return std::nullopt;
     if (at_first.is_over()) timeline.doubts.emplace_back("interrupted");

@@ -22,7 +22,8 @@ public:
         : stopped_(std::move(stopped))
         , most_(most) {}
     void add(double operations) { done_.fetch_add(operations, std::memory_order_relaxed); }
-    bool is_too_much() const { return done_.load(std::memory_order_relaxed) > most_; }
+    double done() const { return done_.load(std::memory_order_relaxed); }
+    bool is_too_much() const { return done() > most_; }
     bool is_over() const { return is_too_much() || (stopped_ && stopped_()); }
 
 private:
