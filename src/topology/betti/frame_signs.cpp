@@ -175,6 +175,10 @@ FrameSigns::FrameSigns(const formula::Field& field)
 std::optional<SignGrid> FrameSigns::at(const formula::Bindings<double>& bindings,
                                        const scene::BoundsAt& bounds, Side solid, int side,
                                        int threads, Work& work) const {
+    // Each frame's evaluators have registers of their own, for many points at once.
+    constexpr double of_register = 500;
+    work.add(of_register *
+             double(field_.value.instructions.size() + 2 * enclosure_.instructions.size()));
     SignGrid grid(side);
     const FrameValues frame{field_, enclosure_, bindings,
                             formula::convert<formula::Interval>(bindings)};
