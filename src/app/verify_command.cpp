@@ -46,7 +46,10 @@ std::vector<fs::path> manifests_in(const fs::path& folder) {
 // `what` is a sequence's name as `render -o` takes it, a manifest, or a folder with sequences.
 std::vector<fs::path> manifests_of(const std::string& what) {
     fs::path path(what);
-    if (!path.has_filename()) path = path.parent_path(); // "out/"
+    while (path.has_parent_path() && (!path.has_filename() || path.filename() == ".")) {
+        path = path.parent_path(); // of "out/" and "out/."; "/" is its own
+        if (path == path.parent_path()) break;
+    }
     if (is_manifest(path)) return {path};
     if (fs::is_directory(path)) {
         auto found = manifests_in(path);

@@ -19,8 +19,8 @@ protected:
 };
 
 TEST_F(Verify, AWholeSequenceByAnyOfItsNames) {
-    for (const std::string name :
-         {"out", "out/", "out/a.####.png", "out/a.%04d.png", "out/a.manifest", "out/a"}) {
+    for (const std::string name : {"out", "out/", "out/a.####.png", "out/a.%04d.png",
+                                   "out/a.manifest", "out/a.manifest/.", "out/./", "out/a"}) {
         const Ending ending = verify(name);
         EXPECT_EQ(ending.code, 0) << name << ending;
         EXPECT_THAT(ending.out, StartsWith("out/a.####.png: Sphere, 4 frames, 10x10, "));
