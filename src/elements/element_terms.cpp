@@ -1,0 +1,267 @@
+#include "elements/element_terms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isomotion::elements {
+namespace {
+
+constexpr int block = formula::Evaluator<Interval>::block;
+// Halvings of the logarithm of a level, which end within a hundredth of it; and the least part of
+// a quadric's range that is looked at.
+constexpr int halvings = 12;
+constexpr double least_part = 0x1p-40;
+// What rounding outwards may leave of a term that is 0.
+constexpr double rounded_0 = 64 * formula::smallest_positive;
+
+Interval oriented(const Quadric& q, double low, double high) {
+    return q.sign > 0 ? Interval(low, high) : Interval(-high, -low);
+}
+
+Interval whole_range(const Quadric& q) {
+    return q.is_definite ? oriented(q, q.least, q.most) : Interval::entire();
+}
+
+double level_at(const Quadric& q, double part) {
+    return std::min(q.least + part * (q.most - q.least), q.most);
+}
+
+// A quadric with the range of both.
+Quadric hull(const Quadric& a, const Quadric& b) {
+    Quadric both = a;
+    both.is_definite = a.is_definite && b.is_definite && a.sign == b.sign;
+    both.least = std::min(a.least, b.least);
+    both.most = std::max(a.most, b.most);
+    both.flattest = std::min(a.flattest, b.flattest);
+    return both;
+}
+
+} // namespace
+
+// The terms of some elements, bounded together.
+class ElementTerms::Lanes {
+public:
+    explicit Lanes(const ElementTerms& of)
+        : of_(of)
+        , evaluator_(of.kernels_.terms)
+        , inputs_(std::size_t(of.kernels_.first_field()) + of.kernels_.fields.size(),
+                  std::vector<Interval>(block))
+        , outputs_(std::size_t(of.sums()), std::vector<Interval>(block)) {
+        for (int k = 0; k < 3; ++k) {
+            std::ranges::fill(inputs_[std::size_t(k)],
+                              Interval(of.region_.low[k], of.region_.high[k]));
+        }
+    }
+
+    void set_quadric(int k, int lane, const Interval& value) {
+        inputs_[std::size_t(3 + k)][std::size_t(lane)] = value;
+    }
+    void set_field(std::size_t f, int lane, const Interval& value) {
+        inputs_[std::size_t(of_.kernels_.first_field()) + f][std::size_t(lane)] = value;
+    }
+    void set_elements(int first, int count) {
+        for (std::size_t f = 0; f < of_.kernels_.fields.size(); ++f) {
+            const std::span<const float> values = of_.column(f);
+            for (int l = 0; l < count; ++l) set_field(f, l, double(values[std::size_t(first + l)]));
+        }
+    }
+    const Interval& term(int sum, int lane) const {
+        return outputs_[std::size_t(sum)][std::size_t(lane)];
+    }
+    void run(int count) {
+        std::vector<std::span<const Interval>> from;
+        for (const auto& input : inputs_) from.emplace_back(input.data(), std::size_t(count));
+        std::vector<std::span<Interval>> to;
+        for (auto& output : outputs_) to.emplace_back(output.data(), std::size_t(count));
+        evaluator_.points(of_.parameters_, from, to);
+    }
+
+    // Of each lane: the level of quadric k beyond which the sums that depend on it keep their
+    // tolerances. Below the quadric's least where they do everywhere, infinite where nowhere.
+    std::vector<double> levels(std::span<const Quadric* const> all, int k,
+                               std::span<const double> tolerance) {
+        const int count = int(all.size()) / of_.quadrics();
+        const auto quadric = [&](int l, int j) -> const Quadric& {
+            return *all[std::size_t(l * of_.quadrics() + j)];
+        };
+        const auto keeps = [&](int l) {
+            for (int sum = 0; sum < of_.sums(); ++sum) {
+                if (of_.kernels_.quadric_of[std::size_t(sum)] == k &&
+                    !(magnitude(term(sum, l)) <=
+                      std::max(tolerance[std::size_t(sum)], rounded_0))) {
+                    return false;
+                }
+            }
+            return true;
+        };
+        for (int l = 0; l < count; ++l) {
+            for (int j = 0; j < of_.quadrics(); ++j) set_quadric(j, l, whole_range(quadric(l, j)));
+        }
+        run(count);
+        constexpr double never = std::numeric_limits<double>::infinity();
+        std::vector<double> levels(std::size_t(count), 0), low(levels), high(levels);
+        for (int l = 0; l < count; ++l) {
+            levels[std::size_t(l)] = keeps(l) ? -never : 0;
+            low[std::size_t(l)] = least_part;
+            high[std::size_t(l)] = 1;
+        }
+        const auto try_from = [&](auto&& part) {
+            for (int l = 0; l < count; ++l) {
+                const Quadric& q = quadric(l, k);
+                if (q.is_definite) set_quadric(k, l, oriented(q, level_at(q, part(l)), q.most));
+            }
+            run(count);
+        };
+        try_from([](int) { return 1.0; });
+        for (int l = 0; l < count; ++l) {
+            const bool ends = quadric(l, k).is_definite && keeps(l);
+            if (levels[std::size_t(l)] == 0 && !ends) levels[std::size_t(l)] = never;
+        }
+        const auto middle = [&](int l) {
+            return std::sqrt(low[std::size_t(l)] * high[std::size_t(l)]);
+        };
+        for (int turn = 0; turn < halvings; ++turn) {
+            try_from(middle);
+            for (int l = 0; l < count; ++l) {
+                const double between = middle(l);
+                (keeps(l) ? high : low)[std::size_t(l)] = between;
+            }
+        }
+        for (int l = 0; l < count; ++l) {
+            double& level = levels[std::size_t(l)];
+            if (std::isfinite(level)) level = level_at(quadric(l, k), high[std::size_t(l)]);
+        }
+        return levels;
+    }
+
+private:
+    const ElementTerms& of_;
+    formula::Evaluator<Interval> evaluator_;
+    std::vector<std::vector<Interval>> inputs_, outputs_;
+};
+
+ElementTerms::ElementTerms(const formula::ElementKernels& kernels,
+                           const formula::Bindings<float>& bindings, const Region& region)
+    : kernels_(kernels)
+    , bindings_(bindings)
+    , region_(region)
+    , count_(bindings.arrays[std::size_t(kernels.array)].count) {
+    parameters_.parameters.assign(bindings.parameters.begin(), bindings.parameters.end());
+    parameters_.seed = bindings.seed;
+    read_quadrics();
+    for (int k = 0; k < quadrics() && count_ > 0; ++k) {
+        Quadric all = quadric(0, k);
+        for (int e = 1; e < count_; ++e) all = hull(all, quadric(e, k));
+        hulls_.push_back(all);
+    }
+    alike_ = count_ > 0 && has_equal_terms();
+}
+
+std::span<const float> ElementTerms::column(std::size_t input) const {
+    return bindings_.arrays[std::size_t(kernels_.array)]
+        .fields[std::size_t(kernels_.fields[input])];
+}
+
+bool ElementTerms::has_equal_terms() const {
+    for (const Quadric& q : hulls_) {
+        if (!q.is_definite) return false;
+    }
+    for (const formula::Instruction& now : kernels_.terms.instructions) {
+        const bool reads = now.kind == formula::Instruction::Kind::operation &&
+                           now.op == formula::Op::input && now.index >= kernels_.first_field();
+        if (!reads) continue;
+        const auto values = column(std::size_t(now.index - kernels_.first_field()));
+        if (!std::ranges::all_of(values, [&](float v) { return v == values[0]; })) return false;
+    }
+    return true;
+}
+
+void ElementTerms::read_quadrics() {
+    formula::Bindings<double> values;
+    values.parameters.assign(bindings_.parameters.begin(), bindings_.parameters.end());
+    values.seed = bindings_.seed;
+    formula::Evaluator<double> evaluator(kernels_.coefficients);
+    const auto elements = std::size_t(count_);
+    std::vector<std::vector<double>> inputs;
+    for (std::size_t f = 0; f < kernels_.fields.size(); ++f) {
+        const auto numbers = column(f);
+        inputs.emplace_back(numbers.begin(), numbers.end());
+    }
+    // A program that reads no field has points all the same.
+    if (inputs.empty()) inputs.emplace_back(elements, 0.0);
+    const std::vector<std::span<const double>> from(inputs.begin(), inputs.end());
+    constexpr std::size_t each = formula::ElementKernels::coefficients_each;
+    const auto kinds = std::size_t(kernels_.quadrics);
+    std::vector<std::vector<double>> outputs(each * kinds, std::vector<double>(elements));
+    const std::vector<std::span<double>> to(outputs.begin(), outputs.end());
+    evaluator.points(values, from, to);
+    quadrics_.reserve(elements * kinds);
+    for (std::size_t e = 0; e < elements; ++e) {
+        for (std::size_t k = 0; k < kinds; ++k) {
+            std::array<double, each> q{};
+            for (std::size_t c = 0; c < each; ++c) q[c] = outputs[k * each + c][e];
+            quadrics_.push_back(Quadric::from(q, region_));
+        }
+    }
+}
+
+void ElementTerms::level_sets(std::span<const double> tolerance, int first, int last,
+                              std::span<LevelSet> found) const {
+    Lanes lanes(*this);
+    const auto kinds = std::size_t(kernels_.quadrics);
+    const auto set = [&](int element, int k, double level) {
+        LevelSet& made = found[std::size_t(element - first) * kinds + std::size_t(k)];
+        if (std::isinf(level)) {
+            made = {};
+            if (level > 0) made.kind = LevelSet::Kind::unbounded;
+        } else {
+            made = quadric(element, k).level_set(level);
+        }
+    };
+    if (alike_) {
+        // One search for all: beyond the level the terms keep their tolerances up to the largest
+        // value of any.
+        lanes.set_elements(first, 1);
+        std::vector<const Quadric*> all;
+        for (const Quadric& hull : hulls_) all.push_back(&hull);
+        for (int k = 0; k < quadrics(); ++k) {
+            const double level = lanes.levels(all, k, tolerance)[0];
+            for (int e = first; e < last; ++e) set(e, k, level);
+        }
+        return;
+    }
+    for (int begin = first; begin < last; begin += block) {
+        const int count = std::min(block, last - begin);
+        lanes.set_elements(begin, count);
+        std::vector<const Quadric*> all;
+        for (int l = 0; l < count; ++l) {
+            for (int j = 0; j < quadrics(); ++j) all.push_back(&quadric(begin + l, j));
+        }
+        for (int k = 0; k < quadrics(); ++k) {
+            const std::vector<double> levels = lanes.levels(all, k, tolerance);
+            for (int l = 0; l < count; ++l) set(begin + l, k, levels[std::size_t(l)]);
+        }
+    }
+}
+
+Interval ElementTerms::bounds(int sum, double distance) const {
+    if (count_ == 0) return 0.0;
+    Lanes lanes(*this);
+    for (int k = 0; k < quadrics(); ++k) {
+        const Quadric& all = hulls_[std::size_t(k)];
+        if (!all.is_definite) return Interval::entire();
+        const bool is_own = kernels_.quadric_of[std::size_t(sum)] == k;
+        const double least =
+            is_own ? std::min(all.least + all.flattest * distance * distance, all.most) : all.least;
+        lanes.set_quadric(k, 0, oriented(all, least, all.most));
+    }
+    for (std::size_t f = 0; f < kernels_.fields.size(); ++f) {
+        const auto [low, high] = std::ranges::minmax(column(f));
+        lanes.set_field(f, 0, Interval(low, high));
+    }
+    lanes.run(1);
+    return lanes.term(sum, 0);
+}
+
+} // namespace isomotion::elements

@@ -1,0 +1,54 @@
+// The terms of an array's elements at a frame: where each is larger than a tolerance.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "elements/quadric.h"
+#include "formula/element_kernels.h"
+
+namespace isomotion::elements {
+
+using formula::Interval;
+
+class ElementTerms {
+public:
+    // `kernels` and `bindings` outlive it.
+    ElementTerms(const formula::ElementKernels& kernels, const formula::Bindings<float>& bindings,
+                 const Region& region);
+
+    int count() const { return count_; }
+    int sums() const { return kernels_.sums(); }
+    int quadrics() const { return kernels_.quadrics; }
+    const Quadric& quadric(int element, int k) const {
+        return quadrics_[std::size_t(element) * std::size_t(kernels_.quadrics) + std::size_t(k)];
+    }
+    const formula::Bindings<float>& bindings() const { return bindings_; }
+
+    // The level sets of elements [first, last), one for each quadric of the first element, then of
+    // the next: outside of them each term is at most the tolerance of its sum, by interval
+    // arithmetic. From any thread.
+    void level_sets(std::span<const double> tolerance, int first, int last,
+                    std::span<LevelSet> found) const;
+
+    // Bounds of a sum's terms where an element's middle is at least so far away.
+    Interval bounds(int sum, double distance) const;
+
+private:
+    class Lanes;
+
+    void read_quadrics();
+    bool has_equal_terms() const;
+    std::span<const float> column(std::size_t input) const;
+
+    const formula::ElementKernels& kernels_;
+    const formula::Bindings<float>& bindings_;
+    Region region_;
+    int count_ = 0;
+    std::vector<Quadric> quadrics_;
+    std::vector<Quadric> hulls_; // the ranges of all elements' together, for each quadric
+    formula::Bindings<Interval> parameters_;
+    bool alike_ = false; // all elements have the same terms of their quadrics
+};
+
+} // namespace isomotion::elements

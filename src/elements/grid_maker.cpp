@@ -1,0 +1,107 @@
+#include "elements/grid_maker.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/workers.h"
+#include "elements/element_terms.h"
+#include "elements/tolerance.h"
+
+namespace isomotion::elements {
+namespace {
+
+constexpr int together = 1024; // elements that one thread takes at a time
+
+// The middle of each element, for counting how crowded they are; only of definite quadrics.
+std::vector<glm::dvec3> middles_of(const ElementTerms& terms) {
+    std::vector<glm::dvec3> middles;
+    middles.reserve(std::size_t(terms.count()));
+    for (int e = 0; e < terms.count(); ++e) middles.push_back(terms.quadric(e, 0).centre);
+    return middles;
+}
+
+// The mean size of the level sets of some elements evenly out of all; infinite if one is unbounded.
+double mean_size(const ElementTerms& terms, std::span<const double> tolerance) {
+    constexpr int asked = 8;
+    std::vector<LevelSet> sets(std::size_t(terms.quadrics()));
+    double sum = 0;
+    for (int k = 0; k < std::min(asked, terms.count()); ++k) {
+        const int element = int(std::int64_t(k) * terms.count() / asked);
+        terms.level_sets(tolerance, element, element + 1, sets);
+        for (const LevelSet& set : sets) {
+            if (set.kind == LevelSet::Kind::unbounded)
+                return std::numeric_limits<double>::infinity();
+            sum += set.half.x + set.half.y + set.half.z;
+        }
+    }
+    return sum;
+}
+
+std::vector<LevelSet> level_sets(const ElementTerms& terms, std::span<const double> tolerance,
+                                 int threads) {
+    const auto each = std::size_t(terms.quadrics());
+    std::vector<LevelSet> sets(std::size_t(terms.count()) * each);
+    const std::size_t turns = (std::size_t(terms.count()) + together - 1) / together;
+    base::share({turns, threads}, [&] {
+        return [&](std::size_t turn) {
+            const int first = int(turn) * together;
+            const int last = std::min(first + together, terms.count());
+            terms.level_sets(tolerance, first, last,
+                             std::span(sets).subspan(std::size_t(first) * each,
+                                                     std::size_t(last - first) * each));
+        };
+    });
+    return sets;
+}
+
+// What may be left out of each sum: by its size at roots, in units of its largest term.
+std::vector<double> allowed(const ElementTerms& terms, const SumsAtRoots& roots,
+                            const Region& region) {
+    std::vector<Interval> units;
+    for (int k = 0; k < terms.sums(); ++k) {
+        const Interval term = terms.bounds(k, 0);
+        units.emplace_back(term.lo >= 0 ? 0.0 : -magnitude(term), magnitude(term));
+    }
+    const bool are_finite =
+        std::ranges::all_of(units, [](const Interval& u) { return u.hi > 0 && u.hi < 1e300; });
+    const double least = are_finite ? roots.least(terms.bindings(), region, units) : 0.0;
+    std::vector<double> parts;
+    for (const Interval& unit : units)
+        parts.push_back(least > 0 ? part_left_out * least * unit.hi : 0);
+    return parts;
+}
+
+} // namespace
+
+// Leaves nothing out where terms are 0 beyond a support. (Those of kernels that fade without end
+// are 0 far outside, where doubles can't tell them from it.)
+Tolerances GridMaker::choose(const ElementTerms& terms, const Region& region) const {
+    constexpr double support_at_most = 1.5; // times the size where little is left out
+    const std::vector<double> nothing(std::size_t(terms.sums()), 0.0);
+    const double size_of_support = mean_size(terms, nothing);
+    const Tolerances exact{nothing, nothing};
+    const std::vector<double> little = allowed(terms, roots_, region);
+    if (std::ranges::all_of(little, [](double a) { return a == 0; })) return exact;
+    if (size_of_support <= support_at_most * mean_size(terms, little)) return exact;
+    const double widest = glm::length(region.high - region.low);
+    return tolerances(terms, middles_of(terms), little, widest);
+}
+
+std::optional<GridMaker> GridMaker::of(const formula::Field& field, int array) {
+    auto kernels = formula::element_kernels(field, array);
+    if (!kernels) return std::nullopt;
+    return GridMaker(std::move(*kernels), SumsAtRoots(field, array));
+}
+
+ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Region& region,
+                            const GridLimits& limits) const {
+    const ElementTerms terms(kernels_, bindings, region);
+    Tolerances left_out = choose(terms, region);
+    const std::vector<LevelSet> sets = level_sets(terms, left_out.of_term, limits.threads);
+    ElementGrid grid = make_grid(region, sets, terms.quadrics(), limits);
+    grid.left_out = left_out.of_sum;
+    grid.is_empty_free_of_roots = roots_.are_everything(bindings, region);
+    return grid;
+}
+
+} // namespace isomotion::elements

@@ -1,0 +1,38 @@
+// Finds, for a field and the values of a frame, which elements matter where.
+#pragma once
+
+#include <optional>
+
+#include "elements/element_grid.h"
+#include "elements/sums_at_roots.h"
+#include "elements/tolerance.h"
+#include "formula/element_kernels.h"
+
+namespace isomotion::elements {
+
+// For one array of a field. Lists leave out elements whose terms are 0 by interval arithmetic, or,
+// of kernels that fade without end, so many of the smallest that they add up to less than
+// part_left_out (tolerance.h) of what the sum is at roots. Where no bound is found, a list holds
+// all elements.
+class GridMaker {
+public:
+    // None if the terms of the array's sums are no kernels of a distance (element_kernels.h).
+    static std::optional<GridMaker> of(const formula::Field& field, int array);
+
+    ElementGrid make(const formula::Bindings<float>& bindings, const Region& region,
+                     const GridLimits& limits) const;
+
+    int array() const { return kernels_.array; }
+
+private:
+    GridMaker(formula::ElementKernels kernels, SumsAtRoots roots)
+        : kernels_(std::move(kernels))
+        , roots_(std::move(roots)) {}
+
+    Tolerances choose(const ElementTerms& terms, const Region& region) const;
+
+    formula::ElementKernels kernels_;
+    SumsAtRoots roots_;
+};
+
+} // namespace isomotion::elements

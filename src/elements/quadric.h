@@ -1,0 +1,71 @@
+// Quadratic polynomials that grow in all directions, and their level sets: ellipsoids.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <glm/glm.hpp>
+
+namespace isomotion::elements {
+
+// A box of the places that are looked at.
+struct Region {
+    glm::dvec3 low{-1}, high{1};
+
+    // From a place to the corner of the region that is farthest from it.
+    double farthest(const glm::dvec3& from) const {
+        return glm::length(glm::max(glm::abs(low - from), glm::abs(high - from)));
+    }
+};
+
+// xx xy xz yy yz zz
+struct Symmetric {
+    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+
+    double trace() const { return xx + yy + zz; }
+    double determinant() const {
+        return xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+    }
+    // False where a number is none.
+    bool is_positive() const { return xx > 0 && xx * yy - xy * xy > 0 && determinant() > 0; }
+    bool is_round() const { return xy == 0 && xz == 0 && yz == 0 && xx == yy && yy == zz; }
+    Symmetric inverse() const;
+    glm::dvec3 operator*(const glm::dvec3& v) const {
+        return {xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z,
+                xz * v.x + yz * v.y + zz * v.z};
+    }
+};
+
+inline Symmetric operator*(double s, const Symmetric& a) {
+    return {s * a.xx, s * a.xy, s * a.xz, s * a.yy, s * a.yz, s * a.zz};
+}
+
+// Where an element matters. One that matters nowhere has an empty set; one of which no bound is
+// known is unbounded.
+struct LevelSet {
+    enum class Kind : std::uint8_t { empty, bounded, unbounded };
+    Kind kind = Kind::empty;
+    bool is_round = false;
+    glm::dvec3 centre{0};
+    glm::dvec3 half{0}; // of the box around it
+    Symmetric form;     // at most 1 inside, of places relative to the centre
+};
+
+// A polynomial P = sign * Q, the sign such that P grows outwards.
+struct Quadric {
+    bool is_definite = false;
+    double sign = 1;
+    double least = 0;    // of P anywhere
+    double most = 0;     // of P in the region and far around it
+    double flattest = 0; // P is at least `least` + flattest * (distance from the centre)^2
+    glm::dvec3 centre{0};
+    Symmetric hessian; // of P
+
+    // From the value, the gradient and the Hessian of Q at the origin. Rounded doubles: least and
+    // most leave room for that.
+    static Quadric from(const std::array<double, 10>& coefficients, const Region& region);
+    // Where P is at most that, and a millionth of the distance beyond.
+    LevelSet level_set(double level) const;
+};
+
+} // namespace isomotion::elements

@@ -1,0 +1,147 @@
+#include "formula/element_kernels.h"
+
+#include <algorithm>
+#include <array>
+
+#include "formula/graph/degree.h"
+#include "formula/graph/derivative.h"
+#include "formula/graph/lowering.h"
+#include "formula/graph/substitute.h"
+
+namespace isomotion::formula {
+namespace {
+
+// Whether `root` has a coordinate below it when what is below `without` does not count.
+bool reads_coordinates(const Graph& graph, NodeId root, NodeId without) {
+    std::vector<bool> reads(std::size_t(root) + 1, false);
+    for (const NodeId id : nodes_below(graph, std::array{root})) {
+        const Node& node = graph[id];
+        if (id == without) continue;
+        bool any = node.op == Op::input;
+        for (std::size_t k = 0; k < node.arity; ++k) any = any || reads[node.children[k]];
+        reads[id] = any;
+    }
+    return reads[root];
+}
+
+std::array<NodeId, 3> gradient_of(Graph& graph, NodeId node) {
+    const NodeId one = graph.constant(1), zero = graph.constant(0);
+    return {differentiate_inputs(graph, node, {one, zero, zero}),
+            differentiate_inputs(graph, node, {zero, one, zero}),
+            differentiate_inputs(graph, node, {zero, zero, one})};
+}
+
+// Whether a polynomial of degree 2 bends along each axis, as one that grows in all directions does.
+bool bends_everywhere(Graph& graph, NodeId node) {
+    const std::array<NodeId, 3> first = gradient_of(graph, node);
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (graph.is_constant(gradient_of(graph, first[k])[k], 0)) return false;
+    }
+    return true;
+}
+
+// The polynomial that a term reads the coordinates through: the deepest one without which it
+// reads none, or else the last one.
+std::optional<NodeId> quadric_of(Graph& graph, NodeId term) {
+    const auto degree_of = degrees(graph, term);
+    std::optional<NodeId> last;
+    for (const NodeId id : nodes_below(graph, std::array{term})) {
+        if (degree_of[id] != 2 || !bends_everywhere(graph, id)) continue;
+        if (!reads_coordinates(graph, term, id)) return id;
+        last = id;
+    }
+    return last;
+}
+
+// The sums over the array below the root; none if one holds another sum or lies in one.
+std::vector<NodeId> sums_over(const Graph& graph, NodeId root, int array) {
+    std::vector<NodeId> sums;
+    for (const NodeId id : nodes_below(graph, std::array{root})) {
+        const Node& node = graph[id];
+        if (node.op != Op::sum) continue;
+        const NodeId term = node.children[0];
+        const bool over_it = node.index == array;
+        const bool inside = !over_it && (graph[term].arrays >> array & 1) != 0;
+        if (inside) return {};
+        if (!over_it) continue;
+        for (const NodeId below : nodes_below(graph, std::array{term})) {
+            if (graph[below].op == Op::sum) return {};
+        }
+        if (node.arrays != 0 || graph[term].arrays != 1u << array) return {};
+        sums.push_back(id);
+    }
+    return sums;
+}
+
+// Q, its gradient and its Hessian where all coordinates are 0.
+void add_coefficients(Graph& graph, NodeId quadric, std::vector<NodeId>& all) {
+    const std::array<NodeId, 3> first = gradient_of(graph, quadric);
+    std::vector<NodeId> found{quadric, first[0], first[1], first[2]};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::array<NodeId, 3> second = gradient_of(graph, first[i]);
+        for (std::size_t j = i; j < 3; ++j) found.push_back(second[j]);
+    }
+    const auto at_0 = [](Graph& g, const Node& node, NodeId rebuilt) {
+        return node.op == Op::input ? g.constant(0) : rebuilt;
+    };
+    for (const NodeId id : substitute(graph, graph, found, at_0)) all.push_back(id);
+}
+
+// Fields of the current element as inputs from `first` on.
+class FieldsAsInputs {
+public:
+    FieldsAsInputs(std::vector<int>& fields, int first)
+        : fields_(fields)
+        , first_(first) {}
+
+    NodeId operator()(Graph& graph, const Node& node, NodeId rebuilt) const {
+        if (node.op != Op::element) return rebuilt;
+        auto at = std::find(fields_.begin(), fields_.end(), node.second);
+        if (at == fields_.end()) at = fields_.insert(at, node.second);
+        return graph.input(first_ + int(at - fields_.begin()));
+    }
+
+private:
+    std::vector<int>& fields_;
+    int first_;
+};
+
+} // namespace
+
+std::optional<ElementKernels> element_kernels(const Field& field, int array) {
+    Graph graph = field.graph;
+    const std::vector<NodeId> sums = sums_over(graph, field.root, array);
+    if (sums.empty()) return std::nullopt;
+
+    ElementKernels kernels;
+    kernels.array = array;
+    std::vector<NodeId> quadrics, terms;
+    for (const NodeId sum : sums) {
+        const NodeId term = graph[sum].children[0];
+        const std::optional<NodeId> quadric = quadric_of(graph, term);
+        if (!quadric) return std::nullopt;
+        const auto at = std::find(quadrics.begin(), quadrics.end(), *quadric);
+        kernels.quadric_of.push_back(int(at - quadrics.begin()));
+        if (at == quadrics.end()) quadrics.push_back(*quadric);
+        terms.push_back(term);
+    }
+    kernels.quadrics = int(quadrics.size());
+
+    std::vector<NodeId> coefficients;
+    for (const NodeId quadric : quadrics) add_coefficients(graph, quadric, coefficients);
+    coefficients = substitute(graph, graph, coefficients, FieldsAsInputs(kernels.fields, 0));
+
+    std::vector<Node> replaced;
+    for (const NodeId quadric : quadrics) replaced.push_back(graph[quadric]);
+    terms = substitute(graph, graph, terms, [&](Graph& g, const Node& node, NodeId rebuilt) {
+        const auto at = std::find(replaced.begin(), replaced.end(), node);
+        return at == replaced.end() ? rebuilt : g.input(3 + int(at - replaced.begin()));
+    });
+    terms = substitute(graph, graph, terms, FieldsAsInputs(kernels.fields, kernels.first_field()));
+
+    kernels.terms = schedule(graph, terms);
+    kernels.coefficients = schedule(graph, lower(graph, coefficients));
+    return kernels;
+}
+
+} // namespace isomotion::formula

@@ -1,0 +1,37 @@
+// How the terms of sums depend on the place: through a quadratic polynomial of it.
+//
+// Terms of most sums over elements are kernels of a distance: exp(-a r^2), max(0, 1 - r^2/h^2)^3,
+// r^2 = (x - cx)^2 + ..., or |G (x - c)|^2 of an anisotropic kernel. In the graph of such a term
+// one polynomial of degree 2 stands between the coordinates and all else. An element then matters
+// inside of a level set of its polynomial, which is an ellipsoid; found so from the formula,
+// whatever its names and however it is written.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "formula/field.h"
+
+namespace isomotion::formula {
+
+struct ElementKernels {
+    // Of a quadric: its value, gradient and Hessian (xx xy xz yy yz zz) where x = y = z = 0.
+    static constexpr int coefficients_each = 10;
+
+    int array = 0;
+    std::vector<int> fields;     // of the array, that the programs read, as inputs
+    int quadrics = 0;            // polynomials, those of several sums counted once
+    std::vector<int> quadric_of; // of each sum
+    Program coefficients;        // inputs: fields -> coefficients_each for each quadric
+    // Inputs: x y z, the value of each quadric, fields -> the term of each sum. Places are read
+    // where a quadric is not all that a term takes of them.
+    Program terms;
+
+    int first_field() const { return 3 + quadrics; } // input of `terms`
+    int sums() const { return int(quadric_of.size()); }
+};
+
+// Of the sums over `array`, if each has such a polynomial and none holds a sum or is in one.
+std::optional<ElementKernels> element_kernels(const Field& field, int array);
+
+} // namespace isomotion::formula

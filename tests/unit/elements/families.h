@@ -1,0 +1,94 @@
+// Families of sums over elements, and elements drawn at random.
+#pragma once
+
+#include <array>
+#include <random>
+
+#include "formula/field.h"
+
+namespace isomotion::elements {
+
+inline formula::Vocabulary family_vocabulary() {
+    formula::Vocabulary v;
+    v.inputs = formula::coordinate_names;
+    v.parameters = {"a", "h", "level", "s"};
+    v.arrays = {{"p",
+                 {{"cx", {}},
+                  {"cy", {}},
+                  {"cz", {}},
+                  {"w", {}},
+                  {"r", {}},
+                  {"dx", {}},
+                  {"gxx", {}},
+                  {"gxy", {}},
+                  {"gxz", {}},
+                  {"gyy", {}},
+                  {"gyz", {}},
+                  {"gzz", {}}}}};
+    return v;
+}
+
+struct Family {
+    const char* name;
+    const char* formula;
+    bool exact; // its lists leave nothing out
+};
+
+inline constexpr Family families[] = {
+    {"gaussians", "level - sum(p, exp(-a*((x-cx)^2 + (y-cy)^2 + (z-cz)^2)))", false},
+    {"weighted", "level - sum(p, w*exp(-a*((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/r^2))", false},
+    {"written out",
+     "sum(p, exp(a*(2*x*cx + 2*y*cy + 2*z*cz - cx^2 - cy^2 - cz^2 - x^2 - y^2 - z^2)))"
+     " - level",
+     false},
+    {"stretched", "level - sum(p, exp(-a*((x-cx)^2 + 4*(y-cy)^2 + (x-cx+z-cz)^2)))", false},
+    {"paths", "level - sum(p, exp(-a*((x-cx-dx*s)^2 + (y-cy+dx*s)^2 + (z-cz)^2)))", false},
+    {"logarithm", "-log(sum(p, exp(-a*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))))/a - h*h/2", false},
+    {"wyvill", "level - sum(p, max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/h^2)^3)", true},
+    {"selected", "level - sum(p, w*max(0, r - sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2))^2)", true},
+    {"anisotropic",
+     "level - sum(p, w*max(0, 1 - (gxx*(x-cx) + gxy*(y-cy) + gxz*(z-cz))^2"
+     " - (gxy*(x-cx) + gyy*(y-cy) + gyz*(z-cz))^2"
+     " - (gxz*(x-cx) + gyz*(y-cy) + gzz*(z-cz))^2)^3)",
+     true},
+    {"two sums",
+     "sum(p, w*max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/h^2)^2)"
+     " / (1 + sum(p, max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/r^2)^3)) - level",
+     true},
+    {"ratio",
+     "sqrt((x - sum(p, cx*max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/h^2)^3)"
+     "/sum(p, max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/h^2)^3))^2 + (y - cos(z))^2) - level",
+     true},
+};
+
+// `spacing`: about a kernel's width, of elements in the ball of radius 1.
+inline formula::Bindings<float> drawn_elements(std::mt19937& draw, int count, double spacing) {
+    std::uniform_real_distribution<double> unit(-1, 1);
+    formula::Bindings<float> values;
+    values.parameters = {float(1 / (spacing * spacing)), float(2 * spacing), 0.3f,
+                         float(unit(draw))};
+    values.arrays.resize(1);
+    values.arrays[0].count = count;
+    values.arrays[0].fields.resize(12);
+    const auto add = [&](std::size_t field, double value) {
+        values.arrays[0].fields[field].push_back(float(value));
+    };
+    for (int e = 0; e < count; ++e) {
+        std::array<double, 3> at{};
+        do {
+            for (double& c : at) c = unit(draw);
+        } while (at[0] * at[0] + at[1] * at[1] + at[2] * at[2] > 1);
+        for (std::size_t k = 0; k < 3; ++k) add(k, at[k]);
+        add(3, 1 + 0.5 * unit(draw));
+        add(4, spacing * (1.5 + unit(draw)));
+        add(5, 0.3 * unit(draw));
+        const double g = 0.7 / spacing;
+        for (std::size_t k = 6; k < 12; ++k) {
+            const bool diagonal = k == 6 || k == 9 || k == 11;
+            add(k, g * (diagonal ? 1 + 0.5 * unit(draw) : 0.3 * unit(draw)));
+        }
+    }
+    return values;
+}
+
+} // namespace isomotion::elements
