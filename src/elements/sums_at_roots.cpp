@@ -86,7 +86,8 @@ SumsAtRoots::SumsAtRoots(const formula::Field& field, int array)
 double SumsAtRoots::least(const formula::Bindings<float>& bindings, const Region& region,
                           std::span<const Interval> units) const {
     Boxes boxes(*this, bindings, region);
-    std::vector<Interval> sums(std::size_t(sums_));
+    const auto count = std::size_t(sums_);
+    std::vector<Interval> sums(count);
     const auto excludes = [&](double s) {
         for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = {s * units[k].lo, s * units[k].hi};
         return boxes.exclude_0(sums);
@@ -103,7 +104,7 @@ double SumsAtRoots::least(const formula::Bindings<float>& bindings, const Region
 bool SumsAtRoots::are_everything(const formula::Bindings<float>& bindings,
                                  const Region& region) const {
     Boxes boxes(*this, bindings, region);
-    return boxes.exclude_0(std::vector<Interval>(std::size_t(sums_)));
+    return boxes.exclude_0(std::vector<Interval>(std::size_t(sums_), Interval(0)));
 }
 
 } // namespace isomotion::elements
