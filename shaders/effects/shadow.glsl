@@ -4,7 +4,7 @@
 
 uniform bool first_pass;
 uniform int evaluations_per_pass;
-#ifdef LISTS
+#if defined(LISTS) || defined(GRID)
 uniform float element_budget;
 #endif
 
@@ -53,6 +53,9 @@ void march_pixel() {
     // neighbours, each of which has its own; the last sample may go through all.
     int elements = int(0.125 * element_budget) - array_counts[0].x;
 #endif
+#ifdef GRID
+    int most_elements = int(0.125 * element_budget);
+#endif
     // One light after the other; software renderers, which skip no branch, should not look for the
     // next at every sample.
     bool begins = first_pass;
@@ -64,8 +67,25 @@ void march_pixel() {
         int outcome = ray.t_near < ray.t_far ? RAY_GOES_ON : RAY_IS_FREE;
         while (turns > 0 && outcome == RAY_GOES_ON) {
             s.evaluations += 1;
+#ifdef PASSES_EMPTY
+            RayState past = s;
+            past.refinements = 0;
+            past = pass_empty(past, ray);
+            if (past.phase == PHASE_DONE) {
+                outcome = RAY_IS_FREE;
+                break;
+            }
+            if (past.low > s.low) {
+                past.refinements = s.refinements;
+                past.verdict = s.verdict;
+                s = past;
+            }
+#endif
             outcome = any_hit(s, ray, p.offset);
             turns -= 1;
+#ifdef GRID
+            if (grid_entered > most_elements) turns = 0;
+#endif
 #ifdef LISTS
             elements -= array0_count;
             if (elements <= 0) turns = 0;

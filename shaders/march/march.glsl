@@ -3,7 +3,7 @@
 // double the compile time. The method is in the files before this one: turn().
 
 uniform int evaluations_per_pass;
-#ifdef LISTS
+#if defined(LISTS) || defined(GRID)
 uniform float element_budget;
 #endif
 
@@ -16,22 +16,40 @@ RayState begin(Ray ray) {
 RayState march(Ray ray, RayState s) {
     // Software renderers go through a loop's body once more after a break at its top.
     int turns = s.phase == PHASE_DONE ? 0 : evaluations_per_pass;
-#ifdef LISTS
     // Loops must end before drivers end them.
+#ifdef LISTS
     turns = min(turns, max(1, int(element_budget) / max(array0_count, 1)));
+#endif
+#ifdef GRID
+    // Some eight neighbours are in cells of their own.
+    int most_elements = int(0.125 * element_budget);
 #endif
     if (turns > 0) {
         do {
 #ifdef SOLVES
             // Software renderers, which skip no branch, should not solve at every sample.
             do {
+#ifdef PASSES_EMPTY
+                s = pass_empty(s, ray);
+                if (s.phase == PHASE_DONE) break;
+#endif
                 s = turn(s, ray);
                 turns -= 1;
+#ifdef GRID
+                if (grid_entered > most_elements) turns = 0;
+#endif
             } while (turns > 0 && s.phase < PHASE_DONE);
             s = solve(s, ray);
 #else
+#ifdef PASSES_EMPTY
+            s = pass_empty(s, ray);
+            if (s.phase == PHASE_DONE) break;
+#endif
             s = turn(s, ray);
             turns -= 1;
+#ifdef GRID
+            if (grid_entered > most_elements) turns = 0;
+#endif
 #endif
         } while (turns > 0 && s.phase != PHASE_DONE);
     }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <glad/gl.h>
 
+#include <array>
 #include <stdexcept>
 
 namespace isomotion::gpu {
@@ -76,6 +77,31 @@ void TextureBuffer::bind_storage(unsigned binding) const {
 
 void TextureBuffer::wait_for_storage() const {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+IntegerBuffer::IntegerBuffer(Texel texel)
+    : texel_(texel) {
+    update(std::array<std::uint32_t, 2>{});
+    bind(editing_unit);
+    glTexBuffer(GL_TEXTURE_BUFFER, texel == Texel::two ? GL_RG32UI : GL_R32UI, buffer_.get());
+    expect_success("a texture buffer of integers");
+}
+
+void IntegerBuffer::update(std::span<const std::uint32_t> numbers) {
+    const std::size_t texels = texel_ == Texel::two ? numbers.size() / 2 : numbers.size();
+    if (texels == 0) return;
+    const auto what = fmt::format("a texture buffer of {} texels", texels);
+    expect_within(texels, GL_MAX_TEXTURE_BUFFER_SIZE, what);
+    forget_errors();
+    glBindBuffer(GL_TEXTURE_BUFFER, buffer_.get());
+    glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(numbers.size_bytes()), numbers.data(),
+                 GL_DYNAMIC_DRAW);
+    expect_success(what);
+}
+
+void IntegerBuffer::bind(int unit) const {
+    glActiveTexture(GL_TEXTURE0 + GLenum(unit));
+    glBindTexture(GL_TEXTURE_BUFFER, texture_.get());
 }
 
 } // namespace isomotion::gpu

@@ -5,6 +5,7 @@
 #include <glm/vec4.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace isomotion::gpu {
@@ -49,6 +50,23 @@ private:
     Name buffer_{Kind::buffer};
     Name texture_{Kind::texture};
     std::size_t capacity_;
+};
+
+/// Unsigned integers, one or two a texel: `texelFetch(usamplerBuffer, i)`. Grows as it must.
+class IntegerBuffer {
+public:
+    enum class Texel { one, two };
+    explicit IntegerBuffer(Texel texel);
+
+    /// Replaces all of it. Throws ResourceError if the driver's texture buffers are smaller.
+    void update(std::span<const std::uint32_t> numbers);
+
+    void bind(int unit) const;
+
+private:
+    Name buffer_{Kind::buffer};
+    Name texture_{Kind::texture};
+    Texel texel_;
 };
 
 } // namespace isomotion::gpu

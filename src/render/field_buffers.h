@@ -1,6 +1,7 @@
 // The values of the formula's names on the GPU: parameters and the elements of arrays.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "render/array_buffer.h"
@@ -13,7 +14,7 @@ class FieldBuffers {
 public:
     // `listed`: places for elements of lists behind each array that has lists.
     FieldBuffers(const synthesis::FieldStorage& storage, int listed)
-        : parameters_(std::size_t(storage.parameter_vectors + storage.count_vectors) * 16)
+        : parameters_(std::size_t(storage.vectors()) * 16)
         , has_lists_(synthesis::has_lists(storage)) {
         for (const auto& array : storage.arrays) {
             arrays_.emplace_back(array, array.has_lists ? listed : 0);
@@ -22,6 +23,11 @@ public:
 
     void upload(PassTable& table, const FieldInputs& inputs) {
         parameters_.update(inputs.parameters);
+        if (inputs.grid) {
+            if (!grid_) grid_.emplace();
+            grid_->update(*inputs.grid);
+            grid_->bind(table);
+        }
         table.bind("Parameters", parameters_);
         for (std::size_t a = 0; a < arrays_.size(); ++a) {
             arrays_[a].update(inputs.arrays[a]);
@@ -33,7 +39,24 @@ public:
     const ArrayBuffer* listed() const { return has_lists_ ? &arrays_[0] : nullptr; }
 
 private:
+    // Which elements of an array matter where (elements/element_grid.h).
+    struct Grid {
+        gpu::IntegerBuffer cells{gpu::IntegerBuffer::Texel::two};
+        gpu::IntegerBuffer listed{gpu::IntegerBuffer::Texel::one};
+
+        void update(const elements::ElementGrid& grid) {
+            static_assert(sizeof(elements::Cell) == 2 * sizeof(std::uint32_t));
+            cells.update({&grid.cells.front().elements, 2 * grid.cells.size()});
+            listed.update(grid.listed);
+        }
+        void bind(PassTable& table) const {
+            table.bind("cells_texture", cells);
+            table.bind("listed_texture", listed);
+        }
+    };
+
     gpu::UniformBuffer parameters_;
+    std::optional<Grid> grid_;
     std::vector<ArrayBuffer> arrays_;
     bool has_lists_;
 };

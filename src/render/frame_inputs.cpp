@@ -4,20 +4,29 @@
 #include <span>
 #include <variant>
 
+#include <fmt/format.h>
+
 #include "render/light_beams.h"
+#include "scene/error.h"
 #include "synthesis/effect.h"
 
 namespace isomotion::render {
 namespace {
+
+// Loops over one list in a shader, below the driver's 65535 turns.
+constexpr std::uint32_t most_elements_at_a_place = 50'000;
 
 template<class T> void add_value(base::Fingerprint& print, const T& value) {
     print.add_values(std::span<const T>(&value, 1));
 }
 
 void add(base::Fingerprint& print, const FieldInputs& field) {
-    const auto& [parameters, arrays] = field;
+    const auto& [parameters, arrays, grid] = field; // of which the parameters describe the rest
     print.add(parameters);
     for (const auto& texels : arrays) print.add_values(std::span<const glm::vec4>(texels));
+    if (!grid) return;
+    print.add_values(std::span<const elements::Cell>(grid->cells));
+    print.add_values(std::span<const std::uint32_t>(grid->listed));
 }
 
 void add(base::Fingerprint& print, const ViewInputs& view) {
@@ -55,9 +64,27 @@ void add_places(base::Fingerprint& print, const scene::SceneAt& at) {
     }
 }
 
+// The grid covers the bounds, and what rounding takes for them.
+elements::ElementGrid grid_of(const elements::GridMaker& maker, const scene::SceneAt& at,
+                              const elements::GridLimits& limits) {
+    const glm::dvec3 margin(0x1p-12 * at.bounds.radius);
+    elements::ElementGrid grid =
+        maker.make(at.bindings, {at.bounds.min - margin, at.bounds.max + margin}, limits);
+    if (grid.longest > most_elements_at_a_place) {
+        throw scene::SceneError(fmt::format(
+            "{} elements of an array matter at one place; a shader can sum {}: smaller kernels, "
+            "or fewer elements in one place",
+            grid.longest, most_elements_at_a_place));
+    }
+    return grid;
+}
+
 FieldInputs field_inputs(const scene::Scene& scene, const scene::SceneAt& at,
-                         const synthesis::Passes& passes) {
-    FieldInputs field{parameter_block(passes, at), {}};
+                         const InputLayout& layout) {
+    const synthesis::Passes& passes = layout.passes;
+    FieldInputs field;
+    if (layout.grid) field.grid = grid_of(*layout.grid, at, layout.grid_limits);
+    field.parameters = parameter_block(passes, at, field.grid ? &*field.grid : nullptr);
     for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
         field.arrays.push_back(array_texels(scene, passes, at, a));
     }
@@ -120,12 +147,12 @@ void PictureInputs::add_to(base::Fingerprint& print) const {
     }
 }
 
-std::shared_ptr<const FieldInputs> SharedField::at(const scene::Scene& scene,
-                                                   const scene::SceneAt& now,
-                                                   const synthesis::Passes& passes) {
-    if (!of_ || *of_ != now.bindings) {
+std::shared_ptr<const FieldInputs>
+SharedField::at(const scene::Scene& scene, const scene::SceneAt& now, const InputLayout& layout) {
+    if (!of_ || *of_ != now.bindings || bounds_ != now.bounds) {
         of_ = now.bindings;
-        made_ = std::make_shared<const FieldInputs>(field_inputs(scene, now, passes));
+        bounds_ = now.bounds;
+        made_ = std::make_shared<const FieldInputs>(field_inputs(scene, now, layout));
     }
     return made_;
 }
@@ -140,7 +167,7 @@ PictureInputs picture_inputs(const scene::Scene& scene, const scene::SceneAt& no
     inputs.height = height;
     inputs.aim = aim;
     inputs.eye = view_inputs(scene, now, width, height, aim, passes, &element_radius);
-    inputs.field = field.at(scene, now, passes);
+    inputs.field = field.at(scene, now, layout);
     inputs.shading = shading_block(scene, now, width, height);
     inputs.effects = synthesis::effect_uniforms(scene, now);
     if (passes.light_beams != 0) {
@@ -154,8 +181,8 @@ PictureInputs picture_inputs(const scene::Scene& scene, const scene::SceneAt& no
                                      *motion,
                                      frame_block(scene, motion->before, width, height, aim),
                                      frame_block(scene, motion->after, width, height, aim),
-                                     field_inputs(scene, motion->before, passes),
-                                     field_inputs(scene, motion->after, passes)};
+                                     field_inputs(scene, motion->before, layout),
+                                     field_inputs(scene, motion->after, layout)};
     }
     return inputs;
 }

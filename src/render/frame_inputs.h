@@ -15,6 +15,7 @@
 #include <glm/glm.hpp>
 
 #include "base/fingerprint.h"
+#include "elements/grid_maker.h"
 #include "render/element_radius.h"
 #include "render/motion.h"
 #include "render/proof_rays.h"
@@ -30,6 +31,7 @@ namespace isomotion::render {
 struct FieldInputs {
     std::vector<std::byte> parameters;          // block Parameters
     std::vector<std::vector<glm::vec4>> arrays; // the elements of each, packed
+    std::optional<elements::ElementGrid> grid;  // of the array whose elements are found by place
 };
 
 // Rays, and the beams of blocks of them.
@@ -83,6 +85,9 @@ struct InputLayout {
     const synthesis::Passes& passes;
     int width = 0, height = 0;
     int light_pixels = 0; // the side of lights' pictures
+    // Of the array whose elements are found by place, else null.
+    const elements::GridMaker* grid = nullptr;
+    elements::GridLimits grid_limits{};
 };
 
 // `element_radius`: of rays that march by cubics; null for others.
@@ -94,10 +99,11 @@ ViewInputs view_inputs(const scene::Scene& scene, const scene::SceneAt& now, int
 class SharedField {
 public:
     std::shared_ptr<const FieldInputs> at(const scene::Scene& scene, const scene::SceneAt& now,
-                                          const synthesis::Passes& passes);
+                                          const InputLayout& layout);
 
 private:
     std::optional<formula::Bindings<float>> of_;
+    scene::BoundsAt bounds_;
     std::shared_ptr<const FieldInputs> made_;
 };
 

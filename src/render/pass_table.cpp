@@ -95,6 +95,10 @@ void PassTable::bind(std::string_view sampler, const gpu::TextureBuffer& buffer)
     if (const auto unit = units_.find(sampler); unit != units_.end()) buffer.bind(unit->second);
 }
 
+void PassTable::bind(std::string_view sampler, const gpu::IntegerBuffer& buffer) const {
+    if (const auto unit = units_.find(sampler); unit != units_.end()) buffer.bind(unit->second);
+}
+
 void PassTable::bind_numbered(const std::string& sampler, const gpu::Target& target) const {
     for (int k = 0; k < target.attachments(); ++k) {
         bind(fmt::format("{}_{}", sampler, k), target.texture(k));

@@ -35,6 +35,7 @@ public:
     // Textures that the passes read by these names: "state_texture" has the numbers 0 and up.
     void bind(std::string_view sampler, const gpu::Texture& texture) const;
     void bind(std::string_view sampler, const gpu::TextureBuffer& buffer) const;
+    void bind(std::string_view sampler, const gpu::IntegerBuffer& buffer) const;
     void bind_numbered(const std::string& sampler, const gpu::Target& target) const;
 
     // The first of two texture units that no pass reads.

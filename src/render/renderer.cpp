@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -97,6 +98,8 @@ struct Renderer::Parts {
             listed += light_beams->listed();
         }
         field.emplace(passes, listed);
+        if (const auto array = synthesis::array_with_grid(passes))
+            grid_maker = elements::GridMaker::of(*scene.surface.field, *array);
         if (passes.has(Role::fused)) fused.emplace(passes, result);
         one_draw = fused.has_value();
         if (!one_draw) eye_rays.emplace(passes, plan.march);
@@ -132,7 +135,15 @@ struct Renderer::Parts {
         const int light_side = light_beams ? std::min(light_beams->most_pixels(),
                                                       light_pixels(options.width, options.height))
                                            : 0;
-        return {passes, options.width, options.height, light_side};
+        InputLayout all{passes, options.width, options.height, light_side};
+        if (!grid_maker) return all;
+        all.grid = &*grid_maker;
+        all.grid_limits.threads = options.threads > 0
+                                      ? options.threads
+                                      : std::max(1, int(std::thread::hardware_concurrency()));
+        all.grid_limits.listed =
+            std::min(all.grid_limits.listed, std::size_t(context.info().max_texture_buffer_size));
+        return all;
     }
 
     PictureInputs prepare(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion,
@@ -411,6 +422,7 @@ struct Renderer::Parts {
     gpu::UniformBuffer frame, shading;
     RayMarcher marcher;
     ElementRadius element_radius;
+    std::optional<elements::GridMaker> grid_maker;
     std::optional<FieldBuffers> field;
     std::optional<BeamPass> beams;
     bool keeps_beams = false;

@@ -62,6 +62,8 @@ struct RenderOptions {
     bool proofs_in_doubles = true;
     // Whether inputs may ask for the endings of rays. It changes no pixel.
     bool tells_endings = false;
+    // That find elements by place; 0: as many as the machine runs at once.
+    int threads = 0;
     // Asked before each tile and between its passes; where it says true, draw() throws Stopped.
     std::function<bool()> stop = {};
     // Told then: the part of the picture that is drawn, in whole tiles.

@@ -12,6 +12,8 @@ namespace {
 // Elements that a list of those that matter in a beam is reckoned with; rays with longer ones take
 // more passes.
 constexpr int usual_list = 16;
+// And one of a cell of a grid.
+constexpr int usual_list_of_a_cell = 32;
 
 constexpr int largest_tile = 2048;
 
@@ -66,15 +68,21 @@ MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& pass
     const std::vector<int> counts = capacities(passes);
     std::vector<int> usual = counts;
     if (synthesis::has_lists(passes)) usual[0] = std::min(usual[0], usual_list);
+    const auto by_place = synthesis::array_with_grid(passes);
+    if (by_place) {
+        int& elements = usual[std::size_t(*by_place)];
+        elements = std::min(elements, usual_list_of_a_cell);
+    }
     formula::Cost cost = synthesis::cost(*scene.surface.field, passes.samples, usual);
-    expect_shadeable(scene, passes, counts);
+    expect_shadeable(scene, passes, by_place ? usual : counts);
     cost.iterations = std::max(cost.iterations, shade_iterations(scene, passes, usual));
     const MarchPlan fitting =
         plan_march(cost, width, height, std::min(largest_tile, max_texture_size));
     MarchPlan chosen = wanted.value_or(fitting);
     // One draw marches and shades.
-    const double with_shade = (loop_iterations_per_pass - shade_iterations(scene, passes, counts)) /
-                              (1 + cost.iterations);
+    const double with_shade =
+        (loop_iterations_per_pass - shade_iterations(scene, passes, by_place ? usual : counts)) /
+        (1 + cost.iterations);
     if (passes.has(synthesis::Role::fused) && with_shade >= 1) {
         chosen.evaluations_per_pass = std::min(chosen.evaluations_per_pass, int(with_shade));
     }

@@ -1,6 +1,7 @@
 #include "render/uniform_blocks.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <span>
 
@@ -98,14 +99,22 @@ std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::Sce
     return block;
 }
 
-std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SceneAt& now) {
+std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SceneAt& now,
+                                       const elements::ElementGrid* grid) {
     const std::size_t vectors = std::size_t(passes.parameter_vectors);
-    std::vector<std::byte> block((vectors + std::size_t(passes.count_vectors)) * 16);
+    std::vector<std::byte> block(std::size_t(passes.vectors()) * 16);
     const auto values = std::as_bytes(std::span(now.bindings.parameters));
     std::copy(values.begin(), values.end(), block.begin());
     for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
         const std::int32_t count = now.bindings.arrays[a].count;
         std::memcpy(block.data() + vectors * 16 + a * 4, &count, 4);
+    }
+    if (grid) {
+        const std::array<glm::vec4, synthesis::grid_vectors> described{
+            wide(grid->low), wide(grid->cell),
+            wide(grid->across, grid->is_empty_free_of_roots ? 1 : 0)};
+        const std::size_t begin = (vectors + std::size_t(passes.count_vectors)) * 16;
+        std::memcpy(block.data() + begin, described.data(), sizeof described);
     }
     return block;
 }

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include "elements/element_grid.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
 #include "synthesis/pass.h"
@@ -40,8 +41,9 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const sce
 std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,
                                      int width, int height);
 
-// Block Parameters, generated: parameter values, then the arrays' counts.
-std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SceneAt& now);
+// Block Parameters, generated: parameter values, the arrays' counts, the grid where there is one.
+std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SceneAt& now,
+                                       const elements::ElementGrid* grid);
 
 // The elements of array `index`, packed as the field reads them.
 std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::Passes& passes,

@@ -1,7 +1,10 @@
 #include "synthesis/assemble.h"
 
 #include <algorithm>
+#include <optional>
+#include <span>
 
+#include "formula/element_kernels.h"
 #include "formula/linear_sum.h"
 #include "scene/method_domain.h"
 #include "synthesis/beam_text.h"
@@ -14,15 +17,28 @@
 namespace isomotion::synthesis {
 namespace {
 
+// The array with the most elements, if its sums' terms are kernels of a distance. Proofs look at
+// all elements.
+std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<const int> counts) {
+    constexpr int fewest = 9;
+    if (scene.isolation.certify || counts.empty()) return std::nullopt;
+    const int array = int(std::ranges::max_element(counts) - counts.begin());
+    if (counts[std::size_t(array)] < fewest) return std::nullopt;
+    if (!formula::element_kernels(*scene.surface.field, array)) return std::nullopt;
+    return array;
+}
+
 FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers) {
     std::vector<int> counts;
     for (const auto& array : scene.timeline.animation.arrays()) counts.push_back(array.count);
     // With more elements the loops of a beam's shader might end too soon (beam_text.cpp).
     constexpr int fewest = 9, most = 15'000;
-    const bool lists = writes_buffers && uses_beams(scene) && !counts.empty() &&
+    Finding finding;
+    finding.by_lists = writes_buffers && uses_beams(scene) && !counts.empty() &&
                        counts[0] >= fewest && counts[0] <= most &&
                        formula::linear_sum(*scene.surface.field).has_value();
-    return field_storage(*scene.surface.field, scene.surface.parameters, counts, lists);
+    if (!finding.by_lists) finding.by_place = array_to_find_by_place(scene, counts);
+    return field_storage(*scene.surface.field, scene.surface.parameters, counts, finding);
 }
 
 // So long that compiling it shows: some 0.2 s on a software renderer, and growing with its length.
@@ -43,10 +59,11 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     const bool solves = method.steps == scene::Steps::polynomial;
     if (solves) passes.degree = scene::solved_degree(*scene.surface.field);
     passes.state_textures = method.state_textures;
-    if (uses_beams(scene)) passes.beams = beam_levels(passes, finest_beam);
+    const bool by_beams = uses_beams(scene) && !array_with_grid(passes);
+    if (by_beams) passes.beams = beam_levels(passes, finest_beam);
     // A polynomial is solved from where the eye's rays begin, off the surface: shadow rays from the
     // light end on it.
-    if (uses_beams(scene) && !solves) passes.light_beams = shadow_mask(scene) & far_lights(scene);
+    if (by_beams && !solves) passes.light_beams = shadow_mask(scene) & far_lights(scene);
     std::vector<Channel> wanted = channels;
     if (scene.isolation.certify || tells_endings) wanted.push_back(Channel::ending);
     passes.attachments = written_channels(wanted);

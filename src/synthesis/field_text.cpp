@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "formula/glsl/glsl_interval.h"
+#include "synthesis/cells_text.h"
 #include "synthesis/shader_files.h"
 #include "synthesis/shader_text.h"
 
@@ -18,6 +19,8 @@ std::string declarations(const FieldStorage& storage) {
     if (storage.count_vectors > 0) {
         text += fmt::format("    ivec4 array_counts[{}];\n", storage.count_vectors);
     }
+    const std::optional<int> by_place = array_with_grid(storage);
+    if (by_place) text += fmt::format("    vec4 grid_block[{}];\n", grid_vectors);
     text += "};\n";
     // Copies: software renderers read a block again at every use, in every turn of a loop.
     std::string copies;
@@ -28,6 +31,13 @@ std::string declarations(const FieldStorage& storage) {
         fmt::format("vec4 parameters[{0}] = vec4[{0}]({1});\n", storage.parameter_vectors, copies);
     for (std::size_t a = 0; a < storage.arrays.size(); ++a) {
         const ArrayStorage& array = storage.arrays[a];
+        if (array.has_grid) {
+            text += fmt::format("uniform samplerBuffer {0};\n#define GRID_COUNT {0}_count\n"
+                                "vec4 array_grid[{1}] = vec4[{1}](grid_block[0], grid_block[1], "
+                                "grid_block[2]);\n",
+                                array.name, grid_vectors);
+            continue;
+        }
         text +=
             fmt::format("int {}_count = array_counts[{}].{};\n", array.name, a / 4, "xyzw"[a % 4]);
         std::string element = "element";
@@ -153,12 +163,23 @@ FunctionParts parts_of(const formula::Field& field, FieldPrograms& all, FieldFun
 
 } // namespace
 
+std::optional<int> array_with_grid(const FieldStorage& storage) {
+    for (std::size_t a = 0; a < storage.arrays.size(); ++a) {
+        if (storage.arrays[a].has_grid) return int(a);
+    }
+    return std::nullopt;
+}
+
+int FieldStorage::vectors() const {
+    return parameter_vectors + count_vectors + (array_with_grid(*this) ? grid_vectors : 0);
+}
+
 bool has_lists(const FieldStorage& storage) {
     return !storage.arrays.empty() && storage.arrays[0].has_lists;
 }
 
 FieldStorage field_storage(const formula::Field& field, int parameters, std::span<const int> counts,
-                           bool with_lists) {
+                           const Finding& finding) {
     FieldStorage storage;
     storage.parameter_vectors = std::max(1, (parameters + 3) / 4);
     for (std::size_t a = 0; a < field.packing.size(); ++a) {
@@ -167,10 +188,12 @@ FieldStorage field_storage(const formula::Field& field, int parameters, std::spa
         array.texels = std::max<int>(1, (int(field.packing[a].size()) + 3) / 4);
         array.capacity = std::max(1, counts[a]);
         const std::size_t bytes = std::size_t(array.capacity) * std::size_t(array.texels) * 16;
-        array.has_lists = with_lists;
-        array.kind = !with_lists && bytes <= ArrayStorage::uniform_block_bytes
-                         ? ArrayStorage::Kind::uniform_block
-                         : ArrayStorage::Kind::texture_buffer;
+        array.has_lists = finding.by_lists;
+        array.has_grid = finding.by_place == int(a);
+        array.kind =
+            !array.has_lists && !array.has_grid && bytes <= ArrayStorage::uniform_block_bytes
+                ? ArrayStorage::Kind::uniform_block
+                : ArrayStorage::Kind::texture_buffer;
         storage.arrays.push_back(array);
     }
     storage.count_vectors = (int(storage.arrays.size()) + 3) / 4;
@@ -195,12 +218,13 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     std::set<std::string> kernels, interval_kernels;
     bool on_intervals = false;
     std::string generated;
+    const bool by_place = array_with_grid(storage).has_value();
     FieldPrograms programs(field);
     for (const FieldFunction function : functions) {
         FunctionParts parts = parts_of(field, programs, function);
         (parts.on_intervals ? interval_kernels : kernels).merge(parts.kernels);
         on_intervals |= parts.on_intervals;
-        generated += parts.glsl;
+        generated += by_place ? in_cells(function, parts.glsl) : parts.glsl;
     }
     for (const GeneratedFunction& function : beside) {
         std::set<std::string>& used = beside_on_intervals ? interval_kernels : kernels;
@@ -212,11 +236,17 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
         for (const auto& kernel : interval_files(interval_kernels)) text.file(kernel);
     }
     text.generated("generated: parameters of the surface", declarations(storage));
+    if (by_place) add_cells(text, storage);
     if (!functions.empty()) {
         text.generated("generated from: " + as_comment(field.text), generated);
     }
     for (const GeneratedFunction& function : beside) {
-        text.generated("generated from: " + as_comment(function.from), function.glsl);
+        text.generated("generated from: " + as_comment(function.from),
+                       by_place ? entering_cells(function.glsl) : function.glsl);
+    }
+    if (by_place && on_intervals) {
+        text.file("elements/cells_of_box.glsl");
+        for (const FieldFunction function : functions) add_hull_over_cells(text, function);
     }
 }
 

@@ -2,6 +2,7 @@
 // arrays, the generated functions.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -26,6 +27,8 @@ struct ArrayStorage {
     int capacity = 0; // elements
     // Lists of those that matter in a beam follow the elements in their texture buffer.
     bool has_lists = false;
+    // A grid over the bounds tells which of them matter where (elements/element_grid.h).
+    bool has_grid = false;
 };
 
 // How the values that a field's names stand for reach the shader.
@@ -33,12 +36,25 @@ struct FieldStorage {
     int parameter_vectors = 1; // vec4s of the block Parameters, before the arrays' counts
     int count_vectors = 0;     // ivec4s of counts
     std::vector<ArrayStorage> arrays;
+
+    // Of the block.
+    int vectors() const;
 };
 
 bool has_lists(const FieldStorage& storage);
+// The array whose elements are found by place, if there is one.
+std::optional<int> array_with_grid(const FieldStorage& storage);
+// vec4s of the block Parameters that describe the grid, behind the counts.
+inline constexpr int grid_vectors = 3;
+
+// How the elements of a field's arrays are found.
+struct Finding {
+    bool by_lists = false;       // of the first array, in beams
+    std::optional<int> by_place; // of this array
+};
 
 FieldStorage field_storage(const formula::Field& field, int parameters, std::span<const int> counts,
-                           bool with_lists = false);
+                           const Finding& finding = {});
 
 // What a shader can ask of a field; see glsl_value(), glsl_value_interval() and their siblings for
 // the signatures. The programs of the intervals are made where they are asked for.

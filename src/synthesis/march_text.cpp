@@ -4,6 +4,7 @@
 
 #include "synthesis/beam_text.h"
 #include "synthesis/bernstein_text.h"
+#include "synthesis/cells_text.h"
 #include "synthesis/effect_text.h"
 
 namespace isomotion::synthesis {
@@ -26,6 +27,12 @@ bool meets_rough_places(const scene::Scene& scene) {
 bool judges_touches(const scene::Scene& scene) {
     return scene.isolation.method == scene::Method::hermite && scene.surface.smoothness.squares &&
            !meets_rough_places(scene);
+}
+
+// The paper's methods go all the way, as the paper has them.
+bool passes_empty_cells(const scene::Scene& scene, const Passes& passes) {
+    return array_with_grid(passes) &&
+           scene::traits(scene.isolation.method).steps == scene::Steps::cubics;
 }
 
 // What finds a root between two samples, or in a piece.
@@ -111,13 +118,15 @@ void define_state(ShaderText& text, const Passes& passes) {
 }
 
 void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes, Origin origin) {
-    const bool beam = uses_beams(scene) && origin == Origin::eye;
+    const bool beam = !passes.beams.empty() && origin == Origin::eye;
     if (beam && has_lists(passes)) text.define("LISTS", 1);
     add_entrance(text, passes, beam);
     add_isolation(text, scene, passes);
     text.file(passes.march_takes_gradient ? "march/gradient_at_root.glsl"
                                           : "march/end_at_root.glsl");
     add_turn(text, scene, passes);
+    if (array_with_grid(passes)) text.define("GRID", 1);
+    if (passes_empty_cells(scene, passes)) add_way_past_empty_cells(text);
     text.file("march/march.glsl");
 }
 
@@ -165,6 +174,8 @@ Pass shadow_pass(const scene::Scene& scene, const Passes& passes) {
         text.file("march/end_at_root.glsl");
         add_turn(text, scene, passes);
     }
+    if (array_with_grid(passes)) text.define("GRID", 1);
+    if (passes_empty_cells(scene, passes)) add_way_past_empty_cells(text);
     text.file(fmt::format("march/{}.glsl", method.any_hit));
     text.file("effects/shadow.glsl");
     text.file_of_stage("stage/march.frag", "stage/march.comp");

@@ -102,7 +102,7 @@ Pass mask_pass(const scene::Scene& scene, const Passes& passes) {
     ShaderText text;
     text.file("math/bits.glsl");
     add_ray(text, scene);
-    add_way(text, passes, uses_beams(scene));
+    add_way(text, passes, !passes.beams.empty());
     text.file("march/mask.frag");
     return std::move(text).pass(Role::mask, "mask", When::once_a_tile);
 }

@@ -1,0 +1,26 @@
+// Functions of a field whose elements are found by place: at a point they take the elements of its
+// cell, over a box they are the hull over the cells that it meets.
+#pragma once
+
+#include <string>
+
+#include "synthesis/field_text.h"
+
+namespace isomotion::synthesis {
+
+class ShaderText;
+
+// Cells and their lists, behind the declarations of the field's storage.
+void add_cells(ShaderText& text, const FieldStorage& storage);
+
+// A generated function that begins by entering the cell of its place, "vec3 p".
+std::string entering_cells(std::string glsl);
+// A field's function: of a place as above; of a box by another name, for one cell.
+std::string in_cells(FieldFunction function, const std::string& glsl);
+// And the function that takes the box's parts in all cells.
+void add_hull_over_cells(ShaderText& text, FieldFunction function);
+
+// Rays pass cells without elements.
+void add_way_past_empty_cells(ShaderText& text);
+
+} // namespace isomotion::synthesis
