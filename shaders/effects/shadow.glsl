@@ -67,10 +67,10 @@ void march_pixel() {
         int outcome = ray.t_near < ray.t_far ? RAY_GOES_ON : RAY_IS_FREE;
         while (turns > 0 && outcome == RAY_GOES_ON) {
             s.evaluations += 1;
-#ifdef PASSES_EMPTY
+#ifdef PASSES_FREE
             RayState past = s;
             past.refinements = 0;
-            past = pass_empty(past, ray);
+            past = pass_free(past, ray);
             if (past.phase == PHASE_DONE) {
                 outcome = RAY_IS_FREE;
                 break;

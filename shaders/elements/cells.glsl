@@ -1,14 +1,12 @@
 // Elements by place: src/elements/element_grid.h. All sums over the array go through the list of
 // the cell that was entered last.
 
-uniform usamplerBuffer cells_texture;  // of each cell: elements, and the first in `listed` (or how
-                                       // many cells around an empty one are empty as well)
+uniform usamplerBuffer cells_texture;  // as Cell
 uniform usamplerBuffer listed_texture; // elements
 
 #define GRID_LOW array_grid[0].xyz
 #define GRID_CELL array_grid[1].xyz
 #define GRID_ACROSS ivec3(array_grid[2].xyz)
-#define GRID_IS_FREE (array_grid[2].w > 0.0) // F has no root where no element matters
 
 int GRID_COUNT = 0, grid_first = 0;
 // Elements of all cells that were entered: what loops went through.
@@ -26,7 +24,7 @@ uvec2 read_cell(ivec3 place) {
 
 void enter_cell(ivec3 place) {
     uvec2 cell = read_cell(place);
-    GRID_COUNT = int(cell.x);
+    GRID_COUNT = int(cell.x & 0xfffffu);
     grid_first = int(cell.y);
     grid_entered += GRID_COUNT;
 }

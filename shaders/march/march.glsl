@@ -29,8 +29,8 @@ RayState march(Ray ray, RayState s) {
 #ifdef SOLVES
             // Software renderers, which skip no branch, should not solve at every sample.
             do {
-#ifdef PASSES_EMPTY
-                s = pass_empty(s, ray);
+#ifdef PASSES_FREE
+                s = pass_free(s, ray);
                 if (s.phase == PHASE_DONE) break;
 #endif
                 s = turn(s, ray);
@@ -41,8 +41,8 @@ RayState march(Ray ray, RayState s) {
             } while (turns > 0 && s.phase < PHASE_DONE);
             s = solve(s, ray);
 #else
-#ifdef PASSES_EMPTY
-            s = pass_empty(s, ray);
+#ifdef PASSES_FREE
+            s = pass_free(s, ray);
             if (s.phase == PHASE_DONE) break;
 #endif
             s = turn(s, ray);

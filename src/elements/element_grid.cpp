@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "base/workers.h"
+#include "elements/element_terms.h"
 
 namespace isomotion::elements {
 namespace {
@@ -65,20 +69,24 @@ public:
             half_cell_ = std::sqrt(half_cell_);
         }
 
-        bool operator()(const glm::ivec3& place) const {
-            if (set_.kind == Kind::unbounded) return true;
+        // The least root of the form in the cell; above 1 if the set does not meet the cell.
+        double operator()(const glm::ivec3& place) const {
+            if (set_.kind == Kind::unbounded) return 0;
             const glm::dvec3 middle = of_.low_ + (glm::dvec3(place) + 0.5) * of_.cell_;
             const glm::dvec3 off = middle - set_.centre;
+            double root;
             if (set_.is_round) {
-                // The nearest place of the cell. Border cells hold all that is beyond them.
+                // The nearest place of the cell.
                 const glm::dvec3 near =
                     glm::max(glm::abs(off) - 0.5 * of_.cell_ - of_.slack_, 0.0) / set_.half;
-                return glm::dot(near, near) <= 1 || is_on_border(place);
+                root = glm::length(near);
+            } else {
+                // The form's root is a norm: no place of the cell is nearer than its middle by
+                // more than half of the cell's diagonal.
+                root = std::max(std::sqrt(glm::dot(off, set_.form * off)) - half_cell_, 0.0);
             }
-            // The form's root is a norm: no place of the cell is nearer than its middle by more
-            // than half of the cell's diagonal.
-            return std::sqrt(glm::dot(off, set_.form * off)) <= 1 + half_cell_ ||
-                   is_on_border(place);
+            // The outermost cells hold all that is beyond them.
+            return is_on_border(place) ? std::min(root, 1.0) : root;
         }
 
     private:
@@ -122,22 +130,20 @@ double entries(std::span<const LevelSet> sets, const Placing& placing) {
     return all;
 }
 
-// How many cells around each empty one are empty too: distances on a chessboard, in two passes
-// over all cells (Rosenfeld & Pfaltz 1968).
-void measure_emptiness(ElementGrid& grid) {
+// How far cells are free, where they are: distances on a chessboard to the nearest one that is not,
+// in two passes over all cells (Rosenfeld & Pfaltz 1968).
+void measure_free(ElementGrid& grid, const std::vector<bool>& is_free) {
     const auto [nx, ny, nz] = std::array{grid.across.x, grid.across.y, grid.across.z};
-    const auto at = [&](int x, int y, int z) -> std::uint32_t& {
-        return grid.cells[std::size_t((z * ny + y) * nx + x)].first;
-    };
-    constexpr std::uint32_t far = 1u << 20; // outside of the grid there is no element
+    constexpr std::uint32_t far = Cell::most_free; // outside of the grid there is no root
     std::vector<std::uint32_t> steps(grid.cells.size());
-    for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = grid.cells[k].elements == 0 ? far : 0;
+    for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = is_free[k] ? far : 0;
+    const auto index = [&](int x, int y, int z) { return std::size_t((z * ny + y) * nx + x); };
     const auto step = [&](int x, int y, int z) -> std::uint32_t {
         const bool inside = x >= 0 && y >= 0 && z >= 0 && x < nx && y < ny && z < nz;
-        return inside ? steps[std::size_t((z * ny + y) * nx + x)] : far;
+        return inside ? steps[index(x, y, z)] : far;
     };
     const auto lower = [&](int x, int y, int z, int sign) {
-        std::uint32_t& here = steps[std::size_t((z * ny + y) * nx + x)];
+        std::uint32_t& here = steps[index(x, y, z)];
         if (here == 0) return;
         std::uint32_t least = far;
         // The 13 neighbours that come before, or after.
@@ -155,20 +161,49 @@ void measure_emptiness(ElementGrid& grid) {
     for (int z = nz; z-- > 0;)
         for (int y = ny; y-- > 0;)
             for (int x = nx; x-- > 0;) lower(x, y, z, -1);
-    for (int z = 0; z < nz; ++z) {
-        for (int y = 0; y < ny; ++y) {
-            for (int x = 0; x < nx; ++x) {
-                const std::uint32_t steps_here = step(x, y, z);
-                if (steps_here > 0) at(x, y, z) = std::min(steps_here, far) - 1;
-            }
+    for (std::size_t k = 0; k < steps.size(); ++k)
+        grid.cells[k].packed |= steps[k] << Cell::count_bits;
+}
+
+// Sums over the elements that matter in a cell, bounded; what is left out of them included.
+class CellSums {
+public:
+    CellSums(const RootFree& root_free, std::size_t cells)
+        : root_free_(root_free)
+        , sums_(root_free.at_most.size())
+        , bounds_(cells * sums_, 0.0f) {}
+
+    // An element's set of quadric k, whose form's root is at least that in the cell.
+    void add(std::uint32_t element, int k, double root, std::size_t cell) {
+        constexpr int shells = ElementTerms::shells;
+        for (std::size_t sum = 0; sum < sums_; ++sum) {
+            if (root_free_.quadric_of[sum] != k) continue;
+            const int shell = std::min(int(root * shells), shells - 1);
+            bounds_[cell * sums_ + sum] +=
+                root_free_.sizes[(element * sums_ + sum) * shells + std::size_t(shell)];
         }
     }
-}
+    bool are_free(std::size_t cell, std::uint32_t elements) const {
+        if (elements == 0 && root_free_.is_emptiness) return true;
+        if (sums_ == 0) return false;
+        // Additions in floats, each rounded.
+        const double rounding = 1 + 0x1p-23 * (elements + 1.0);
+        for (std::size_t sum = 0; sum < sums_; ++sum) {
+            if (!(rounding * bounds_[cell * sums_ + sum] <= root_free_.at_most[sum])) return false;
+        }
+        return true;
+    }
+
+private:
+    const RootFree& root_free_;
+    std::size_t sums_;
+    std::vector<float> bounds_;
+};
 
 } // namespace
 
 ElementGrid make_grid(const Region& region, std::span<const LevelSet> sets, int each,
-                      const GridLimits& limits) {
+                      const RootFree& root_free, const GridLimits& limits) {
     ElementGrid grid;
     grid.low = region.low;
     double side = wanted_side(sets, region);
@@ -195,11 +230,12 @@ ElementGrid make_grid(const Region& region, std::span<const LevelSet> sets, int 
     const auto first_layer = [&](std::size_t part) {
         return int(part * std::size_t(grid.across.z) / std::size_t(parts));
     };
-    // Calls found(element, cell) for all elements in ascending order; an element that is in a cell
-    // by several sets counts once.
-    const auto for_each_entry = [&](std::size_t part, auto&& found) {
+    // Calls found(element, cell, set, root) for all sets in ascending order that meet the cell, and
+    // with `once` for the first set of an element alone.
+    const auto for_each_entry = [&](std::size_t part, bool once, auto&& found) {
         const int begin = first_layer(part), end = first_layer(part + 1);
-        std::vector<std::uint32_t> last(each > 1 ? layer * std::size_t(end - begin) : 0, ~0u);
+        std::vector<std::uint32_t> last(once && each > 1 ? layer * std::size_t(end - begin) : 0,
+                                        ~0u);
         for (std::size_t k = 0; k < sets.size(); ++k) {
             const auto element = std::uint32_t(k / std::size_t(each));
             const auto& [low, high] = blocks[k];
@@ -211,43 +247,60 @@ ElementGrid make_grid(const Region& region, std::span<const LevelSet> sets, int 
                         std::size_t(z * grid.across.y + y) * std::size_t(grid.across.x);
                     for (int x = low.x; x <= high.x; ++x) {
                         const std::size_t cell = row + std::size_t(x);
-                        if (each > 1) {
+                        const double root = meets({x, y, z});
+                        if (root > 1) continue;
+                        if (!last.empty()) {
                             std::uint32_t& seen = last[cell - std::size_t(begin) * layer];
-                            if (seen == element || !meets({x, y, z})) continue;
+                            if (seen == element) continue;
                             seen = element;
-                        } else if (!meets({x, y, z})) {
-                            continue;
                         }
-                        found(element, cell);
+                        found(element, cell, int(k % std::size_t(each)), root);
                     }
                 }
             }
         }
     };
     const base::SharedLoop over_parts{std::size_t(parts), limits.threads};
+    CellSums sums(root_free, grid.cells.size());
     base::share(over_parts, [&] {
         return [&](std::size_t part) {
-            for_each_entry(part,
-                           [&](std::uint32_t, std::size_t cell) { ++grid.cells[cell].elements; });
+            for_each_entry(part, true,
+                           [&](std::uint32_t element, std::size_t cell, int set, double root) {
+                               ++grid.cells[cell].packed;
+                               if (each == 1) sums.add(element, set, root, cell);
+                           });
+            if (each == 1) return;
+            for_each_entry(part, false,
+                           [&](std::uint32_t element, std::size_t cell, int set, double root) {
+                               sums.add(element, set, root, cell);
+                           });
         };
     });
     std::uint32_t begin = 0;
-    for (Cell& cell : grid.cells) {
+    std::vector<bool> is_free(grid.cells.size());
+    for (std::size_t k = 0; k < grid.cells.size(); ++k) {
+        Cell& cell = grid.cells[k];
         cell.first = begin;
-        begin += cell.elements;
-        grid.longest = std::max(grid.longest, cell.elements);
+        begin += cell.packed;
+        is_free[k] = sums.are_free(k, cell.packed);
+        grid.longest = std::max(grid.longest, cell.packed);
+    }
+    if (grid.longest > Cell::most_elements) {
+        throw std::length_error(
+            fmt::format("{} elements of an array matter at one place; a list holds {}",
+                        grid.longest, Cell::most_elements));
     }
     grid.listed.resize(begin);
     std::vector<std::uint32_t> next(grid.cells.size());
     for (std::size_t k = 0; k < next.size(); ++k) next[k] = grid.cells[k].first;
     base::share(over_parts, [&] {
         return [&](std::size_t part) {
-            for_each_entry(part, [&](std::uint32_t element, std::size_t cell) {
+            for_each_entry(part, true, [&](std::uint32_t element, std::size_t cell, int, double) {
                 grid.listed[next[cell]++] = element;
             });
         };
     });
-    measure_emptiness(grid);
+    measure_free(grid, is_free);
     return grid;
 }
 

@@ -1,8 +1,8 @@
 // A grid over the bounds: each cell has the list of the elements that matter in it.
 //
 // Made anew for each frame, from that frame's values alone. Rays of any kind, and boxes around
-// pieces of them, find their elements by place; where a cell has none, they learn how far around
-// it there are none.
+// pieces of them, find their elements by place; and learn of cells in which F has no root, as no
+// element matters there or those that do add up to too little.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,19 @@
 
 namespace isomotion::elements {
 
+// As shaders read it.
 struct Cell {
-    std::uint32_t elements = 0; // that matter in it
-    // Where its list begins; of an empty cell, how many cells on each side of it, in all
-    // directions, are empty as well or lie outside.
-    std::uint32_t first = 0;
+    static constexpr int count_bits = 20;
+    static constexpr std::uint32_t most_elements = (1u << count_bits) - 1;
+    static constexpr std::uint32_t most_free = (1u << (32 - count_bits)) - 1;
+
+    std::uint32_t packed = 0; // elements that matter in it; above these, how far it is free
+    std::uint32_t first = 0;  // where its list begins
+
+    std::uint32_t elements() const { return packed & most_elements; }
+    // 0 where F may have a root; k where it has none in the cell and in the k - 1 cells on each
+    // side of it, in all directions, or outside of the grid.
+    std::uint32_t free() const { return packed >> count_bits; }
 
     bool operator==(const Cell&) const = default;
 };
@@ -32,8 +40,6 @@ struct ElementGrid {
     std::uint32_t longest = 0; // list
     // Bounds of what lists leave out of each sum; 0: nothing, terms are 0 there.
     std::vector<double> left_out;
-    // F has no root where no element matters.
-    bool is_empty_free_of_roots = false;
 
     const Cell& at(const glm::ivec3& place) const {
         return cells[std::size_t((place.z * across.y + place.y) * across.x + place.x)];
@@ -43,7 +49,7 @@ struct ElementGrid {
         return glm::clamp(glm::ivec3(glm::floor((p - low) / cell)), glm::ivec3(0), across - 1);
     }
     std::span<const std::uint32_t> list(const Cell& of) const {
-        return std::span(listed).subspan(of.first, of.elements);
+        return std::span(listed).subspan(of.first, of.elements());
     }
 };
 
@@ -53,10 +59,19 @@ struct GridLimits {
     int threads = 1;
 };
 
+// What tells cells without roots: the sums there are too small.
+struct RootFree {
+    std::span<const int> quadric_of; // of each sum
+    std::span<const float> sizes;    // ElementTerms::sizes() of all elements
+    std::vector<double> at_most;     // F has no root where each sum is at most this; none: unknown
+    bool is_emptiness = false;       // F has no root where there is no element
+};
+
 // `sets`: `each` level sets of the first element, then of the next. Lists hold elements in
 // ascending order. The grid is as fine as half of the sets' mean size, and coarser where limits
-// ask for it. Equal for any number of threads.
+// ask for it. Equal for any number of threads. Throws std::length_error where more than
+// Cell::most_elements matter in one cell.
 ElementGrid make_grid(const Region& region, std::span<const LevelSet> sets, int each,
-                      const GridLimits& limits);
+                      const RootFree& root_free, const GridLimits& limits);
 
 } // namespace isomotion::elements

@@ -245,6 +245,47 @@ void ElementTerms::level_sets(std::span<const double> tolerance, int first, int 
     }
 }
 
+void ElementTerms::sizes(std::span<const LevelSet> sets, int first, int last,
+                         std::span<float> found) const {
+    Lanes lanes(*this);
+    const int kinds = quadrics(), all = sums();
+    const auto number = [&](int element, int sum, int shell) -> float& {
+        return found[std::size_t(((element - first) * all + sum) * shells + shell)];
+    };
+    for (int begin = first; begin < last; begin += block) {
+        const int count = std::min(block, last - begin);
+        lanes.set_elements(begin, count);
+        for (int shell = 0; shell < shells; ++shell) {
+            const double part = double(shell * shell) / (shells * shells);
+            for (int l = 0; l < count; ++l) {
+                for (int k = 0; k < kinds; ++k) {
+                    const Quadric& q = quadric(begin + l, k);
+                    const LevelSet& set = sets[std::size_t((begin + l - first) * kinds + k)];
+                    const bool is_bounded = set.kind == LevelSet::Kind::bounded;
+                    const double from = is_bounded ? set.least + part * set.rise : q.least;
+                    lanes.set_quadric(k, l,
+                                      q.is_definite ? oriented(q, std::min(from, q.most), q.most)
+                                                    : Interval::entire());
+                }
+            }
+            lanes.run(count);
+            for (int l = 0; l < count; ++l) {
+                for (int sum = 0; sum < all; ++sum) {
+                    const double size = magnitude(lanes.term(sum, l));
+                    number(begin + l, sum, shell) = std::nextafter(
+                        float(std::min(size, 1e38)), std::numeric_limits<float>::infinity());
+                }
+            }
+        }
+        if (!alike_) continue;
+        // The first one stands for all.
+        for (int e = first + 1; e < last; ++e) {
+            for (int k = 0; k < all * shells; ++k) number(e, 0, k) = number(first, 0, k);
+        }
+        return;
+    }
+}
+
 Interval ElementTerms::bounds(int sum, double distance) const {
     if (count_ == 0) return 0.0;
     Lanes lanes(*this);

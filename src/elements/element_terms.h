@@ -31,6 +31,12 @@ public:
     void level_sets(std::span<const double> tolerance, int first, int last,
                     std::span<LevelSet> found) const;
 
+    // Bounds of the terms' sizes in shells of their level sets: for each element and each sum
+    // `shells` numbers, from the middle outwards, where the form's root is at least k / shells.
+    // Holds for all places beyond as well.
+    static constexpr int shells = 8;
+    void sizes(std::span<const LevelSet> sets, int first, int last, std::span<float> found) const;
+
     // Bounds of a sum's terms where an element's middle is at least so far away.
     Interval bounds(int sum, double distance) const;
 

@@ -37,26 +37,9 @@ double mean_size(const ElementTerms& terms, std::span<const double> tolerance) {
     return sum;
 }
 
-std::vector<LevelSet> level_sets(const ElementTerms& terms, std::span<const double> tolerance,
-                                 int threads) {
-    const auto each = std::size_t(terms.quadrics());
-    std::vector<LevelSet> sets(std::size_t(terms.count()) * each);
-    const std::size_t turns = (std::size_t(terms.count()) + together - 1) / together;
-    base::share({turns, threads}, [&] {
-        return [&](std::size_t turn) {
-            const int first = int(turn) * together;
-            const int last = std::min(first + together, terms.count());
-            terms.level_sets(tolerance, first, last,
-                             std::span(sets).subspan(std::size_t(first) * each,
-                                                     std::size_t(last - first) * each));
-        };
-    });
-    return sets;
-}
-
-// What may be left out of each sum: by its size at roots, in units of its largest term.
-std::vector<double> allowed(const ElementTerms& terms, const SumsAtRoots& roots,
-                            const Region& region) {
+// How large each sum is at least at roots; 0 where that is not known.
+std::vector<double> sizes_at_roots(const ElementTerms& terms, const SumsAtRoots& roots,
+                                   const Region& region) {
     std::vector<Interval> units;
     for (int k = 0; k < terms.sums(); ++k) {
         const Interval term = terms.bounds(k, 0);
@@ -65,22 +48,23 @@ std::vector<double> allowed(const ElementTerms& terms, const SumsAtRoots& roots,
     const bool are_finite =
         std::ranges::all_of(units, [](const Interval& u) { return u.hi > 0 && u.hi < 1e300; });
     const double least = are_finite ? roots.least(terms.bindings(), region, units) : 0.0;
-    std::vector<double> parts;
-    for (const Interval& unit : units)
-        parts.push_back(least > 0 ? part_left_out * least * unit.hi : 0);
-    return parts;
+    std::vector<double> sizes;
+    for (const Interval& unit : units) sizes.push_back(least > 0 ? least * unit.hi : 0);
+    return sizes;
 }
 
 } // namespace
 
 // Leaves nothing out where terms are 0 beyond a support. (Those of kernels that fade without end
 // are 0 far outside, where doubles can't tell them from it.)
-Tolerances GridMaker::choose(const ElementTerms& terms, const Region& region) const {
+Tolerances GridMaker::choose(const ElementTerms& terms, std::span<const double> at_roots,
+                             const Region& region) {
     constexpr double support_at_most = 1.5; // times the size where little is left out
     const std::vector<double> nothing(std::size_t(terms.sums()), 0.0);
     const double size_of_support = mean_size(terms, nothing);
     const Tolerances exact{nothing, nothing};
-    const std::vector<double> little = allowed(terms, roots_, region);
+    std::vector<double> little(at_roots.begin(), at_roots.end());
+    for (double& size : little) size *= part_left_out;
     if (std::ranges::all_of(little, [](double a) { return a == 0; })) return exact;
     if (size_of_support <= support_at_most * mean_size(terms, little)) return exact;
     const double widest = glm::length(region.high - region.low);
@@ -96,11 +80,34 @@ std::optional<GridMaker> GridMaker::of(const formula::Field& field, int array) {
 ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Region& region,
                             const GridLimits& limits) const {
     const ElementTerms terms(kernels_, bindings, region);
-    Tolerances left_out = choose(terms, region);
-    const std::vector<LevelSet> sets = level_sets(terms, left_out.of_term, limits.threads);
-    ElementGrid grid = make_grid(region, sets, terms.quadrics(), limits);
+    RootFree root_free{kernels_.quadric_of,
+                       {},
+                       sizes_at_roots(terms, roots_, region),
+                       roots_.are_everything(bindings, region)};
+    const Tolerances left_out = choose(terms, root_free.at_most, region);
+    const auto each = std::size_t(terms.quadrics()), sums = std::size_t(terms.sums());
+    std::vector<LevelSet> sets(std::size_t(terms.count()) * each);
+    std::vector<float> sizes(std::size_t(terms.count()) * sums * ElementTerms::shells);
+    const std::size_t turns = (std::size_t(terms.count()) + together - 1) / together;
+    base::share({turns, limits.threads}, [&] {
+        return [&](std::size_t turn) {
+            const std::size_t first = turn * together;
+            const std::size_t count =
+                std::min(std::size_t(together), std::size_t(terms.count()) - first);
+            const auto own = std::span(sets).subspan(first * each, count * each);
+            const int begin = int(first), end = int(first + count);
+            terms.level_sets(left_out.of_term, begin, end, own);
+            constexpr std::size_t shells = ElementTerms::shells;
+            terms.sizes(own, begin, end,
+                        std::span(sizes).subspan(first * sums * shells, count * sums * shells));
+        };
+    });
+    root_free.sizes = sizes;
+    for (std::size_t k = 0; k < sums; ++k) root_free.at_most[k] -= left_out.of_sum[k];
+    if (std::ranges::any_of(root_free.at_most, [](double s) { return !(s > 0); }))
+        root_free.at_most.clear();
+    ElementGrid grid = make_grid(region, sets, terms.quadrics(), root_free, limits);
     grid.left_out = left_out.of_sum;
-    grid.is_empty_free_of_roots = roots_.are_everything(bindings, region);
     return grid;
 }
 

@@ -29,7 +29,8 @@ private:
         : kernels_(std::move(kernels))
         , roots_(std::move(roots)) {}
 
-    Tolerances choose(const ElementTerms& terms, const Region& region) const;
+    static Tolerances choose(const ElementTerms& terms, std::span<const double> at_roots,
+                             const Region& region);
 
     formula::ElementKernels kernels_;
     SumsAtRoots roots_;

@@ -48,6 +48,8 @@ LevelSet Quadric::level_set(double level) const {
     set.centre = centre;
     set.half = glm::sqrt(height * glm::dvec3(inverse.xx, inverse.yy, inverse.zz));
     set.form = 1 / height * hessian;
+    set.least = least;
+    set.rise = 0.5 * height;
     const bool is_finite = glm::all(glm::lessThan(set.half, glm::dvec3(1e300)));
     set.kind = is_finite ? LevelSet::Kind::bounded : LevelSet::Kind::unbounded;
     return set;

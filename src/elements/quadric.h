@@ -47,8 +47,9 @@ struct LevelSet {
     Kind kind = Kind::empty;
     bool is_round = false;
     glm::dvec3 centre{0};
-    glm::dvec3 half{0}; // of the box around it
-    Symmetric form;     // at most 1 inside, of places relative to the centre
+    glm::dvec3 half{0};         // of the box around it
+    Symmetric form;             // at most 1 inside, of places relative to the centre
+    double least = 0, rise = 0; // the polynomial is least + rise * form
 };
 
 // A polynomial P = sign * Q, the sign such that P grows outwards.

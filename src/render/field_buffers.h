@@ -46,7 +46,7 @@ private:
 
         void update(const elements::ElementGrid& grid) {
             static_assert(sizeof(elements::Cell) == 2 * sizeof(std::uint32_t));
-            cells.update({&grid.cells.front().elements, 2 * grid.cells.size()});
+            cells.update({&grid.cells.front().packed, 2 * grid.cells.size()});
             listed.update(grid.listed);
         }
         void bind(PassTable& table) const {

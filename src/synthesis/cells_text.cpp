@@ -59,9 +59,9 @@ void add_hull_over_cells(ShaderText& text, FieldFunction function) {
     if (const OverCells* over = of_boxes(function)) text.file(over->file);
 }
 
-void add_way_past_empty_cells(ShaderText& text) {
-    text.define("PASSES_EMPTY", 1);
-    text.file("elements/pass_empty.glsl");
+void add_way_past_free_cells(ShaderText& text) {
+    text.define("PASSES_FREE", 1);
+    text.file("elements/pass_free.glsl");
 }
 
 } // namespace isomotion::synthesis

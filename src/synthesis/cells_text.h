@@ -20,7 +20,7 @@ std::string in_cells(FieldFunction function, const std::string& glsl);
 // And the function that takes the box's parts in all cells.
 void add_hull_over_cells(ShaderText& text, FieldFunction function);
 
-// Rays pass cells without elements.
-void add_way_past_empty_cells(ShaderText& text);
+// Rays pass cells without roots.
+void add_way_past_free_cells(ShaderText& text);
 
 } // namespace isomotion::synthesis

@@ -30,7 +30,7 @@ bool judges_touches(const scene::Scene& scene) {
 }
 
 // The paper's methods go all the way, as the paper has them.
-bool passes_empty_cells(const scene::Scene& scene, const Passes& passes) {
+bool passes_free_cells(const scene::Scene& scene, const Passes& passes) {
     return array_with_grid(passes) &&
            scene::traits(scene.isolation.method).steps == scene::Steps::cubics;
 }
@@ -126,7 +126,7 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes
                                           : "march/end_at_root.glsl");
     add_turn(text, scene, passes);
     if (array_with_grid(passes)) text.define("GRID", 1);
-    if (passes_empty_cells(scene, passes)) add_way_past_empty_cells(text);
+    if (passes_free_cells(scene, passes)) add_way_past_free_cells(text);
     text.file("march/march.glsl");
 }
 
@@ -175,7 +175,7 @@ Pass shadow_pass(const scene::Scene& scene, const Passes& passes) {
         add_turn(text, scene, passes);
     }
     if (array_with_grid(passes)) text.define("GRID", 1);
-    if (passes_empty_cells(scene, passes)) add_way_past_empty_cells(text);
+    if (passes_free_cells(scene, passes)) add_way_past_free_cells(text);
     text.file(fmt::format("march/{}.glsl", method.any_hit));
     text.file("effects/shadow.glsl");
     text.file_of_stage("stage/march.frag", "stage/march.comp");

@@ -56,7 +56,7 @@ TEST_P(Families, SumsOverListsAreTheSums) {
             const std::array p{place(draw), place(draw), place(draw)};
             const Cell& cell = grid.at(grid.place({p[0], p[1], p[2]}));
             const auto list =
-                cell.elements > 0 ? grid.list(cell) : std::span<const std::uint32_t>{};
+                cell.elements() > 0 ? grid.list(cell) : std::span<const std::uint32_t>{};
             listed += double(list.size());
             const double whole = evaluator.value(all, p);
             const double part = evaluator.value(only(all, list), p);
@@ -90,8 +90,8 @@ TEST(Speed, OfMany) {
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
         double mean = 0, full = 0;
         for (const Cell& c : grid.cells) {
-            mean += double(c.elements) * c.elements;
-            full += c.elements > 0;
+            mean += double(c.elements()) * c.elements();
+            full += c.free() == 0;
         }
         printf("%s: %.0f ms (%.0f cpu), across %d, listed %zu, longest %u, met %.1f, full %.2f, "
                "left out %g\n",

@@ -1,8 +1,8 @@
-// Rays go past cells where no element matters, if F has no root there.
+// Rays go past cells without roots, as far as bounds of the sums tell (src/elements/element_grid.h).
 
-// Where the empty part of the ray that t is in ends; t where an element matters.
-float past_empty(Ray ray, float t) {
-    if (!GRID_IS_FREE) return t;
+// Where the part of the ray that t is in ends that has no root; t where it may have one.
+float end_of_free(Ray ray, float t) {
+    // Nothing is divided by 0.
     vec3 direction = mix(ray.direction, vec3(1.0e-20), lessThan(abs(ray.direction), vec3(1.0e-20)));
     // Borders are passed by less than lists reach over them.
     float beyond = 3.0e-5 * min(GRID_CELL.x, min(GRID_CELL.y, GRID_CELL.z));
@@ -10,8 +10,9 @@ float past_empty(Ray ray, float t) {
         vec3 p = ray_point(ray, t);
         ivec3 place = cell_of(p);
         uvec2 cell = read_cell(place);
-        if (cell.x > 0u) break;
-        float around = float(cell.y);
+        int free = int(cell.x >> 20);
+        if (free == 0) break;
+        float around = float(free - 1);
         vec3 low = GRID_LOW + (vec3(place) - around) * GRID_CELL;
         vec3 high = low + (2.0 * around + 1.0) * GRID_CELL;
         vec3 ends = (mix(low, high, greaterThan(direction, vec3(0.0))) - p) / direction;
@@ -20,10 +21,10 @@ float past_empty(Ray ray, float t) {
     return min(t, ray.t_far);
 }
 
-// A ray that stands where no element matters begins anew where one does.
-RayState pass_empty(RayState s, Ray ray) {
+// A ray that stands where there is no root begins anew where there may be one.
+RayState pass_free(RayState s, Ray ray) {
     if (s.phase != PHASE_START && s.phase != PHASE_MARCH) return s;
-    float t = past_empty(ray, s.low);
+    float t = end_of_free(ray, s.low);
     if (!(t > s.low)) return s;
     s.low = s.high = t;
     s.phase = PHASE_START;
