@@ -17,27 +17,37 @@
 namespace isomotion::synthesis {
 namespace {
 
-// The array with the most elements, if its sums' terms are kernels of a distance. Proofs look at
-// all elements.
+// From so many elements on a grid finds those that matter faster than beams do.
+constexpr int most_by_lists = 500;
+
+// The array with the most elements, if its sums' terms are kernels of a distance and looking for
+// them pays. Proofs look at all elements; so does a scene that calls beams off, and the paper's
+// methods, as far as a shader can.
 std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<const int> counts) {
-    constexpr int fewest = 9;
+    constexpr int fewest = 64, most_in_a_shader = 20'000;
     if (scene.isolation.certify || counts.empty()) return std::nullopt;
     const int array = int(std::ranges::max_element(counts) - counts.begin());
-    if (counts[std::size_t(array)] < fewest) return std::nullopt;
-    if (!formula::element_kernels(*scene.surface.field, array)) return std::nullopt;
+    const int count = counts[std::size_t(array)];
+    const bool looks_at_all = scene.isolation.beam == false;
+    const bool is_hermite = scene.isolation.method == scene::Method::hermite;
+    const int from = looks_at_all ? most_in_a_shader : is_hermite ? fewest : most_by_lists;
+    if (count <= from || !formula::element_kernels(*scene.surface.field, array))
+        return std::nullopt;
     return array;
 }
 
 FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers) {
     std::vector<int> counts;
     for (const auto& array : scene.timeline.animation.arrays()) counts.push_back(array.count);
-    // With more elements the loops of a beam's shader might end too soon (beam_text.cpp).
+    // With more elements than most the loops of a beam's shader might end too soon (beam_text.cpp).
     constexpr int fewest = 9, most = 15'000;
+    const auto by_place = array_to_find_by_place(scene, counts);
+    const bool is_large = by_place && counts[std::size_t(*by_place)] > most_by_lists;
     Finding finding;
-    finding.by_lists = writes_buffers && uses_beams(scene) && !counts.empty() &&
+    finding.by_lists = !is_large && writes_buffers && uses_beams(scene) && !counts.empty() &&
                        counts[0] >= fewest && counts[0] <= most &&
                        formula::linear_sum(*scene.surface.field).has_value();
-    if (!finding.by_lists) finding.by_place = array_to_find_by_place(scene, counts);
+    if (!finding.by_lists) finding.by_place = by_place;
     return field_storage(*scene.surface.field, scene.surface.parameters, counts, finding);
 }
 

@@ -1,0 +1,150 @@
+// Elements found by place: the picture is that of all elements.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "render/drawing.h"
+#include "scene/error.h"
+#include "scene/reading/load.h"
+#include "synthesis/assemble.h"
+
+namespace isomotion::render {
+namespace {
+
+class Grid : public Drawing {};
+ISOMOTION_ON_EVERY_BACKEND(Grid);
+
+constexpr const char* distance = "((x-cx)^2 + (y-cy)^2 + (z-cz)^2)";
+
+scene::Scene elements(const std::string& formula, int count, const std::string& more = {}) {
+    return scene_of(fmt::format(R"toml([surface]
+formula = "{}"
+bounds = {{ sphere = 2 }}
+[arrays.p]
+count = {}
+cx = "2.4*random(i, 0) - 1.2"
+cy = "2.4*random(i, 1) - 1.2"
+cz = "2.4*random(i, 2) - 1.2"
+w = "0.7 + 0.6*random(i, 3)"
+[camera]
+azimuth = 30
+elevation = 20
+[output]
+size = [97, 61]
+{})toml",
+                                formula, count, more));
+}
+
+struct Difference {
+    int hits = 0, other_verdict = 0;
+    double farthest = 0; // along the ray
+};
+
+Difference difference(const Picture& a, const Picture& b) {
+    Difference found;
+    const auto channel = [](const Picture& picture, const char* name) {
+        return std::span<const float>(picture.frame.find(name)->samples);
+    };
+    const auto va = channel(a, "verdict"), vb = channel(b, "verdict");
+    for (std::size_t k = 0; k < va.size(); ++k) {
+        if (Verdict(int(va[k])) == Verdict::hit) ++found.hits;
+        if (va[k] != vb[k]) {
+            ++found.other_verdict;
+        } else if (Verdict(int(va[k])) == Verdict::hit) {
+            found.farthest =
+                std::max(found.farthest, double(std::abs(channel(a, "Z")[k] - channel(b, "Z")[k])));
+        }
+    }
+    return found;
+}
+
+// By a method that goes by bounds and finds first roots wherever it begins.
+Difference beside_all_elements(gpu::Context& context, scene::Scene scene) {
+    scene.isolation.method = scene::Method::interval;
+    EXPECT_TRUE(synthesis::array_with_grid(synthesis::assemble(scene)));
+    scene::Scene plain = scene;
+    plain.isolation.beam = false;
+    EXPECT_FALSE(synthesis::array_with_grid(synthesis::assemble(plain)));
+    return difference(draw(context, plain), draw(context, scene));
+}
+
+TEST_P(Grid, IsThePictureOfAllElements) {
+    const std::string d = distance;
+    for (const std::string& formula : std::vector<std::string>{
+             "0.3 - sum(p, exp(-120*" + d + "))",
+             "0.3 - sum(p, w*max(0, 1 - 25*" + d + ")^3)",
+             "0.3 - sum(p, w*max(0, 1 - 12*((x-cx+y-cy)^2 + 2*(y-cy)^2 + (z-cz)^2))^3)",
+             // no roots alone tell how large the sum is; a plane where it is 0
+             "z - 0.3 + sum(p, max(0, 1 - 25*" + d + ")^3)",
+             "sum(p, w*max(0, 1 - 20*" + d + ")^2)/(1 + sum(p, max(0, 1 - 16*" + d + ")^3)) - 0.2",
+             "max(0.3 - sum(p, max(0, 1 - 25*" + d + ")^3), 0.2*y - x)",
+         }) {
+        const Difference found = beside_all_elements(*context, elements(formula, 600));
+        EXPECT_GT(found.hits, 1000) << formula;
+        EXPECT_LE(found.other_verdict, 2) << formula;
+        EXPECT_LT(found.farthest, 1e-3) << formula;
+    }
+}
+
+TEST_P(Grid, ShadowsMirrorsAndOcclusionSeeIt) {
+    const std::string formula = std::string("0.3 - sum(p, w*max(0, 1 - 25*") + distance + ")^3)";
+    const std::string effects = R"toml([[lights]]
+direction = [1, 0.3, 1]
+shadow = true
+[material]
+reflection = "self"
+[occlusion]
+)toml";
+    scene::Scene scene = elements(formula, 600, effects);
+    scene.isolation.method = scene::Method::interval;
+    scene::Scene plain = scene;
+    plain.isolation.beam = false;
+    const Picture a = draw(*context, plain), b = draw(*context, scene);
+    std::size_t other = 0;
+    for (const char* name : {"R", "G", "B"}) {
+        const auto& x = a.frame.find(name)->samples;
+        const auto& y = b.frame.find(name)->samples;
+        for (std::size_t k = 0; k < x.size(); ++k) other += std::abs(x[k] - y[k]) > 0.02f;
+    }
+    EXPECT_LT(other, 3 * 97 * 61 / 200) << "less than one in two hundred";
+}
+
+// Cubics pass cells without roots; they lose no blob by it.
+TEST_P(Grid, CubicsHitWhatBoundsHit) {
+    for (const char* kernel : {"exp(-120*", "max(0, 1 - 25*"}) {
+        const std::string power = kernel[0] == 'm' ? ")^3" : ")";
+        scene::Scene scene =
+            elements(std::string("0.3 - sum(p, ") + kernel + distance + power + ")", 600);
+        ASSERT_EQ(scene.isolation.method, scene::Method::hermite);
+        scene::Scene certain = scene;
+        certain.isolation.method = scene::Method::interval;
+        const Difference found = difference(draw(*context, certain), draw(*context, scene));
+        EXPECT_GT(found.hits, 1000);
+        EXPECT_LE(found.other_verdict, 2) << kernel;
+        EXPECT_LT(found.farthest, 1e-2) << kernel;
+    }
+}
+
+TEST_P(Grid, DrawsNoElementOneAndMoreThanAShaderCanSum) {
+    const std::string formula = std::string("0.3 - sum(p, max(0, 1 - 4000*") + distance + ")^3)";
+    scene::Scene many = elements(formula, 70'000);
+    EXPECT_GT(count(draw(*context, many), Verdict::hit), 1000);
+    scene::SceneAt now = scene::at(many, many.timeline.values(1));
+    Renderer renderer(*context, many, {97, 61, every_channel});
+    for (auto& column : now.bindings.arrays[0].fields)
+        column.resize(std::min<std::size_t>(column.size(), 1));
+    now.bindings.arrays[0].count = 1;
+    EXPECT_LE(count(renderer.draw(now), Verdict::hit), 4);
+    now.bindings.arrays[0].count = 0;
+    for (auto& column : now.bindings.arrays[0].fields) column.clear();
+    EXPECT_EQ(count(renderer.draw(now), Verdict::hit), 0);
+}
+
+TEST_P(Grid, SaysWhereTooManyMeet) {
+    const scene::Scene scene =
+        elements("0.3 - sum(p, max(0, 1 - 0.1*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))^3)", 60'000);
+    Renderer renderer(*context, scene, {16, 16, {}});
+    EXPECT_THROW(renderer.draw(scene::at(scene, scene.timeline.values(1))), scene::SceneError);
+}
+
+} // namespace
+} // namespace isomotion::render
