@@ -107,7 +107,11 @@ void Fluid::step(float dt) {
     for (std::size_t i = 0; i < n; ++i) room_[i] = crowded_[i] ? 0 : 1;
     work_.divergence_iterations += solve(dt, room_, divergence_pressure_, 1e-3F, 20);
     add_forces(dt);
-    for (std::size_t i = 0; i < n; ++i) room_[i] = 1 - density_[i];
+    // What is too dense already parts bit by bit: all at once, its speed would be that error over dt,
+    // and every impact would end in a spray of single particles.
+    const float part = std::min(1.0F, dt / settings_.parting);
+    for (std::size_t i = 0; i < n; ++i)
+        room_[i] = density_[i] > 1 ? part * (1 - density_[i]) : 1 - density_[i];
     work_.density_iterations += solve(dt, room_, density_pressure_, 1e-3F, 60);
     move(dt);
     ++work_.steps;

@@ -16,8 +16,9 @@ struct Settings {
     // Surface tension of Akinci, Akinci & Teschner 2013: their gamma, of the force that pulls
     // together with the density at rest in it, and of the one that makes surfaces small.
     float cohesion = 9, contraction = 0.05F;
-    float viscosity = 6;          // XSPH: the part of the neighbours' velocity taken on in a second
+    float viscosity = 10;         // XSPH: the part of the neighbours' velocity taken on in a second
     float friction = 1;           // the same of a wall's
+    float parting = 0.03F;        // seconds in which particles too close come apart
     unsigned threads = 1;         // do not change the result
 };
 
