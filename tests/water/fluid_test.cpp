@@ -53,15 +53,21 @@ TEST(Fluid, ComesToRestAtItsDensityAtRestAndLevel) {
     EXPECT_NEAR(level, 0.61 * 0.85 / (2 - 0.04) / 2, 0.02);
 }
 
-TEST(Fluid, FallsFreelyWhereNothingHoldsIt) {
-    Tank tank;
-    tank.inside = {{0, 0, 0}, {1, 1, 2}};
-    Settings settings;
-    settings.spacing = 0.1F;
-    Fluid fluid(tank, settings, {{0.5F, 0.5F, 1.5F}}, {{0, 0, 0}});
-    fluid.advance(0.5F);
-    EXPECT_NEAR(fluid.velocities()[0].z, -0.5F * settings.gravity, 1e-4F);
-    EXPECT_NEAR(fluid.positions()[0].z, 1.5F - settings.gravity / 8, 0.02F);
+TEST(Fluid, FallsAsTheAirLetsIt) {
+    for (const float air : {0.0F, 1.5F}) {
+        Tank tank;
+        tank.inside = {{0, 0, 0}, {1, 1, 2}};
+        Settings settings;
+        settings.spacing = 0.1F;
+        settings.air = air;
+        Fluid fluid(tank, settings, {{0.5F, 0.5F, 1.5F}}, {{0, 0, 0}});
+        fluid.advance(0.5F);
+        // dv/dt = air v^2 - g
+        const float g = settings.gravity;
+        const float speed =
+            air > 0 ? std::sqrt(g / air) * std::tanh(0.5F * std::sqrt(g * air)) : 0.5F * g;
+        EXPECT_NEAR(fluid.velocities()[0].z, -speed, air > 0 ? 0.02F : 1e-4F) << air;
+    }
 }
 
 } // namespace

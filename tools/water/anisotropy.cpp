@@ -59,7 +59,9 @@ struct Neighbourhood {
 class Gatherer {
 public:
     Gatherer(const Fluid& fluid, float reach)
-        : reach_(reach), grid_(fluid.tank().inside, reach / 2), tank_(fluid.tank()) {
+        : reach_(reach)
+        , grid_(fluid.tank().inside, reach / 2)
+        , tank_(fluid.tank()) {
         const std::vector<std::uint32_t> order = grid_.sort(fluid.positions());
         for (const std::uint32_t i : order) {
             position_.push_back(fluid.positions()[i]);
@@ -140,9 +142,8 @@ private:
 std::array<double, 3> half_axes(std::array<double, 3> variance, int neighbours,
                                 const SurfaceSettings& settings) {
     const double most = std::max({variance[0], variance[1], variance[2]});
-    const double crowd = std::clamp(double(neighbours - settings.few) /
-                                        double(settings.enough - settings.few),
-                                    0.0, 1.0);
+    const double crowd = std::clamp(
+        double(neighbours - settings.few) / double(settings.enough - settings.few), 0.0, 1.0);
     std::array<double, 3> axes{};
     for (std::size_t k = 0; k < 3; ++k) {
         const double stretched = std::max(variance[k], most / double(settings.most_stretch));

@@ -9,11 +9,11 @@ namespace water {
 
 /// How a surface is made of particles.
 struct SurfaceSettings {
-    float kernel = 2;      // the radius h of a kernel in a full neighbourhood, in spacings
-    float reach = 3;       // of the neighbourhood r, in spacings
-    float smoothing = 0.9F; // lambda
-    float most_stretch = 4; // k_r
-    float alone = 0.5F;     // k_n: the radius of a particle alone, as a part of h
+    float kernel = 2;          // the radius h of a kernel in a full neighbourhood, in spacings
+    float reach = 3;           // of the neighbourhood r, in spacings
+    float smoothing = 0.9F;    // lambda
+    float most_stretch = 4;    // k_r
+    float alone = 0.5F;        // k_n: the radius of a particle alone, as a part of h
     int few = 10, enough = 25; // N_eps: neighbours from which kernels begin and end to stretch
 };
 

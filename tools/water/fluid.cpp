@@ -28,8 +28,7 @@ Box with_margin(const Box& box, float margin) {
     return {box.low - m, box.high + m};
 }
 
-template <class T>
-void reorder(std::vector<T>& values, std::span<const std::uint32_t> order) {
+template<class T> void reorder(std::vector<T>& values, std::span<const std::uint32_t> order) {
     std::vector<T> sorted(values.size());
     for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = values[order[i]];
     values = std::move(sorted);
@@ -41,17 +40,20 @@ std::size_t Fluid::chunk() { return chunk_size; }
 
 Fluid::Fluid(Tank tank, const Settings& settings, std::vector<Vec3> positions,
              std::vector<Vec3> velocities)
-    : tank_(std::move(tank)), settings_(settings), kernels_(support * settings.spacing),
-      volume_(volume_at_rest(kernels_)),
-      grid_(tank_.inside, kernels_.support()),
-      wall_grid_(with_margin(tank_.inside, kernels_.support()), kernels_.support()),
-      wall_points_(tank_.wall_points(settings.spacing, kernels_.support())),
-      position_(std::move(positions)), velocity_(std::move(velocities)) {
+    : tank_(std::move(tank))
+    , settings_(settings)
+    , kernels_(support * settings.spacing)
+    , volume_(volume_at_rest(kernels_))
+    , grid_(tank_.inside, kernels_.support())
+    , wall_grid_(with_margin(tank_.inside, kernels_.support()), kernels_.support())
+    , wall_points_(tank_.wall_points(settings.spacing, kernels_.support()))
+    , position_(std::move(positions))
+    , velocity_(std::move(velocities)) {
     reorder(wall_points_, wall_grid_.sort(wall_points_));
     const std::size_t n = position_.size();
     for (std::size_t i = 0; i < n; ++i) id_.push_back(int(i));
-    for (std::vector<float>* v : {&density_pressure_, &divergence_pressure_, &density_,
-                                  &wall_density_, &diagonal_, &room_})
+    for (std::vector<float>* v :
+         {&density_pressure_, &divergence_pressure_, &density_, &wall_density_, &diagonal_, &room_})
         v->resize(n);
     for (std::vector<Vec3>* v : {&wall_slope_, &acceleration_, &normal_, &change_}) v->resize(n);
     crowded_.resize(n);
@@ -87,7 +89,8 @@ void Fluid::advance(float seconds) {
     }
 }
 
-// The condition of Courant, Friedrichs and Lewy: the fastest particle moves by a part of the spacing.
+// The condition of Courant, Friedrichs and Lewy: the fastest particle moves by a part of the
+// spacing.
 float Fluid::longest_step() const {
     float fastest = 0;
     for (const Vec3& v : velocity_) fastest = std::max(fastest, dot(v, v));
@@ -107,8 +110,8 @@ void Fluid::step(float dt) {
     for (std::size_t i = 0; i < n; ++i) room_[i] = crowded_[i] ? 0 : 1;
     work_.divergence_iterations += solve(dt, room_, divergence_pressure_, 1e-3F, 20);
     add_forces(dt);
-    // What is too dense already parts bit by bit: all at once, its speed would be that error over dt,
-    // and every impact would end in a spray of single particles.
+    // What is too dense already parts bit by bit: all at once, its speed would be that error over
+    // dt, and every impact would end in a spray of single particles.
     const float part = std::min(1.0F, dt / settings_.parting);
     for (std::size_t i = 0; i < n; ++i)
         room_[i] = density_[i] > 1 ? part * (1 - density_[i]) : 1 - density_[i];
@@ -129,55 +132,58 @@ void Fluid::sort_particles() {
 
 void Fluid::find_pairs() {
     const float h = kernels_.support();
-    for_chunks(position_.size(), settings_.threads, [&](std::size_t c, std::size_t first,
-                                                        std::size_t last) {
-        std::vector<Pair>& pairs = chunk_pairs_[c];
-        pairs.clear();
-        for (std::size_t i = first; i < last; ++i) {
-            const Vec3 p = position_[i];
-            const std::size_t begin = pairs.size();
-            float density = kernels_.value(0), wall_density = 0, squares = 0;
-            int neighbours = 0;
-            Vec3 slope, wall_slope;
-            grid_.visit_near(p, h, [&](std::size_t from, std::size_t to) {
-                for (std::size_t j = from; j < to; ++j) {
-                    const Vec3 d = p - position_[j];
-                    const float square = dot(d, d);
-                    if (square >= h * h || j == i) continue;
-                    const float q = std::sqrt(square) / h;
-                    // Two in one place have no direction to part in.
-                    const Vec3 g = q > 0 ? volume_ * kernels_.slope_by_distance(q) * d : Vec3{};
-                    density += kernels_.value(q);
-                    slope += g;
-                    squares += dot(g, g);
-                    pairs.push_back({std::uint32_t(j), g});
-                }
-            });
-            neighbours = int(pairs.size() - begin);
-            // Points of the walls count as water at rest, as in Akinci et al., "Versatile
-            // rigid-fluid coupling for incompressible SPH", 2012, Eq. 6, of a lattice two deep.
-            if (tank_.depth_in_wall(p) > -h) {
-                wall_grid_.visit_near(p, h, [&](std::size_t from, std::size_t to) {
-                    for (std::size_t j = from; j < to; ++j) {
-                        const Vec3 d = p - wall_points_[j];
-                        const float square = dot(d, d);
-                        if (square >= h * h || square == 0) continue;
-                        const float q = std::sqrt(square) / h;
-                        wall_density += kernels_.value(q);
-                        wall_slope += volume_ * kernels_.slope_by_distance(q) * d;
-                        ++neighbours;
-                    }
-                });
-            }
-            rows_[i] = {std::uint32_t(begin), std::uint32_t(pairs.size())};
-            density_[i] = volume_ * (density + wall_density);
-            wall_density_[i] = volume_ * wall_density;
-            wall_slope_[i] = wall_slope;
-            // Eq. 5's denominator: how the rate changes with the particle's own pressure.
-            diagonal_[i] = dot(slope + wall_slope, slope + wall_slope) + squares;
-            crowded_[i] = neighbours >= 20;
-        }
-    });
+    for_chunks(position_.size(), settings_.threads,
+               [&](std::size_t c, std::size_t first, std::size_t last) {
+                   std::vector<Pair>& pairs = chunk_pairs_[c];
+                   pairs.clear();
+                   for (std::size_t i = first; i < last; ++i) {
+                       const Vec3 p = position_[i];
+                       const std::size_t begin = pairs.size();
+                       float density = kernels_.value(0), wall_density = 0, squares = 0;
+                       int neighbours = 0;
+                       Vec3 slope, wall_slope;
+                       grid_.visit_near(p, h, [&](std::size_t from, std::size_t to) {
+                           for (std::size_t j = from; j < to; ++j) {
+                               const Vec3 d = p - position_[j];
+                               const float square = dot(d, d);
+                               if (square >= h * h || j == i) continue;
+                               const float q = std::sqrt(square) / h;
+                               // Two in one place have no direction to part in.
+                               const Vec3 g =
+                                   q > 0 ? volume_ * kernels_.slope_by_distance(q) * d : Vec3{};
+                               density += kernels_.value(q);
+                               slope += g;
+                               squares += dot(g, g);
+                               pairs.push_back({std::uint32_t(j), g});
+                           }
+                       });
+                       neighbours = int(pairs.size() - begin);
+                       // Points of the walls count as water at rest, as in Akinci et al.,
+                       // "Versatile rigid-fluid coupling for incompressible SPH", 2012, Eq. 6, of a
+                       // lattice two deep.
+                       if (tank_.depth_in_wall(p) > -h) {
+                           wall_grid_.visit_near(p, h, [&](std::size_t from, std::size_t to) {
+                               for (std::size_t j = from; j < to; ++j) {
+                                   const Vec3 d = p - wall_points_[j];
+                                   const float square = dot(d, d);
+                                   if (square >= h * h || square == 0) continue;
+                                   const float q = std::sqrt(square) / h;
+                                   wall_density += kernels_.value(q);
+                                   wall_slope += volume_ * kernels_.slope_by_distance(q) * d;
+                                   ++neighbours;
+                               }
+                           });
+                       }
+                       rows_[i] = {std::uint32_t(begin), std::uint32_t(pairs.size())};
+                       density_[i] = volume_ * (density + wall_density);
+                       wall_density_[i] = volume_ * wall_density;
+                       wall_slope_[i] = wall_slope;
+                       // Eq. 5's denominator: how the rate changes with the particle's own
+                       // pressure.
+                       diagonal_[i] = dot(slope + wall_slope, slope + wall_slope) + squares;
+                       crowded_[i] = neighbours >= 20;
+                   }
+               });
 }
 
 float Fluid::rate(std::size_t i, std::span<const Vec3> velocity) const {
@@ -192,9 +198,8 @@ int Fluid::solve(float dt, std::span<const float> room, std::vector<float>& pres
     const std::size_t n = position_.size();
     const float least = 1e-3F / (kernels_.support() * kernels_.support());
     std::vector<float> wanted(n), error(n), next(n); // wanted: a rate of change
-    for_all(n, settings_.threads, [&](std::size_t i) {
-        wanted[i] = (room[i] - dt * rate(i, velocity_)) / (dt * dt);
-    });
+    for_all(n, settings_.threads,
+            [&](std::size_t i) { wanted[i] = (room[i] - dt * rate(i, velocity_)) / (dt * dt); });
     const auto accelerate = [&] {
         for_all(n, settings_.threads, [&](std::size_t i) { // Eq. 6
             const float p = pressure[i];
@@ -249,7 +254,9 @@ void Fluid::add_forces(float dt) {
         }
         const float drag = std::min(0.5F, settings_.friction * dt) * wall_density_[i];
         acceleration_[i] = pull - Vec3{0, 0, settings_.gravity};
-        change_[i] = mix * drift - drag * velocity_[i];
+        const float spray = std::max(0.0F, 1 - float(pairs(i).size()) / 20);
+        const float air = std::min(0.5F, settings_.air * dt * spray * length(velocity_[i]));
+        change_[i] = mix * drift - (drag + air) * velocity_[i];
     });
     for (std::size_t i = 0; i < n; ++i) velocity_[i] += dt * acceleration_[i] + change_[i];
 }

@@ -11,15 +11,16 @@
 namespace water {
 
 struct Settings {
-    float spacing;                // between particles at rest
-    float gravity = 1.5F;         // downwards, per second squared
+    float spacing;        // between particles at rest
+    float gravity = 1.5F; // downwards, per second squared
     // Surface tension of Akinci, Akinci & Teschner 2013: their gamma, of the force that pulls
     // together with the density at rest in it, and of the one that makes surfaces small.
     float cohesion = 9, contraction = 0.05F;
-    float viscosity = 10;         // XSPH: the part of the neighbours' velocity taken on in a second
-    float friction = 1;           // the same of a wall's
-    float parting = 0.03F;        // seconds in which particles too close come apart
-    unsigned threads = 1;         // do not change the result
+    float viscosity = 10;  // XSPH: the part of the neighbours' velocity taken on in a second
+    float friction = 1;    // the same of a wall's
+    float air = 1.5F;      // of spray: the part of its speed lost to the air on a way of 1
+    float parting = 0.03F; // seconds in which particles too close come apart
+    unsigned threads = 1;  // do not change the result
 };
 
 /// Water of particles of one mass, kept incompressible as in Bender & Koschier, "Divergence-free

@@ -6,10 +6,11 @@
 namespace water {
 
 Grid::Grid(const Box& bounds, float cell)
-    : low_(bounds.low), per_length_(1 / cell),
-      nx_(int(std::ceil((bounds.high.x - bounds.low.x) / cell))),
-      ny_(int(std::ceil((bounds.high.y - bounds.low.y) / cell))),
-      nz_(int(std::ceil((bounds.high.z - bounds.low.z) / cell))) {
+    : low_(bounds.low)
+    , per_length_(1 / cell)
+    , nx_(int(std::ceil((bounds.high.x - bounds.low.x) / cell)))
+    , ny_(int(std::ceil((bounds.high.y - bounds.low.y) / cell)))
+    , nz_(int(std::ceil((bounds.high.z - bounds.low.z) / cell))) {
     starts_.resize(index({0, 0, nz_}) + 1);
 }
 
@@ -29,8 +30,7 @@ std::vector<std::uint32_t> Grid::sort(std::span<const Vec3> points) {
     }
     for (std::size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
     std::vector<std::uint32_t> next = starts_;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        order[next[cells[i]]++] = std::uint32_t(i);
+    for (std::size_t i = 0; i < points.size(); ++i) order[next[cells[i]]++] = std::uint32_t(i);
     return order;
 }
 

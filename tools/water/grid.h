@@ -21,8 +21,7 @@ public:
 
     /// Calls visit(first, last) for ranges that together have all points within `reach` of p, once
     /// and always in the same order, and others.
-    template <class Visit>
-    void visit_near(Vec3 p, float reach, const Visit& visit) const {
+    template<class Visit> void visit_near(Vec3 p, float reach, const Visit& visit) const {
         const Vec3 r{reach, reach, reach};
         const Cell low = cell_of(p - r), high = cell_of(p + r);
         for (int z = low.z; z <= high.z; ++z) {

@@ -7,7 +7,9 @@ namespace water {
 /// The kernels of support h, of which the lengths below are fractions q of h.
 class Kernels {
 public:
-    explicit Kernels(float h) : h_(h), scale_(8 / (std::numbers::pi_v<float> * h * h * h)) {}
+    explicit Kernels(float h)
+        : h_(h)
+        , scale_(8 / (std::numbers::pi_v<float> * h * h * h)) {}
 
     float support() const { return h_; }
 

@@ -2,12 +2,12 @@
 //
 //   cmake --build build/release --target make_water
 //   build/release/tools/make_water dam OUT_DIR [--frames 120] [--particles 50000]
-//   build/release/tools/make_water splash OUT_DIR [--frames 24] [--first 24] [--particles 100000]
+//   build/release/tools/make_water splash OUT_DIR [--frames 8] [--first 8] [--particles 100000]
 //
 // Files are OUT_DIR/dam.0001.ply and so on; ply.h has their columns and anisotropy.h how a surface
 // is made of them. The same bytes come out on each run, whatever the number of threads.
+#include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -52,18 +52,23 @@ Request request_of(int count, char** arguments) {
     request.name = arguments[1];
     request.folder = arguments[2];
     if (request.name == "splash") {
-        request.first = request.frames = 24; // where it is highest
+        request.first = request.frames = 8; // where the crown is highest and whole
         request.particles = 100000;
     } else if (request.name != "dam") {
         throw UsageError("no such situation");
     }
     for (int i = 3; i < count; i += 2) {
         const std::string_view option = arguments[i], text = arguments[i + 1];
-        if (option == "--frames") request.frames = number(option, text, 1, 9999);
-        else if (option == "--first") request.first = number(option, text, 1, 9999);
-        else if (option == "--particles") request.particles = number(option, text, 100, 1000000);
-        else if (option == "--threads") request.threads = number(option, text, 1, 256);
-        else throw UsageError(std::string(option) + ": no such option");
+        if (option == "--frames")
+            request.frames = number(option, text, 1, 9999);
+        else if (option == "--first")
+            request.first = number(option, text, 1, 9999);
+        else if (option == "--particles")
+            request.particles = number(option, text, 100, 1000000);
+        else if (option == "--threads")
+            request.threads = number(option, text, 1, 256);
+        else
+            throw UsageError(std::string(option) + ": no such option");
     }
     return request;
 }
@@ -78,9 +83,8 @@ void write_frame(const Request& request, int frame, const water::Fluid& fluid) {
 void simulate(const Request& request) {
     std::filesystem::create_directories(request.folder);
     const auto threads = unsigned(request.threads);
-    water::Fluid fluid = request.name == "dam"
-                             ? water::dam_break(request.particles, threads)
-                             : water::ball_into_pool(request.particles, threads);
+    water::Fluid fluid = request.name == "dam" ? water::dam_break(request.particles, threads)
+                                               : water::ball_into_pool(request.particles, threads);
     std::printf("%zu particles, %g apart\n", fluid.positions().size(),
                 double(fluid.settings().spacing));
     for (int frame = 1; frame <= request.frames; ++frame) {

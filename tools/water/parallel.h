@@ -15,8 +15,7 @@ inline std::size_t chunks_of(std::size_t count) { return (count + chunk_size - 1
 
 /// Calls body(chunk, first, last) for all chunks of [0, count). A body writes only what belongs to
 /// its indices: then the result is the same whatever the number of threads. It must not throw.
-template <class Body>
-void for_chunks(std::size_t count, unsigned threads, const Body& body) {
+template<class Body> void for_chunks(std::size_t count, unsigned threads, const Body& body) {
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
         for (std::size_t c = next++; c < chunks_of(count); c = next++)
@@ -29,8 +28,7 @@ void for_chunks(std::size_t count, unsigned threads, const Body& body) {
 }
 
 /// Calls body(i) for all i in [0, count), under the same conditions.
-template <class Body>
-void for_all(std::size_t count, unsigned threads, const Body& body) {
+template<class Body> void for_all(std::size_t count, unsigned threads, const Body& body) {
     for_chunks(count, threads, [&](std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) body(i);
     });

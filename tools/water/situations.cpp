@@ -15,15 +15,15 @@ float random_part(std::uint64_t count) {
 
 // The middles of a lattice's cells where inside() holds, shaken a little: from an exact lattice
 // water would fall in rows, and a round sheet would not know where to break.
-template <class Inside>
+template<class Inside>
 std::vector<Vec3> fill(const Box& box, float spacing, float shake, const Inside& inside) {
     const auto cells = [&](float low, float high) { return int((high - low) / spacing + 0.5F); };
     std::vector<Vec3> points;
     for (int k = 0; k < cells(box.low.z, box.high.z); ++k) {
         for (int j = 0; j < cells(box.low.y, box.high.y); ++j) {
             for (int i = 0; i < cells(box.low.x, box.high.x); ++i) {
-                Vec3 p = box.low +
-                         spacing * Vec3{float(i) + 0.5F, float(j) + 0.5F, float(k) + 0.5F};
+                Vec3 p =
+                    box.low + spacing * Vec3{float(i) + 0.5F, float(j) + 0.5F, float(k) + 0.5F};
                 if (!inside(p)) continue;
                 const std::uint64_t count = 3 * points.size();
                 p += (shake * spacing) * Vec3{random_part(count) - 0.5F,
@@ -57,23 +57,22 @@ Fluid dam_break(int particles, unsigned threads) {
 }
 
 Fluid ball_into_pool(int particles, unsigned threads) {
-    // Of 100,000 particles the tank is 100 across, the pool 9 deep and the ball 38 thick.
+    // Of 100,000 particles the tank is 100 across, the pool 10 deep and the ball 36 thick.
     const float n = std::round(100 * std::cbrt(float(particles) / 100000)), spacing = 2 / n;
     const auto whole = [&](float length) { return std::round(length / spacing) * spacing; };
     Tank tank;
     tank.inside = {{-1, -1, 0}, {1, 1, whole(1.6F)}};
     tank.round = true;
-    const float surface = whole(0.18F), radius = 0.38F;
+    const float surface = whole(0.19F), radius = 0.36F;
     const Vec3 middle{0, 0, surface + radius + spacing};
     const auto in_ball = [&](Vec3 p) { return length(p - middle) < radius; };
     const auto in_pool = [&](Vec3 p) {
         return p.z < surface && tank.depth_in_wall(p) < -0.4F * spacing;
     };
-    std::vector<Vec3> points = fill(tank.inside, spacing, 0.3F,
-                                    [&](Vec3 p) { return in_ball(p) || in_pool(p); });
+    std::vector<Vec3> points =
+        fill(tank.inside, spacing, 0.3F, [&](Vec3 p) { return in_ball(p) || in_pool(p); });
     std::vector<Vec3> velocities;
-    for (const Vec3& p : points)
-        velocities.push_back(p.z > surface ? Vec3{0, 0, -4.0F} : Vec3{});
+    for (const Vec3& p : points) velocities.push_back(p.z > surface ? Vec3{0, 0, -2.6F} : Vec3{});
     Settings settings;
     settings.spacing = spacing;
     settings.threads = threads;

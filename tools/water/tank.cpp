@@ -41,10 +41,9 @@ std::vector<Wall> walls_of_tank(const Tank& tank, Vec3 p) {
 } // namespace
 
 float Tank::depth_in_wall(Vec3 p) const {
-    const float beside =
-        round ? length(from_axis(inside, p)) - radius_of(inside)
-              : std::max({inside.low.x - p.x, p.x - inside.high.x, inside.low.y - p.y,
-                          p.y - inside.high.y});
+    const float beside = round ? length(from_axis(inside, p)) - radius_of(inside)
+                               : std::max({inside.low.x - p.x, p.x - inside.high.x,
+                                           inside.low.y - p.y, p.y - inside.high.y});
     const float depth = std::max(beside, inside.low.z - p.z);
     return post ? std::max(depth, -outside_of(*post, p)) : depth;
 }
@@ -54,8 +53,10 @@ std::vector<Wall> Tank::walls_near(Vec3 p, float reach) const {
     std::erase_if(walls, [&](const Wall& wall) { return wall.distance(p) >= reach; });
     if (post && outside_of(*post, p) < reach) {
         // The face that the point is in front of; of a point in the post the nearest.
-        const Wall faces[] = {{{-1, 0, 0}, -post->low.x}, {{1, 0, 0}, post->high.x},
-                              {{0, -1, 0}, -post->low.y}, {{0, 1, 0}, post->high.y},
+        const Wall faces[] = {{{-1, 0, 0}, -post->low.x},
+                              {{1, 0, 0}, post->high.x},
+                              {{0, -1, 0}, -post->low.y},
+                              {{0, 1, 0}, post->high.y},
                               {{0, 0, 1}, post->high.z}};
         const Wall* face = nullptr;
         int before = 0;
@@ -77,8 +78,8 @@ std::vector<Vec3> Tank::wall_points(float spacing, float thickness) const {
     for (int k = -margin; k < nz; ++k) {
         for (int j = -margin; j < ny + margin; ++j) {
             for (int i = -margin; i < nx + margin; ++i) {
-                const Vec3 p = inside.low + spacing * Vec3{float(i) + 0.5F, float(j) + 0.5F,
-                                                           float(k) + 0.5F};
+                const Vec3 p =
+                    inside.low + spacing * Vec3{float(i) + 0.5F, float(j) + 0.5F, float(k) + 0.5F};
                 const float depth = depth_in_wall(p);
                 if (depth > 0 && depth < thickness) points.push_back(p);
             }
