@@ -36,7 +36,7 @@ Circumstances Cli::circumstances() const {
 }
 
 Ending Cli::run(Words arguments, const Circumstances& circumstances) const {
-    arguments.insert(arguments.begin(), ISOMOTION_PROGRAM);
+    arguments.insert(arguments.begin(), tested_program(ISOMOTION_PROGRAM));
     return cli::run(arguments, circumstances);
 }
 

@@ -143,9 +143,10 @@ TEST_F(Information, DoctorTellsWhatWorks) {
 }
 
 TEST_F(Information, AFullPlaceForTheTextIsAnError) {
-    const Ending ending = cli::run(
-        {"/bin/sh", "-c", std::string(ISOMOTION_PROGRAM) + " show sphere.toml --shader >/dev/full"},
-        circumstances());
+    const Ending ending =
+        cli::run({"/bin/sh", "-c",
+                  tested_program(ISOMOTION_PROGRAM) + " show sphere.toml --shader >/dev/full"},
+                 circumstances());
     EXPECT_EQ(ending.code, 3) << ending;
     EXPECT_THAT(ending.err, HasSubstr("No space left"));
 }

@@ -73,7 +73,8 @@ TEST_F(Machine, ASmallStack) {
     write("nested.toml", formula_scene(nested + " - r"));
     for (const Words& words : {Words{"show", "nested.toml"},
                                {"render", "nested.toml", "--frames", "1", "-o", "a.png"}}) {
-        Words limited{"/bin/sh", "-c", R"(ulimit -s 128; exec "$0" "$@")", ISOMOTION_PROGRAM};
+        Words limited{"/bin/sh", "-c", R"(ulimit -s 128; exec "$0" "$@")",
+                      tested_program(ISOMOTION_PROGRAM)};
         limited.insert(limited.end(), words.begin(), words.end());
         const Ending ending = cli::run(limited, circumstances());
         EXPECT_EQ(ending.code, 0) << ending;
@@ -84,7 +85,8 @@ TEST_F(Machine, ASmallStack) {
 TEST_F(Machine, OutputsThatCannotBeWritten) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
     const auto shell = [this](const std::string& redirection, Words words) {
-        Words all{"/bin/sh", "-c", R"(exec "$0" "$@" )" + redirection, ISOMOTION_PROGRAM};
+        Words all{"/bin/sh", "-c", R"(exec "$0" "$@" )" + redirection,
+                  tested_program(ISOMOTION_PROGRAM)};
         all.insert(all.end(), words.begin(), words.end());
         return cli::run(all, circumstances());
     };

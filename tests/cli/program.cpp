@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <thread>
@@ -75,6 +76,11 @@ int wait_for(pid_t child, const Circumstances& circumstances) {
 }
 
 } // namespace
+
+std::string tested_program(const char* built) {
+    const char* other = std::getenv("ISOMOTION_PROGRAM");
+    return other ? other : built;
+}
 
 std::ostream& operator<<(std::ostream& to, const Ending& ending) {
     return to << "code " << ending.code << ", signal " << ending.signal << "\nstdout:\n"

@@ -30,6 +30,11 @@ struct Circumstances {
     int interrupt_signal = 0;
 };
 
+// The path of isomotion that is tested: ISOMOTION_PROGRAM of the environment where it is set, which
+// is how a program with sanitizers is tried by tests of another build; else what `built` says, the
+// build's own.
+std::string tested_program(const char* built);
+
 // `arguments` starts with the program's path. A program that runs for minutes is killed.
 Ending run(const std::vector<std::string>& arguments, const Circumstances& circumstances);
 

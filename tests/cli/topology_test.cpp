@@ -46,7 +46,8 @@ TEST_F(Topology, AMistakeIsToldBeforeAnythingIsSearched) {
          "mege.json:1: events[1]: \"mege at frame 3\": there is no event 'mege'; did you mean "
          "'merge'?"},
         {{"--check", "cut.timeline.json"}, "cut.timeline.json: not valid JSON: parse error at"},
-        {{"--check", "new.timeline.json"}, "new.timeline.json:1: version: is 9, which this program"},
+        {{"--check", "new.timeline.json"},
+         "new.timeline.json:1: version: is 9, which this program"},
         {{"--set", "time.frames=1"}, "the scene has one frame, in which nothing happens"},
     };
     for (const auto& [arguments, message] : wrongs) {

@@ -95,7 +95,8 @@ TEST_F(Driver, AsWideAsAPictureMayBe) {
 }
 
 TEST_F(Driver, SixteenThousandPixelsSquareInTooLittleMemory) {
-    Words words{"/bin/sh", "-c", R"(ulimit -v 3000000; exec "$0" "$@")", ISOMOTION_PROGRAM};
+    Words words{"/bin/sh", "-c", R"(ulimit -v 3000000; exec "$0" "$@")",
+                cli::tested_program(ISOMOTION_PROGRAM)};
     for (const std::string& word : command("out", {"--frames", "1", "--size", "16384x16384"})) {
         words.push_back(word);
     }

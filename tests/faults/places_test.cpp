@@ -12,7 +12,8 @@ class Places : public Export {
 protected:
     // A shell's limits hold for what it becomes.
     Ending limited(const std::string& limits, const Words& words) const {
-        Words all{"/bin/sh", "-c", limits + R"(; exec "$0" "$@")", ISOMOTION_PROGRAM};
+        Words all{"/bin/sh", "-c", limits + R"(; exec "$0" "$@")",
+                  cli::tested_program(ISOMOTION_PROGRAM)};
         all.insert(all.end(), words.begin(), words.end());
         return cli::run(all, circumstances());
     }

@@ -78,7 +78,7 @@ void Playing::write(const std::string& name, const std::string& text) const {
 
 void Playing::play(std::vector<std::string> words,
                    const std::vector<std::pair<std::string, std::string>>& environment) {
-    words.insert(words.begin(), {ISOMOTION_PROGRAM, "play", "--log", "log"});
+    words.insert(words.begin(), {cli::tested_program(ISOMOTION_PROGRAM), "play", "--log", "log"});
     std::filesystem::remove(*this / "log");
     mark_ = 0;
     player_ = ::fork();
@@ -94,7 +94,7 @@ void Playing::play(std::vector<std::string> words,
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
         argv.push_back(nullptr);
-        if (::chdir(home.c_str()) == 0) ::execv(ISOMOTION_PROGRAM, argv.data());
+        if (::chdir(home.c_str()) == 0) ::execv(argv.front(), argv.data());
         ::_exit(127);
     }
     // Keys go where the focus is, and there is no window manager that would give it.
@@ -126,7 +126,7 @@ void Playing::quit() {
 }
 
 cli::Ending Playing::run(std::vector<std::string> words) const {
-    words.insert(words.begin(), ISOMOTION_PROGRAM);
+    words.insert(words.begin(), cli::tested_program(ISOMOTION_PROGRAM));
     return cli::run(words, {.folder = folder_.path(),
                             .environment = {{"ISOMOTION_DATA", ISOMOTION_SOURCE_DIR}}});
 }

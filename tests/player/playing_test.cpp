@@ -107,11 +107,11 @@ TEST_F(Playing, StepsJumpsAndScrubs) {
 }
 
 TEST_F(Playing, SaysWhatToDoWithoutADisplay) {
-    const cli::Ending end = cli::run({ISOMOTION_PROGRAM, "play", "sphere.toml"},
-                                     {.folder = *this / ".",
-                                      .environment = {{"DISPLAY", {}},
-                                                      {"WAYLAND_DISPLAY", {}},
-                                                      {"ISOMOTION_DATA", ISOMOTION_SOURCE_DIR}}});
+    const cli::Ending end = cli::run(
+        {cli::tested_program(ISOMOTION_PROGRAM), "play", "sphere.toml"},
+        {.folder = *this / ".",
+         .environment = {
+             {"DISPLAY", {}}, {"WAYLAND_DISPLAY", {}}, {"ISOMOTION_DATA", ISOMOTION_SOURCE_DIR}}});
     EXPECT_EQ(end.code, 3) << end;
     EXPECT_THAT(end.err, HasSubstr("no display"));
     EXPECT_THAT(end.err, HasSubstr("isomotion render"));
@@ -120,7 +120,7 @@ TEST_F(Playing, SaysWhatToDoWithoutADisplay) {
 TEST_F(Playing, SaysWhatIsWrongInASceneWhereItWasCalled) {
     write("wrong.toml", growing_sphere("x^2 + y^2 + z^2 - q"));
     const cli::Ending end = cli::run(
-        {ISOMOTION_PROGRAM, "play", "wrong.toml"},
+        {cli::tested_program(ISOMOTION_PROGRAM), "play", "wrong.toml"},
         {.folder = *this / ".",
          .environment = {{"DISPLAY", display().name()}, {"ISOMOTION_DATA", ISOMOTION_SOURCE_DIR}}});
     EXPECT_EQ(end.code, 2) << end;

@@ -69,12 +69,13 @@ TEST_F(WindowTest, GoesOnAfterTheDriverIsReset) {
 TEST_F(WindowTest, EndsWhenTheDriverIsResetAtOnce) {
     const std::string when = (*this / "reset").string();
     write("reset", "");
-    const cli::Ending end = cli::run({ISOMOTION_PROGRAM, "play", "--forget", "sphere.toml"},
-                                     {.folder = *this / "",
-                                      .environment = {{"DISPLAY", display().name()},
-                                                      {"ISOMOTION_DATA", ISOMOTION_SOURCE_DIR},
-                                                      {"LD_PRELOAD", RESETTING_DRIVER},
-                                                      {"RESET_WHEN", when}}});
+    const cli::Ending end =
+        cli::run({cli::tested_program(ISOMOTION_PROGRAM), "play", "--forget", "sphere.toml"},
+                 {.folder = *this / "",
+                  .environment = {{"DISPLAY", display().name()},
+                                  {"ISOMOTION_DATA", ISOMOTION_SOURCE_DIR},
+                                  {"LD_PRELOAD", RESETTING_DRIVER},
+                                  {"RESET_WHEN", when}}});
     EXPECT_EQ(end.code, 3);
     EXPECT_THAT(end.err, testing::HasSubstr("the graphics driver was reset"));
 }

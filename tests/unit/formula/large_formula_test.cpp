@@ -16,6 +16,8 @@
 #include "formula/hessian.h"
 #include "formula/linear_sum.h"
 
+extern "C" void __asan_init() __attribute__((weak));
+
 namespace isomotion::formula {
 namespace {
 
@@ -169,11 +171,9 @@ void* on_thread(void* argument) {
 }
 
 std::string on_small_stack(void (*run)()) {
-#if defined(__SANITIZE_ADDRESS__)
-    constexpr std::size_t bytes = 4 << 20; // frames are many times as large
-#else
-    constexpr std::size_t bytes = 512 << 10;
-#endif
+    // With the address sanitizer frames are many times as large. It may be in the libraries alone.
+    const bool sanitized = __asan_init != nullptr;
+    const std::size_t bytes = sanitized ? 4 << 20 : 512 << 10;
     Work work{run, {}};
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
