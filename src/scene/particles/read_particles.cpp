@@ -86,7 +86,10 @@ ReadParticles read_particles(const ParticleRequest& request, std::size_t most) {
                                  "a scene name, with each name counted whose columns differ",
                                  size, most, limits::table_bytes));
     }
-    std::string bytes = base::file_text(request.file, most);
+    return read_particles(request, base::file_text(request.file, most), most);
+}
+
+ReadParticles read_particles(const ParticleRequest& request, std::string bytes, std::size_t most) {
     const bool is_packed = is_gzip(bytes);
     if (is_packed) bytes = gunzip(request, bytes, most);
     const std::size_t size = bytes.size();

@@ -16,6 +16,8 @@ struct ReadParticles {
     std::size_t bytes = 0;
 };
 ReadParticles read_particles(const ParticleRequest& request, std::size_t most);
+// The same of a file whose bytes are these.
+ReadParticles read_particles(const ParticleRequest& request, std::string bytes, std::size_t most);
 
 // How many particles a file holds, by its beginning where that tells; of a text without a count,
 // how many there are at most. Throws SceneError.

@@ -114,6 +114,7 @@ ParticleTable read_rows(const Bytes& bytes, const ParticleRequest& request) {
     Words words(request, *bytes);
     ParticleTable table;
     table.format = "rows of numbers";
+    if (bytes->empty()) fail_of_file(request, "is empty");
     // At most a row a line.
     const bool ends = bytes->empty() || bytes->back() == '\n';
     const auto lines = std::size_t(std::ranges::count(*bytes, '\n')) + (ends ? 0 : 1);
