@@ -125,6 +125,8 @@ std::pair<double, double> ElementSamples::ends(double time) const {
     return {first, stays ? first : times()[begin + 1]};
 }
 
+std::size_t ElementSamples::sample_at(double time) const { return pair(time).begin; }
+
 int ElementSamples::count(double time) const {
     return int(source_->sample(pair(time).begin, std::vector<bool>(reads_.size())).count);
 }

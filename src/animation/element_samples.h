@@ -48,6 +48,8 @@ public:
     // The times of those samples, once more the same where nothing moves.
     std::pair<double, double> ends(double time) const;
     int count(double time) const;
+    // The sample at or before `time`, or the first.
+    std::size_t sample_at(double time) const;
     // Whether a column's values may go otherwise than straight from sample to sample.
     bool is_curved(std::size_t column) const;
 
