@@ -206,11 +206,23 @@ void Animation::leave_out_unread(const Array& array, CompiledArray& compiled) co
     std::erase_if(compiled.order, [&](int f) { return !is_needed[std::size_t(f)]; });
 }
 
+// Files may have many columns, and be long.
+void Animation::leave_out_columns(Array& array, const CompiledArray& compiled) {
+    if (!array.samples) return;
+    std::vector<bool> columns(array.samples->source().columns());
+    for (const int f : compiled.order) {
+        const auto* column = std::get_if<Column>(&array.fields[std::size_t(f)].source);
+        if (column) columns[column->index] = true;
+    }
+    array.samples = std::make_shared<const ElementSamples>(array.samples->only(columns));
+}
+
 void Animation::keep_fields(const std::vector<std::vector<int>>& read) {
     for (std::size_t a = 0; a < arrays_.size(); ++a) {
         for (ArrayField& field : arrays_[a].fields) field.is_read = false;
         for (const int field : read[a]) arrays_[a].fields[std::size_t(field)].is_read = true;
         leave_out_unread(arrays_[a], compiled_arrays_[a]);
+        leave_out_columns(arrays_[a], compiled_arrays_[a]);
     }
 }
 
@@ -267,7 +279,7 @@ formula::ArrayColumns<double> Animation::columns(std::size_t a, const Values& va
             column = *list;
             column.resize(count);
         } else if (const auto* data = std::get_if<Column>(&array.fields[field].source)) {
-            column = std::move(sampled.fields[data->index]);
+            column = sampled.fields[data->index]; // two fields may be one column
         } else {
             const Compiled& expression = *compiled.fields[field];
             formula::Evaluator<double> evaluator(expression.program);

@@ -120,6 +120,7 @@ private:
     void compile_tracks();
     void compile_array(const Array& array);
     void leave_out_unread(const Array& array, CompiledArray& compiled) const;
+    static void leave_out_columns(Array& array, const CompiledArray& compiled);
     formula::ArrayColumns<double> columns(std::size_t array, const Values& values) const;
 
     std::vector<Track> tracks_;

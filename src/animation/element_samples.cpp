@@ -1,114 +1,239 @@
 #include "animation/element_samples.h"
 
 #include <algorithm>
-#include <cassert>
-#include <unordered_map>
+#include <tuple>
 
 namespace isomotion::animation {
+namespace {
 
-ElementSamples::ElementSamples(Rows rows, Interpolation interpolation)
-    : rows_(std::move(rows))
-    , interpolation_(interpolation)
-    , successor_(rows_.begin.back(), none) {
-    assert(!rows_.times.empty() && rows_.begin.size() == rows_.times.size() + 1);
-    std::unordered_map<std::int64_t, std::size_t> row_of;
-    for (std::size_t k = 0; k + 1 < rows_.times.size(); ++k) {
-        const std::size_t here = rows_.begin[k], there = rows_.begin[k + 1];
-        const std::size_t end = rows_.begin[k + 2];
-        if (rows_.ids.empty()) {
-            const std::size_t both = std::min(there - here, end - there);
-            for (std::size_t i = 0; i < both; ++i) successor_[here + i] = there + i;
-            continue;
-        }
-        row_of.clear();
-        for (std::size_t row = there; row < end; ++row) row_of[rows_.ids[row]] = row;
-        for (std::size_t row = here; row < there; ++row) {
-            const auto it = row_of.find(rows_.ids[row]);
-            if (it != row_of.end()) successor_[row] = it->second;
-        }
-    }
+// A value's way to its successor's, as the coefficients of u, u^2 and u^3.
+struct Way {
+    double straight = 0, square = 0, cube = 0;
+};
+
+// By what it is at both ends and how fast it changes there, as u goes from 0 to 1.
+Way hermite(double from, double to, double from_velocity, double to_velocity) {
+    const double way = to - from;
+    return {from_velocity, 3 * way - 2 * from_velocity - to_velocity,
+            from_velocity + to_velocity - 2 * way};
 }
 
-formula::ArrayColumns<double> ElementSamples::at(double time) const {
-    const auto after = std::upper_bound(rows_.times.begin(), rows_.times.end(), time);
-    const auto next = std::size_t(after - rows_.times.begin());
-    const std::size_t sample = next > 0 ? next - 1 : 0;
-    const std::size_t begin = rows_.begin[sample], end = rows_.begin[sample + 1];
-    double weight = 0; // of the next sample
-    if (interpolation_ == Interpolation::linear && next > 0 && next < rows_.times.size()) {
-        const double from = rows_.times[sample], to = rows_.times[next];
-        weight = (time - from) / (to - from);
-    }
-    formula::ArrayColumns<double> columns;
-    columns.count = int(end - begin);
-    for (const std::vector<double>& values : rows_.values) {
-        std::vector<double>& column = columns.fields.emplace_back();
-        column.reserve(end - begin);
-        for (std::size_t row = begin; row < end; ++row) {
-            const double here = values[row];
-            const std::size_t same = successor_[row];
-            const bool moves = weight > 0 && same != none;
-            column.push_back(moves ? here + weight * (values[same] - here) : here);
-        }
+} // namespace
+
+struct ElementSamples::Pair {
+    std::size_t begin = 0;
+    bool moves = false; // towards the next one
+    double weight = 0;  // of the next one, 0 to 1
+    double seconds = 0; // from one to the other
+};
+
+ElementSamples::ElementSamples(Rows rows, Interpolation interpolation)
+    : ElementSamples(std::make_shared<const SampleTable>(std::move(rows)), interpolation) {}
+
+ElementSamples::ElementSamples(std::shared_ptr<const SampleSource> source,
+                               Interpolation interpolation)
+    : source_(std::move(source))
+    , interpolation_(interpolation)
+    , reads_(source_->columns(), true)
+    , factors_(source_->columns(), 1.0) {
+    forget();
+}
+
+void ElementSamples::forget() {
+    memo_ = std::make_shared<Memo>();
+    memo_->changes.resize(times().size());
+}
+
+ElementSamples ElementSamples::multiplied(std::size_t column, double factor) const {
+    ElementSamples samples = *this;
+    samples.factors_[column] *= factor;
+    samples.forget();
+    return samples;
+}
+
+ElementSamples ElementSamples::only(std::vector<bool> columns) const {
+    ElementSamples samples = *this;
+    samples.reads_ = std::move(columns);
+    samples.forget();
+    return samples;
+}
+
+bool ElementSamples::is_curved(std::size_t column) const {
+    return interpolation_ == Interpolation::hermite && source_->velocity_of(column).has_value();
+}
+
+// With the velocities of those that are read.
+std::vector<bool> ElementSamples::needed() const {
+    std::vector<bool> columns = reads_;
+    for (std::size_t c = 0; c < reads_.size(); ++c) {
+        if (reads_[c] && is_curved(c)) columns[*source_->velocity_of(c)] = true;
     }
     return columns;
 }
 
-ElementSamples::Span ElementSamples::span(double time) const {
-    const auto after = std::upper_bound(rows_.times.begin(), rows_.times.end(), time);
-    const auto next = std::size_t(after - rows_.times.begin());
-    const std::size_t sample = next > 0 ? next - 1 : 0;
-    Span span;
-    span.begin = span.end = at(time < rows_.times[sample] ? time : rows_.times[sample]);
-    span.begin_time = rows_.times[sample];
-    span.end_time = next < rows_.times.size() ? rows_.times[next] : span.begin_time;
-    if (interpolation_ != Interpolation::linear || next == 0 || next == rows_.times.size()) {
-        return span;
+ElementSamples::Pair ElementSamples::pair(double time) const {
+    const std::vector<double>& all = times();
+    const auto next = std::size_t(std::ranges::upper_bound(all, time) - all.begin());
+    Pair pair{next > 0 ? next - 1 : 0};
+    if (interpolation_ == Interpolation::hold || next == 0 || next == all.size()) return pair;
+    pair.moves = true;
+    pair.seconds = all[next] - all[pair.begin];
+    pair.weight = (time - all[pair.begin]) / pair.seconds;
+    return pair;
+}
+
+std::vector<double> ElementSamples::exact(const SampleSource::Sample& sample,
+                                          std::size_t column) const {
+    const std::span<const double> values = sample.columns[column];
+    std::vector<double> result(values.begin(), values.end());
+    if (factors_[column] != 1) {
+        for (double& value : result) value *= factors_[column];
     }
-    const std::size_t begin = rows_.begin[sample];
-    for (std::size_t column = 0; column < rows_.values.size(); ++column) {
-        for (std::size_t i = 0; i < std::size_t(span.end.count); ++i) {
-            const std::size_t same = successor_[begin + i];
-            if (same != none) span.end.fields[column][i] = rows_.values[column][same];
+    return result;
+}
+
+formula::ArrayColumns<double> ElementSamples::at(double time) const {
+    const Pair around = pair(time);
+    if (around.weight > 0) {
+        Span moving = span(time);
+        const double u = around.weight;
+        for (std::size_t c = 0; c < reads_.size(); ++c) {
+            std::vector<double>& column = moving.begin.fields[c];
+            const std::vector<double>& way = moving.way[c];
+            if (is_curved(c)) {
+                const std::vector<double>&square = moving.square[c], &cube = moving.cube[c];
+                for (std::size_t i = 0; i < column.size(); ++i)
+                    column[i] += u * (way[i] + u * (square[i] + u * cube[i]));
+            } else {
+                for (std::size_t i = 0; i < column.size(); ++i) column[i] += u * way[i];
+            }
+        }
+        return std::move(moving.begin);
+    }
+    const SampleSource::Sample sample = source_->sample(around.begin, reads_);
+    formula::ArrayColumns<double> columns;
+    columns.count = int(sample.count);
+    for (std::size_t c = 0; c < reads_.size(); ++c)
+        columns.fields.push_back(reads_[c] ? exact(sample, c) : std::vector<double>{});
+    return columns;
+}
+
+std::pair<double, double> ElementSamples::ends(double time) const {
+    const std::size_t begin = pair(time).begin;
+    const double first = times()[begin];
+    const bool stays = time < first || begin + 1 == times().size();
+    return {first, stays ? first : times()[begin + 1]};
+}
+
+std::size_t ElementSamples::sample_at(double time) const { return pair(time).begin; }
+
+int ElementSamples::count(double time) const {
+    return int(source_->sample(pair(time).begin, std::vector<bool>(reads_.size())).count);
+}
+
+ElementSamples::Span ElementSamples::span(double time) const {
+    const Pair around = pair(time);
+    const std::vector<bool> columns = needed();
+    const SampleSource::Sample here = source_->sample(around.begin, columns);
+    Span span;
+    span.begin.count = int(here.count);
+    std::tie(span.begin_time, span.end_time) = ends(time);
+    for (std::vector<std::vector<double>>* all :
+         {&span.begin.fields, &span.way, &span.square, &span.cube})
+        all->resize(reads_.size());
+    SampleSource::Sample there;
+    SampleSource::Successors same(0);
+    if (around.moves) {
+        there = source_->sample(around.begin + 1, columns);
+        same = source_->successors(around.begin);
+    }
+    for (std::size_t c = 0; c < reads_.size(); ++c) {
+        if (!reads_[c]) continue;
+        span.begin.fields[c] = exact(here, c);
+        span.way[c].resize(here.count);
+        if (is_curved(c)) {
+            span.square[c].resize(here.count);
+            span.cube[c].resize(here.count);
+        }
+        if (!around.moves) continue;
+        const double factor = factors_[c];
+        const std::vector<double>& from = span.begin.fields[c];
+        if (!is_curved(c)) {
+            for (std::size_t i = 0; i < here.count; ++i) {
+                const std::uint32_t next = same.of(i);
+                if (next != SampleSource::Successors::none)
+                    span.way[c][i] = factor * there.columns[c][next] - from[i];
+            }
+            continue;
+        }
+        const std::size_t velocity = *source_->velocity_of(c);
+        const double unit = factor * around.seconds;
+        for (std::size_t i = 0; i < here.count; ++i) {
+            const std::uint32_t next = same.of(i);
+            const double begin = unit * here.columns[velocity][i];
+            Way way{begin};
+            if (next != SampleSource::Successors::none)
+                way = hermite(from[i], factor * there.columns[c][next], begin,
+                              unit * there.columns[velocity][next]);
+            span.way[c][i] = way.straight;
+            span.square[c][i] = way.square;
+            span.cube[c][i] = way.cube;
         }
     }
     return span;
 }
 
-bool ElementSamples::jumps(std::size_t k) const {
-    if (k == 0) return false; // before the first sample it is there already
-    const std::size_t begin = rows_.begin[k - 1], end = rows_.begin[k];
-    if (recounts(k)) return true;
-    for (std::size_t row = begin; row < end; ++row) {
-        if (successor_[row] == none) return true;
-        if (interpolation_ == Interpolation::linear) continue;
-        for (const std::vector<double>& values : rows_.values) {
-            if (values[row] != values[successor_[row]]) return true;
+ElementSamples::Change ElementSamples::find_change(std::size_t k) const {
+    const bool holds = interpolation_ == Interpolation::hold;
+    const std::vector<bool> columns = holds ? reads_ : std::vector<bool>(reads_.size());
+    const SampleSource::Sample before = source_->sample(k - 1, columns);
+    const SampleSource::Sample after = source_->sample(k, columns);
+    const SampleSource::Successors same = source_->successors(k - 1);
+    Change change;
+    change.recounts = change.jumps = before.count != after.count;
+    for (std::size_t row = 0; row < before.count; ++row) {
+        const std::uint32_t next = same.of(row);
+        if (next == SampleSource::Successors::none) {
+            change.jumps = true;
+            continue;
         }
+        change.reorders = change.reorders || next != row;
+        for (std::size_t c = 0; holds && !change.jumps && c < reads_.size(); ++c)
+            change.jumps = reads_[c] && before.columns[c][row] != after.columns[c][next];
     }
-    return false;
+    return change;
 }
 
-bool ElementSamples::recounts(std::size_t k) const {
-    if (k == 0) return false;
-    return rows_.begin[k + 1] - rows_.begin[k] != rows_.begin[k] - rows_.begin[k - 1];
+ElementSamples::Change ElementSamples::change(std::size_t k) const {
+    if (k == 0) return {}; // before the first sample it is there already
+    {
+        const std::lock_guard lock(memo_->mutex);
+        if (memo_->changes[k]) return *memo_->changes[k];
+    }
+    const Change found = find_change(k);
+    const std::lock_guard lock(memo_->mutex);
+    memo_->changes[k] = found;
+    return found;
 }
 
-bool ElementSamples::reorders(std::size_t k) const {
-    if (k == 0) return false;
-    const std::size_t begin = rows_.begin[k - 1], end = rows_.begin[k];
-    for (std::size_t row = begin; row < end; ++row) {
-        if (successor_[row] != none && successor_[row] - end != row - begin) return true;
-    }
-    return false;
+bool ElementSamples::jumps(std::size_t k) const { return change(k).jumps; }
+bool ElementSamples::recounts(std::size_t k) const { return change(k).recounts; }
+bool ElementSamples::reorders(std::size_t k) const { return change(k).reorders; }
+
+void ElementSamples::add_column(base::Fingerprint& print, std::size_t column) const {
+    source_->add_column(print, column);
+    if (factors_[column] != 1) print.add_values(std::span<const double>(&factors_[column], 1));
 }
 
-int ElementSamples::most() const {
-    std::size_t most = 0;
-    for (std::size_t k = 0; k < rows_.times.size(); ++k) {
-        most = std::max(most, rows_.begin[k + 1] - rows_.begin[k]);
+void ElementSamples::add_rows(base::Fingerprint& print) const {
+    const auto rule = double(interpolation_);
+    print.add_values(std::span<const double>(&rule, 1));
+    source_->add_rows(print);
+    for (std::size_t c = 0; c < reads_.size(); ++c) {
+        if (!reads_[c] || !is_curved(c)) continue;
+        print.add("velocity");
+        source_->add_column(print, *source_->velocity_of(c));
     }
-    return int(most);
 }
 
 } // namespace isomotion::animation

@@ -28,6 +28,7 @@ std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula:
         const bool is_inside = range.lo < time && time < range.hi;
         if (is_inside || (jumps && time == range.hi && range.lo < range.hi)) all[time] |= jumps;
     };
+    const auto is_near = [&](double time) { return range.lo < time && time <= range.hi; };
     for (const int track : parts.tracks) {
         const auto* keys = std::get_if<Keys>(&animation.tracks()[std::size_t(track)].source);
         if (!keys) continue;
@@ -39,6 +40,7 @@ std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula:
         const std::vector<double>& times = samples->times();
         const bool reads_rows = parts.rows.contains(array);
         for (std::size_t k = 0; k < times.size(); ++k) {
+            if (!is_near(times[k])) continue; // a sample may be a file to read
             add(times[k], samples->jumps(k) || (reads_rows && samples->reorders(k)));
         }
     }
@@ -47,7 +49,7 @@ std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula:
         if (!samples) continue;
         const std::vector<double>& times = samples->times();
         for (std::size_t k = 0; k < times.size(); ++k) {
-            if (samples->recounts(k)) add(times[k], true);
+            if (is_near(times[k]) && samples->recounts(k)) add(times[k], true);
         }
     }
     std::vector<Knot> knots;
@@ -95,11 +97,19 @@ NodeId Rules::field(int a, int f) {
         used_.rows.insert(a);
         return listed;
     }
-    const ElementSamples::Span span = array.samples->span(within_);
-    if (!(span.begin_time < span.end_time)) return listed;
-    const NodeId begin = graph_.constant(span.begin_time), end = graph_.constant(span.end_time);
+    const auto [begin_time, end_time] = array.samples->ends(within_);
+    if (!(begin_time < end_time)) return listed;
+    const NodeId begin = graph_.constant(begin_time), end = graph_.constant(end_time);
     const NodeId weight = graph_.divide(graph_.subtract(time_, begin), graph_.subtract(end, begin));
-    return graph_.add(listed, graph_.multiply(weight, graph_.element(a, index_field(a) + 1 + f)));
+    const int fields = index_field(a);
+    NodeId way = graph_.element(a, fields + 1 + f);
+    if (array.samples->is_curved(std::get<Column>(source).index)) {
+        const NodeId square = graph_.element(a, 2 * fields + 1 + f);
+        const NodeId cube = graph_.element(a, 3 * fields + 1 + f);
+        way = graph_.add(
+            way, graph_.multiply(weight, graph_.add(square, graph_.multiply(weight, cube))));
+    }
+    return graph_.add(listed, graph_.multiply(weight, way));
 }
 
 NodeId Rules::in_place(const formula::Node& node, NodeId rebuilt) {
@@ -133,7 +143,7 @@ NodeId Rules::expression(const std::string& text, int array) {
         }
         if (node.op == Op::input) {
             const Array& of = animation_.arrays()[std::size_t(array)];
-            return to.constant(of.samples ? of.samples->at(within_).count : of.count);
+            return to.constant(of.samples ? of.samples->count(within_) : of.count);
         }
         if (node.op != Op::parameter) return rebuilt;
         return std::size_t(node.index) < tracks ? track(node.index)
@@ -181,7 +191,7 @@ std::vector<formula::ArrayColumns<double>> Rules::columns() const {
         }
         const auto count = std::size_t(columns.count);
         const std::size_t fields = array.fields.size();
-        columns.fields.resize(2 * fields + 1);
+        columns.fields.resize((span.square.empty() ? 2 : 4) * fields + 1);
         for (std::size_t i = 0; i < count; ++i) columns.fields[fields].push_back(double(i));
         for (std::size_t f = 0; f < fields; ++f) {
             const FieldSource& source = array.fields[f].source;
@@ -190,10 +200,9 @@ std::vector<formula::ArrayColumns<double>> Rules::columns() const {
                 columns.fields[f].resize(count);
             } else if (const auto* data = std::get_if<Column>(&source)) {
                 columns.fields[f] = span.begin.fields[data->index];
-                std::vector<double>& way = columns.fields[fields + 1 + f];
-                for (std::size_t i = 0; i < count; ++i) {
-                    way.push_back(span.end.fields[data->index][i] - columns.fields[f][i]);
-                }
+                columns.fields[fields + 1 + f] = span.way[data->index];
+                columns.fields[2 * fields + 1 + f] = span.square[data->index];
+                columns.fields[3 * fields + 1 + f] = span.cube[data->index];
             }
         }
     }

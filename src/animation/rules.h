@@ -53,7 +53,7 @@ public:
     // What takes the place of a node in an expression of tracks and arrays (formula::Replacement).
     formula::NodeId in_place(const formula::Node& node, formula::NodeId rebuilt);
     // The columns that elements in the graph refer to: an array's own fields, then the index of
-    // each element and how far its samples move.
+    // each element and how its samples move (ElementSamples::Span): way, square, cube.
     std::vector<formula::ArrayColumns<double>> columns() const;
     // The parts that the nodes made so far depend on, and those put in place.
     const Parts& used() const { return used_; }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <CLI/CLI.hpp>
@@ -25,6 +26,24 @@ struct ShowArguments {
     std::vector<std::string> settings;
     scene::Reach reach = scene::Reach::own_folder;
 };
+
+// Where an array's elements come from, and what columns there are at that time.
+void print_samples(const animation::ElementSamples& samples, double time) {
+    const animation::SampleSource& source = samples.source();
+    const std::size_t k = samples.sample_at(time);
+    const std::vector<std::string> names = source.names();
+    const auto sample = source.sample(k, std::vector<bool>(source.columns(), true));
+    fmt::print("        from {}\n", base::printable_line(source.origin(k)));
+    constexpr std::size_t most = 20;
+    for (std::size_t c = 0; c < std::min(names.size(), most); ++c) {
+        const std::span<const double> values = sample.columns[c];
+        if (values.empty()) continue;
+        const auto [least, greatest] = std::ranges::minmax_element(values);
+        fmt::print("        {:<24} {:g} to {:g}\n", base::printable_line(names[c]), *least,
+                   *greatest);
+    }
+    if (names.size() > most) fmt::print("        and {} columns more\n", names.size() - most);
+}
 
 // What the surface says of a parameter's values.
 std::string range_text(const scene::Scene& scene, std::size_t track, double value) {
@@ -119,6 +138,7 @@ int show(const ShowArguments& arguments) {
     for (std::size_t a = 0; a < values.arrays.size(); ++a) {
         const auto& array = scene.timeline.animation.arrays()[a];
         fmt::print("    {:<28} {} elements\n", array.name, values.arrays[a].count);
+        if (array.samples) print_samples(*array.samples, values.time);
     }
     std::vector<std::string_view> called;
     for (const synthesis::Effect effect : synthesis::effects(scene))

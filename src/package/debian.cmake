@@ -33,5 +33,5 @@ OpenGL, certified first roots of rays and proved topology events: the
 libraries that isomotion is made of, their headers, and the configuration by
 which CMake's find_package(isomotion) finds them.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "isomotion (= ${PROJECT_VERSION}), libfmt-dev, libglm-dev, libtomlplusplus-dev, libflint-dev, libflint-arb-dev, libglfw3-dev, libxxhash-dev, pkg-config")
+    "isomotion (= ${PROJECT_VERSION}), libfmt-dev, libglm-dev, libtomlplusplus-dev, libflint-dev, libflint-arb-dev, libglfw3-dev, libxxhash-dev, zlib1g-dev, pkg-config")
 include(CPack)

@@ -47,17 +47,10 @@ void add_array(base::Fingerprint& print, const animation::Animation& animation, 
         }
         const auto* column = std::get_if<animation::Column>(&field.source);
         // Tables may have many other columns, and be long.
-        if (column && (field.is_read || animation.is_referenced(index, f))) {
-            const auto& rows = array.samples->rows();
-            print.add_values(std::span(rows.values[column->index]));
-        }
+        if (column && (field.is_read || animation.is_referenced(index, f)))
+            array.samples->add_column(print, column->index);
     }
-    if (array.samples) {
-        const auto& rows = array.samples->rows();
-        add_number(print, double(array.samples->interpolation()));
-        print.add_values(std::span(rows.times)).add_values(std::span(rows.begin));
-        print.add_values(std::span(rows.ids));
-    }
+    if (array.samples) array.samples->add_rows(print);
 }
 
 } // namespace isomotion::scene

@@ -19,7 +19,7 @@ void formula(std::string_view text);
 // A scene file: TOML -> Scene -> values at some frames -> all shaders of it.
 void scene(std::string_view text);
 
-// Comma-separated elements: a table -> elements at some times, all of them numbers.
+// Elements of any format: a table -> elements at some times, all of them numbers.
 void table(std::string_view text);
 
 // A sequence's manifest and a frame's record: JSON -> record -> the same JSON.

@@ -34,10 +34,8 @@ const double* find(const std::map<std::string, double>& held, const std::string&
 // The column that a field takes from the samples, multiplied in all of them.
 void multiply(std::shared_ptr<const animation::ElementSamples>& samples, std::size_t column,
               double factor) {
-    animation::ElementSamples::Rows rows = samples->rows();
-    for (double& value : rows.values[column]) value *= factor;
     samples =
-        std::make_shared<animation::ElementSamples>(std::move(rows), samples->interpolation());
+        std::make_shared<const animation::ElementSamples>(samples->multiplied(column, factor));
 }
 
 void multiply(Array& array, ArrayField& field, double factor) {

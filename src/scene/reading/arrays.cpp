@@ -10,6 +10,7 @@
 #include "scene/reading/element_table.h"
 #include "scene/reading/named_file.h"
 #include "scene/reading/names.h"
+#include "scene/reading/numbered_files.h"
 
 namespace isomotion::scene {
 namespace {
@@ -38,7 +39,7 @@ struct ArrayNodes {
 
 bool is_of_the_file(const std::string& name) {
     return name == "file" || name == "columns" || name == "interpolation" ||
-           name == "extrapolate" || name == "outside";
+           name == "extrapolate" || name == "outside" || name == "first_file";
 }
 
 void gather(const toml::table& table, const std::string& key, ArrayNodes& nodes) {
@@ -75,8 +76,18 @@ TableOptions read_data(const toml::table& table, const std::string& key, Reach r
     Section section(table, key);
     TableOptions options;
     const toml::node& file = *section.find("file");
-    options.file =
-        named_file(file, key + ".file", std::array{beside(file, *section.text("file"))}, reach);
+    options.file = beside(file, *section.text("file"));
+    const int first_file = section.integer("first_file", 0, limits::frames).value_or(1);
+    for (const NumberedFile& one : numbered_files(file, key + ".file", options.file, reach))
+        options.frames.emplace_back(std::int64_t(one.number) - first_file + 1, one.file);
+    if (options.frames.empty()) {
+        options.file = named_file(file, key + ".file", std::array{options.file}, reach);
+        if (const toml::node* first = section.find("first_file")) {
+            fail(*first, key + ".first_file",
+                 "is the number of the file that frame 1 shows; the file's name has no place for "
+                 "one, such as ####");
+        }
+    }
     if (auto columns = section.section("columns")) {
         for (const auto& [name, node] : columns->table()) {
             const std::string field(name.str());
@@ -85,12 +96,13 @@ TableOptions read_data(const toml::table& table, const std::string& key, Reach r
         }
     }
     if (const auto text = section.text("interpolation")) {
-        if (*text != "linear" && *text != "hold") {
+        using enum animation::ElementSamples::Interpolation;
+        if (*text == "linear") options.interpolation = linear;
+        if (*text == "hold") options.interpolation = hold;
+        if (*text == "hermite") options.interpolation = hermite;
+        if (!options.interpolation) {
             fail(*section.find("interpolation"), key + ".interpolation",
-                 fmt::format("must be linear or hold, not '{}'", *text));
-        }
-        if (*text == "hold") {
-            options.interpolation = animation::ElementSamples::Interpolation::hold;
+                 fmt::format("must be linear, hold or hermite, not '{}'", *text));
         }
     }
     return options;
@@ -129,18 +141,19 @@ void check_times(const toml::table& table, const std::string& key, const TableOp
     }
     const animation::ElementSamples& samples = *read.samples;
     if (extrapolate || samples.first_time() == samples.last_time()) return;
+    const char* first_file =
+        options.frames.empty() ? "" : ", or first_file = the number of the file of frame 1";
     if (samples.first_time() > timeline.time(1)) {
-        throw SceneError(
-            fmt::format("{}:{}: begins at t = {}, after the scene's first frame; begin "
-                        "at 0, or give the array extrapolate = \"hold\"",
-                        options.file.string(), read.first_line, samples.first_time()));
+        throw SceneError(fmt::format("{}: begins at t = {}, after the scene's first frame; begin "
+                                     "at 0, or give the array extrapolate = \"hold\"{}",
+                                     read.first, samples.first_time(), first_file));
     }
     if (samples.last_time() < timeline.time(timeline.frames)) {
         throw SceneError(
-            fmt::format("{}:{}: ends at t = {}, but frame {} of the scene is at t = "
-                        "{}; lower time.frames, or give the array extrapolate = \"hold\"",
-                        options.file.string(), read.last_line, samples.last_time(), timeline.frames,
-                        timeline.time(timeline.frames)));
+            fmt::format("{}: ends at t = {}, but frame {} of the scene is at t = "
+                        "{}; lower time.frames, or give the array extrapolate = \"hold\"{}",
+                        read.last, samples.last_time(), timeline.frames,
+                        timeline.time(timeline.frames), first_file));
     }
 }
 
@@ -149,6 +162,7 @@ void add_data(const ArrayNodes& nodes, const std::string& key, Tables& tables, T
               Reach reach, animation::Array& array) {
     TableOptions options = read_data(*nodes.data, key, reach);
     options.most = nodes.count ? read_count(*nodes.count, key + ".count") : limits::elements;
+    options.counts_files = !nodes.count;
     const ElementTable& table = tables.read(options);
     check_times(*nodes.data, key, options, table, tables.timeline());
     array.samples = table.samples;

@@ -1,344 +1,344 @@
 #include "scene/reading/element_table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <optional>
-#include <unordered_map>
 
 #include <fmt/format.h>
 
-#include "base/file_text.h"
-#include "base/nearest_name.h"
-#include "formula/graph/vocabulary.h"
 #include "scene/error.h"
 #include "scene/limits.h"
+#include "scene/particles/column_choice.h"
+#include "scene/particles/file_frames.h"
+#include "scene/particles/read_particles.h"
 
 namespace isomotion::scene {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blank = " \t\r";
-    const auto begin = text.find_first_not_of(blank);
-    if (begin == text.npos) return {};
-    return text.substr(begin, text.find_last_not_of(blank) - begin + 1);
-}
+using Interpolation = animation::ElementSamples::Interpolation;
 
-// The cells of a line. Quoted ones may hold commas; a quote in them is doubled.
-std::vector<std::string> quoted_cells(std::string_view line) {
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (std::size_t k = 0; k < line.size(); ++k) {
-        if (line[k] == '"') {
-            const bool doubled = quoted && k + 1 < line.size() && line[k + 1] == '"';
-            if (doubled) cells.back() += line[k++];
-            if (!doubled) quoted = !quoted;
-        } else if (line[k] == ',' && !quoted) {
-            cells.emplace_back();
-        } else {
-            cells.back() += line[k];
-        }
+// The columns of the samples: those of the fields, then velocities that no field is.
+struct SampledColumns {
+    std::vector<std::size_t> from; // the file's column of each
+    std::vector<std::optional<std::size_t>> velocities;
+};
+
+SampledColumns sampled_columns(const ColumnChoice& choice, const std::vector<std::string>& names,
+                               std::optional<Interpolation> interpolation) {
+    SampledColumns columns{choice.from, {}};
+    columns.velocities.resize(choice.from.size());
+    const bool curved = !interpolation || *interpolation == Interpolation::hermite;
+    for (std::size_t c = 0; curved && c < choice.from.size(); ++c) {
+        const auto velocity = velocity_column(names, columns.from[c]);
+        if (!velocity) continue;
+        const auto known = std::ranges::find(columns.from, *velocity);
+        columns.velocities[c] = std::size_t(known - columns.from.begin());
+        if (known == columns.from.end()) columns.from.push_back(*velocity);
     }
-    for (std::string& cell : cells) cell = trimmed(cell);
-    return cells;
+    columns.velocities.resize(columns.from.size());
+    return columns;
 }
 
-std::string text_of(const std::filesystem::path& file, TableBudget& budget) {
-    std::error_code unknown;
-    if (const auto size = std::filesystem::file_size(file, unknown);
-        !unknown && size > budget.bytes)
-        throw SceneError(fmt::format("{}: has {} bytes; {} are left of the {} of all tables that "
-                                     "arrays of a scene name, with each name counted whose columns "
-                                     "differ",
-                                     file.string(), size, budget.bytes, limits::table_bytes));
-    std::string text = base::file_text(file, budget.bytes);
-    budget.bytes -= text.size();
-    return text;
+Interpolation rule_of(std::optional<Interpolation> asked, const SampledColumns& columns) {
+    const bool has_velocities = std::ranges::any_of(
+        columns.velocities, [](const auto& velocity) { return velocity.has_value(); });
+    if (asked == Interpolation::hermite && !has_velocities) {
+        throw NamedColumn{"vx", "there is no column vx, vy or vz beside x, y or z; interpolation = "
+                                "\"hermite\" reads them"};
+    }
+    return asked.value_or(has_velocities ? Interpolation::hermite : Interpolation::linear);
 }
 
-class Reader {
+// Makes samples of the rows of one file.
+class RowsInTime {
 public:
-    Reader(const TableOptions& options, const animation::Timeline& timeline, TableBudget& budget)
+    RowsInTime(const TableOptions& options, const animation::Timeline& timeline)
         : options_(options)
-        , timeline_(timeline)
-        , text_(text_of(options.file, budget)) {}
+        , timeline_(timeline) {}
 
     ElementTable read(TableBudget& budget) {
-        read_header();
-        take_values_off(budget);
-        ElementTable table;
-        while (const auto line = next_line()) {
-            if (table.first_line == 0) table.first_line = line_;
-            table.last_line = line_;
-            read_row(*line);
+        ParticleRequest request;
+        request.file = options_.file;
+        request.choose = [&](const std::string& format, const std::vector<std::string>& names) {
+            return choose(format, names, budget);
+        };
+        ReadParticles read = read_particles(request, budget.bytes);
+        budget.bytes -= read.bytes;
+        table_ = std::move(read.table);
+        budget.values -= double(columns_.from.size()) * double(table_.count);
+        if (table_.count == table_.bare.size() && table_.bare.empty()) {
+            if (table_.end_line > 0)
+                fail_at_line(request, table_.end_line, "holds no element below its header");
+            fail_of_file(request, "holds no particle");
         }
-        if (rows_.times.empty()) fail("", "holds no element below its header");
-        rows_.begin.push_back(row_count_);
-        table.fields = fields_;
-        table.samples =
-            std::make_shared<animation::ElementSamples>(std::move(rows_), options_.interpolation);
-        return table;
+        place_column_ = choice_.from.empty() ? 0 : choice_.from.front();
+        ElementTable result{nullptr, choice_.fields, here(0), here(table_.count - 1)};
+        split_by_time();
+        rows_.origin = fmt::format("{}: {}", options_.file.string(), table_.format);
+        if (rows_.times.size() > 1) rows_.origin += fmt::format(", {} times", rows_.times.size());
+        take_columns();
+        result.samples = std::make_shared<const animation::ElementSamples>(std::move(rows_), rule_);
+        return result;
     }
 
 private:
-    enum class Time { none, frame, seconds };
-
-    [[noreturn]] void fail(const std::string& column, const std::string& message) const {
-        throw SceneError(fmt::format("{}:{}: {}{}", options_.file.string(), line_,
-                                     column.empty() ? "" : column + ": ", message));
+    Wanted choose(const std::string& format, const std::vector<std::string>& names,
+                  const TableBudget& budget) {
+        choice_ =
+            choose_columns(names, options_.columns, format == "CSV" || format.starts_with("NPY"));
+        columns_ = sampled_columns(choice_, names, options_.interpolation);
+        rule_ = rule_of(options_.interpolation, columns_);
+        const bool moves = choice_.time != ColumnChoice::Time::none;
+        Wanted wanted{std::vector<bool>(names.size()),
+                      moves ? std::size_t(limits::table_values) : std::size_t(options_.most),
+                      budget.values, choice_.time_column};
+        for (const std::size_t column : columns_.from) wanted.columns[column] = true;
+        if (choice_.id_column) wanted.columns[*choice_.id_column] = true;
+        if (choice_.time_column) wanted.columns[*choice_.time_column] = true;
+        for (const std::size_t column : columns_.from) rows_.names.push_back(names[column]);
+        return wanted;
     }
 
-    // The next line that is neither blank nor a comment.
-    std::optional<std::string_view> next_line() {
-        while (at_ < text_.size()) {
-            const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-            std::string_view line = std::string_view(text_).substr(at_, end - at_);
-            at_ = std::min(end + 1, text_.size()); // the last line may have no end
-            if (++line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
-            line = trimmed(line);
-            if (!line.empty() && line.front() != '#') return line;
-        }
-        return std::nullopt;
+    std::string here(std::size_t row) const {
+        return place(table_, options_.file, place_column_, row);
+    }
+    [[noreturn]] void fail(std::size_t row, const std::string& column,
+                           const std::string& message) const {
+        throw SceneError(
+            fmt::format("{}: {}{}", here(row), column.empty() ? "" : column + ": ", message));
+    }
+    // Of the same file.
+    std::string other(std::size_t row) const {
+        return table_.lines.empty() ? fmt::format("particle {}", row + 1)
+                                    : fmt::format("line {}", table_.lines[row]);
     }
 
-    // At most a row a line.
-    void take_values_off(TableBudget& budget) const {
-        const bool ends = text_.empty() || text_.back() == '\n';
-        const auto rows =
-            std::ranges::count(text_.begin() + std::ptrdiff_t(at_), text_.end(), '\n') + !ends;
-        const double values = double(fields_.size()) * double(rows);
-        if (values > budget.values) {
-            fail("", fmt::format("has {} columns and {} lines; all tables of a scene hold at most "
-                                 "{:.3g} numbers: leave columns out that the formula doesn't read",
-                                 fields_.size(), rows, limits::table_values));
-        }
-        budget.values -= values;
+    // One that is a field as well is read twice.
+    std::vector<double> copy_numbers(std::size_t column) {
+        std::vector<double> numbers = take_numbers(table_, options_.file, column);
+        if (auto* text = std::get_if<std::vector<double>>(&table_.columns[column].values))
+            *text = numbers;
+        return numbers;
     }
 
-    void read_header() {
-        const auto line = next_line();
-        if (!line) {
-            line_ = std::max(line_, 1);
-            fail("", "is empty; it needs a line of column names, then one element a line");
+    void split_by_time() {
+        if (choice_.time == ColumnChoice::Time::none) {
+            rows_.times = {0};
+            rows_.begin = {0, table_.count};
+            if (table_.count > std::size_t(options_.most)) too_many(std::size_t(options_.most), 0);
+            return;
         }
-        names_ = quoted_cells(*line);
-        if (names_.size() > std::size_t(limits::fields)) {
-            fail("", fmt::format("names {} columns; at most {} are read", names_.size(),
-                                 limits::fields));
-        }
-        for (std::size_t k = 0; k < names_.size(); ++k) {
-            if (std::find(names_.begin(), names_.begin() + std::ptrdiff_t(k), names_[k]) !=
-                names_.begin() + std::ptrdiff_t(k)) {
-                fail(names_[k], "two columns have this name");
-            }
-        }
-        const auto frame = column("frame"), seconds = column("t");
-        if (frame && seconds) {
-            fail("t", "the file has a column `frame` already; one of the two tells the time");
-        }
-        time_ = frame ? Time::frame : seconds ? Time::seconds : Time::none;
-        time_column_ = frame ? frame : seconds;
-        id_column_ = column("id");
-        choose_fields();
-    }
-
-    std::optional<std::size_t> column(const std::string& name) const {
-        const auto it = std::find(names_.begin(), names_.end(), name);
-        if (it == names_.end()) return std::nullopt;
-        return std::size_t(it - names_.begin());
-    }
-
-    void choose_fields() {
-        std::vector<bool> taken(names_.size(), false);
-        for (const auto& [field, name] : options_.columns) {
-            const auto from = column(name);
-            if (!from) {
-                const std::string near = base::nearest_name(name, names_);
-                fail(name, near.empty() ? fmt::format("there is no such column; the file has {}",
-                                                      fmt::join(names_, ", "))
-                                        : fmt::format("there is no such column; did you mean "
-                                                      "'{}'?",
-                                                      near));
-            }
-            taken[*from] = true;
-            fields_.push_back(field);
-            from_.push_back(*from);
-        }
-        for (std::size_t k = 0; k < names_.size(); ++k) {
-            const std::string& name = names_[k];
-            const bool spoken = formula::is_identifier(name) && !formula::is_reserved(name) &&
-                                name != "t" && name != "i" && name != "n" && name != "frame" &&
-                                name != "id";
-            if (taken[k] || !spoken || options_.columns.count(name)) continue;
-            fields_.push_back(name);
-            from_.push_back(k);
-        }
-        rows_.values.resize(fields_.size());
-    }
-
-    double number(std::size_t column) const {
-        const std::string_view cell = cells_[column];
-        if (cell.empty()) fail(names_[column], "the cell is empty; it needs a number");
-        double value = 0;
-        // from_chars knows no leading plus.
-        const bool plus = cell.front() == '+' && !cell.starts_with("+-");
-        const char* begin = cell.data() + (plus ? 1 : 0);
-        const auto [end, error] = std::from_chars(begin, cell.data() + cell.size(), value);
-        if (error == std::errc::result_out_of_range) {
-            fail(names_[column], fmt::format("'{}' is beyond the range of numbers", cell));
-        }
-        if (error != std::errc() || end != cell.data() + cell.size()) {
-            fail(names_[column], fmt::format("'{}' is not a number", cell));
-        }
-        if (!std::isfinite(value)) {
-            fail(names_[column], fmt::format("'{}' is not a finite number", cell));
-        }
-        return value;
-    }
-
-    std::int64_t whole_number(std::size_t column) const {
-        const double value = number(column);
-        if (value != std::floor(value) || std::abs(value) > 0x1p53) {
-            fail(names_[column], fmt::format("'{}' must be a whole number", cells_[column]));
-        }
-        return std::int64_t(value);
-    }
-
-    void split(std::string_view line) {
-        cells_.clear();
-        const auto cells = std::size_t(std::ranges::count(line, ',')) + 1;
-        if (cells != names_.size()) {
-            fail("",
-                 fmt::format("has {} cells; the header names {} columns", cells, names_.size()));
-        }
-        for (std::size_t begin = 0; begin <= line.size();) {
-            const std::size_t end = std::min(line.find(',', begin), line.size());
-            cells_.push_back(trimmed(line.substr(begin, end - begin)));
-            begin = end + 1;
-        }
-    }
-
-    void read_row(std::string_view line) {
-        split(line);
-        if (time_ == Time::none) {
-            if (rows_.times.empty()) begin_sample(0);
-        } else {
-            read_time();
-            if (says_nothing_but_the_time()) {
-                if (sample_line_ != line_) {
-                    fail("", fmt::format("the time alone says that there are no elements then, but "
-                                         "line {} is of the same time",
-                                         sample_line_));
+        const std::vector<double> times = copy_numbers(*choice_.time_column);
+        auto bare = table_.bare.begin();
+        std::size_t kept = 0;
+        for (std::size_t row = 0; row < table_.count; ++row) {
+            begin_row(row, times[row], kept);
+            if (bare != table_.bare.end() && *bare == row) {
+                ++bare;
+                if (sample_row_ != row) {
+                    fail(row, "",
+                         fmt::format("the time alone says that there are no elements then, but {} "
+                                     "is of the same time",
+                                     other(sample_row_)));
                 }
                 sample_is_empty_ = true;
-                return;
+                continue;
             }
             if (sample_is_empty_) {
-                fail("", fmt::format("line {} says that there are no elements at this time",
-                                     sample_line_));
+                fail(row, "",
+                     fmt::format("{} says that there are no elements at this time",
+                                 other(sample_row_)));
             }
+            ++kept;
+            if (kept - rows_.begin.back() > std::size_t(options_.most))
+                too_many(row, rows_.begin.back());
         }
-        if (id_column_) read_id();
-        for (std::size_t f = 0; f < fields_.size(); ++f) {
-            rows_.values[f].push_back(number(from_[f]));
+        rows_.begin.push_back(kept);
+    }
+
+    [[noreturn]] void too_many(std::size_t row, std::size_t) const {
+        fail(row, "",
+             fmt::format("is element {} of its time; the array's count allows {}",
+                         options_.most + 1, options_.most));
+    }
+
+    void begin_row(std::size_t row, double now, std::size_t kept) {
+        const std::string name = table_.columns[*choice_.time_column].name;
+        if (choice_.time == ColumnChoice::Time::seconds) {
+            if (!rows_.times.empty() && now == rows_.times.back()) return;
+            if (!rows_.times.empty() && now < rows_.times.back()) {
+                fail(row, name,
+                     fmt::format("{} comes after {}; rows must be in the order of time", now,
+                                 rows_.times.back()));
+            }
+            return begin_sample(row, now, kept);
         }
-        ++row_count_;
-        if (row_count_ - rows_.begin.back() > std::size_t(options_.most)) {
-            fail("", fmt::format("is element {} of its time; the array's count allows {}",
-                                 row_count_ - rows_.begin.back(), options_.most));
+        if (now != std::floor(now))
+            fail(row, name, fmt::format("'{}' must be a whole number", now));
+        if (std::abs(now) > limits::frames) {
+            fail(row, name,
+                 fmt::format("frames are numbered up to {}, not {}", limits::frames, now));
+        }
+        const auto frame = std::int64_t(now);
+        if (last_frame_ && frame == *last_frame_) return;
+        if (last_frame_) check_step(row, name, frame);
+        last_frame_ = frame;
+        begin_sample(row, timeline_.time(frame), kept);
+    }
+
+    void check_step(std::size_t row, const std::string& name, std::int64_t now) {
+        const std::int64_t step = now - *last_frame_;
+        if (step < 0) {
+            fail(row, name,
+                 fmt::format("{} comes after {}; rows must be in the order of time", now,
+                             *last_frame_));
+        }
+        if (stride_ == 0) stride_ = step;
+        if (step > stride_) {
+            fail(row, name,
+                 fmt::format("frame {} follows {}: frame {} is missing; a frame without "
+                             "elements is a line with its number alone",
+                             now, *last_frame_, *last_frame_ + stride_));
+        }
+        if (step < stride_) {
+            fail(row, name,
+                 fmt::format("frame {} follows {}, but the frames before are {} apart; "
+                             "uneven times go into a column `t`",
+                             now, *last_frame_, stride_));
         }
     }
 
-    bool says_nothing_but_the_time() const {
-        for (std::size_t k = 0; k < cells_.size(); ++k) {
-            if (k != *time_column_ && !cells_[k].empty()) return false;
-        }
-        return cells_.size() > 1;
-    }
-
-    void begin_sample(double time) {
+    void begin_sample(std::size_t row, double time, std::size_t kept) {
         rows_.times.push_back(time);
-        rows_.begin.push_back(row_count_);
-        line_of_id_.clear();
-        sample_line_ = line_;
+        rows_.begin.push_back(kept);
+        sample_row_ = row;
         sample_is_empty_ = false;
     }
 
-    void read_time() {
-        const std::string& name = names_[*time_column_];
-        if (time_ == Time::seconds) {
-            const double now = number(*time_column_);
-            if (!rows_.times.empty() && now == rows_.times.back()) return;
-            if (!rows_.times.empty() && now < rows_.times.back()) {
-                fail(name, fmt::format("{} comes after {}; rows must be in the order of time", now,
-                                       rows_.times.back()));
-            }
-            begin_sample(now);
-            return;
-        }
-        const std::int64_t now = whole_number(*time_column_);
-        if (std::abs(now) > limits::frames) {
-            fail(name, fmt::format("frames are numbered up to {}, not {}", limits::frames, now));
-        }
-        if (last_frame_ && now == *last_frame_) return;
-        if (last_frame_) {
-            const std::int64_t step = now - *last_frame_;
-            if (step < 0) {
-                fail(name, fmt::format("{} comes after {}; rows must be in the order of time", now,
-                                       *last_frame_));
-            }
-            if (stride_ == 0) stride_ = step;
-            if (step > stride_) {
-                fail(name, fmt::format("frame {} follows {}: frame {} is missing; a frame without "
-                                       "elements is a line with its number alone",
-                                       now, *last_frame_, *last_frame_ + stride_));
-            }
-            if (step < stride_) {
-                fail(name, fmt::format("frame {} follows {}, but the frames before are {} apart; "
-                                       "uneven times go into a column `t`",
-                                       now, *last_frame_, stride_));
+    template<class T> void leave_out_bare(std::vector<T>& values) const {
+        if (table_.bare.empty()) return;
+        auto bare = table_.bare.begin();
+        std::size_t kept = 0;
+        for (std::size_t row = 0; row < values.size(); ++row) {
+            if (bare != table_.bare.end() && *bare == row) {
+                ++bare;
+            } else {
+                values[kept++] = values[row];
             }
         }
-        last_frame_ = now;
-        begin_sample(timeline_.time(now));
+        values.resize(kept);
     }
 
-    void read_id() {
-        const std::int64_t id = whole_number(*id_column_);
-        const auto [it, is_new] = line_of_id_.emplace(id, line_);
-        if (!is_new) {
-            fail("id", fmt::format("{} is in line {} already, at the same time", id, it->second));
+    void take_columns() {
+        if (choice_.id_column) take_ids();
+        std::vector<std::size_t> uses(table_.columns.size());
+        for (const std::size_t column : columns_.from) ++uses[column];
+        for (const std::size_t column : columns_.from) {
+            rows_.values.push_back(--uses[column] > 0
+                                       ? copy_numbers(column)
+                                       : take_numbers(table_, options_.file, column));
+            leave_out_bare(rows_.values.back());
         }
-        rows_.ids.push_back(id);
+        rows_.velocities = columns_.velocities;
+    }
+
+    void take_ids() {
+        const std::size_t column = *choice_.id_column;
+        std::vector<double> numbers;
+        auto* text = std::get_if<std::vector<double>>(&table_.columns[column].values);
+        if (text) numbers = *text;
+        rows_.ids = take_whole_numbers(table_, options_.file, column);
+        if (text) *text = std::move(numbers); // it may be a field as well
+        leave_out_bare(rows_.ids);
+        for (std::size_t k = 0; k + 1 < rows_.begin.size(); ++k) {
+            const auto ids =
+                std::span(rows_.ids).subspan(rows_.begin[k], rows_.begin[k + 1] - rows_.begin[k]);
+            const auto twins = animation::find_twins(ids);
+            if (!twins) continue;
+            fail(with_bare(rows_.begin[k] + twins->second), "id",
+                 fmt::format("{} is in {} already, at the same time", ids[twins->first],
+                             other(with_bare(rows_.begin[k] + twins->first))));
+        }
+    }
+
+    // The row of the file that is the k-th which isn't bare.
+    std::size_t with_bare(std::size_t k) const {
+        for (const std::size_t bare : table_.bare) {
+            if (bare <= k) ++k;
+        }
+        return k;
     }
 
     const TableOptions& options_;
     const animation::Timeline& timeline_;
-    std::string text_;
-    std::size_t at_ = 0;
-    int line_ = 0;
+    ColumnChoice choice_;
+    SampledColumns columns_;
+    Interpolation rule_ = Interpolation::linear;
+    ParticleTable table_;
+    std::size_t place_column_ = 0;
 
-    std::vector<std::string> names_;
-    Time time_ = Time::none;
-    std::optional<std::size_t> time_column_, id_column_;
-    std::vector<std::string> fields_;
-    std::vector<std::size_t> from_; // the column of each field
-
-    std::vector<std::string_view> cells_; // of the line being read
     std::optional<std::int64_t> last_frame_;
     std::int64_t stride_ = 0;
-    int sample_line_ = 0; // where the sample begins
+    std::size_t sample_row_ = 0; // where the sample begins
     bool sample_is_empty_ = false;
-    std::unordered_map<std::int64_t, int> line_of_id_;
-    std::size_t row_count_ = 0;
-    animation::ElementSamples::Rows rows_;
+    animation::SampleRows rows_;
 };
+
+// A file for each frame: only the first is read here.
+ElementTable read_frames(const TableOptions& options, const animation::Timeline& timeline) {
+    FrameFiles files;
+    for (const auto& [frame, file] : options.frames) {
+        files.files.push_back(file);
+        files.times.push_back(timeline.time(frame));
+    }
+    files.most = std::size_t(options.most);
+    if (options.counts_files) {
+        files.most = 0;
+        for (const std::filesystem::path& file : files.files) {
+            const std::size_t count = count_particles(file, limits::table_bytes);
+            if (count > std::size_t(options.most)) {
+                throw SceneError(fmt::format("{}: says that it holds {} particles; there may be {}",
+                                             file.string(), count, options.most));
+            }
+            files.most = std::max(files.most, count);
+        }
+    }
+    ElementTable result;
+    Interpolation rule = Interpolation::linear;
+    ParticleRequest request;
+    request.file = files.files.front();
+    request.choose = [&](const std::string&, const std::vector<std::string>& names) {
+        const ColumnChoice choice = choose_columns(names, options.columns, false);
+        SampledColumns columns = sampled_columns(choice, names, options.interpolation);
+        rule = rule_of(options.interpolation, columns);
+        // What no field reads is there to be shown.
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            if (std::ranges::find(columns.from, k) == columns.from.end()) columns.from.push_back(k);
+        }
+        columns.velocities.resize(columns.from.size());
+        result.fields = choice.fields;
+        for (const std::size_t column : columns.from) files.columns.push_back(names[column]);
+        files.velocities = columns.velocities;
+        return Wanted{std::vector<bool>(names.size()), files.most, limits::table_values};
+    };
+    read_particles(request, limits::table_bytes);
+    if (files.columns.empty()) {
+        fail_of_file(request,
+                     "holds no particle, and no name of a column; the first file must tell "
+                     "what columns there are");
+    }
+    result.first = files.files.front().string();
+    result.last = files.files.back().string();
+    result.samples = std::make_shared<const animation::ElementSamples>(
+        std::make_shared<const FileFrames>(std::move(files)), rule);
+    return result;
+}
 
 } // namespace
 
 ElementTable read_element_table(const TableOptions& options, const animation::Timeline& timeline,
                                 TableBudget& budget) {
-    return Reader(options, timeline, budget).read(budget);
+    if (!options.frames.empty()) return read_frames(options, timeline);
+    return RowsInTime(options, timeline).read(budget);
 }
 
 } // namespace isomotion::scene

@@ -1,15 +1,16 @@
-// Elements of an array from a file of comma-separated values: a header of names, then one element a
-// line.
+// Elements of an array from a file of any format that scene/particles reads, or from a file for
+// each frame.
 //
-// A column `frame` (whole numbers, evenly spaced) or `t` (seconds) makes elements move. Its rows
-// come in the order of time; a row with nothing but the time says that there are no elements then.
-// A column `id` (whole numbers) tells which elements of neighbouring times are the same. Blank
-// lines and lines that begin with # are skipped.
+// In CSV and NPY a column `frame` (whole numbers, evenly spaced), `t` or `time` (seconds) makes
+// elements move. Its rows come in the order of time; in CSV a row with nothing but the time says
+// that there are no elements then. A column `id` (whole numbers) tells which elements of
+// neighbouring times are the same.
 #pragma once
 
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,9 @@
 namespace isomotion::scene {
 
 struct ElementTable {
-    std::shared_ptr<const animation::ElementSamples> samples; // one column for each of `fields`
-    std::vector<std::string> fields;
-    int first_line = 0, last_line = 0; // of elements, for messages
+    std::shared_ptr<const animation::ElementSamples> samples;
+    std::vector<std::string> fields; // the first columns of the samples
+    std::string first, last;         // where the first elements and the last are, for messages
 };
 
 // What all tables of a scene together may still hold.
@@ -33,17 +34,20 @@ struct TableBudget {
 struct TableOptions {
     std::filesystem::path file;
     std::map<std::string, std::string> columns; // field to the column it is called in the file
-    animation::ElementSamples::Interpolation interpolation =
-        animation::ElementSamples::Interpolation::linear;
+    // Without a value: by velocities where the file has some, else straight.
+    std::optional<animation::ElementSamples::Interpolation> interpolation{};
     int most = 0; // elements at one time
+
+    // A file for each frame: frames of the scene, ascending, and the file of each.
+    std::vector<std::pair<std::int64_t, std::filesystem::path>> frames{};
+    bool counts_files = false; // `most` is a limit only: files are asked how many there are
 
     bool operator==(const TableOptions&) const = default;
 };
 
 // Columns that `columns` leaves out keep their names where formulas can say them; others are
 // skipped. `timeline` turns frames into times. Takes what it holds off the budget. Throws
-// SceneError
-// ("drops.csv:12: mass: ..."), and for what exceeds the budget before it is read.
+// SceneError ("drops.csv:12: mass: ..."), and for what exceeds the budget before it is read.
 ElementTable read_element_table(const TableOptions& options, const animation::Timeline& timeline,
                                 TableBudget& budget);
 

@@ -107,6 +107,72 @@ TEST(ElementSamples, JumpWhereOneEndsThoughAnotherBegins) {
     }
 }
 
+// A column with velocities, of a motion that a cubic is.
+double cubic(double t) { return 2 + t - 3 * t * t + 0.5 * t * t * t; }
+double speed(double t) { return 1 - 6 * t + 1.5 * t * t; }
+
+ElementSamples::Rows moving_rows() {
+    ElementSamples::Rows rows;
+    rows.times = {0, 0.5, 2};
+    rows.begin = {0, 2, 4, 5};
+    // Element 1 is in all, in another row in the second; 2 is in the first two.
+    rows.ids = {1, 2, 2, 1, 1};
+    rows.values = {{cubic(0), 7, 8, cubic(0.5), cubic(2)}, {speed(0), 2, 2, speed(0.5), speed(2)}};
+    rows.velocities = {1, std::nullopt};
+    return rows;
+}
+
+TEST(ElementSamples, WithVelocitiesFollowTheCubic) {
+    const ElementSamples samples(moving_rows(), Interpolation::hermite);
+    for (const double t : {0.0, 0.1, 0.25, 0.49}) {
+        EXPECT_NEAR(samples.at(t).fields[0][0], cubic(t), 1e-12) << t;
+        EXPECT_NEAR(samples.at(t).fields[0][1], 7 + 2 * t, 1e-12) << t;
+    }
+    for (const double t : {0.5, 1.0, 1.99}) {
+        EXPECT_NEAR(samples.at(t).fields[0][1], cubic(t), 1e-12) << t;
+        // It ends at the third: until then it goes on as fast as it was.
+        EXPECT_NEAR(samples.at(t).fields[0][0], 8 + 2 * (t - 0.5), 1e-12) << t;
+        // Velocities themselves go straight.
+        EXPECT_NEAR(samples.at(t).fields[1][1],
+                    speed(0.5) + (t - 0.5) / 1.5 * (speed(2) - speed(0.5)), 1e-12)
+            << t;
+    }
+    EXPECT_THAT(samples.at(9).fields[0], ElementsAre(cubic(2)));
+    EXPECT_TRUE(samples.is_curved(0));
+    EXPECT_FALSE(samples.is_curved(1));
+}
+
+TEST(ElementSamples, MultipliedMoveAsTheyDidButFarther) {
+    const ElementSamples samples(moving_rows(), Interpolation::hermite);
+    const ElementSamples twice = samples.multiplied(0, -2);
+    for (const double t : {0.0, 0.3, 0.5, 1.7, 2.0}) {
+        const auto once = samples.at(t), now = twice.at(t);
+        for (std::size_t i = 0; i < once.fields[0].size(); ++i) {
+            EXPECT_NEAR(now.fields[0][i], -2 * once.fields[0][i], 1e-12);
+            EXPECT_EQ(now.fields[1][i], once.fields[1][i]);
+        }
+    }
+}
+
+TEST(ElementSamples, OnlySomeColumnsHaveValues) {
+    const ElementSamples samples = ElementSamples(moving_rows(), Interpolation::hermite);
+    const ElementSamples only = samples.only({true, false});
+    for (const double t : {0.0, 0.3, 1.7}) {
+        EXPECT_EQ(only.at(t).fields[0], samples.at(t).fields[0]);
+        EXPECT_THAT(only.at(t).fields[1], IsEmpty());
+        EXPECT_EQ(only.at(t).count, samples.at(t).count);
+    }
+}
+
+TEST(ElementSamples, TwinsAreFound) {
+    EXPECT_FALSE(find_twins(std::vector<std::int64_t>{1, 2, 9}));
+    EXPECT_FALSE(find_twins(std::vector<std::int64_t>{9, -2, 1}));
+    const auto twins = find_twins(std::vector<std::int64_t>{4, 9, 1, 9, 4, 4});
+    ASSERT_TRUE(twins);
+    EXPECT_EQ(twins->first, 1u);
+    EXPECT_EQ(twins->second, 3u);
+}
+
 // No jump but where elements come and go.
 TEST(ElementSamples, MoveContinuously) {
     ElementSamples::Rows rows;

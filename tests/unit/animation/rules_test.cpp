@@ -52,18 +52,9 @@ TEST(Rules, OfAReferredTrackMayBeAnother) {
     EXPECT_DOUBLE_EQ(value(graph, rules.track(1), 0.25), 1.75);
 }
 
-TEST(Rules, OfSamplesAreStraightBetweenThem) {
-    // Two elements, of which the second ends at the second sample.
-    ElementSamples::Rows rows;
-    rows.times = {0, 1, 3};
-    rows.begin = {0, 2, 3, 4};
-    rows.values = {{0, 10, 4, 7}};
-    rows.ids = {5, 6, 5, 5};
-    const auto samples =
-        std::make_shared<const ElementSamples>(rows, ElementSamples::Interpolation::linear);
-    const Animation animation(
-        {}, {{"drops", 2, {{"x", Column{0}}, {"y", Expression{"2*x + i"}}}, samples}});
-    for (const double t : {0.0, 0.25, 0.75, 1.0, 1.5, 2.999, 3.5}) {
+// The sums of the first two fields, by rules and as they are.
+void expect_rules_of_drops(const Animation& animation, std::initializer_list<double> times) {
+    for (const double t : times) {
         Graph graph;
         Rules rules(animation, t, graph, graph.input(0));
         const NodeId x = graph.sum(0, rules.field(0, 0)), y = graph.sum(0, rules.field(0, 1));
@@ -79,6 +70,34 @@ TEST(Rules, OfSamplesAreStraightBetweenThem) {
         EXPECT_NEAR(sums[0], sum_x, 1e-12) << t;
         EXPECT_NEAR(sums[1], sum_y, 1e-12) << t;
     }
+}
+
+TEST(Rules, OfSamplesAreStraightBetweenThem) {
+    // Two elements, of which the second ends at the second sample.
+    ElementSamples::Rows rows;
+    rows.times = {0, 1, 3};
+    rows.begin = {0, 2, 3, 4};
+    rows.values = {{0, 10, 4, 7}};
+    rows.ids = {5, 6, 5, 5};
+    const auto samples =
+        std::make_shared<const ElementSamples>(rows, ElementSamples::Interpolation::linear);
+    const Animation animation(
+        {}, {{"drops", 2, {{"x", Column{0}}, {"y", Expression{"2*x + i"}}}, samples}});
+    expect_rules_of_drops(animation, {0.0, 0.25, 0.75, 1.0, 1.5, 2.999, 3.5});
+}
+
+TEST(Rules, OfSamplesWithVelocitiesAreCubics) {
+    ElementSamples::Rows rows;
+    rows.times = {0, 1, 3};
+    rows.begin = {0, 2, 3, 4};
+    rows.values = {{0, 10, 4, 7}, {1, -2, 5, 0.5}};
+    rows.ids = {5, 6, 5, 5};
+    rows.velocities = {1, std::nullopt};
+    const auto samples =
+        std::make_shared<const ElementSamples>(rows, ElementSamples::Interpolation::hermite);
+    const Animation animation(
+        {}, {{"drops", 2, {{"x", Column{0}}, {"y", Expression{"2*x + i"}}}, samples}});
+    expect_rules_of_drops(animation, {-1.0, 0.0, 0.25, 0.75, 1.0, 1.5, 2.999, 3.5});
 }
 
 TEST(Rules, ChangeAtKnotsOfWhatIsUsed) {

@@ -204,7 +204,7 @@ TEST_F(ElementTables, MistakesInTheSceneNameTheirKey) {
               "scene.toml:10: arrays.drops.columns.y: 'y' already has a meaning in formulas; "
               "choose another name");
     EXPECT_EQ(wrong("cx,cy,cz\n1,2,3\n", "interpolation = \"cubic\""),
-              "scene.toml:10: arrays.drops.interpolation: must be linear or hold, not 'cubic'");
+              "scene.toml:10: arrays.drops.interpolation: must be linear, hold or hermite, not 'cubic'");
     EXPECT_EQ(
         wrong("cx,cy,cz\n1,2,3\n", "extrapolate = \"loop\""),
         "scene.toml:10: arrays.drops.extrapolate: must be hold: the first and the last elements "

@@ -1,0 +1,91 @@
+// The elements of an array from a file for each time.
+//
+// A file is read when its time is asked for, and the next ones by a thread while frames come in
+// their order. No more than frames_kept() of them are in memory, of each only the columns that were
+// ever asked for; so what a file says is the same whether it was read ahead, again or alone.
+#pragma once
+
+#include <filesystem>
+#include <future>
+#include <list>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "animation/sample_source.h"
+#include "scene/particles/particle_table.h"
+
+namespace isomotion::scene {
+
+struct FrameFiles {
+    std::vector<std::filesystem::path> files;           // at least one
+    std::vector<double> times;                          // ascending, of each
+    std::vector<std::string> columns;                   // as files call them
+    std::vector<std::optional<std::size_t>> velocities; // of each column
+    std::size_t most = 0;                               // particles of a file
+};
+
+class FileFrames final : public animation::SampleSource {
+public:
+    explicit FileFrames(FrameFiles files);
+    ~FileFrames() override;
+
+    const std::vector<double>& times() const override { return files_.times; }
+    std::size_t columns() const override { return files_.columns.size(); }
+    // Throws SceneError for what a file has no place for: a number that is none, a column that is
+    // missing.
+    Sample sample(std::size_t k, const std::vector<bool>& columns) const override;
+    Successors successors(std::size_t k) const override;
+    int most() const override { return int(files_.most); }
+    std::optional<std::size_t> velocity_of(std::size_t column) const override {
+        return files_.velocities[column];
+    }
+    void add_column(base::Fingerprint& print, std::size_t column) const override;
+    // With the content of all files; where they have more than a GiB together, of each with the
+    // beginning and the end only.
+    void add_rows(base::Fingerprint& print) const override;
+    std::string origin(std::size_t k) const override;
+    std::vector<std::string> names() const override { return files_.columns; }
+
+    // For tests: how many are in memory or on their way, and how many files were read so far.
+    std::size_t frames_now() const;
+    std::size_t files_read() const;
+
+private:
+    struct Frame {
+        std::string format;
+        std::size_t count = 0;
+        std::vector<std::vector<double>> columns; // those that were not asked for are empty
+        std::vector<std::int64_t> ids;            // empty where the file has none
+    };
+    using FramePointer = std::shared_ptr<const Frame>;
+    struct Entry {
+        std::size_t frame = 0;
+        std::vector<bool> columns;
+        std::shared_future<FramePointer> read;
+    };
+
+    FramePointer read(std::size_t k, const std::vector<bool>& columns) const;
+    FramePointer frame(std::size_t k, const std::vector<bool>& columns) const;
+    // These with the lock.
+    Entry* find(std::size_t k) const;
+    void read_ahead(std::size_t k) const;
+    bool make_room(std::size_t k) const;
+    // Six, or fewer where they are large: as many as take 256 MiB, but at least three.
+    std::size_t frames_kept() const;
+
+    FrameFiles files_;
+    mutable std::mutex mutex_;         // of what follows
+    mutable std::list<Entry> entries_; // what was asked for last comes first
+    mutable std::vector<bool> wanted_;
+    mutable std::size_t asked_ = std::size_t(-2);
+    mutable std::size_t files_read_ = 0;
+    mutable std::string print_;
+    struct Matched {
+        std::size_t frame = 0;
+        std::shared_ptr<const std::vector<std::uint32_t>> rows;
+    };
+    mutable Matched matched_;
+};
+
+} // namespace isomotion::scene

@@ -1,0 +1,25 @@
+// A file for each frame, `sim/p.####.bgeo`.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "scene/reading/document.h"
+#include "scene/reading/reach.h"
+
+namespace isomotion::scene {
+
+struct NumberedFile {
+    int number = 0;
+    std::filesystem::path file;
+};
+
+// The files that `name` stands for, in the order of their numbers, which are evenly spaced. None if
+// the name has no place for a number, or is a file as it is. Throws SceneError at `key` if there is
+// no such file, if one between two others is missing, or if `reach` forbids one.
+std::vector<NumberedFile> numbered_files(const toml::node& node, const std::string& key,
+                                         const std::filesystem::path& name, Reach reach);
+
+} // namespace isomotion::scene
