@@ -137,7 +137,8 @@ int show(const ShowArguments& arguments) {
     }
     for (std::size_t a = 0; a < values.arrays.size(); ++a) {
         const auto& array = scene.timeline.animation.arrays()[a];
-        fmt::print("    {:<28} {} elements\n", array.name, values.arrays[a].count);
+        fmt::print("    {:<28} {} elements{}\n", array.name, values.arrays[a].count,
+                   synthesis::array_with_grid(passes) == int(a) ? ", found by place" : "");
         if (array.samples) print_samples(*array.samples, values.time);
     }
     std::vector<std::string_view> called;
