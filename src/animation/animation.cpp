@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -68,16 +69,17 @@ std::vector<int> dependency_order(std::size_t count,
 }
 
 // Whole words only: "cx" is no mention of "x".
-bool mentions(std::string_view text, std::string_view word) {
+std::unordered_set<std::string_view> words_of(std::string_view text) {
     const auto part = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
     };
-    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
-        const std::size_t end = at + word.size();
-        if ((at == 0 || !part(text[at - 1])) && (end == text.size() || !part(text[end])))
-            return true;
+    std::unordered_set<std::string_view> words;
+    for (auto begin = text.begin(); begin != text.end();) {
+        const auto end = std::find_if_not(begin, text.end(), part);
+        if (end != begin) words.emplace(begin, end);
+        begin = std::find_if(end, text.end(), part);
     }
-    return false;
+    return words;
 }
 
 } // namespace
@@ -105,11 +107,11 @@ Animation::Animation(std::vector<Track> tracks, std::vector<Array> arrays, std::
 }
 
 Animation::Compiled Animation::compile(const std::string& owner, const std::string& text,
-                                       const formula::Vocabulary& vocabulary) const {
+                                       const formula::Names& names) const {
     formula::Graph graph;
     formula::NodeId root{};
     try {
-        root = formula::parse(text, vocabulary, graph);
+        root = formula::parse(text, names, graph);
     } catch (const formula::ParseError& error) {
         throw ExpressionError(owner, error.what());
     }
@@ -135,11 +137,12 @@ void Animation::compile_tracks() {
     vocabulary.inputs = {"t"};
     vocabulary.parameters = track_names();
     vocabulary.allows_random = true;
+    const formula::Names names(vocabulary);
     compiled_.resize(tracks_.size());
     for (std::size_t k = 0; k < tracks_.size(); ++k) {
         const auto* expression = std::get_if<Expression>(&tracks_[k].source);
         if (!expression) continue;
-        compiled_[k] = compile(tracks_[k].name, expression->text, vocabulary);
+        compiled_[k] = compile(tracks_[k].name, expression->text, names);
         for (const int other : compiled_[k]->references) referenced_[std::size_t(other)] = true;
     }
     order_ = dependency_order(
@@ -158,6 +161,7 @@ void Animation::compile_array(const Array& array) {
     const auto tracks = int(vocabulary.parameters.size());
     for (const ArrayField& field : array.fields) vocabulary.parameters.push_back(field.name);
     vocabulary.allows_random = true;
+    const formula::Names names(vocabulary);
 
     CompiledArray compiled;
     compiled.fields.resize(array.fields.size());
@@ -166,7 +170,7 @@ void Animation::compile_array(const Array& array) {
         const auto* expression = std::get_if<Expression>(&array.fields[f].source);
         if (!expression) continue;
         const std::string owner = array.name + "." + array.fields[f].name;
-        compiled.fields[f] = compile(owner, expression->text, vocabulary);
+        compiled.fields[f] = compile(owner, expression->text, names);
         for (const int other : compiled.fields[f]->references) {
             if (other < tracks) {
                 referenced_[std::size_t(other)] = true;
@@ -331,12 +335,12 @@ bool stands_alone(const Array& array, std::size_t field) {
     const FieldSource& source = array.fields[field].source;
     if (std::holds_alternative<double>(source)) return true;
     const auto* expression = std::get_if<Expression>(&source);
-    if (!expression || mentions(expression->text, "i") || mentions(expression->text, "n")) {
-        return false;
-    }
-    return std::none_of(array.fields.begin(), array.fields.end(), [&](const ArrayField& sibling) {
-        return mentions(expression->text, sibling.name);
-    });
+    // What is too long is refused when it is read.
+    if (!expression || expression->text.size() > formula::limits::formula_bytes) return false;
+    const auto words = words_of(expression->text);
+    if (words.contains("i") || words.contains("n")) return false;
+    return std::ranges::none_of(
+        array.fields, [&](const ArrayField& sibling) { return words.contains(sibling.name); });
 }
 
 } // namespace isomotion::animation

@@ -15,6 +15,7 @@
 #include "animation/element_samples.h"
 #include "animation/keys.h"
 #include "formula/evaluate/evaluate.h"
+#include "formula/graph/names.h"
 #include "formula/graph/vocabulary.h"
 
 namespace isomotion::animation {
@@ -114,7 +115,7 @@ private:
     };
 
     Compiled compile(const std::string& owner, const std::string& text,
-                     const formula::Vocabulary& vocabulary) const;
+                     const formula::Names& names) const;
     // The names that expressions may use, in the order of the tracks.
     std::vector<std::string> track_names() const;
     void compile_tracks();

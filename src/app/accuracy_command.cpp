@@ -81,20 +81,20 @@ int price_effects(const AccuracyArguments& arguments) {
                           ? scene.output.poster
                           : animation::parse_frame_range(arguments.frames).front();
     if (synthesis::effects(scene).empty()) {
-        fmt::print("{} calls for no effect\n", scene.title);
+        print_result("{} calls for no effect\n", scene.title);
         return exit_done;
     }
     const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
     const auto prices =
         accuracy::effect_prices(*context, scene, frame, scene.output.width, scene.output.height,
                                 arguments.repeat, render::parse_stage(arguments.stage));
-    fmt::print("{}: {}x{}, frame {}, medians of {} pairs; {}, {}\n", scene.title,
-               scene.output.width, scene.output.height, frame, arguments.repeat,
-               context->info().renderer, context->info().version);
-    fmt::print("{:<18}{:>10}{:>12}{:>12}\n", "effect", "with ms", "without ms", "price ms");
+    print_result("{}: {}x{}, frame {}, medians of {} pairs; {}, {}\n", scene.title,
+                 scene.output.width, scene.output.height, frame, arguments.repeat,
+                 context->info().renderer, context->info().version);
+    print_result("{:<18}{:>10}{:>12}{:>12}\n", "effect", "with ms", "without ms", "price ms");
     for (const accuracy::EffectPrice& price : prices) {
-        fmt::print("{:<18}{:>10.2f}{:>12.2f}{:>12.2f}\n", synthesis::name(price.effect), price.with,
-                   price.without, price.price);
+        print_result("{:<18}{:>10.2f}{:>12.2f}{:>12.2f}\n", synthesis::name(price.effect),
+                     price.with, price.without, price.price);
     }
     return exit_done;
 }
@@ -134,8 +134,8 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
 int judge(const AccuracyArguments& arguments, const accuracy::Report& report) {
     const auto tell = [&](const char* what, std::size_t k) {
         const accuracy::Measurement& m = report.measurements[k];
-        fmt::print("{}: {} ({:.2f} ms, {:.1f} ppm wrong)\n", what,
-                   accuracy::name(m.setting, report.isolation), m.ms, m.errors.wrong_ppm());
+        print_result("{}: {} ({:.2f} ms, {:.1f} ppm wrong)\n", what,
+                     accuracy::name(m.setting, report.isolation), m.ms, m.errors.wrong_ppm());
     };
     int code = exit_done;
     if (arguments.max_wrong) {
@@ -163,13 +163,13 @@ int accuracy_of(const AccuracyArguments& arguments) {
     if (arguments.effects) return price_effects(arguments);
     const accuracy::Report report = measured(arguments);
     if (!arguments.quiet) {
-        fmt::print("{}: {}x{}, {} frame{} from {}; {}\n{}", report.title, report.width,
-                   report.height, report.frames.size(), report.frames.size() == 1 ? "" : "s",
-                   report.frames.front(), report.machine, accuracy::table(report));
+        print_result("{}: {}x{}, {} frame{} from {}; {}\n{}", report.title, report.width,
+                     report.height, report.frames.size(), report.frames.size() == 1 ? "" : "s",
+                     report.frames.front(), report.machine, accuracy::table(report));
     }
     if (!arguments.output.empty()) {
         accuracy::write(report, arguments.output);
-        if (!arguments.quiet) fmt::print("report: {}/index.html\n", arguments.output);
+        if (!arguments.quiet) print_result("report: {}/index.html\n", arguments.output);
     }
     return judge(arguments, report);
 }

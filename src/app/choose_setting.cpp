@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/console.h"
 #include <fmt/format.h>
 
 #include "accuracy/measure.h"
@@ -46,11 +47,11 @@ std::optional<scene::Isolation> choose_setting(gpu::Context& context, const scen
                    s.safety == scene.isolation.safety && s.thresholds == 1 &&
                    s.bisections == scene.isolation.bisections;
         });
-        fmt::print("{}\n", told(best));
+        print_result("{}\n", told(best));
         if (own == measurements.end() || &*own == &best) {
-            fmt::print("that is the setting without --max-wrong\n");
+            print_result("that is the setting without --max-wrong\n");
         } else {
-            fmt::print("instead of {}\n", told(*own));
+            print_result("instead of {}\n", told(*own));
         }
     }
     return accuracy::apply(best.setting, scene).isolation;

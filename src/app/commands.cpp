@@ -14,7 +14,6 @@
 
 #include "app/console.h"
 #include "base/file.h"
-#include "base/printable.h"
 #include "gpu/context.h"
 #include "gpu/error.h"
 #include "gpu/lost_display.h"
@@ -26,7 +25,7 @@ namespace isomotion::app {
 namespace {
 
 int report(int code, const std::exception& error) {
-    message("{}\n", base::printable(error.what()));
+    message("{}\n", error.what());
     return code;
 }
 
@@ -62,7 +61,7 @@ int run_command(int argc, char** argv) {
         // CLI11 counts --help and --version as errors with code 0. Its messages repeat words.
         std::ostringstream messages;
         if (app.exit(error, std::cout, messages) == 0) return exit_done;
-        write_message(base::printable(messages.str()));
+        write_message(messages.str());
         return exit_usage;
     }
     try {
@@ -129,7 +128,17 @@ int run(int argc, char** argv) {
     keep_standard_descriptors();
     // A file beyond a limit is what a write fails with, not the end of the program.
     std::signal(SIGXFSZ, SIG_IGN);
-    const int code = run_command(argc, argv);
+    // So is a reader that has gone: frames are written without one.
+    std::signal(SIGPIPE, SIG_IGN);
+    // Whoever started the program may ignore this; then nobody could tell how encoders end.
+    std::signal(SIGCHLD, SIG_DFL);
+    int code = exit_machine;
+    try {
+        code = run_command(argc, argv);
+    } catch (const std::exception& error) { // where not even a command could be chosen, or told of
+        write_message(error.what());
+        write_message("\n");
+    }
     // Whoever takes the output for all of it is told that it isn't.
     return code == exit_done && !finish_output() ? int(exit_machine) : code;
 }

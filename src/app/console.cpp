@@ -11,6 +11,8 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include "base/printable.h"
+
 namespace isomotion::app {
 
 void keep_standard_descriptors() {
@@ -31,15 +33,30 @@ void end_with_input() {
     }).detach();
 }
 
-void write_message(std::string_view text) {
+namespace {
+
+int output_error = 0; // of the first result that could not be written
+
+} // namespace
+
+void write_message(std::string_view text) { control_terminal(base::printable(text)); }
+
+void control_terminal(std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), stderr);
     std::fflush(stderr);
+}
+
+void write_result(std::string_view text) {
+    errno = 0;
+    if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() || output_error) return;
+    output_error = errno ? errno : EIO;
 }
 
 bool finish_output() {
     errno = 0;
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
-    message("standard output cannot be written: {}\n", std::strerror(errno ? errno : EIO));
+    const int code = output_error ? output_error : errno ? errno : EIO;
+    message("standard output cannot be written: {}\n", std::strerror(code));
     return false;
 }
 

@@ -18,7 +18,18 @@ void keep_standard_descriptors();
 inline constexpr const char* ends_with_input = "ISOMOTION_ENDS_WITH_INPUT";
 void end_with_input();
 
-// Writes a message to standard error, or drops it where that cannot be written.
+// Prints a part of the result. One that cannot be written keeps nothing else from being done:
+// finish_output() tells of it in the end.
+void write_result(std::string_view text);
+template<class... Parts> void print_result(fmt::format_string<Parts...> format, Parts&&... parts) {
+    write_result(fmt::format(format, std::forward<Parts>(parts)...));
+}
+
+// Writes to standard error as it is: for what moves the cursor and holds no text of others.
+void control_terminal(std::string_view text);
+
+// Writes a message to standard error, or drops it where that cannot be written. Nothing in it is
+// obeyed by a terminal, whoever wrote the words.
 void write_message(std::string_view text);
 template<class... Parts> void message(fmt::format_string<Parts...> format, Parts&&... parts) {
     write_message(fmt::format(format, std::forward<Parts>(parts)...));

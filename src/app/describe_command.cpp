@@ -3,6 +3,7 @@
 
 #include "app/commands.h"
 #include "app/completions.h"
+#include "app/console.h"
 #include "app/manual.h"
 #include "scene/data_folder.h"
 
@@ -28,7 +29,7 @@ void add_describe(CLI::App& app, Action& chosen) {
         ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
     command->callback([as, &app, &chosen] {
         chosen = [as, &app] {
-            fmt::print("{}", described(command_tree(app), *as));
+            print_result("{}", described(command_tree(app), *as));
             return exit_done;
         };
     });

@@ -6,6 +6,7 @@
 
 #include "app/backend_probe.h"
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/doctor_table.h"
 #include "app/machine_report.h"
 
@@ -25,7 +26,7 @@ std::string dumped(const nlohmann::ordered_json& value, int indent) {
 
 int doctor(const DoctorArguments& arguments) {
     if (!arguments.probed.empty()) {
-        fmt::print("\n{}\n", dumped(probe_here(gpu::parse_backend(arguments.probed)), -1));
+        print_result("\n{}\n", dumped(probe_here(gpu::parse_backend(arguments.probed)), -1));
         return exit_done;
     }
     const auto found = probe_apart({gpu::Backend::egl, gpu::Backend::osmesa, gpu::Backend::glfw},
@@ -34,9 +35,9 @@ int doctor(const DoctorArguments& arguments) {
     report.update(machine_report());
     report["backends"] = found;
     if (arguments.json) {
-        fmt::print("{}\n", dumped(report, 2));
+        print_result("{}\n", dumped(report, 2));
     } else {
-        fmt::print("{}", doctor_table(report));
+        print_result("{}", doctor_table(report));
     }
     const auto works = [](const auto& back_end) { return back_end["works"].template get<bool>(); };
     return std::ranges::any_of(found, works) ? exit_done : exit_machine;

@@ -2,10 +2,11 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "app/console.h"
 #include "scene/data_folder.h"
-#include "synthesis/effect.h"
 #include "scene/method.h"
 #include "scene/reading/load.h"
+#include "synthesis/effect.h"
 
 namespace isomotion::app {
 namespace {
@@ -13,20 +14,20 @@ namespace {
 int list(const std::string& what) {
     if (what == "methods") {
         for (const auto& method : scene::method_traits) {
-            fmt::print("{:<12} {}\n", method.name, method.summary);
+            print_result("{:<12} {}\n", method.name, method.summary);
         }
         return exit_done;
     }
     if (what == "effects") {
         for (const auto& effect : synthesis::effect_traits()) {
-            fmt::print("{:<16} {}\n", effect.name, effect.summary);
+            print_result("{:<16} {}\n", effect.name, effect.summary);
         }
         return exit_done;
     }
     const bool surfaces = what == "surfaces";
     for (const auto& name : surfaces ? scene::surface_names() : scene::animation_names()) {
         const auto file = surfaces ? scene::surface_file(name) : scene::animation_file(name);
-        fmt::print("{:<26} {}\n", name, scene::title(file));
+        print_result("{:<26} {}\n", name, scene::title(file));
     }
     return exit_done;
 }

@@ -1,12 +1,12 @@
 #include "app/progress.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "app/console.h"
+#include "base/printable.h"
 
 namespace isomotion::app {
 
@@ -16,7 +16,7 @@ Progress::Progress(std::string what, int total, bool quiet)
     , terminal_(!quiet && isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
-    if (drawn_) message("\r\033[K");
+    if (drawn_) control_terminal("\r\033[K");
 }
 
 void Progress::show(int done, const std::string& note) {
@@ -28,14 +28,13 @@ void Progress::show(int done, const std::string& note) {
     if (done > 0 && done < total_) {
         left = fmt::format(", {:.0f} s left", passed.count() / done * (total_ - done));
     }
-    message("\r\033[K{} [{:=<{}}{: <{}}] {}/{}{} {}", what_, "", filled, "", width - filled, done,
-            total_, left, note);
-    std::fflush(stderr);
+    control_terminal(fmt::format("\r\033[K{} [{:=<{}}{: <{}}] {}/{}{} {}", what_, "", filled, "",
+                                 width - filled, done, total_, left, base::printable_line(note)));
     drawn_ = true;
 }
 
 void Progress::tell(const std::string& text) {
-    if (drawn_) message("\r\033[K");
+    if (drawn_) control_terminal("\r\033[K");
     drawn_ = false;
     message("{}\n", text);
 }

@@ -15,6 +15,7 @@
 #include "app/progress.h"
 #include "app/render_arguments.h"
 #include "app/stop_on_signal.h"
+#include "image/frame.h"
 #include "scene/method.h"
 #include "scene/sight.h"
 #include "sequence/exporter.h"
@@ -104,7 +105,7 @@ int stopped() {
 int render(const RenderArguments& arguments) {
     const auto begin = std::chrono::steady_clock::now();
     const auto say = [&](const std::string& text) {
-        if (!arguments.quiet) fmt::print("{}", text);
+        if (!arguments.quiet) print_result("{}", text);
     };
     sequence::Exporter exporter = exporter_of(arguments);
     const sequence::ExportOptions& options = exporter.options();
@@ -151,7 +152,12 @@ int render(const RenderArguments& arguments) {
     say(summary(totals, std::chrono::steady_clock::now() - begin));
     say(fmt::format("frames: {}\n", options.output));
     if (options.movie.empty()) return exit_done;
-    if (!exporter.write_movie(watcher)) return stopped();
+    try {
+        if (!exporter.write_movie(watcher)) return stopped();
+    } catch (
+        const image::ImageError& error) { // a frame's file, which the scene is not to blame for
+        throw sequence::MovieError(error.what());
+    }
     say(fmt::format("movie: {}\n", arguments.movie));
     return exit_done;
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "app/console.h"
 #include "base/printable.h"
 #include "render/stage.h"
 #include "scene/reading/load.h"
@@ -33,16 +34,16 @@ void print_samples(const animation::ElementSamples& samples, double time) {
     const std::size_t k = samples.sample_at(time);
     const std::vector<std::string> names = source.names();
     const auto sample = source.sample(k, std::vector<bool>(source.columns(), true));
-    fmt::print("        from {}\n", base::printable_line(source.origin(k)));
+    print_result("        from {}\n", base::printable_line(source.origin(k)));
     constexpr std::size_t most = 20;
     for (std::size_t c = 0; c < std::min(names.size(), most); ++c) {
         const std::span<const double> values = sample.columns[c];
         if (values.empty()) continue;
         const auto [least, greatest] = std::ranges::minmax_element(values);
-        fmt::print("        {:<24} {:g} to {:g}\n", base::printable_line(names[c]), *least,
+        print_result("        {:<24} {:g} to {:g}\n", base::printable_line(names[c]), *least,
                    *greatest);
     }
-    if (names.size() > most) fmt::print("        and {} columns more\n", names.size() - most);
+    if (names.size() > most) print_result("        and {} columns more\n", names.size() - most);
 }
 
 // What the surface says of a parameter's values.
@@ -70,10 +71,10 @@ synthesis::Stage stage_of(const ShowArguments& arguments) {
 
 // A pass under a heading, its stages one after the other.
 void print_pass(const synthesis::Pass& pass) {
-    fmt::print("// ===== pass '{}', {}\n", pass.name, synthesis::words(pass.when));
-    fmt::print("// files: {}\n", fmt::join(pass.files, " "));
-    if (!pass.vertex.empty()) fmt::print("// ----- vertex shader\n{}\n", pass.vertex);
-    fmt::print("// ----- {} shader\n{}\n", render::name(pass.stage), pass.text);
+    print_result("// ===== pass '{}', {}\n", pass.name, synthesis::words(pass.when));
+    print_result("// files: {}\n", fmt::join(pass.files, " "));
+    if (!pass.vertex.empty()) print_result("// ----- vertex shader\n{}\n", pass.vertex);
+    print_result("// ----- {} shader\n{}\n", render::name(pass.stage), pass.text);
 }
 
 // What every frame runs, in order; then the names of what only some frames do.
@@ -83,8 +84,8 @@ void print_passes(const synthesis::Passes& passes) {
     }
     for (const synthesis::Pass& pass : passes.list) {
         if (!synthesis::is_exceptional(pass.when)) continue;
-        fmt::print("// not printed: pass '{}', {} (--pass '{}')\n", pass.name,
-                   synthesis::words(pass.when), pass.name);
+        print_result("// not printed: pass '{}', {} (--pass '{}')\n", pass.name,
+                     synthesis::words(pass.when), pass.name);
     }
 }
 
@@ -112,52 +113,53 @@ int show(const ShowArguments& arguments) {
     const animation::Values values = scene.timeline.values(arguments.frame);
     scene::at(scene, values); // values that have left their range are an error here too
     const scene::Isolation& isolation = scene.isolation;
-    fmt::print("{}\n", scene.title);
-    fmt::print("formula   {}\n", base::printable(scene.surface.field->text));
-    fmt::print("timeline  {} frames at {} a second{}\n", scene.timeline.frames,
-               animation::to_string(scene.timeline.fps), scene.timeline.loops ? ", a loop" : "");
-    fmt::print("class     {}\n", formula::words(scene.surface.smoothness));
+    print_result("{}\n", scene.title);
+    print_result("formula   {}\n", base::printable(scene.surface.field->text));
+    print_result("timeline  {} frames at {} a second{}\n", scene.timeline.frames,
+                 animation::to_string(scene.timeline.fps), scene.timeline.loops ? ", a loop" : "");
+    print_result("class     {}\n", formula::words(scene.surface.smoothness));
     if (isolation.method == scene::Method::hermite) {
-        fmt::print("method    hermite, safety {:g}", isolation.safety);
+        print_result("method    hermite, safety {:g}", isolation.safety);
     } else if (!scene::takes_steps(isolation.method)) {
-        fmt::print("method    {}", scene::name(isolation.method));
+        print_result("method    {}", scene::name(isolation.method));
     } else {
-        fmt::print("method    {}, step {:g}, near {:g}, far {:g}, horizon {:g}, {} bisections",
-                   scene::name(isolation.method), isolation.step, isolation.near, isolation.far,
-                   isolation.horizon, isolation.bisections);
+        print_result("method    {}, step {:g}, near {:g}, far {:g}, horizon {:g}, {} bisections",
+                     scene::name(isolation.method), isolation.step, isolation.near, isolation.far,
+                     isolation.horizon, isolation.bisections);
     }
     const bool looks_out =
         isolation.method == scene::Method::hermite && !scene.surface.smoothness.is_smooth();
-    fmt::print("{}{}\n", !passes.beams.empty() ? ", beams" : "",
-               looks_out ? "; by bounds where the formula isn't smooth" : "");
-    fmt::print("frame     {} at t = {:g} s\n", arguments.frame, values.time);
+    print_result("{}{}\n", !passes.beams.empty() ? ", beams" : "",
+                 looks_out ? "; by bounds where the formula isn't smooth" : "");
+    print_result("frame     {} at t = {:g} s\n", arguments.frame, values.time);
     for (std::size_t k = 0; k < values.tracks.size(); ++k) {
-        fmt::print("    {:<28} {:g}{}\n", scene.timeline.animation.tracks()[k].name,
-                   values.tracks[k], range_text(scene, k, values.tracks[k]));
+        print_result("    {:<28} {:g}{}\n", scene.timeline.animation.tracks()[k].name,
+                     values.tracks[k], range_text(scene, k, values.tracks[k]));
     }
     for (std::size_t a = 0; a < values.arrays.size(); ++a) {
         const auto& array = scene.timeline.animation.arrays()[a];
-        fmt::print("    {:<28} {} elements{}\n", array.name, values.arrays[a].count,
+        print_result("    {:<28} {} elements{}\n", array.name, values.arrays[a].count,
                    synthesis::array_with_grid(passes) == int(a) ? ", found by place" : "");
         if (array.samples) print_samples(*array.samples, values.time);
     }
     std::vector<std::string_view> called;
     for (const synthesis::Effect effect : synthesis::effects(scene))
         called.push_back(synthesis::name(effect));
-    fmt::print("effects   {}\n",
-               called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
+    print_result("effects   {}\n",
+                 called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
     const double size = synthesis::inlined_size(passes), largest = synthesis::largest_shaders();
-    fmt::print("compiles  {} passes, {:.0f} operations{}\n", passes.list.size(), size,
-               size > largest ? fmt::format("; more than {:.0f} are not compiled", largest) : "");
+    print_result("compiles  {} passes, {:.0f} operations{}\n", passes.list.size(), size,
+                 size > largest ? fmt::format("; more than {:.0f} are not compiled", largest) : "");
     const scene::Sight sight = scene::sight(scene, scene::at(scene, values));
-    if (scene.surface.jumps_are_walls) fmt::print("jumps     are walls\n");
-    if (sight.values) fmt::print("nothing   {}\n", scene::why_nothing_is_seen(sight));
+    if (scene.surface.jumps_are_walls) print_result("jumps     are walls\n");
+    if (sight.values) print_result("nothing   {}\n", scene::why_nothing_is_seen(sight));
     if (sight.cut > 0)
-        fmt::print("bounds    cut the surface open: {:.2g} % of their faces are behind it\n",
-                   100 * sight.cut);
-    for (const std::string& slip : scene::slips(sight)) fmt::print("likely    a slip: {}\n", slip);
-    fmt::print("stage     {}\n", render::name(passes.stage));
-    fmt::print("shaders   {}\n", fmt::join(passes.files(), " "));
+        print_result("bounds    cut the surface open: {:.2g} % of their faces are behind it\n",
+                     100 * sight.cut);
+    for (const std::string& slip : scene::slips(sight))
+        print_result("likely    a slip: {}\n", slip);
+    print_result("stage     {}\n", render::name(passes.stage));
+    print_result("shaders   {}\n", fmt::join(passes.files(), " "));
     return exit_done;
 }
 

@@ -87,7 +87,7 @@ public:
 
 private:
     template<class... Args> void say(fmt::format_string<Args...> format, Args&&... args) const {
-        if (!arguments_.render.quiet) fmt::print(format, std::forward<Args>(args)...);
+        if (!arguments_.render.quiet) print_result(format, std::forward<Args>(args)...);
     }
 
     // As they were asked for: a movie shows them in that order.
@@ -104,7 +104,9 @@ private:
         print_line(farm::joining_words(job_, all_frames()));
         return exit_done;
     }
-    void print_line(const Words& words) const { fmt::print("{}\n", farm::shell_line(job_, words)); }
+    void print_line(const Words& words) const {
+        print_result("{}\n", farm::shell_line(job_, words));
+    }
 
     int local() {
         const std::size_t workers = arguments_.workers > 0 ? arguments_.workers : cores();
@@ -166,10 +168,8 @@ private:
         cut.most = farm::largest_array();
         const auto chunks = farm::chunks(frames_, cut);
         if (const std::size_t size = chunks.back().size(); size > arguments_.chunk) {
-            fmt::print(
-                stderr,
-                "warning: this Slurm takes arrays of {} tasks: chunks have {} frames, not {}\n",
-                cut.most, size, arguments_.chunk);
+            message("warning: this Slurm takes arrays of {} tasks: chunks have {} frames, not {}\n",
+                    cut.most, size, arguments_.chunk);
         }
         const std::string text = farm::slurm_script(job_, chunks, all_frames(), slurm);
         fs::create_directories(slurm.script.parent_path());

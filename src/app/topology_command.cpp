@@ -177,7 +177,7 @@ int judged(const TopologyArguments& arguments, const topology::Expectation& expe
     const std::string text = topology::text(check, arguments.check);
     switch (check.outcome()) {
     case topology::Outcome::passes:
-        if (!arguments.quiet) fmt::print("{}", text);
+        if (!arguments.quiet) print_result("{}", text);
         return exit_done;
     case topology::Outcome::differs:
         message("{}", text);
@@ -206,7 +206,7 @@ int topology_of(const TopologyArguments& arguments) {
     const StopOnSignal stop;
     const topology::TimelineRecord record = analysed(arguments, scene, frames, stop);
     const bool is_whole = !stop.asked();
-    if (!arguments.quiet) fmt::print("{}", topology::summary(record));
+    if (!arguments.quiet) print_result("{}", topology::summary(record));
     // Judged first: no file that fails to be written keeps the judgement back.
     const int code = expectation ? judged(arguments, *expectation, record) : exit_done;
     write_files(arguments, record, stop);

@@ -10,6 +10,7 @@
 
 #include "animation/frame_range.h"
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/progress.h"
 #include "base/file.h"
 #include "base/printable.h"
@@ -30,11 +31,26 @@ bool is_manifest(const fs::path& folder) {
     return fs::is_directory(folder) && fs::exists(sequence::sequence_file(folder));
 }
 
+// What is left of one that lost what its frames are: reading it fails, and so it should.
+bool was_manifest(const fs::path& folder) {
+    if (!fs::is_directory(folder)) return false;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        const std::string name = entry.path().filename().string();
+        const bool is_record = name.size() > 8 && name.ends_with(".json") &&
+                               std::ranges::all_of(name.substr(0, name.size() - 5),
+                                                   [](char c) { return '0' <= c && c <= '9'; });
+        if (name == "writers" || is_record) return true;
+    }
+    return false;
+}
+
 std::vector<fs::path> manifests_in(const fs::path& folder) {
     std::vector<fs::path> found;
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
-        if (entry.path().extension() == ".manifest" && is_manifest(entry.path())) {
+        if (entry.path().extension() == ".manifest" &&
+            (is_manifest(entry.path()) || was_manifest(entry.path()))) {
             found.push_back(entry.path());
         }
     }
@@ -70,19 +86,20 @@ std::vector<fs::path> manifests_of(const std::string& what) {
 void tell(const sequence::Verification& found) {
     const sequence::Sequence& sequence = found.sequence;
     const std::size_t asked = sequence.asked.size();
-    fmt::print(
+    print_result(
         "{}: {}, {} frame{}, {}x{}, {}\n",
         base::printable_line((found.manifest.parent_path() / sequence.format.pattern).string()),
         sequence.title, asked, asked == 1 ? "" : "s", sequence.format.width, sequence.format.height,
         sequence.provenance.renderer);
     const auto list = [](const std::string& what, const std::vector<int>& frames) {
         if (frames.empty()) return;
-        fmt::print("  {}: {} ({})\n", what, frames.size(), animation::frame_range(frames));
+        print_result("  {}: {} ({})\n", what, frames.size(), animation::frame_range(frames));
     };
     if (sequence.provenance.version != ISOMOTION_VERSION) {
-        fmt::print("  made by isomotion {}: --resume by {} draws its frames again, as versions may "
-                   "differ in pixels\n",
-                   sequence.provenance.version, ISOMOTION_VERSION);
+        print_result(
+            "  made by isomotion {}: --resume by {} draws its frames again, as versions may "
+            "differ in pixels\n",
+            sequence.provenance.version, ISOMOTION_VERSION);
     }
     list("missing", found.missing);
     list("truncated or changed", found.changed);
@@ -95,21 +112,22 @@ void tell(const sequence::Verification& found) {
     }
     list("foreign, never asked for", found.foreign);
     if (!found.whole.empty()) {
-        fmt::print("  rays:");
+        print_result("  rays:");
         for (std::size_t v = 0; v < found.verdicts.size(); ++v) {
-            fmt::print("{} {} {}", v == 0 ? "" : ",", found.verdicts[v], render::verdict_names[v]);
+            print_result("{} {} {}", v == 0 ? "" : ",", found.verdicts[v],
+                         render::verdict_names[v]);
         }
-        fmt::print("; {} evaluations; {:.2f} s of drawing\n", found.evaluations, found.drawing);
+        print_result("; {} evaluations; {:.2f} s of drawing\n", found.evaluations, found.drawing);
     }
     if (found.without_colour > 0) {
-        fmt::print("  {} pixels whose colour is infinite or no number\n", found.without_colour);
+        print_result("  {} pixels whose colour is infinite or no number\n", found.without_colour);
     }
     if (std::accumulate(found.proofs.begin(), found.proofs.end(), std::int64_t(0)) > 0) {
-        fmt::print("  {}\n", render::summary(found.proofs));
+        print_result("  {}\n", render::summary(found.proofs));
     }
     if (found.audited > 0)
-        fmt::print("  {}\n", audit::words(sequence::findings(found.audit), found.audited));
-    fmt::print("  {}\n", found.is_whole() ? "whole" : "not whole");
+        print_result("  {}\n", audit::words(sequence::findings(found.audit), found.audited));
+    print_result("  {}\n", found.is_whole() ? "whole" : "not whole");
 }
 
 int verify(const VerifyArguments& arguments) {
@@ -123,7 +141,7 @@ int verify(const VerifyArguments& arguments) {
         all.push_back(sequence::verify(manifest, {.pixels = arguments.pixels, .progress = show}));
     }
     if (arguments.json) {
-        fmt::print("{}", sequence::to_json(all));
+        print_result("{}", sequence::to_json(all));
     } else if (!arguments.quiet) {
         for (const auto& found : all) tell(found);
     }

@@ -41,6 +41,32 @@ private:
     posix_spawn_file_actions_t actions_;
 };
 
+// What the program itself ignores, so that writes fail instead, is not ignored by others for it:
+// many count on SIGPIPE to end.
+class SpawnAttributes {
+public:
+    SpawnAttributes() {
+        ::posix_spawnattr_init(&attributes_);
+        sigset_t signals;
+        ::sigemptyset(&signals);
+        ::sigaddset(&signals, SIGPIPE);
+        ::posix_spawnattr_setsigdefault(&attributes_, &signals);
+        ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
+    }
+    ~SpawnAttributes() { ::posix_spawnattr_destroy(&attributes_); }
+    SpawnAttributes(const SpawnAttributes&) = delete;
+    SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+
+    const posix_spawnattr_t* get() const { return &attributes_; }
+
+private:
+    posix_spawnattr_t attributes_;
+};
+
+// Of a process whose end nobody can tell, as where the kernel was told to forget them (SIGCHLD
+// ignored): exit status 255, no success.
+constexpr int unknown_ending = 255 << 8;
+
 [[noreturn]] void fail(const char* attempt, int code) {
     throw std::system_error(code, std::generic_category(), attempt);
 }
@@ -51,15 +77,20 @@ FileDescriptor memory_file() {
     return file;
 }
 
+struct Ending {
+    std::string text;
+    bool is_whole = true; // nothing came before it
+};
+
 // The last bytes of a file, at most so many.
-std::string end_of(const FileDescriptor& file, off_t most) {
+Ending end_of(const FileDescriptor& file, off_t most) {
     struct stat found = {};
     if (!file || ::fstat(file.number(), &found) != 0) return {};
     std::string text(std::size_t(std::min(found.st_size, most)), '\0');
     const ssize_t count =
         ::pread(file.number(), text.data(), text.size(), std::max<off_t>(found.st_size - most, 0));
     text.resize(std::size_t(std::max<ssize_t>(count, 0)));
-    return text;
+    return {std::move(text), found.st_size <= most};
 }
 
 bool is_executable(const std::filesystem::path& file) {
@@ -110,8 +141,9 @@ ChildProcess::ChildProcess(const std::filesystem::path& program,
     vector.reserve(words.size() + 1);
     for (std::string& word : words) vector.push_back(word.data());
     vector.push_back(nullptr);
-    const int code =
-        ::posix_spawn(&id_, program.c_str(), actions.get(), nullptr, vector.data(), environ);
+    const SpawnAttributes attributes;
+    const int code = ::posix_spawn(&id_, program.c_str(), actions.get(), attributes.get(),
+                                   vector.data(), environ);
     if (code != 0) {
         id_ = -1;
         fail(program.c_str(), code);
@@ -148,8 +180,10 @@ bool ChildProcess::finish() {
 
 void ChildProcess::wait() {
     if (id_ < 0) return;
-    while (::waitpid(id_, &status_, 0) < 0 && errno == EINTR) {
+    pid_t waited = -1;
+    while ((waited = ::waitpid(id_, &status_, 0)) < 0 && errno == EINTR) {
     }
+    if (waited != id_) status_ = unknown_ending;
     input_.close();
     id_ = -1;
 }
@@ -176,7 +210,12 @@ bool ChildProcess::finish_by(std::chrono::steady_clock::time_point deadline) {
 
 bool ChildProcess::ended() {
     if (id_ < 0) return true;
-    if (::waitpid(id_, &status_, WNOHANG) != id_) return false;
+    const pid_t waited = ::waitpid(id_, &status_, WNOHANG);
+    if (waited < 0 && errno == ECHILD) {
+        status_ = unknown_ending;
+    } else if (waited != id_) {
+        return false;
+    }
     input_.close();
     id_ = -1;
     return true;
@@ -202,10 +241,12 @@ std::string ChildProcess::ending() const {
                                 : fmt::format("exit status {}", WEXITSTATUS(status_));
 }
 
-std::string ChildProcess::output() const { return end_of(output_, 1 << 24); }
+std::string ChildProcess::output() const { return end_of(output_, 1 << 24).text; }
 
 std::string ChildProcess::last_words(std::size_t lines) const {
-    std::string text = end_of(errors_, 8192);
+    constexpr off_t most = 64 << 10;
+    auto [text, is_whole] = end_of(errors_, most);
+    if (!is_whole) text.erase(0, text.find('\n') + 1); // what is left of a line
     while (text.ends_with('\n')) text.pop_back();
 
     std::size_t begin = text.size();
@@ -213,8 +254,10 @@ std::string ChildProcess::last_words(std::size_t lines) const {
         const std::size_t newline = text.rfind('\n', begin - 1);
         begin = newline == std::string::npos ? 0 : newline;
     }
+    // Of more lines than were asked for, the others are none of the caller's business.
+    const bool lacks_some = !is_whole && begin == 0 && lines > 0;
     text.erase(0, text[begin] == '\n' ? begin + 1 : begin);
-    return text;
+    return lacks_some ? "... earlier words left out\n" + text : text;
 }
 
 } // namespace isomotion::base

@@ -9,6 +9,7 @@
 
 #include "base/input_error.h"
 #include "base/nearest_name.h"
+#include "base/printable.h"
 #include "base/toml.h"
 
 namespace isomotion::base {
@@ -17,15 +18,16 @@ namespace {
 using Json = nlohmann::ordered_json; // keys as they are written
 
 // "[json.exception.parse_error.101] parse error at line 1, column 2: ..." without its label.
-std::string reason(const Json::exception& error) {
+std::string reason(const nlohmann::detail::exception& error) {
     const std::string text = error.what();
     const std::size_t end = text.find("] ");
     return end == text.npos ? text : text.substr(end + 2);
 }
 
+// No name of a file or a key begins a line.
 std::string place(const std::string& file, std::size_t line, const std::string& key) {
     const std::string at = line == 0 ? file : fmt::format("{}:{}", file, line);
-    return key.empty() ? at : fmt::format("{}: {}", at, key);
+    return printable_line(key.empty() ? at : fmt::format("{}: {}", at, key));
 }
 
 // From TOML; notes the lines of all nodes.
@@ -40,9 +42,11 @@ public:
         if (!key.empty()) lines_[key] = line;
         if (const auto* table = node.as_table()) {
             Json object = Json::object();
+            auto& members = object.get_ref<Json::object_t&>(); // their names are distinct
+            members.reserve(table->size());
             for (const auto& [name, value] : *table) {
                 const std::string inner(name.str());
-                object[inner] = of(value, key.empty() ? inner : key + "." + inner);
+                members.emplace_back(inner, of(value, key.empty() ? inner : key + "." + inner));
             }
             return object;
         }
@@ -96,43 +100,57 @@ private:
     LineCount* count_;
 };
 
-// What a parser of JSON has come to: the names of all that it is in, and of the last value that it
-// came to. Whole keys are put together when they are asked for, as text may be nested deeply.
-class JsonPlace {
+// How deep objects and lists of JSON may lie in one another.
+constexpr std::size_t json_nesting = 64;
+
+// Makes the document of what a parser of JSON comes to, in a time that grows as the text does, and
+// looks for the line of a key in it. Whole keys are put together when they are asked for.
+//
+// The library's own readers go over the keys of an object for each that is added, and keep the last
+// of equal keys, by which claims would be lost without a word.
+class JsonReading : public Json::json_sax_t {
 public:
-    // Whether a value begins here.
-    bool follow(Json::parse_event_t event, const Json& parsed) {
-        switch (event) {
-        case Json::parse_event_t::key:
-            name_ = parsed.get<std::string>();
-            is_given_twice_ = !levels_.back().names.insert(name_).second;
-            if (levels_.back().length > 0) name_.insert(0, 1, '.');
-            return true;
-        case Json::parse_event_t::object_start:
-        case Json::parse_event_t::array_start: {
-            const bool is_new = begin_item();
-            const bool is_list = event == Json::parse_event_t::array_start;
-            levels_.push_back({name_, length(), is_list, 0, {}});
-            name_.clear();
-            return is_new;
-        }
-        case Json::parse_event_t::object_end:
-        case Json::parse_event_t::array_end:
-            levels_.pop_back();
-            return false;
-        case Json::parse_event_t::value:
-            return begin_item();
-        }
-        return false;
+    // A document in which the line of the key `wanted` is looked up is known to be valid.
+    explicit JsonReading(std::string_view text, const std::string& file, std::string wanted = {})
+        : file_(file)
+        , wanted_(std::move(wanted)) {
+        Json::sax_parse(CountedCharacter(text.data(), count_),
+                        CountedCharacter(text.data() + text.size(), count_), this);
     }
-    bool is_given_twice() const { return is_given_twice_; }
-    std::size_t length() const { // of the key
-        return (levels_.empty() ? 0 : levels_.back().length) + name_.size();
+    Json take() && { return std::move(whole_); }
+    std::size_t wanted_line() const { return line_; }
+
+    bool null() override { return scalar(nullptr); }
+    bool boolean(bool value) override { return scalar(value); }
+    bool number_integer(std::int64_t value) override { return scalar(value); }
+    bool number_unsigned(std::uint64_t value) override { return scalar(value); }
+    bool number_float(double value, const std::string&) override { return scalar(value); }
+    bool string(std::string& value) override { return scalar(std::move(value)); }
+    bool binary(Json::binary_t&) override { return false; } // there is none in texts
+    bool start_object(std::size_t) override { return open(false); }
+    bool start_array(std::size_t) override { return open(true); }
+    bool key(std::string& name) override {
+        name_ = name;
+        const bool is_new = levels_.back().names.insert(name).second;
+        if (levels_.back().length > 0) name_.insert(0, 1, '.');
+        if (!is_new) fail("is given twice; keep one of them");
+        compare_key();
+        levels_.back().members.emplace_back(std::move(name), nullptr);
+        return true;
     }
-    std::string key() const {
-        std::string key;
-        for (const Level& level : levels_) key += level.name;
-        return key + name_;
+    bool end_object() override {
+        Json object = Json::object();
+        auto& members = object.get_ref<Json::object_t&>();
+        members.reserve(levels_.back().members.size());
+        for (auto& [name, value] : levels_.back().members)
+            members.emplace_back(std::move(name), std::move(value));
+        return close(std::move(object));
+    }
+    bool end_array() override { return close(std::move(levels_.back().items)); }
+    bool parse_error(std::size_t, const std::string&,
+                     const nlohmann::detail::exception& error) override {
+        throw InputError(
+            fmt::format("{}: not valid JSON: {}", printable_line(file_), reason(error)));
     }
 
 private:
@@ -140,57 +158,72 @@ private:
         std::string name; // in the level around: "radius", ".radius", "[3]"
         std::size_t length = 0;
         bool is_list = false;
-        std::size_t items = 0;
+        Json::array_t items; // of a list
+        std::vector<std::pair<std::string, Json>> members;
         std::set<std::string> names;
     };
 
-    bool begin_item() {
-        if (levels_.empty() || !levels_.back().is_list) return false;
-        name_ = fmt::format("[{}]", levels_.back().items++);
-        return true;
+    std::size_t length() const { // of the key
+        return (levels_.empty() ? 0 : levels_.back().length) + name_.size();
+    }
+    std::string whole_key() const {
+        std::string key;
+        for (const Level& level : levels_) key += level.name;
+        return key + name_;
+    }
+    [[noreturn]] void fail(const std::string& message) const {
+        throw InputError(fmt::format("{}: {}", place(file_, count_.line, whole_key()), message));
     }
 
-    std::vector<Level> levels_;
-    std::string name_;
-    bool is_given_twice_ = false;
-};
-
-// The library keeps the last of equal keys, by which claims would be lost without a word.
-Json parse_json(std::string_view text, const std::string& file) {
-    LineCount count;
-    JsonPlace here;
-    const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
-        here.follow(event, parsed);
-        if (here.is_given_twice()) {
-            throw InputError(fmt::format("{}: is given twice; keep one of them",
-                                         place(file, count.line, here.key())));
+    // Of an object's value it is the key's line that counts.
+    void begin_value() {
+        if (levels_.empty() || !levels_.back().is_list) return;
+        name_ = fmt::format("[{}]", levels_.back().items.size());
+        compare_key();
+    }
+    void compare_key() {
+        const bool may_be = line_ == 0 && length() == wanted_.size();
+        if (may_be && whole_key() == wanted_) line_ = count_.line;
+    }
+    template<class Value> bool scalar(Value&& value) {
+        begin_value();
+        add(std::forward<Value>(value));
+        return true;
+    }
+    void add(Json value) {
+        if (levels_.empty()) {
+            whole_ = std::move(value);
+        } else if (levels_.back().is_list) {
+            levels_.back().items.push_back(std::move(value));
+        } else {
+            levels_.back().members.back().second = std::move(value);
         }
-        return true;
-    };
-    try {
-        return Json::parse(CountedCharacter(text.data(), count),
-                           CountedCharacter(text.data() + text.size(), count), watch);
-    } catch (const Json::exception& error) {
-        throw InputError(fmt::format("{}: not valid JSON: {}", file, reason(error)));
     }
-}
-
-// Of valid JSON.
-std::size_t json_line(std::string_view text, const std::string& key) {
-    LineCount count;
-    JsonPlace here;
-    std::size_t line = 0;
-    const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
-        const bool begins = here.follow(event, parsed);
-        const bool may_be = line == 0 && begins && here.length() == key.size();
-        if (may_be && here.key() == key) line = count.line;
+    bool open(bool is_list) {
+        begin_value();
+        if (levels_.size() == json_nesting) {
+            fail(fmt::format("objects and lists are nested too deeply; {} deep are read",
+                             json_nesting));
+        }
+        const std::size_t length = this->length();
+        levels_.push_back({std::move(name_), length, is_list, {}, {}, {}});
+        name_.clear();
         return true;
-    };
-    [[maybe_unused]] const Json whole =
-        Json::parse(CountedCharacter(text.data(), count),
-                    CountedCharacter(text.data() + text.size(), count), watch);
-    return line;
-}
+    }
+    bool close(Json value) {
+        levels_.pop_back();
+        add(std::move(value));
+        return true;
+    }
+
+    const std::string& file_;
+    std::string wanted_;
+    LineCount count_;
+    std::vector<Level> levels_;
+    std::string name_; // of the last value in the innermost level
+    Json whole_;
+    std::size_t line_ = 0; // of the value that is wanted
+};
 
 } // namespace
 
@@ -202,7 +235,7 @@ Document::~Document() = default;
 
 Document Document::from_json(std::string_view text, std::string file) {
     Document document(std::move(file));
-    *document.value_ = parse_json(text, document.file_);
+    *document.value_ = JsonReading(text, document.file_).take();
     document.json_ = text;
     return document;
 }
@@ -218,7 +251,7 @@ DocumentTable Document::table() const { return DocumentTable(DocumentNode(*this,
 
 std::size_t Document::line_of(const std::string& key) const {
     if (key.empty()) return 0;
-    if (!json_.empty()) return json_line(json_, key);
+    if (!json_.empty()) return JsonReading(json_, file_, key).wanted_line();
     const auto at = lines_.find(key);
     return at == lines_.end() ? 0 : at->second;
 }
@@ -310,7 +343,11 @@ DocumentNode DocumentTable::at(const std::string& name) {
 
 std::vector<DocumentNode> DocumentTable::all() {
     std::vector<DocumentNode> values;
-    for (const auto& item : node_.value_->items()) values.push_back(*find(item.key()));
+    for (const auto& [name, value] : node_.value_->get_ref<const Json::object_t&>()) {
+        known_.insert(name);
+        values.push_back(
+            {*node_.document_, value, node_.key_.empty() ? name : node_.key_ + "." + name});
+    }
     return values;
 }
 

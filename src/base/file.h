@@ -35,5 +35,9 @@ void write_whole(const std::filesystem::path& path, std::span<const std::byte> b
 /// a file of more than `most` bytes.
 std::vector<std::byte> read_whole(const std::filesystem::path& path,
                                   std::size_t most = std::size_t(4) << 30);
+std::string read_whole_text(const std::filesystem::path& path, std::size_t most);
+
+/// The content_hash() of a regular file's bytes, of which few are held at once.
+std::string hash_of_file(const std::filesystem::path& path);
 
 } // namespace isomotion::base

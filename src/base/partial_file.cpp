@@ -32,6 +32,15 @@ bool still_named(const FileDescriptor& file, const std::filesystem::path& path) 
            held.st_dev == named.st_dev && held.st_ino == named.st_ino;
 }
 
+/// What lies there under the hidden name may be somebody else's: a pipe keeps who opens it waiting,
+/// and what has another name is not emptied for a frame.
+void refuse_others(const FileDescriptor& file, const std::filesystem::path& path) {
+    struct stat found = {};
+    if (::fstat(file.number(), &found) != 0) throw FileError(path, "cannot be read", errno);
+    if (!S_ISREG(found.st_mode)) throw FileError(path, "is a pipe or a device; remove it");
+    if (found.st_nlink > 1) throw FileError(path, "has another name, too; remove it");
+}
+
 /// Opens the file and waits for its lock. Whoever had the lock before has usually renamed the file
 /// meanwhile; then the name is opened again. A file system without locks is used without.
 FileDescriptor open_locked(const std::filesystem::path& path,
@@ -39,8 +48,9 @@ FileDescriptor open_locked(const std::filesystem::path& path,
     constexpr int most_attempts = 1000; // where files change their identity, none would succeed
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
         FileDescriptor file(
-            ::open(path.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666));
+            ::open(path.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666));
         if (!file) throw FileError(destination, "cannot be created", errno);
+        refuse_others(file, path);
         while (::flock(file.number(), LOCK_EX) != 0 && errno == EINTR) {
         }
         if (still_named(file, path)) return file;

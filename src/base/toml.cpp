@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/input_error.h"
+#include "base/printable.h"
 
 namespace isomotion::base {
 namespace {
@@ -76,14 +77,14 @@ int first_line_nested_beyond(std::string_view text, int most) {
 toml::table parse_toml(std::string_view text, const std::string& file) {
     if (const int line = first_line_nested_beyond(text, toml_nesting)) {
         throw InputError(
-            fmt::format("{}:{}: tables and lists are nested too deeply; {} deep are read", file,
-                        line, toml_nesting));
+            fmt::format("{}:{}: tables and lists are nested too deeply; {} deep are read",
+                        printable_line(file), line, toml_nesting));
     }
     try {
         return toml::parse(text, file);
     } catch (const toml::parse_error& error) {
-        throw InputError(fmt::format("{}:{}: not valid TOML: {}", file, error.source().begin.line,
-                                     error.description()));
+        throw InputError(fmt::format("{}:{}: not valid TOML: {}", printable_line(file),
+                                     error.source().begin.line, error.description()));
     }
 }
 

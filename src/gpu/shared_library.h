@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/loading.h"
+
 namespace isomotion::gpu {
 
 /// A library looked for at run time, so that the program starts where no driver is installed.
@@ -21,7 +23,7 @@ public:
             handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
             if (handle_) return;
             reasons += (reasons.empty() ? "" : "; ");
-            reasons += dlerror();
+            reasons += base::why_not_loaded(dlerror());
         }
         throw std::runtime_error(reasons);
     }

@@ -5,6 +5,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include "base/loading.h"
 #include "image/decode.h"
 
 namespace isomotion::image {
@@ -20,9 +21,12 @@ const Codecs* loaded() {
     void* const library = ::dlopen(module_file, RTLD_NOW | RTLD_LOCAL);
     void* const entry = library ? ::dlsym(library, ISOMOTION_CODECS_ENTRY) : nullptr;
     if (!entry) {
-        throw std::runtime_error(fmt::format("pictures cannot be read or written: {}; it comes "
-                                             "with isomotion, in lib/isomotion",
-                                             ::dlerror()));
+        const std::string words = ::dlerror();
+        const bool is_missing = words.starts_with(module_file) &&
+                                words.find("cannot open shared object file") != words.npos;
+        throw std::runtime_error(
+            fmt::format("pictures cannot be read or written: {}{}", base::why_not_loaded(words),
+                        is_missing ? "; it comes with isomotion, in lib/isomotion" : ""));
     }
     return reinterpret_cast<const Codecs* (*)()>(entry)();
 }

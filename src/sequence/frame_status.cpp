@@ -1,6 +1,5 @@
 #include "sequence/frame_status.h"
 
-#include "base/content_hash.h"
 #include "base/file.h"
 
 namespace isomotion::sequence {
@@ -11,7 +10,7 @@ bool has_the_bytes(const fs::path& file, const FrameRecord& record) {
     std::error_code error;
     if (fs::file_size(file, error) != record.bytes || error) return false;
     try {
-        return base::content_hash(base::read_whole(file)) == record.hash;
+        return base::hash_of_file(file) == record.hash;
     } catch (const base::FileError&) {
         return false;
     }

@@ -31,10 +31,14 @@ std::span<const std::byte> bytes_of(std::string_view text) {
 }
 
 void make_folder(const fs::path& folder) {
-    std::error_code error;
+    std::error_code error, unknown;
+    // Through a link, records would take the names of files in a folder of somebody else.
+    if (fs::is_symlink(fs::symlink_status(folder, unknown))) {
+        throw base::FileError(folder, "is a link, and a manifest a folder of its own; remove it, "
+                                      "or give these frames another name with -o");
+    }
     fs::create_directory(folder, error);
     if (!error) return;
-    std::error_code unknown;
     if (fs::is_directory(folder, unknown)) return;
     const bool is_in_the_way = error == std::errc::file_exists;
     throw base::FileError(folder, "the folder cannot be created",
@@ -48,7 +52,10 @@ base::FileDescriptor open_writers(const fs::path& manifest) {
         ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
     if (!writers) throw base::FileError(file, "cannot be created", errno);
     struct stat found = {};
-    if (::fstat(writers.number(), &found) == 0 && found.st_size == 0) {
+    if (::fstat(writers.number(), &found) != 0)
+        throw base::FileError(file, "cannot be read", errno);
+    if (!S_ISREG(found.st_mode)) throw base::FileError(file, "is a pipe or a device; remove it");
+    if (found.st_size == 0) {
         base::write_all(writers.number(), bytes_of(about_writers), file);
     }
     return writers;
@@ -66,10 +73,14 @@ bool lock(const base::FileDescriptor& writers, int how) {
 std::optional<Sequence> sequence_there(const fs::path& manifest) {
     try {
         return read_sequence(manifest);
-    } catch (const base::FileError&) {
-    } catch (const ManifestError&) {
+    } catch (const base::FileError& error) {
+        if (error.code() != ENOENT) throw;
+        return {};
+    } catch (const ManifestError&) { // a file of somebody else's that has its name
+        throw base::FileError(sequence_file(manifest),
+                              "is no manifest that this version reads; move it away, or give "
+                              "these frames another name with -o");
     }
-    return {};
 }
 
 std::vector<int> united(std::vector<int> frames, const std::vector<int>& more) {

@@ -71,6 +71,11 @@ def scenes():
     long = "+".join(f"sin({k}*t)" for k in range(20000))
     often = scene("x-p", f"[parameters]\np = '{long}'\n")
     yield "a long expression of time", often.replace("frames = 100", "frames = 100000")
+    # Texts that say many names, of fields with many siblings.
+    names = {f"g{k}": f"i*{k}" for k in range(900)}
+    said = "+".join(f"g{k % 900}" for k in range(80000))
+    yield "many names", scene("x-sum(a, f0)*1e-9", array("a", 2, names | {"f0": said}))
+    yield "many names of a sum", scene(f"x-sum(a, {said})*1e-9", array("a", 2, names))
     tables = "".join(f'[arrays.a{k}]\nfile = "table.csv"\n' for k in range(32))
     yield "a table named often", scene("x+" + "+".join(f"sum(a{k}, c1)" for k in range(32)), tables)
 

@@ -150,7 +150,27 @@ TEST_F(Stranger, DoesNotCommandTheTerminal) {
     EXPECT_EQ(key.code, 2);
     const Ending name = run({"show", "no\x1b[2Jsuch.toml"});
     EXPECT_EQ(name.code, 2);
-    for (const std::string& text : {title.err, key.err, name.err}) {
+    // A timeline that is checked, and the name of a picture whose texels are mended.
+    run({"topology", "sphere.toml", "--certify", "off", "--frames", "1-3", "-o", "t.json"});
+    std::string timeline = bytes("t.json");
+    const std::size_t doubts = timeline.find("\"doubts\": [");
+    ASSERT_NE(doubts, timeline.npos);
+    timeline.insert(doubts + 11, "\"\\u001b[2J\\nall fine\"" +
+                                     std::string(timeline[doubts + 11] == ']' ? "" : ","));
+    write("t.json", timeline);
+    const Ending checked = run(
+        {"topology", "sphere.toml", "--certify", "off", "--frames", "1-3", "--check", "t.json"});
+    EXPECT_EQ(checked.code, 2) << checked;
+    EXPECT_THAT(checked.err, HasSubstr("must be one printable line"));
+    write("from_elsewhere/a\x1b[2J.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n"
+                                         "\xff\xff\xff\xa0\xff\xff\xff\xa0");
+    write("from_elsewhere/scene.toml",
+          sphere_scene() + "[environment]\nmap = \"a\\u001b[2J.hdr\"\n");
+    const Ending mended = run(
+        {"render", "from_elsewhere/scene.toml", "--frames", "1", "--size", "8x8", "-o", "a.png"});
+    EXPECT_THAT(mended.err, HasSubstr("2 texels were"));
+    for (const std::string& text :
+         {title.err, key.err, name.err, checked.err + checked.out, mended.err + mended.out}) {
         EXPECT_EQ(text.find('\x1b'), text.npos) << text;
         EXPECT_EQ(text.find("\nall fine"), text.npos) << text;
         EXPECT_EQ(text.find('\r'), text.npos) << text;

@@ -101,6 +101,27 @@ TEST_F(Machine, OutputsThatCannotBeWritten) {
             << redirection;
         EXPECT_THAT(bytes("a.manifest/writers"), Not(HasSubstr("warning"))) << redirection;
     }
+    // A reader that has gone: of the messages, then of the result.
+    write("nothing.toml", formula_scene("x^2 + y^2 + z^2 + 1 + 0*r")); // is warned of
+    for (const char* number : {"2", "1"}) {
+        std::filesystem::remove_all(*this / "b.manifest");
+        const Ending ending =
+            cli::run({"/bin/sh", "-c",
+                      "mkfifo p; : <p & exec 4>p; wait; rm p; exec \"$0\" \"$@\" " +
+                          std::string(number) + ">&4",
+                      ISOMOTION_PROGRAM, "render", "nothing.toml", "--frames", "1-3", "--size",
+                      "16x16", "-o", "b.####.png"},
+                     circumstances());
+        EXPECT_EQ(ending.signal, 0) << number << ending;
+        EXPECT_EQ(ending.code, *number == '1' ? 3 : 0) << ending;
+        EXPECT_EQ(run({"verify", "b.####.png"}).code, 0) << number << ending;
+    }
+    // Files are written and claims judged whatever becomes of what is said of them.
+    write("claims.json", R"({"components": {"1": 7}})");
+    const Words topology{"topology", "sphere.toml", "--certify", "off",     "--frames",
+                         "1-3",      "-o",          "t.json",    "--check", "claims.json"};
+    EXPECT_THAT(shell(">/dev/full", topology).err, HasSubstr("components.1 = 7: "));
+    EXPECT_THAT(bytes("t.json"), HasSubstr("isomotion"));
     // What is the result itself is not lost in silence.
     for (const Words& words : {Words{"list"},
                                {"show", "sphere.toml"},
@@ -111,6 +132,56 @@ TEST_F(Machine, OutputsThatCannotBeWritten) {
         EXPECT_THAT(ending.err, HasSubstr("standard output cannot be written: No space left"))
             << words[0];
     }
+}
+
+TEST_F(Machine, APipeUnderAHiddenName) {
+    std::filesystem::create_directory(*this / "a.manifest");
+    for (const char* name : {"a.manifest/writers", ".a.0001.part.png",
+                             "a.manifest/.sequence.part.json", "a.manifest/.0001.part.json"}) {
+        ASSERT_EQ(::mkfifo((*this / name).c_str(), 0600), 0);
+        const Ending ending = run({"render", "sphere.toml", "--frames", "1-2", "--size", "8x8",
+                                   "--quiet", "-o", "a.####.png"});
+        EXPECT_EQ(ending.code, 3) << name << ending;
+        std::filesystem::remove(*this / name);
+    }
+}
+
+// A link, and a file that is no manifest's: neither is written through or replaced.
+TEST_F(Machine, WhatIsWhereAManifestBelongs) {
+    std::filesystem::create_directory(*this / "precious");
+    write("precious/sequence.json", "{\"precious\": 1}");
+    std::filesystem::create_directory_symlink("precious", *this / "a.manifest");
+    const auto refused = [&](const char* message) {
+        const Ending ending = run({"render", "sphere.toml", "--frames", "1-2", "--size", "8x8",
+                                   "--quiet", "-o", "a.####.png"});
+        EXPECT_EQ(ending.code, 3) << ending;
+        EXPECT_THAT(ending.err, HasSubstr(message));
+        EXPECT_EQ(names("precious"), std::set<std::string>{"sequence.json"});
+        EXPECT_EQ(bytes("precious/sequence.json"), "{\"precious\": 1}");
+    };
+    refused("a.manifest: is a link");
+    std::filesystem::remove(*this / "a.manifest");
+    std::filesystem::create_directory(*this / "a.manifest");
+    write("a.manifest/sequence.json", "{\"precious\": 1}");
+    refused("a.manifest/sequence.json: is no manifest");
+    EXPECT_EQ(bytes("a.manifest/sequence.json"), "{\"precious\": 1}");
+}
+
+// As under some daemons: the kernel forgets how children end.
+TEST_F(Machine, EndsOfChildrenThatAParentIgnored) {
+    const auto ignoring = [this](Words words) {
+        Words all{"/bin/sh", "-c", R"(trap '' CHLD; exec "$0" "$@")", ISOMOTION_PROGRAM};
+        all.insert(all.end(), words.begin(), words.end());
+        return cli::run(all, circumstances());
+    };
+    const Ending ending = ignoring({"submit", "sphere.toml", "--frames", "1-4", "--size", "16x16",
+                                    "--chunk", "2", "-o", "a.####.png"});
+    EXPECT_EQ(ending.code, 0) << ending;
+    EXPECT_EQ(run({"verify", "a.####.png"}).code, 0);
+    if (std::system("command -v ffmpeg >/dev/null")) GTEST_SKIP() << "ffmpeg is not installed";
+    const Ending movie = ignoring(
+        {"render", "sphere.toml", "--frames", "1-4", "--size", "16x16", "--movie", "a.gif"});
+    EXPECT_EQ(movie.code, 0) << movie;
 }
 
 TEST_F(Machine, FullDisk) {

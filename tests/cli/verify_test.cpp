@@ -1,6 +1,11 @@
 // `verify` tells whether rendered frames are all there, as they were written.
 #include "cli.h"
 
+#include <cstdlib>
+#include <span>
+
+#include "base/content_hash.h"
+
 namespace isomotion::cli {
 namespace {
 
@@ -111,6 +116,77 @@ TEST_F(Verify, AManifestOfFilesElsewhereIsNone) {
         EXPECT_EQ(ending.code, 3) << files << ending;
         EXPECT_THAT(ending.err, StartsWith("out/a.manifest/sequence.json: files: ")) << files;
     }
+}
+
+// A manifest that lost what its frames are is not passed over where others are whole.
+TEST_F(Verify, AManifestWithoutItsSequence) {
+    render({"sphere.toml", "--frames", "1-2", "--size", "10x10", "-o", "out/b.####.png"});
+    fs::remove(*this / "out/b.manifest/sequence.json");
+    const Ending ending = verify("out");
+    EXPECT_EQ(ending.code, 3) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("out/b.manifest/sequence.json"));
+    fs::remove(*this / "out/b.manifest/writers");
+    EXPECT_EQ(verify("out").code, 3); // by its records
+    fs::remove_all(*this / "out/b.manifest");
+    fs::create_directory(*this / "out/b.manifest");
+    write("out/b.manifest/notes.json", "{}");
+    EXPECT_EQ(verify("out").code, 0); // never was one
+}
+
+std::string line_of(const std::string& text, const std::string& key) {
+    const std::size_t at = text.find("  \"" + key + "\": ");
+    return at == text.npos ? "" : text.substr(at, text.find('\n', at) - at);
+}
+
+TEST_F(Verify, HoldsLittleOfAFrameInMemory) {
+    const std::string record = "out/a.manifest/0001.json";
+    std::string text = bytes(record);
+    const std::string size = line_of(text, "bytes");
+    ASSERT_FALSE(size.empty());
+    text.replace(text.find(size), size.size(), "  \"bytes\": 2147483648,");
+    write(record, text);
+    fs::resize_file(*this / "out/a.0001.png", std::uintmax_t(2) << 30); // sparse
+    const Ending ending = cli::run({"/bin/sh", "-c", R"(ulimit -v 500000; exec "$0" "$@")",
+                                    ISOMOTION_PROGRAM, "verify", "out"},
+                                   circumstances());
+    EXPECT_EQ(ending.code, 1) << ending;
+    EXPECT_THAT(ending.out, HasSubstr("not whole"));
+}
+
+// docs/security.md says so: a manifest proves that files are what it says, not who drew them.
+TEST_F(Verify, DoesNotTellWhoDrewAFrame) {
+    render({"sphere.toml", "--frames", "1-4", "--size", "10x10", "--set", "r=0.3", "-o",
+            "other/a.####.png"});
+    const std::string name = "a.manifest/0001.json";
+    std::string record = bytes("out/" + name);
+    for (const char* key : {"bytes", "hash", "pixels"}) {
+        const std::string mine = line_of(record, key);
+        record.replace(record.find(mine), mine.size(), line_of(bytes("other/" + name), key));
+    }
+    fs::copy_file(*this / "other/a.0001.png", *this / "out/a.0001.png",
+                  fs::copy_options::overwrite_existing);
+    write("out/" + name, record);
+    EXPECT_EQ(verify("out", {"--pixels"}).code, 0);
+    render(
+        {"sphere.toml", "--frames", "1-4", "--size", "10x10", "--resume", "-o", "out/a.####.png"});
+    EXPECT_EQ(bytes("out/a.0001.png"), bytes("other/a.0001.png"));
+}
+
+// The scene is not to blame.
+TEST_F(Verify, AFrameThatIsNoPictureEndsAMovie) {
+    if (std::system("command -v ffmpeg >/dev/null")) GTEST_SKIP() << "ffmpeg is not installed";
+    const std::string name = "out/a.manifest/0002.json", garbage = "no picture";
+    std::string record = bytes(name);
+    const std::string size = line_of(record, "bytes"), hash = line_of(record, "hash");
+    record.replace(record.find(size), size.size(), "  \"bytes\": 10,");
+    const auto garbage_hash = base::content_hash(std::as_bytes(std::span(garbage)));
+    record.replace(record.find(hash), hash.size(), "  \"hash\": \"" + garbage_hash + "\",");
+    write(name, record);
+    write("out/a.0002.png", garbage);
+    const Ending ending = run({"render", "sphere.toml", "--frames", "1-4", "--size", "10x10",
+                               "--resume", "-o", "out/a.####.png", "--movie", "a.gif"});
+    EXPECT_EQ(ending.code, 3) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("a.0002.png: no picture that is read"));
 }
 
 TEST_F(Verify, WhatCannotBeRead) {

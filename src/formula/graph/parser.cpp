@@ -31,9 +31,10 @@ bool is_name_part(char c) {
 
 class Parser {
 public:
-    Parser(std::string_view text, const Vocabulary& vocabulary, Graph& graph)
+    Parser(std::string_view text, const Names& names, Graph& graph)
         : text_(text)
-        , vocabulary_(vocabulary)
+        , names_(names)
+        , vocabulary_(names.vocabulary())
         , graph_(graph) {}
 
     NodeId formula() {
@@ -187,20 +188,15 @@ private:
     NodeId name(std::string_view word, std::size_t begin) {
         // Innermost first: fields of the arrays being summed, definitions, then the vocabulary.
         for (auto it = open_sums_.rbegin(); it != open_sums_.rend(); ++it) {
+            const auto field = names_.field(*it, word);
+            if (!field) continue;
             const auto& fields = vocabulary_.arrays[std::size_t(*it)].fields;
-            for (std::size_t f = 0; f < fields.size(); ++f) {
-                if (fields[f].name != word) continue;
-                if (fields[f].parameter) return graph_.parameter(*fields[f].parameter);
-                return graph_.element(*it, int(f));
-            }
+            const auto& parameter = fields[std::size_t(*field)].parameter;
+            return parameter ? graph_.parameter(*parameter) : graph_.element(*it, *field);
         }
         if (const auto it = definitions_.find(word); it != definitions_.end()) return it->second;
-        for (std::size_t k = 0; k < vocabulary_.inputs.size(); ++k) {
-            if (vocabulary_.inputs[k] == word) return graph_.input(int(k));
-        }
-        for (std::size_t k = 0; k < vocabulary_.parameters.size(); ++k) {
-            if (vocabulary_.parameters[k] == word) return graph_.parameter(int(k));
-        }
+        if (const auto k = names_.input(word)) return graph_.input(*k);
+        if (const auto k = names_.parameter(word)) return graph_.parameter(*k);
         if (word == "pi") return graph_.constant(std::numbers::pi);
         fail_unknown(word, begin);
     }
@@ -392,6 +388,7 @@ private:
     }
 
     std::string_view text_;
+    const Names& names_;
     const Vocabulary& vocabulary_;
     Graph& graph_;
     std::size_t at_ = 0;
@@ -403,7 +400,11 @@ private:
 } // namespace
 
 NodeId parse(std::string_view text, const Vocabulary& vocabulary, Graph& graph) {
-    return Parser(text, vocabulary, graph).formula();
+    return parse(text, Names(vocabulary), graph);
+}
+
+NodeId parse(std::string_view text, const Names& names, Graph& graph) {
+    return Parser(text, names, graph).formula();
 }
 
 bool is_reserved(std::string_view name) {

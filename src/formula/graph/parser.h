@@ -17,6 +17,7 @@
 #include <string_view>
 
 #include "formula/graph/graph.h"
+#include "formula/graph/names.h"
 #include "formula/graph/vocabulary.h"
 
 namespace isomotion::formula {
@@ -39,6 +40,7 @@ private:
 
 // Throws ParseError, also for expressions that cannot have a value: division by the constant 0, the
 // logarithm of a negative constant.
+NodeId parse(std::string_view text, const Names& names, Graph& graph);
 NodeId parse(std::string_view text, const Vocabulary& vocabulary, Graph& graph);
 
 } // namespace isomotion::formula

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -70,8 +72,11 @@ public:
 
 private:
     void expect(bool done) {
-        if (!done || output_->has_error())
-            throw ImageError("encoding failed: " + output_->geterror());
+        if (done && !output_->has_error()) return;
+        // The frame is not at fault.
+        const std::string reason = output_->geterror();
+        if (reason.find("bad_alloc") != reason.npos) throw std::bad_alloc();
+        throw std::runtime_error("encoding failed: " + reason);
     }
 
     ByteSink sink_;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <new>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "base/file.h"
+#include "first_look.h"
 #include "image/frame.h"
 
 namespace isomotion::image::oiio {
@@ -15,7 +17,9 @@ namespace {
 
 using namespace std::string_view_literals;
 
+// What a reader says where the machine has too little memory is no mistake of the file's.
 [[noreturn]] void fail(const std::string& file, const std::string& reason) {
+    if (reason.find("bad_alloc") != reason.npos) throw std::bad_alloc();
     throw ImageError(fmt::format("{}: {}", file, reason));
 }
 
@@ -44,22 +48,6 @@ const Signature* signature_of(std::span<const std::byte> bytes) {
     return found == signatures.end() ? nullptr : &*found;
 }
 
-// OpenImageIO stops reading a PNG at its last row, so that the chunks behind it may be missing.
-// They are followed here to the end chunk.
-bool has_end_chunk(std::span<const std::byte> png) {
-    constexpr std::size_t signature = 8, overhead = 12; // length, type and checksum of a chunk
-    constexpr std::array end_type{std::byte{'I'}, std::byte{'E'}, std::byte{'N'}, std::byte{'D'}};
-    std::size_t at = signature;
-    while (at + overhead <= png.size()) {
-        std::size_t length = 0;
-        for (const std::byte digit : png.subspan(at, 4)) length = length << 8 | std::size_t(digit);
-        if (length > png.size() - at - overhead) return false;
-        if (std::ranges::equal(png.subspan(at + 4, 4), end_type)) return true;
-        at += length + overhead;
-    }
-    return false;
-}
-
 std::vector<std::byte> bytes_of(const std::filesystem::path& file, std::size_t most) {
     try {
         return base::read_whole(file, most);
@@ -74,22 +62,60 @@ std::size_t row_bytes(const OIIO::ImageSpec& is) {
     return std::size_t(is.width) * std::size_t(is.nchannels) * sizeof(float);
 }
 
+void check_sides(const std::string& file, std::int64_t width, std::int64_t height,
+                 const PictureLimits& limits) {
+    if (width < 1 || height < 1 || width > limits.side || height > limits.side)
+        fail(file, fmt::format("{} x {} pixels; sides of 1 to {} are possible", width, height,
+                               limits.side));
+}
+void check_channels(const std::string& file, std::int64_t channels, const PictureLimits& limits) {
+    if (channels < 1 || channels > limits.channels)
+        fail(file, fmt::format("{} channels; 1 to {} are possible", channels, limits.channels));
+}
+
+// Readers take memory for whole tiles, however few of their pixels are the picture's.
+void check_tiles(const std::string& file, std::int64_t picture_width, std::int64_t width,
+                 std::int64_t height, std::int64_t channels, const PictureLimits& limits) {
+    if (width == 0 && height == 0) return;
+    if (width < 1 || height < 1 || width > limits.side || height > limits.side)
+        fail(file, fmt::format("tiles of {} x {} pixels; sides of 1 to {} are possible", width,
+                               height, limits.side));
+    const std::int64_t across = (picture_width + width - 1) / width * width;
+    if (std::size_t(across * height * channels) * sizeof(float) > limits.band_bytes)
+        fail(file, fmt::format("tiles of {} x {} pixels in a picture {} wide; a row of tiles may "
+                               "take {} MB at most",
+                               width, height, picture_width, limits.band_bytes >> 20));
+}
+
+// What the file itself says, before a reader takes memory or time for it.
+void check_before_opening(const std::string& file, const Signature& signature,
+                          std::span<const std::byte> bytes, const PictureLimits& limits) {
+    if (signature.reader == "png"sv && !has_end_chunk(bytes))
+        fail(file, "not a whole picture: its end is missing");
+    if (signature.reader == "jpeg"sv) {
+        if (const int scans = count_scans(bytes); scans > limits.scans)
+            fail(file, fmt::format("{} scans of a progressive JPEG; at most {} are read", scans,
+                                   limits.scans));
+    }
+    if (signature.reader == "openexr"sv) {
+        const ExrSizes sizes = exr_sizes(bytes);
+        if (sizes.width == 0 || sizes.height == 0 || sizes.channels == 0) return; // no picture
+        check_sides(file, sizes.width, sizes.height, limits);
+        check_channels(file, sizes.channels, limits);
+        check_tiles(file, sizes.width, sizes.tile_width, sizes.tile_height, sizes.channels, limits);
+    }
+}
+
 void check(const std::string& file, const Signature& signature, const OIIO::ImageSpec& is,
            const PictureLimits& limits) {
-    if (is.width < 1 || is.height < 1 || is.width > limits.side || is.height > limits.side)
-        fail(file, fmt::format("{} x {} pixels; sides of 1 to {} are possible", is.width, is.height,
-                               limits.side));
+    check_sides(file, is.width, is.height, limits);
     if (is.depth > 1 || is.deep) fail(file, "a volume or deep picture; a flat one belongs here");
-    if (is.nchannels < 1 || is.nchannels > limits.channels)
-        fail(file, fmt::format("{} channels; 1 to {} are possible", is.nchannels, limits.channels));
+    check_channels(file, is.nchannels, limits);
     constexpr std::size_t whole = std::size_t(2) << 30; // readers but OpenEXR's may hold it all
     if (signature.reader != "openexr"sv && is.image_bytes(true) > whole)
         fail(file, fmt::format("{} MB of samples; {} MB are possible", is.image_bytes(true) >> 20,
                                whole >> 20));
-    const int rows = rows_at_once(is);
-    if (row_bytes(is) * std::size_t(rows) > limits.band_bytes)
-        fail(file, fmt::format("tiles of {} rows in a picture {} wide; they may take {} MB at most",
-                               rows, is.width, limits.band_bytes >> 20));
+    check_tiles(file, is.width, is.tile_width, is.tile_height, is.nchannels, limits);
 }
 
 } // namespace
@@ -106,8 +132,7 @@ PictureFile::PictureFile(const std::filesystem::path& file, const PictureLimits&
     , memory_(bytes_.data(), bytes_.size()) {
     const Signature* signature = signature_of(bytes_);
     if (!signature) fail(file_, "no picture that is read; EXR, HDR, TIFF, PNG and JPEG are");
-    if (signature->reader == "png"sv && !has_end_chunk(bytes_))
-        fail(file_, "not a whole picture: its end is missing");
+    check_before_opening(file_, *signature, bytes_, limits);
     input_ = OIIO::ImageInput::create(signature->reader);
     OIIO::ImageSpec wish, found;
     wish.attribute("oiio:UnassociatedAlpha", 1); // colour as it is kept, not multiplied yet

@@ -20,6 +20,7 @@ struct PictureLimits {
     int side = 16'384;
     int channels = 64;
     std::size_t band_bytes = std::size_t(256) << 20; // of the rows that are decoded at once
+    int scans = 100;                                 // of a progressive JPEG
 };
 
 // Rows of a band: of one row of tiles, or of some 64 MB.

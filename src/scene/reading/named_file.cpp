@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/printable.h"
 #include "scene/data_folder.h"
 
 namespace isomotion::scene {
@@ -56,16 +57,17 @@ fs::path named_file(const toml::node& node, const std::string& key,
             fail(node, key,
                  fmt::format("{} lies outside the scene's folder; move it there, or allow such "
                              "files with --allow-outside",
-                             file.string()));
+                             base::printable_line(file.string())));
         }
         return file;
     }
     if (endless) {
         fail(node, key,
-             fmt::format("{} is a pipe or a device, not a regular file", endless->string()));
+             fmt::format("{} is a pipe or a device, not a regular file",
+                         base::printable_line(endless->string())));
     }
     std::vector<std::string> names;
-    for (const fs::path& file : places) names.push_back(file.string());
+    for (const fs::path& file : places) names.push_back(base::printable_line(file.string()));
     fail(node, key, fmt::format("there is no file {}", fmt::join(names, ", nor ")));
 }
 

@@ -141,9 +141,19 @@ private:
         std::erase_if(there_, [&](std::size_t f) { return taken[f] != 0; });
     }
 
+    // A file of a stranger's may hold so many that pairing them takes gigabytes and hours.
+    static constexpr std::size_t most_pairs = 4'000'000;
+
     // An item alone costs 1 and says one line. Half of the time and the bounds together is too far
     // for one event; another kind is as bad as an eighth.
     void pair_rest() {
+        if (there_.empty()) return;
+        if (wanted_.size() > most_pairs / there_.size()) {
+            check_.notes.push_back(fmt::format("{} events that are expected and {} that were found "
+                                               "are too many to tell which are near each other",
+                                               wanted_.size(), there_.size()));
+            return;
+        }
         const auto cost = [&](std::size_t e, std::size_t f) {
             const Event& a = expected_.events[wanted_[e]];
             const Event& b = found_.events[there_[f]];
@@ -258,7 +268,7 @@ private:
         } else if (*had.solid != wanted) {
             const std::string line =
                 fmt::format("{}: {}; expected {}", where, in_words(*had.solid), in_words(wanted));
-            is_proved && had.is_proved ? differ(line) : doubt("not proved: " + line);
+            is_proved&& had.is_proved ? differ(line) : doubt("not proved: " + line);
         } else if (!had.is_proved) {
             doubt(fmt::format("{}: {}, but that is not proved", where, in_words(wanted)));
         }

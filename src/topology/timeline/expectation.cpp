@@ -9,6 +9,7 @@
 #include "base/document.h"
 #include "base/file_text.h"
 #include "base/input_error.h"
+#include "base/printable.h"
 #include "topology/timeline/compare.h"
 #include "topology/timeline/searched.h"
 #include "topology/timeline/steps.h"
@@ -20,7 +21,7 @@ namespace {
 
 using formula::Interval;
 
-constexpr std::size_t most_claim_bytes = 256 << 20;
+constexpr std::size_t most_claim_bytes = 1 << 20, most_timeline_bytes = 16 << 20;
 
 struct NumberName {
     const char* name;
@@ -178,10 +179,15 @@ Claims parse_claims(std::string_view text, const std::string& file, animation::F
 }
 
 Expectation read_expectation(const std::filesystem::path& file, animation::FrameRate fps) {
-    const std::string text = base::file_text(file, most_claim_bytes);
+    const std::string text = base::file_text(file, most_timeline_bytes);
     if (file.extension() != ".toml") {
         const auto document = base::Document::from_json(text, file.string());
         if (document.table().find("format")) return parse_timeline(text, file.string());
+    }
+    if (text.size() > most_claim_bytes) {
+        throw base::InputError(
+            fmt::format("{}: claims of more than {} bytes, the most that are read",
+                        base::printable_line(file.string()), most_claim_bytes));
     }
     return parse_claims(text, file.string(), fps);
 }
@@ -224,13 +230,15 @@ Check check(const Expectation& expectation, const TimelineRecord& found, double 
     return check(std::get<Claims>(expectation), found);
 }
 
-std::string text(const Check& check, const std::string& file) {
+std::string text(const Check& check, const std::string& path) {
+    const std::string file = base::printable_line(path);
     std::string lines;
-    for (const std::string& line : check.differences) lines += line + "\n";
-    for (const std::string& line : check.undecided) {
-        lines += fmt::format("undecided: {}\n", line);
-    }
-    for (const std::string& line : check.notes) lines += fmt::format("note: {}\n", line);
+    const auto add = [&](const char* what, const std::string& line) {
+        lines += what + base::printable_line(line) + "\n"; // it may hold words of the expectation
+    };
+    for (const std::string& line : check.differences) add("", line);
+    for (const std::string& line : check.undecided) add("undecided: ", line);
+    for (const std::string& line : check.notes) add("note: ", line);
     const std::size_t different = check.differences.size(), open = check.undecided.size();
     switch (check.outcome()) {
     case Outcome::passes:

@@ -11,6 +11,7 @@
 #include "base/document.h"
 #include "base/file_text.h"
 #include "base/input_error.h"
+#include "base/printable.h"
 #include "topology/timeline/words.h"
 
 namespace isomotion::topology {
@@ -20,7 +21,7 @@ using formula::Interval;
 using Json = nlohmann::ordered_json; // keys as they were added
 using Point = std::array<Interval, 3>;
 
-constexpr std::size_t most_timeline_bytes = 256 << 20;
+constexpr std::size_t most_timeline_bytes = 16 << 20;
 constexpr std::string_view shape_names[] = {"box", "sphere"}; // by scene::Bounds::Shape
 
 Json json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -87,6 +88,15 @@ template<class Items, class Convert> std::string lines(const Items& items, Conve
 // A derived number as it was written, or near: another program may have rounded it otherwise.
 bool is_near(double written, double derived) {
     return std::abs(written - derived) <= 1e-6 * std::max(1.0, std::abs(derived));
+}
+
+// Programs print what timelines say: none of it may move the cursor or begin a line.
+std::string line_of(const base::DocumentNode& node) {
+    std::string text = node.text();
+    constexpr std::size_t most = 4096;
+    if (text.size() > most || !base::is_one_printable_line(text))
+        node.fail(fmt::format("must be one printable line of at most {} bytes", most));
+    return text;
 }
 
 // [lo, hi], null in place of an end for none on that side; a number for a point.
@@ -196,7 +206,7 @@ Event read_event(const base::DocumentNode& node, animation::FrameRate fps) {
     event.kind = *known;
     event.is_proved = object.at("proved").boolean();
     if (const auto again = object.find("proved_again")) event.is_proved_again = again->boolean();
-    event.kind_proof = object.at("kind_proof").text();
+    event.kind_proof = line_of(object.at("kind_proof"));
     event.before = read_topology(object.at("before"));
     event.after = read_topology(object.at("after"));
     object.refuse_rest();
@@ -209,7 +219,7 @@ Unresolved read_unresolved(const base::DocumentNode& node, animation::FrameRate 
     place.time = interval_of(object.at("time"));
     check_frame(object, place.time, fps);
     place.where = read_box(object.at("where"));
-    place.why = object.at("why").text();
+    place.why = line_of(object.at("why"));
     place.before = read_topology(object.at("before"));
     place.after = read_topology(object.at("after"));
     object.refuse_rest();
@@ -247,8 +257,8 @@ void read_format(base::DocumentTable& root) {
 TimelineHeader read_header(base::DocumentTable& root) {
     TimelineHeader header;
     base::DocumentTable scene = root.at("scene").table();
-    header.title = scene.at("title").text();
-    header.fingerprint = scene.at("fingerprint").text();
+    header.title = line_of(scene.at("title"));
+    header.fingerprint = line_of(scene.at("fingerprint"));
     scene.refuse_rest();
     const base::DocumentNode rate = root.at("frames_per_second");
     const auto fps = animation::parse_frame_rate(rate.text());
@@ -337,7 +347,7 @@ TimelineRecord parse_timeline(std::string_view text, const std::string& file) {
     }
     timeline.is_proved = root.at("none_missing").boolean();
     for (const base::DocumentNode& doubt : root.at("doubts").list())
-        timeline.doubts.push_back(doubt.text());
+        timeline.doubts.push_back(line_of(doubt));
     read_end(root.at("start"), timeline.start, timeline.start_is_proved);
     read_end(root.at("end"), timeline.end, timeline.end_is_proved);
     timeline.events = read_ordered<Event>(

@@ -32,6 +32,20 @@ TEST(Compare, ATimelineEqualsItself) {
     }
 }
 
+// Pairs of a stranger's events and those that were found are not all weighed.
+TEST(Compare, TooManyThatDifferAreToldOneByOne) {
+    std::vector<Event> wanted, had;
+    for (int k = 0; k < 2100; ++k) {
+        wanted.push_back(event_at(2 + k * 0.04, Kind::birth));
+        had.push_back(event_at(2.02 + k * 0.04, Kind::birth));
+    }
+    const Check check = compare(complete({1, 0, 0}, wanted), complete({1, 0, 0}, had), dt);
+    EXPECT_EQ(check.outcome(), Outcome::differs);
+    EXPECT_EQ(check.differences.size(), 4200u);
+    EXPECT_THAT(check.notes, testing::Contains(HasSubstr("2100 events that are expected and 2100 "
+                                                         "that were found are too many")));
+}
+
 TEST(Compare, AMoveWithinTheToleranceIsNone) {
     TimelineRecord found = story();
     move_by(found.timeline.events[1], 0.9e-9);

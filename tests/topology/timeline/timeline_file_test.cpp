@@ -53,7 +53,7 @@ formula::Interval any_interval(std::mt19937_64& random) {
 }
 
 std::string any_text(std::mt19937_64& random) {
-    const char* parts[] = {"a", "\"", "\\", "\n", "\x01", "ü", "\xF0\x9F\x8C\x80", " ", "{", "]"};
+    const char* parts[] = {"a", "\"", "\\", "\u00DF", "/", "ü", "\xF0\x9F\x8C\x80", " ", "{", "]"};
     std::string text;
     for (std::uint64_t k = random() % 6; k > 0; --k) text += parts[random() % 10];
     return text;
@@ -209,6 +209,9 @@ TEST(TimelineFile, MistakesNameTheKey) {
         {"\"unresolved\": []", "\"unresolved\": {}", "unresolved: must be a list, in [ ]"},
         {"\"unresolved\": []", "\"unresolved\": [3]", "unresolved[0]: must be an object, in { }"},
         {"\"doubts\": []", "\"doubts\": [null]", "doubts[0]: must be a text"},
+        {"\"doubts\": []", "\"doubts\": [\"\\u001b[2J\"]", "doubts[0]: must be one printable line"},
+        {"\"kind_proof\":\"", "\"kind_proof\":\"\\n", "kind_proof: must be one printable line"},
+        {"\"title\":\"", "\"title\":\"\\r", "scene.title: must be one printable line"},
     };
     for (const auto& wrong : wrongs) {
         EXPECT_THAT(mistake(replaced(right, wrong.from, wrong.to)), HasSubstr(wrong.message))
@@ -217,7 +220,7 @@ TEST(TimelineFile, MistakesNameTheKey) {
     for (const char* text : {"", "[]", "null", "7", "\"x\"", "{}", "{\"format\":", "\xFF\xFE"}) {
         EXPECT_THAT(mistake(text), StartsWith("a.json: ")) << text;
     }
-    EXPECT_THAT(mistake(std::string(200'000, '[')), StartsWith("a.json: not valid JSON: "));
+    EXPECT_THAT(mistake(std::string(200'000, '[')), HasSubstr("lists are nested too deeply; 64"));
     TimelineRecord record = story();
     std::swap(record.timeline.events[1], record.timeline.events[2]);
     EXPECT_THAT(mistake(to_json(record)),

@@ -114,6 +114,19 @@ TEST(StandsAlone, IsReadOffTheSource) {
     }
 }
 
+// It is not searched for names, but refused.
+TEST(StandsAlone, WhatIsTooLongDoesNot) {
+    const Array array{"blobs", 4, {field("long", "2*t" + std::string(500'000, ' '))}};
+    EXPECT_FALSE(stands_alone(array, 0));
+    try {
+        Animation({}, {array});
+        FAIL();
+    } catch (const ExpressionError& error) {
+        EXPECT_EQ(error.owner(), "blobs.long");
+        EXPECT_THAT(error.what(), HasSubstr("the formula has 500003 bytes; at most 500000"));
+    }
+}
+
 // What the words say is what the values do.
 TEST(StandsAlone, AgreesWithTheValues) {
     const Array array{"blobs",

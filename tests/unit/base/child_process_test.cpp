@@ -1,6 +1,8 @@
 // Programs that are run for what they say, and for as long as they may take.
 #include "base/child_process.h"
 
+#include <csignal>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -65,6 +67,41 @@ TEST(ChildProcess, WaitsWithItsInputOpen) {
     EXPECT_EQ(child.output(), "ready\n");
     child.wait(); // once more changes nothing
     EXPECT_EQ(child.exit_status(), 7);
+}
+
+// What this program ignores is not ignored by others for it.
+TEST(ChildProcess, EndsBySignalsThatItsParentIgnores) {
+    const auto before = std::signal(SIGPIPE, SIG_IGN);
+    ChildProcess child = shell("kill -PIPE $$; exit 0");
+    EXPECT_FALSE(child.finish());
+    std::signal(SIGPIPE, before);
+    EXPECT_EQ(child.ending(), "signal 13");
+}
+
+// The kernel forgets children of a process that ignores SIGCHLD.
+TEST(ChildProcess, AnEndingThatNobodyCanTellIsNoSuccess) {
+    const auto before = std::signal(SIGCHLD, SIG_IGN);
+    ChildProcess waited = shell("exit 0");
+    EXPECT_FALSE(waited.finish());
+    ChildProcess asked = shell("exit 0");
+    const auto deadline = steady_clock::now() + 30s;
+    EXPECT_TRUE(asked.finish_by(deadline));
+    EXPECT_LT(steady_clock::now(), deadline);
+    EXPECT_FALSE(asked.succeeded());
+    std::signal(SIGCHLD, before);
+}
+
+TEST(ChildProcess, SaysWhereWordsAreLeftOut) {
+    ChildProcess child =
+        shell("for k in 1 2 3 4 5 6 7 8 9 10; do printf '%09999d\\n' $k >&2; done");
+    EXPECT_TRUE(child.finish());
+    const std::string all = child.last_words(1000);
+    EXPECT_THAT(all, testing::StartsWith("... earlier words left out\n000"));
+    EXPECT_THAT(all, testing::EndsWith("\n" + std::string(9997, '0') + "10"));
+    EXPECT_EQ(child.last_words(2).size(), 2u * 9999 + 1);
+    ChildProcess few = shell("echo a >&2; echo b >&2");
+    EXPECT_TRUE(few.finish());
+    EXPECT_EQ(few.last_words(1000), "a\nb");
 }
 
 } // namespace

@@ -1,5 +1,9 @@
 #include "base/document.h"
 
+#include <cstdlib>
+
+#include <sys/resource.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -116,6 +120,51 @@ TEST(Document, MalformedTextIsRefused) {
     EXPECT_THROW(toml("a = 1\na = 2\n"), InputError);
     EXPECT_THROW(toml("a = " + std::string(100'000, '[')), InputError);
     EXPECT_THROW(toml("a = 2020-01-01"), InputError);
+}
+
+TEST(Document, DepthIsLimited) {
+    EXPECT_EQ(refused_json(std::string(64, '[') + std::string(64, ']')), "none");
+    for (const std::size_t depth : {std::size_t(65), std::size_t(4) << 20}) {
+        EXPECT_THAT(refused_json("{\"a\":\n" + std::string(depth, '[')),
+                    testing::AllOf(testing::StartsWith("a.json:2: a[0]"),
+                                   testing::EndsWith("objects and lists are nested too deeply; 64 "
+                                                     "deep are read")));
+    }
+}
+
+// Processor seconds end a reading whose time grows with the square.
+void read_large_documents() {
+    const rlimit limit{10, 10};
+    ::setrlimit(RLIMIT_CPU, &limit);
+    constexpr int many = 300'000;
+    std::string keys = "{\"a\": {\"k\": 1", items = "{\"a\": [1", lines = "[a]\nk = 1\n";
+    for (int k = 0; k < many; ++k) {
+        keys += ",\"" + std::to_string(k) + "\": {}";
+        items += ",{}";
+    }
+    for (int k = 0; k < many / 3; ++k) lines += std::to_string(k) + " = {}\n";
+    for (const Document& document : {json(keys + "}}"), toml(lines)}) {
+        DocumentTable root = document.table();
+        DocumentTable table = root.at("a").table();
+        if (table.all().size() < std::size_t(many) / 3) std::exit(1);
+        table.refuse_rest();
+    }
+    const Document document = json(items + "]}");
+    DocumentTable root = document.table();
+    std::exit(root.at("a").list(many + 1).empty());
+}
+
+TEST(Document, ManyKeysTakeNoMoreThanTheirNumber) {
+    EXPECT_EXIT(read_large_documents(), testing::ExitedWithCode(0), "");
+}
+
+TEST(Document, NoNameBeginsALine) {
+    try {
+        Document::from_json("{\"\\nforged\": 1, \"\\nforged\": 2}", "a\nforged.json");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
 }
 
 } // namespace

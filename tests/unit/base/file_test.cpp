@@ -4,8 +4,14 @@
 #include <cerrno>
 #include <thread>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
+#include "base/content_hash.h"
+#include "base/file_descriptor.h"
+#include "base/file_text.h"
+#include "base/input_error.h"
+#include "base/loading.h"
 #include "unit/base/places.h"
 
 namespace isomotion::base {
@@ -48,6 +54,63 @@ TEST(WriteWhole, FollowsNoLinkUnderTheHiddenName) {
     std::filesystem::create_symlink("precious", folder / ".a.part.png");
     EXPECT_EQ(code_of_writing(folder / "a.png", 3), ELOOP);
     EXPECT_EQ(std::filesystem::file_size(folder / "precious"), 8u);
+}
+
+// A pipe there would keep the writer waiting for ever.
+TEST(WriteWhole, WaitsForNoPipeUnderTheHiddenName) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / ".a.part.png").c_str(), 0600), 0);
+    EXPECT_THROW(write_whole(folder / "a.png", bytes(3)), FileError);
+    const FileDescriptor reader(::open((folder / ".a.part.png").c_str(), O_RDONLY | O_NONBLOCK));
+    EXPECT_THROW(write_whole(folder / "a.png", bytes(3)), FileError);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+}
+
+TEST(WriteWhole, EmptiesNoFileThatHasAnotherName) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "precious") << "precious";
+    std::filesystem::create_hard_link(folder / "precious", folder / ".a.part.png");
+    EXPECT_THROW(write_whole(folder / "a.png", bytes(3)), FileError);
+    EXPECT_EQ(std::filesystem::file_size(folder / "precious"), 8u);
+}
+
+TEST(HashOfFile, IsThatOfItsBytes) {
+    const TemporaryFolder folder;
+    for (const std::size_t size : {0u, 1u, 1u << 20, 3'000'000u}) {
+        write_whole(folder / "a", bytes(size));
+        EXPECT_EQ(hash_of_file(folder / "a"), content_hash(bytes(size))) << size;
+    }
+    EXPECT_THROW(hash_of_file("/dev/zero"), FileError);
+    EXPECT_THROW(hash_of_file(folder.path()), FileError);
+}
+
+TEST(FileText, IsOfARegularFile) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a\nb") << "text";
+    EXPECT_EQ(file_text(folder / "a\nb", 4), "text");
+    const auto mistake = [](const std::filesystem::path& file) {
+        try {
+            file_text(file, 3);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(mistake("/dev/zero"), "/dev/zero: is a pipe or a device; name a regular file");
+    EXPECT_EQ(mistake("/dev"), "/dev: is a folder; name a regular file");
+    EXPECT_EQ(mistake("/dev/null/a"), "/dev/null/a: no such file");
+    EXPECT_EQ(mistake(folder / "a\nb").find('\n'), std::string::npos);
+    EXPECT_NE(mistake(folder / "a\nb").find("is larger than 3 bytes"), std::string::npos);
+}
+
+TEST(WhyNotLoaded, TellsOfMemory) {
+    EXPECT_EQ(why_not_loaded("a.so: cannot open shared object file"),
+              "a.so: cannot open shared object file");
+    for (const char* words : {"a.so: failed to map segment from shared object",
+                              "a.so: cannot allocate memory in static TLS block"}) {
+        EXPECT_EQ(why_not_loaded(words),
+                  std::string("out of memory, or a disk mounted noexec: ") + words);
+    }
 }
 
 TEST(WriteWhole, WritersOfOneFileTakeTurns) {

@@ -85,21 +85,66 @@ std::string tiff(std::uint16_t width, std::uint16_t height, std::uint16_t channe
     return bytes + std::string(size, char(value));
 }
 
-/// A TIFF of one tile, of which the header alone is there: 256 rows of the picture, more of the
-/// tile.
-std::string tiff_of_tall_tiles(std::uint32_t width, std::uint32_t tile_rows) {
+/// A TIFF of one tile, of which the header alone is there.
+std::string tiff_of_tiles(std::uint32_t width, std::uint32_t tile_width, std::uint32_t tile_rows) {
     std::string bytes("II*\0", 4);
     const auto put = [&](std::uint32_t number, int size) {
         for (int k = 0; k < size; ++k) bytes += char(number >> 8 * k & 0xff);
     };
     const std::pair<std::uint32_t, std::uint32_t> entries[] = {
-        {256, width}, {257, width / 2}, {258, 8},         {259, 1}, {262, 1},
-        {277, 1},     {322, width},     {323, tile_rows}, {324, 8}, {325, 1}};
+        {256, width}, {257, width / 2},  {258, 8},         {259, 1}, {262, 1},
+        {277, 1},     {322, tile_width}, {323, tile_rows}, {324, 8}, {325, 1}};
     put(8, 4);
     put(std::uint32_t(std::size(entries)), 2);
     for (const auto& [tag, number] : entries) put(tag, 2), put(4, 2), put(1, 4), put(number, 4);
     put(0, 4);
     return bytes;
+}
+
+/// The header of an EXR of 4 x 2 pixels in tiles of this size.
+std::string exr_of_tiles(std::uint32_t width, std::uint32_t height) {
+    using namespace std::string_literals;
+    const auto number = [](std::uint32_t value) {
+        std::string bytes;
+        for (int k = 0; k < 4; ++k) bytes += char(value >> 8 * k & 0xff);
+        return bytes;
+    };
+    const auto attribute = [&](const std::string& name, const std::string& type,
+                               const std::string& value) {
+        return name + '\0' + type + '\0' + number(std::uint32_t(value.size())) + value;
+    };
+    std::string channels;
+    for (const char* name : {"B", "G", "R"})
+        channels += name + "\0"s + number(1) + number(0) + number(1) + number(1);
+    const std::string box = number(0) + number(0) + number(3) + number(1);
+    return "\x76\x2f\x31\x01"s + number(2 | 0x200) +
+           attribute("channels", "chlist", channels + '\0') +
+           attribute("compression", "compression", "\3") + attribute("dataWindow", "box2i", box) +
+           attribute("displayWindow", "box2i", box) +
+           attribute("lineOrder", "lineOrder", std::string(1, '\0')) +
+           attribute("pixelAspectRatio", "float", number(0x3f800000)) +
+           attribute("screenWindowCenter", "v2f", number(0) + number(0)) +
+           attribute("screenWindowWidth", "float", number(0x3f800000)) +
+           attribute("tiles", "tiledesc", number(width) + number(height) + '\0') +
+           std::string(1 + 8 + 32, '\0');
+}
+
+/// Gray, 16 x 8, all coefficients 0: one scan of the mean, then scans of all others.
+std::string progressive_jpeg(int scans) {
+    using namespace std::string_literals;
+    const auto segment = [](int marker, const std::string& bytes) {
+        const std::size_t size = bytes.size() + 2;
+        return "\xff"s + char(marker) + char(size >> 8) + char(size & 0xff) + bytes;
+    };
+    const auto one_code = [](int table, int symbol) { // of the bit 0
+        return std::string(1, char(table)) + '\1' + std::string(15, '\0') + char(symbol);
+    };
+    std::string jpeg = "\xff\xd8" + segment(0xDB, '\0' + std::string(64, '\1')) +
+                       segment(0xC2, "\x08\0\x08\0\x10\x01\x01\x11\0"s) +
+                       segment(0xC4, one_code(0x00, 0)) + segment(0xC4, one_code(0x10, 0)) +
+                       segment(0xDA, "\x01\x01\0\0\0\0"s) + "\x3f";
+    for (int k = 1; k < scans; ++k) jpeg += segment(0xDA, "\x01\x01\0\x01\x3f\0"s) + "\x3f";
+    return jpeg + "\xff\xd9";
 }
 
 std::string radiance_header(int width, int height) {
@@ -313,11 +358,30 @@ TEST_F(EnvironmentFile, LimitsAreToldBeforeAnythingIsDecoded) {
     const auto sparse = write("a.exr", std::string("\x76\x2f\x31\x01"));
     std::filesystem::resize_file(sparse, std::uintmax_t(3) << 30);
     EXPECT_THAT(mistake(sparse), HasSubstr("has more than 256 MB"));
-    EXPECT_THAT(mistake(write("a.tif", tiff_of_tall_tiles(8192, 16384))),
-                HasSubstr("tiles of 16384 rows in a picture 8192 wide"));
+    EXPECT_THAT(mistake(write("a.tif", tiff_of_tiles(8192, 8192, 16384))),
+                HasSubstr("tiles of 8192 x 16384 pixels in a picture 8192 wide"));
+    // Readers take memory for whole tiles, that of EXR as it opens a file.
+    EXPECT_THAT(mistake(write("a.tif", tiff_of_tiles(4, 65536, 16384))),
+                HasSubstr("tiles of 65536 x 16384 pixels; sides of 1 to 16384"));
+    EXPECT_THAT(mistake(write("a.tif", tiff_of_tiles(4, 16384, 16384))),
+                HasSubstr("tiles of 16384 x 16384 pixels in a picture 4 wide; a row of tiles may "
+                          "take 256 MB"));
+    EXPECT_THAT(mistake(write("a.exr", exr_of_tiles(65536, 4096))),
+                HasSubstr("tiles of 65536 x 4096 pixels; sides of 1 to 16384"));
+    EXPECT_THAT(mistake(write("a.exr", exr_of_tiles(16384, 16384))),
+                HasSubstr("tiles of 16384 x 16384 pixels in a picture 4 wide"));
     Frame many = plain(2, 1, 0, 0, 0);
     for (int k = 3; k < 17; ++k) many.channels.push_back({std::to_string(k), {0, 0}});
     EXPECT_THAT(mistake(write("a.exr", many)), HasSubstr("17 channels; 1 to 16"));
+}
+
+// libjpeg goes over all scans before it gives the first row.
+TEST_F(EnvironmentFile, ScansAreCounted) {
+    EXPECT_THAT(mistake(write("a.jpg", progressive_jpeg(101))),
+                HasSubstr("101 scans of a progressive JPEG; at most 100 are read"));
+    for (const int scans : {1, 10, 100}) {
+        EXPECT_EQ(read_environment(write("a.jpg", progressive_jpeg(scans))).width, 16) << scans;
+    }
 }
 
 TEST_F(EnvironmentFile, APipeIsNotWaitedFor) {

@@ -169,13 +169,17 @@ TEST_F(RecordingTest, EveryDifferenceTells) {
     EXPECT_NE(told([](Sequence& s) { s.provenance.stage = "x"; }), "");
 }
 
-TEST_F(RecordingTest, ADamagedManifestIsBegunAgain) {
+// It may be somebody else's file.
+TEST_F(RecordingTest, WhatIsNoManifestIsKept) {
     { const ManifestWriter first(name(), some_sequence()); }
-    for (const char* text : {"", "{", "{}", "\xff"}) {
+    for (const std::string text : {"", "{", "{}", "\xff"}) {
         std::ofstream(sequence_file(manifest())) << text;
-        ManifestWriter(name(), some_sequence({2}));
-        EXPECT_EQ(read_sequence(manifest()).asked, std::vector{2});
+        EXPECT_THROW(ManifestWriter(name(), some_sequence({2})), base::FileError) << text;
+        EXPECT_EQ(base::read_whole(sequence_file(manifest())).size(), text.size());
     }
+    fs::remove(sequence_file(manifest()));
+    ManifestWriter(name(), some_sequence({2}));
+    EXPECT_EQ(read_sequence(manifest()).asked, std::vector{2});
 }
 
 TEST_F(RecordingTest, AManifestThatIsRemovedOrReplacedIsNoticed) {
