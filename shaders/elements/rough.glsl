@@ -5,7 +5,7 @@ vec4 field_rough(vec2 x, vec2 y, vec2 z) {
     for (ivec3 at = range.first; at.z <= range.last.z; at = next_cell(range, at)) {
         enter_cell(at);
         vec2 bx = x, by = y, bz = z;
-        box_in_cell(at, bx, by, bz);
+        box_in_cell(range, at, bx, by, bz);
         all = hull_of(all, field_rough_in_cell(bx, by, bz));
     }
     return all;

@@ -130,13 +130,13 @@ double entries(std::span<const LevelSet> sets, const Placing& placing) {
     return all;
 }
 
-// How far cells are free, where they are: distances on a chessboard to the nearest one that is not,
-// in two passes over all cells (Rosenfeld & Pfaltz 1968).
-void measure_free(ElementGrid& grid, const std::vector<bool>& is_free) {
-    const auto [nx, ny, nz] = std::array{grid.across.x, grid.across.y, grid.across.z};
-    constexpr std::uint32_t far = Cell::most_free; // outside of the grid there is no root
-    std::vector<std::uint32_t> steps(grid.cells.size());
-    for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = is_free[k] ? far : 0;
+// The distances of cells on a chessboard to the nearest one where `is` is false, 0 there, in two
+// passes over all cells (Rosenfeld & Pfaltz 1968). Outside of the grid all is as it should be.
+std::vector<std::uint32_t> distances(const glm::ivec3& across, const std::vector<bool>& is) {
+    const auto [nx, ny, nz] = std::array{across.x, across.y, across.z};
+    constexpr std::uint32_t far = Cell::most_free;
+    std::vector<std::uint32_t> steps(is.size());
+    for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = is[k] ? far : 0;
     const auto index = [&](int x, int y, int z) { return std::size_t((z * ny + y) * nx + x); };
     const auto step = [&](int x, int y, int z) -> std::uint32_t {
         const bool inside = x >= 0 && y >= 0 && z >= 0 && x < nx && y < ny && z < nz;
@@ -161,8 +161,20 @@ void measure_free(ElementGrid& grid, const std::vector<bool>& is_free) {
     for (int z = nz; z-- > 0;)
         for (int y = ny; y-- > 0;)
             for (int x = nx; x-- > 0;) lower(x, y, z, -1);
-    for (std::size_t k = 0; k < steps.size(); ++k)
-        grid.cells[k].packed |= steps[k] << Cell::count_bits;
+    return steps;
+}
+
+// Tells each cell how far around it there is no root, and each empty one how far it is empty.
+void measure(ElementGrid& grid, const std::vector<bool>& is_free) {
+    std::vector<bool> is_empty(grid.cells.size());
+    for (std::size_t k = 0; k < is_empty.size(); ++k) is_empty[k] = grid.cells[k].packed == 0;
+    const std::vector<std::uint32_t> empty = distances(grid.across, is_empty);
+    const std::vector<std::uint32_t> free =
+        is_free == is_empty ? empty : distances(grid.across, is_free);
+    for (std::size_t k = 0; k < grid.cells.size(); ++k) {
+        if (is_empty[k]) grid.cells[k].first = empty[k] - 1;
+        grid.cells[k].packed |= free[k] << Cell::count_bits;
+    }
 }
 
 // Sums over the elements that matter in a cell, bounded; what is left out of them included.
@@ -300,7 +312,7 @@ ElementGrid make_grid(const Region& region, std::span<const LevelSet> sets, int 
             });
         };
     });
-    measure_free(grid, is_free);
+    measure(grid, is_free);
     return grid;
 }
 

@@ -22,7 +22,9 @@ struct Cell {
     static constexpr std::uint32_t most_free = (1u << (32 - count_bits)) - 1;
 
     std::uint32_t packed = 0; // elements that matter in it; above these, how far it is free
-    std::uint32_t first = 0;  // where its list begins
+    // Where its list begins; of an empty cell, how many cells on each side of it, in all
+    // directions, are empty as well.
+    std::uint32_t first = 0;
 
     std::uint32_t elements() const { return packed & most_elements; }
     // 0 where F may have a root; k where it has none in the cell and in the k - 1 cells on each

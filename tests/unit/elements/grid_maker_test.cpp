@@ -1,9 +1,7 @@
 // What lists by place leave out of sums, against the sums themselves.
 #include "elements/grid_maker.h"
 
-#include <chrono>
 #include <cmath>
-#include <ctime>
 
 #include <gmock/gmock.h>
 
@@ -29,7 +27,8 @@ formula::Bindings<double> only(const formula::Bindings<double>& all,
 
 // What F is far from all elements, or would be of a logarithm at its root: level or h^2/2.
 double scale(const formula::Bindings<float>& values) {
-    return std::min<double>(values.parameters[2], 0.5 * values.parameters[1] * values.parameters[1]);
+    return std::min<double>(values.parameters[2],
+                            0.5 * values.parameters[1] * values.parameters[1]);
 }
 
 class Families : public testing::TestWithParam<Family> {};
@@ -76,29 +75,73 @@ TEST_P(Families, SumsOverListsAreTheSums) {
 
 INSTANTIATE_TEST_SUITE_P(All, Families, testing::ValuesIn(families));
 
-TEST(Speed, OfMany) {
-    std::mt19937 draw(7);
-    for (const auto& family : families) {
-        const auto field = formula::make_field(family.formula, family_vocabulary());
-        const auto maker = GridMaker::of(field, 0);
-        const int count = 100'000;
-        // As blobby75: a = 62 at 75.
-        const auto values = drawn_elements(draw, count, 0.127 * std::cbrt(75.0 / count));
-        const auto c0 = std::clock();
-        const auto begin = std::chrono::steady_clock::now();
-        const ElementGrid grid = maker->make(values, ball, {.threads = 2});
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-        double mean = 0, full = 0;
-        for (const Cell& c : grid.cells) {
-            mean += double(c.elements()) * c.elements();
-            full += c.free() == 0;
+// No place of a free cell has another sign of F than places far from all elements.
+TEST_P(Families, FreeCellsHaveNoRoot) {
+    const unsigned seed = 20261125;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 draw(seed);
+    const auto field = formula::make_field(GetParam().formula, family_vocabulary());
+    const auto maker = GridMaker::of(field, 0);
+    ASSERT_TRUE(maker);
+    const auto values = drawn_elements(draw, 120, 0.15);
+    const ElementGrid grid = maker->make(values, ball, {.threads = 2});
+    const auto all = formula::convert<double>(values);
+    formula::FieldEvaluator<double> evaluator(field);
+    const double far_off = evaluator.value(all, {1e3, 1e3, 1e3});
+    std::uniform_real_distribution<double> place(-1.1, 1.1);
+    int free = 0;
+    for (int k = 0; k < 4000; ++k) {
+        const std::array p{place(draw), place(draw), place(draw)};
+        const Cell& cell = grid.at(grid.place({p[0], p[1], p[2]}));
+        if (cell.free() == 0) continue;
+        ++free;
+        const double f = evaluator.value(all, p);
+        if (std::isnan(f)) continue;
+        EXPECT_EQ(f > 0, far_off > 0) << testing::PrintToString(p);
+    }
+    // Of the ratio there is none: F has no value where no element is, which sampling tells as well.
+    if (std::string(GetParam().name) != "ratio") {
+        EXPECT_GT(free, 100);
+    }
+}
+
+TEST(GridMaker, IsEqualForAnyNumberOfThreads) {
+    std::mt19937 draw(3);
+    for (const Family& family : families) {
+        const auto maker =
+            GridMaker::of(formula::make_field(family.formula, family_vocabulary()), 0);
+        const auto values = drawn_elements(draw, 3000, 0.06);
+        const ElementGrid one = maker->make(values, ball, {.threads = 1});
+        const ElementGrid three = maker->make(values, ball, {.threads = 3});
+        EXPECT_EQ(one.cells, three.cells) << family.name;
+        EXPECT_EQ(one.listed, three.listed) << family.name;
+        EXPECT_EQ(one.left_out, three.left_out) << family.name;
+    }
+}
+
+TEST(GridMaker, ListsKeepWithinTheirLimit) {
+    std::mt19937 draw(4);
+    const auto maker =
+        GridMaker::of(formula::make_field(families[0].formula, family_vocabulary()), 0);
+    const auto values = drawn_elements(draw, 2000, 0.2);
+    const ElementGrid grid = maker->make(values, ball, {.listed = 40'000, .threads = 2});
+    EXPECT_LE(grid.listed.size(), 40'000u);
+    EXPECT_GE(grid.listed.size(), 2000u);
+}
+
+// A weight of 0, a kernel as wide as the scene, and one of no width.
+TEST(GridMaker, ElementsOfEverySize) {
+    const auto field = formula::make_field(families[6].formula, family_vocabulary());
+    std::mt19937 draw(5);
+    for (const float h : {0.0f, 1e-20f, 1e-4f, 50.0f, 1e20f}) {
+        auto values = drawn_elements(draw, 20, 0.3);
+        values.parameters[1] = h;
+        const ElementGrid grid = GridMaker::of(field, 0)->make(values, ball, {});
+        const std::size_t most = grid.longest;
+        EXPECT_LE(most, 20u) << h;
+        if (h >= 50) {
+            EXPECT_EQ(most, 20u) << h;
         }
-        printf("%s: %.0f ms (%.0f cpu), across %d, listed %zu, longest %u, met %.1f, full %.2f, "
-               "left out %g\n",
-               family.name, 1e3 * took.count(), 1e3 * double(std::clock() - c0) / CLOCKS_PER_SEC,
-               grid.across.x, grid.listed.size(), grid.longest,
-               mean / std::max<double>(1, double(grid.listed.size())),
-               full / double(grid.cells.size()), grid.left_out[0]);
     }
 }
 
