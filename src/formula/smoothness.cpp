@@ -227,8 +227,10 @@ private:
         if (!may_look()) return true;
         const Program program = schedule(graph_, std::array{decoration});
         LineProbe probe(program, field_.directional);
-        // A line takes some 500 evaluations.
-        const double most = evaluations(program) / (500 * double(regions_.size()));
+        // A line takes some 500 evaluations of the decoration, and some 32 slopes.
+        const double line = 500 * (cost(program, counts_).operations + 1) +
+                            32 * cost(field_.directional, counts_).operations;
+        const double most = operations_ / (line * double(regions_.size()));
         const int lines = int(std::clamp(most, 0.0, regions_.size() > 1 ? 8.0 : 32.0));
         Met all = Met::nothing;
         for (const Region& region : regions_) {
