@@ -131,6 +131,9 @@ NodeId without_value(Graph& g, NodeId root) {
             none[id] = g.add(is_0_by_0, g.add(none[a], none[b]));
             break;
         }
+        case Op::negate:
+            none[id] = none[a];
+            break;
         case Op::sum:
             none[id] = none[a] == zero ? zero : g.sum(node.index, none[a]);
             break;
@@ -139,8 +142,7 @@ NodeId without_value(Graph& g, NodeId root) {
             none[id] = then == otherwise ? then : g.select(a, b, then, otherwise);
             break;
         }
-        default: // of two arguments: may have values where one of them has none
-            if (node.arity == 1) none[id] = none[a];
+        default: // may have values where its arguments have none
             break;
         }
     }

@@ -51,7 +51,7 @@ TEST(Quadric, LevelSetsHoldWhatIsBelowTheLevel) {
             farthest = glm::max(farthest, glm::abs(d));
             for (int axis = 0; axis < 3; ++axis) EXPECT_LE(std::abs(d[axis]), set.half[axis]);
         }
-        for (int axis = 0; axis < 3; ++axis) EXPECT_GT(farthest[axis], 0.8 * set.half[axis]);
+        for (int axis = 0; axis < 3; ++axis) EXPECT_GT(farthest[axis], 0.7 * set.half[axis]);
     }
 }
 

@@ -237,9 +237,16 @@ TEST_F(Assemble, ProofsAddAChannelToThePictureAndChangeNoOtherShader) {
     }
 }
 
+// Whose sums go over all elements, however many.
+scene::Scene of_all_elements(int count) {
+    scene::Scene scene = scene_of(blobs_text(count));
+    scene.isolation.beam = false;
+    return scene;
+}
+
 TEST_F(Assemble, ASumStaysOneLoopAndOneSizeOfText) {
-    const Passes few = assemble(scene_of(blobs_text(75)));
-    const Passes many = assemble(scene_of(blobs_text(5000)));
+    const Passes few = assemble(of_all_elements(75));
+    const Passes many = assemble(of_all_elements(5000));
     for (const Role role : {Role::march, Role::shade}) {
         const std::string& text = text_of(few, role);
         EXPECT_EQ(occurrences(text, "for (int e0"), 1);
@@ -269,7 +276,7 @@ TEST_F(Assemble, AFieldIsCalledFromOnePlace) {
 }
 
 TEST_F(Assemble, ArraysAreStoredWhereTheyFit) {
-    const auto storage = [](int count) { return assemble(scene_of(blobs_text(count))).arrays[0]; };
+    const auto storage = [](int count) { return assemble(of_all_elements(count)).arrays[0]; };
     // Three fields take one texel of 16 bytes, and a block has 16 kB.
     EXPECT_EQ(storage(1024).kind, ArrayStorage::Kind::uniform_block);
     EXPECT_EQ(storage(1025).kind, ArrayStorage::Kind::texture_buffer);
@@ -332,9 +339,15 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         texts.push_back(surface_text("x", bounds) + "certify = true\n");
         texts.push_back(surface_text(all_kernels, bounds) + "certify = true\n");
         texts.push_back(surface_text("x", bounds, "hermite"));
-        texts.push_back(surface_text("abs(x)", bounds, "hermite")); // with kinks alone
+        texts.push_back(surface_text("abs(x)", bounds, "hermite"));            // with kinks alone
         texts.push_back(surface_text("(x^2 - y)^2 - z^3", bounds, "hermite")); // squares
         texts.push_back(blobs_text(75, bounds, "hermite"));
+        // by place
+        texts.push_back(blobs_text(5000, bounds, "hermite"));
+        texts.push_back(blobs_text(5000, bounds, "hermite",
+                                   "max(0, 1 - 9*((x - cx)^2 + (y - cy)^2 + (z - cz)^2))^3"));
+        texts.push_back(
+            blobs_text(5000, bounds, "hermite", "1/((x - cx)^2 + (y - cy)^2 + (z - cz)^2)"));
     }
     for (const auto& text : texts) {
         const Passes passes = assemble(scene_of(text));

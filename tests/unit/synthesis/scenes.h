@@ -85,10 +85,11 @@ inline std::string long_formula() {
 }
 
 // Gaussian balls.
-inline std::string blobs_text(int count, const std::string& bounds = every_bounds[0],
-                              const std::string& method = "amp-sign") {
-    return surface_text("sum(blobs, exp(-20*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))) - 1", bounds,
-                        method) +
+inline std::string
+blobs_text(int count, const std::string& bounds = every_bounds[0],
+           const std::string& method = "amp-sign",
+           const std::string& term = "exp(-20*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))") {
+    return surface_text("sum(blobs, " + term + ") - 1", bounds, method) +
            fmt::format("[arrays.blobs]\ncount = {}\ncx = 'random(i, 0)'\ncy = 'random(i, 1)'\n"
                        "cz = 'random(i, 2)'\n",
                        count);
