@@ -2,12 +2,12 @@
 
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "render/light_beams.h"
-#include "scene/error.h"
 #include "synthesis/effect.h"
 
 namespace isomotion::render {
@@ -71,7 +71,7 @@ elements::ElementGrid grid_of(const elements::GridMaker& maker, const scene::Sce
     elements::ElementGrid grid =
         maker.make(at.bindings, {at.bounds.min - margin, at.bounds.max + margin}, limits);
     if (grid.longest > most_elements_at_a_place) {
-        throw scene::SceneError(fmt::format(
+        throw std::length_error(fmt::format(
             "{} elements of an array matter at one place; a shader can sum {}: smaller kernels, "
             "or fewer elements in one place",
             grid.longest, most_elements_at_a_place));
