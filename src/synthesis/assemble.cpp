@@ -42,7 +42,8 @@ FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers) {
     // With more elements than most the loops of a beam's shader might end too soon (beam_text.cpp).
     constexpr int fewest = 9, most = 15'000;
     const auto by_place = array_to_find_by_place(scene, counts);
-    const bool is_large = by_place && counts[std::size_t(*by_place)] > most_by_lists;
+    const bool is_large =
+        by_place && counts[std::size_t(*by_place)] > most_by_lists && scene.isolation.beam != true;
     Finding finding;
     finding.by_lists = !is_large && writes_buffers && uses_beams(scene) && !counts.empty() &&
                        counts[0] >= fewest && counts[0] <= most &&
