@@ -259,10 +259,12 @@ void ElementTerms::sizes(std::span<const LevelSet> sets, int first, int last,
             const double part = double(shell * shell) / (shells * shells);
             for (int l = 0; l < count; ++l) {
                 for (int k = 0; k < kinds; ++k) {
-                    const Quadric& q = quadric(begin + l, k);
+                    // The ranges of all hold for each.
+                    const Quadric& q = alike_ ? hulls_[std::size_t(k)] : quadric(begin + l, k);
                     const LevelSet& set = sets[std::size_t((begin + l - first) * kinds + k)];
                     const bool is_bounded = set.kind == LevelSet::Kind::bounded;
-                    const double from = is_bounded ? set.least + part * set.rise : q.least;
+                    const double end = set.least + set.rise;
+                    const double from = is_bounded ? q.least + part * (end - q.least) : q.least;
                     lanes.set_quadric(k, l,
                                       q.is_definite ? oriented(q, std::min(from, q.most), q.most)
                                                     : Interval::entire());

@@ -41,6 +41,8 @@ inline constexpr Family families[] = {
      "sum(p, exp(a*(2*x*cx + 2*y*cy + 2*z*cz - cx^2 - cy^2 - cz^2 - x^2 - y^2 - z^2)))"
      " - level",
      false},
+    // weights within the polynomial: terms are alike, their polynomials' least values are not
+    {"offset", "level - sum(p, exp(-a*((x-cx)^2 + 0.04*w + (y-cy)^2 + (z-cz)^2)))", false},
     {"stretched", "level - sum(p, exp(-a*((x-cx)^2 + 4*(y-cy)^2 + (x-cx+z-cz)^2)))", false},
     {"paths", "level - sum(p, exp(-a*((x-cx-dx*s)^2 + (y-cy+dx*s)^2 + (z-cz)^2)))", false},
     {"logarithm", "-log(sum(p, exp(-a*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))))/a - h*h/2", false},

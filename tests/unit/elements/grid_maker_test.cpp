@@ -131,7 +131,7 @@ TEST(GridMaker, ListsKeepWithinTheirLimit) {
 
 // A weight of 0, a kernel as wide as the scene, and one of no width.
 TEST(GridMaker, ElementsOfEverySize) {
-    const auto field = formula::make_field(families[6].formula, family_vocabulary());
+    const auto field = formula::make_field(families[7].formula, family_vocabulary());
     std::mt19937 draw(5);
     for (const float h : {0.0f, 1e-20f, 1e-4f, 50.0f, 1e20f}) {
         auto values = drawn_elements(draw, 20, 0.3);
