@@ -42,7 +42,7 @@ inline constexpr Family families[] = {
      " - level",
      false},
     // weights within the polynomial: terms are alike, their polynomials' least values are not
-    {"offset", "level - sum(p, exp(-a*((x-cx)^2 + 0.04*w + (y-cy)^2 + (z-cz)^2)))", false},
+    {"offset", "level - sum(p, exp(-a*((x-cx)^2 + 0.08*(w-1) + (y-cy)^2 + (z-cz)^2)))", false},
     {"stretched", "level - sum(p, exp(-a*((x-cx)^2 + 4*(y-cy)^2 + (x-cx+z-cz)^2)))", false},
     {"paths", "level - sum(p, exp(-a*((x-cx-dx*s)^2 + (y-cy+dx*s)^2 + (z-cz)^2)))", false},
     {"logarithm", "-log(sum(p, exp(-a*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))))/a - h*h/2", false},
@@ -81,7 +81,7 @@ inline formula::Bindings<float> drawn_elements(std::mt19937& draw, int count, do
             for (double& c : at) c = unit(draw);
         } while (at[0] * at[0] + at[1] * at[1] + at[2] * at[2] > 1);
         for (std::size_t k = 0; k < 3; ++k) add(k, at[k]);
-        add(3, 1 + 0.5 * unit(draw));
+        add(3, e == 0 ? 1.5 : 1 + 0.5 * unit(draw)); // the first has the most
         add(4, spacing * (1.5 + unit(draw)));
         add(5, 0.3 * unit(draw));
         const double g = 0.7 / spacing;
