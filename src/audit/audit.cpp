@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t most_examples = 8;
 constexpr double fewest_rays = 64, most_rays = 16'384;
 constexpr double cheap_operations = 2e6; // at a point, of all rays of a frame
+constexpr int usual_list = 256; // elements that matter at a place, where there are very many
 constexpr double part_of_drawing = 0.03;
 constexpr std::size_t rays_together = 64;
 // A ray that takes more is left undecided: an audit is to be cheap, and there are other rays.
@@ -90,14 +91,26 @@ std::vector<int> pixels_of_frame(int width, int height, int count, int frame) {
 }
 
 Auditor::Auditor(const scene::Scene& scene)
-    : field_(formula::enclosure_programs(*scene.surface.field)) {}
+    : scene_(scene)
+    , field_(scene) {}
+
+double Auditor::operations_at_a_point() const {
+    std::vector<int> counts;
+    for (const auto& array : scene_.timeline.animation.arrays()) counts.push_back(array.count);
+    if (const auto by_place = elements::FieldByPlace::of(*scene_.surface.field, counts)) {
+        int& count = counts[std::size_t(by_place->array())];
+        count = std::min(count, usual_list);
+    }
+    return formula::cost(scene_.surface.field->value, counts).operations;
+}
 
 Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& aim, int width,
                        int height, std::span<const render::Ending> endings,
                        const std::function<bool()>& stop) {
     const auto begin = std::chrono::steady_clock::now();
     const truth::Tubes tubes(now, width, height, aim);
-    truth::RootFinder finder(field_, now, budget);
+    const truth::EnclosedField::Frame field = field_.at(now, 1);
+    truth::RootFinder finder = field.finder(budget);
     Findings found;
     for (std::size_t first = 0; first < endings.size() && !(stop && stop());
          first += rays_together) {

@@ -10,6 +10,7 @@
 
 #include "render/renderer.h"
 #include "scene/scene.h"
+#include "truth/field_at_frame.h"
 #include "truth/judge.h"
 
 namespace isomotion::audit {
@@ -41,18 +42,22 @@ std::vector<int> pixels_of_frame(int width, int height, int count, int frame);
 // Holds rays of one scene against truth, a frame after the other. One a thread.
 class Auditor {
 public:
-    explicit Auditor(const scene::Scene& scene);
+    explicit Auditor(const scene::Scene& scene); // which outlives it
 
     // Of a picture of frame `frame` of the given size and aim. Where it is to stop, of fewer rays.
     Findings hold(int frame, const scene::SceneAt& now, const scene::Aim& aim, int width,
                   int height, std::span<const render::Ending> endings,
                   const std::function<bool()>& stop = {});
 
+    // Of the formula; of elements that are found by place about as many as matter at one.
+    double operations_at_a_point() const;
+
     // What a ray has taken so far, in the mean; 0 before the first.
     double seconds_a_ray() const { return rays_ > 0 ? seconds_ / double(rays_) : 0; }
 
 private:
-    formula::EnclosurePrograms field_;
+    const scene::Scene& scene_;
+    truth::EnclosedField field_;
     double seconds_ = 0;
     std::int64_t rays_ = 0;
 };

@@ -51,6 +51,7 @@ struct ElementGrid {
         return glm::clamp(glm::ivec3(glm::floor((p - low) / cell)), glm::ivec3(0), across - 1);
     }
     std::span<const std::uint32_t> list(const Cell& of) const {
+        if (of.elements() == 0) return {};
         return std::span(listed).subspan(of.first, of.elements());
     }
 };

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "formula/graph/continuity.h"
 #include "formula/graph/degree.h"
 #include "formula/graph/derivative.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/substitute.h"
+#include "formula/sums_apart.h"
 
 namespace isomotion::formula {
 namespace {
@@ -53,26 +55,6 @@ std::optional<NodeId> quadric_of(Graph& graph, NodeId term) {
     return last;
 }
 
-// The sums over the array below the root; none if one holds another sum or lies in one.
-std::vector<NodeId> sums_over(const Graph& graph, NodeId root, int array) {
-    std::vector<NodeId> sums;
-    for (const NodeId id : nodes_below(graph, std::array{root})) {
-        const Node& node = graph[id];
-        if (node.op != Op::sum) continue;
-        const NodeId term = node.children[0];
-        const bool over_it = node.index == array;
-        const bool inside = !over_it && (graph[term].arrays >> array & 1) != 0;
-        if (inside) return {};
-        if (!over_it) continue;
-        for (const NodeId below : nodes_below(graph, std::array{term})) {
-            if (graph[below].op == Op::sum) return {};
-        }
-        if (node.arrays != 0 || graph[term].arrays != 1u << array) return {};
-        sums.push_back(id);
-    }
-    return sums;
-}
-
 // Q, its gradient and its Hessian where all coordinates are 0.
 void add_coefficients(Graph& graph, NodeId quadric, std::vector<NodeId>& all) {
     const std::array<NodeId, 3> first = gradient_of(graph, quadric);
@@ -87,30 +69,11 @@ void add_coefficients(Graph& graph, NodeId quadric, std::vector<NodeId>& all) {
     for (const NodeId id : substitute(graph, graph, found, at_0)) all.push_back(id);
 }
 
-// Fields of the current element as inputs from `first` on.
-class FieldsAsInputs {
-public:
-    FieldsAsInputs(std::vector<int>& fields, int first)
-        : fields_(fields)
-        , first_(first) {}
-
-    NodeId operator()(Graph& graph, const Node& node, NodeId rebuilt) const {
-        if (node.op != Op::element) return rebuilt;
-        auto at = std::find(fields_.begin(), fields_.end(), node.second);
-        if (at == fields_.end()) at = fields_.insert(at, node.second);
-        return graph.input(first_ + int(at - fields_.begin()));
-    }
-
-private:
-    std::vector<int>& fields_;
-    int first_;
-};
-
 } // namespace
 
 std::optional<ElementKernels> element_kernels(const Field& field, int array) {
     Graph graph = field.graph;
-    const std::vector<NodeId> sums = sums_over(graph, field.root, array);
+    const std::vector<NodeId> sums = sums_over(graph, std::array{field.root}, array);
     if (sums.empty()) return std::nullopt;
 
     ElementKernels kernels;
@@ -129,7 +92,7 @@ std::optional<ElementKernels> element_kernels(const Field& field, int array) {
 
     std::vector<NodeId> coefficients;
     for (const NodeId quadric : quadrics) add_coefficients(graph, quadric, coefficients);
-    coefficients = substitute(graph, graph, coefficients, FieldsAsInputs(kernels.fields, 0));
+    coefficients = substitute(graph, graph, coefficients, FieldsAsInputs(kernels.fields, array, 0));
 
     std::vector<Node> replaced;
     for (const NodeId quadric : quadrics) replaced.push_back(graph[quadric]);
@@ -137,7 +100,10 @@ std::optional<ElementKernels> element_kernels(const Field& field, int array) {
         const auto at = std::find(replaced.begin(), replaced.end(), node);
         return at == replaced.end() ? rebuilt : g.input(3 + int(at - replaced.begin()));
     });
-    terms = substitute(graph, graph, terms, FieldsAsInputs(kernels.fields, kernels.first_field()));
+    terms = substitute(graph, graph, terms,
+                       FieldsAsInputs(kernels.fields, array, kernels.first_field()));
+    // Terms without a value are not small.
+    for (NodeId& term : terms) term = with_gaps(graph, term);
 
     kernels.terms = schedule(graph, terms);
     kernels.coefficients = schedule(graph, lower(graph, coefficients));

@@ -21,28 +21,55 @@ bool has_chebyshev(const Graph& g) {
     return false;
 }
 
+// What truth asks of a field over a box, as expressions.
+struct Enclosed {
+    explicit Enclosed(const Field& field)
+        : graph(field.graph) {
+        graph.fold_exactly();
+        const NodeId without = gaps(graph, field.root);
+        value = graph.add(field.root, without);
+        const auto slope = [&](const std::vector<NodeId>& directions) {
+            return graph.add(
+                differentiate_inputs(graph, field.root, directions, Slopes::generalized), without);
+        };
+        const NodeId one = graph.constant(1), zero = graph.constant(0);
+        along = slope(direction(graph));
+        gradient = {slope({one, zero, zero}), slope({zero, one, zero}), slope({zero, zero, one})};
+        jump = jumps(graph, field.root);
+        is_root = field.wall_distance > 0 ? unless_bounded(graph, value) : jump;
+    }
+
+    Graph graph;
+    NodeId value = 0, along = 0, jump = 0, is_root = 0;
+    std::array<NodeId, 3> gradient{};
+};
+
 } // namespace
 
 EnclosurePrograms enclosure_programs(const Field& field) {
-    Graph g = field.graph;
-    g.fold_exactly();
-    const NodeId without = gaps(g, field.root), value = g.add(field.root, without);
-    const auto slope = [&](const std::vector<NodeId>& directions) {
-        const NodeId all = differentiate_inputs(g, field.root, directions, Slopes::generalized);
-        return g.add(all, without);
+    Enclosed e(field);
+    Graph& g = e.graph;
+    return {schedule(g, std::array{e.value}),
+            schedule(g, std::array{e.value, e.along}),
+            schedule(g, e.gradient),
+            schedule(g, std::array{e.is_root}),
+            schedule(g, std::array{e.jump, without_value(g, field.root)}),
+            schedule(g, std::array{e.value, anywhere(g, roughness(g, field.root))})};
+}
+
+std::optional<EnclosuresApart> enclosures_apart(const Field& field, int array) {
+    const Enclosed e(field);
+    constexpr int place = 3, place_and_direction = 6;
+    const auto apart = [&](std::span<const NodeId> roots, int places) {
+        return sums_apart(e.graph, roots, array, places);
     };
-    const NodeId one = g.constant(1), zero = g.constant(0);
-    const NodeId along = slope(direction(g));
-    const std::array gradient{slope({one, zero, zero}), slope({zero, one, zero}),
-                              slope({zero, zero, one})};
-    const NodeId jump = jumps(g, field.root);
-    const NodeId is_root = field.wall_distance > 0 ? unless_bounded(g, value) : jump;
-    return {schedule(g, std::array{value}),
-            schedule(g, std::array{value, along}),
-            schedule(g, gradient),
-            schedule(g, std::array{is_root}),
-            schedule(g, std::array{jump, without_value(g, field.root)}),
-            schedule(g, std::array{value, anywhere(g, roughness(g, field.root))})};
+    auto value = apart(std::array{e.value}, place);
+    auto directional = apart(std::array{e.value, e.along}, place_and_direction);
+    auto gradient = apart(e.gradient, place);
+    auto jumps = apart(std::array{e.is_root}, place);
+    if (!value || !directional || !gradient || !jumps) return std::nullopt;
+    return EnclosuresApart{std::move(*value), std::move(*directional), std::move(*gradient),
+                           std::move(*jumps), sums_over(e.graph, std::array{field.root}, array)};
 }
 
 Program value_enclosure(const Field& field) {

@@ -18,6 +18,7 @@
 #include <optional>
 
 #include "formula/field.h"
+#include "formula/sums_apart.h"
 
 namespace isomotion::formula {
 
@@ -35,6 +36,15 @@ struct EnclosurePrograms {
 
 EnclosurePrograms enclosure_programs(const Field& field);
 Program value_enclosure(const Field& field); // the first of them alone
+
+// The first four with the sums over an array apart.
+struct EnclosuresApart {
+    SumsApart value, directional, gradient, jumps;
+    std::vector<NodeId> sums_of_field; // those of each program that F itself has are among these
+};
+
+// None if a sum over the array holds another sum or lies in one.
+std::optional<EnclosuresApart> enclosures_apart(const Field& field, int array);
 
 // Of polynomials: F, dF/dt and the gradient of dF/dt, inputs as of `directional`. Centred about a
 // point of the box, dF/dt is bounded by the latter as closely as its terms, which cancel, are not.

@@ -73,7 +73,7 @@ public:
     explicit Auditing(const scene::Scene& scene)
         : scene_(scene)
         , auditor_(scene)
-        , operations_(operations_at_a_point(scene)) {}
+        , operations_(auditor_.operations_at_a_point()) {}
 
     // None where no ray was asked for.
     std::optional<AuditCounts> hold(int frame, const scene::SceneAt& now, const scene::Aim& aim,
@@ -100,12 +100,6 @@ public:
     }
 
 private:
-    static double operations_at_a_point(const scene::Scene& scene) {
-        std::vector<int> counts;
-        for (const auto& array : scene.timeline.animation.arrays()) counts.push_back(array.count);
-        return formula::cost(scene.surface.field->value, counts).operations;
-    }
-
     const scene::Scene& scene_;
     audit::Auditor auditor_;   // the writing thread's
     const double operations_;  // of the formula

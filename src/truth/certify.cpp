@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "base/workers.h"
+#include "truth/field_at_frame.h"
 
 namespace isomotion::truth {
 
@@ -15,15 +16,16 @@ std::array<std::int64_t, 4> Truth::counts() const {
 
 Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
               const Certifying& how) {
-    const formula::EnclosurePrograms field = formula::enclosure_programs(*scene.surface.field);
+    const int wanted = how.threads > 0 ? how.threads : int(std::thread::hardware_concurrency());
+    EnclosedField field(scene);
+    const EnclosedField::Frame frame = field.at(now, wanted);
     const Tubes tubes(now, width, height);
     Truth truth{width, height, {}, 0};
     truth.roots.resize(std::size_t(width) * std::size_t(height));
 
-    const int wanted = how.threads > 0 ? how.threads : int(std::thread::hardware_concurrency());
     std::mutex counting;
     base::share({.count = std::size_t(height), .threads = wanted, .progress = how.progress}, [&] {
-        return [&, finder = RootFinder(field, now, how.budget),
+        return [&, finder = frame.finder(how.budget),
                 row_of_tubes = std::vector<Tube>(std::size_t(width))](std::size_t row) mutable {
             for (int column = 0; column < width; ++column) {
                 row_of_tubes[std::size_t(column)] = tubes.at(column, int(row));

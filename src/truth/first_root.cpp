@@ -102,11 +102,18 @@ struct RootFinder::Lane {
 
 RootFinder::RootFinder(const formula::EnclosurePrograms& field, const scene::SceneAt& scene,
                        Budget budget)
-    : value_(field.value)
-    , directional_(field.directional)
-    , gradient_(field.gradient)
-    , jumps_(field.jumps)
+    : value_(OverAll(field.value))
+    , directional_(OverAll(field.directional))
+    , gradient_(OverAll(field.gradient))
+    , jumps_(OverAll(field.jumps))
     , bindings_(formula::convert<Interval>(scene.bindings))
+    , budget_(budget) {}
+
+RootFinder::RootFinder(const elements::FieldByPlace::Frame& field, Budget budget)
+    : value_(elements::BoxesByPlace(field.programs().value, field))
+    , directional_(elements::BoxesByPlace(field.programs().directional, field))
+    , gradient_(elements::BoxesByPlace(field.programs().gradient, field))
+    , jumps_(elements::BoxesByPlace(field.programs().jumps, field))
     , budget_(budget) {}
 
 // Boxes to evaluate, one for each lane that asks.
@@ -129,9 +136,8 @@ struct RootFinder::Request {
                                                   tube.direction[k] + tube.direction_radius});
         }
     }
-    void evaluate(formula::Evaluator<Interval>& program,
-                  const formula::Bindings<Interval>& bindings, std::size_t arguments,
-                  std::size_t results) {
+    void evaluate(Program& program, const formula::Bindings<Interval>& bindings,
+                  std::size_t arguments, std::size_t results) {
         std::vector<std::span<const Interval>> from;
         std::vector<std::span<Interval>> to;
         for (std::size_t k = 0; k < arguments; ++k) from.emplace_back(inputs[k]);
@@ -139,7 +145,11 @@ struct RootFinder::Request {
             outputs[k].resize(inputs[0].size());
             to.emplace_back(outputs[k]);
         }
-        program.points(bindings, from, to);
+        if (OverAll* all = std::get_if<OverAll>(&program)) {
+            all->points(bindings, from, to);
+        } else {
+            std::get<elements::BoxesByPlace>(program).points(from, to);
+        }
     }
 };
 

@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <span>
+#include <variant>
 #include <vector>
 
+#include "elements/field_by_place.h"
 #include "formula/enclosure.h"
 #include "scene/scene_at.h"
 #include "truth/tube.h"
@@ -40,6 +42,8 @@ class RootFinder {
 public:
     RootFinder(const formula::EnclosurePrograms& field, const scene::SceneAt& scene,
                Budget budget = {});
+    // With sums over the elements that matter at each place: of many elements.
+    explicit RootFinder(const elements::FieldByPlace::Frame& field, Budget budget = {});
 
     void find(std::span<const Tube> tubes, std::span<FirstRoot> roots);
 
@@ -60,8 +64,11 @@ private:
     bool is_continuous(const Tube& tube, double low, double high);
     void finish(Lane& lane) const;
 
-    formula::Evaluator<formula::Interval> value_, directional_, gradient_, jumps_;
-    formula::Bindings<formula::Interval> bindings_;
+    using OverAll = formula::Evaluator<formula::Interval>;
+    using Program = std::variant<OverAll, elements::BoxesByPlace>;
+
+    Program value_, directional_, gradient_, jumps_;
+    formula::Bindings<formula::Interval> bindings_; // of programs over all elements
     Budget budget_;
     std::int64_t evaluations_ = 0;
 };

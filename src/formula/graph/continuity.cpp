@@ -132,6 +132,11 @@ NodeId without_value(Graph& g, NodeId root) {
             break;
         }
         case Op::negate:
+        case Op::abs:
+        case Op::sqrt:
+        case Op::exp:
+        case Op::sin:
+        case Op::cos:
             none[id] = none[a];
             break;
         case Op::sum:

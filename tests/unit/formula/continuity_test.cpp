@@ -55,6 +55,12 @@ TEST(WithoutValue, IsCertainWhereNoPointHasOne) {
              Case{"x^m", below, false}, // m is 3
              Case{"log(x)^2 + y", below, true},
              Case{"sum(blobs, log(x + 0*cx))", below, true},
+             Case{"sqrt(log(x)) + abs(y)", below, true},
+             Case{"exp(-log(x)) + sin(y)", below, true},
+             // A mean of nothing.
+             Case{"abs(y - max(x, 0)*y/max(x, 0)) - 1", below, true},
+             Case{"sqrt((y - max(x, 0)^3*y/max(x, 0)^3)^2) - 1", below, true},
+             Case{"sqrt((y - max(x, 0)^3*y/max(x, 0)^3)^2) - 1", across, false},
              // What chooses, cuts or compares may have a value all the same.
              Case{"min(y, log(x))", below, false},
              Case{"max(y, log(x))", below, false},

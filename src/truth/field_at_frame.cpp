@@ -1,0 +1,34 @@
+#include "truth/field_at_frame.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace isomotion::truth {
+
+EnclosedField::EnclosedField(const scene::Scene& scene)
+    : field_(*scene.surface.field)
+    , programs_(formula::enclosure_programs(field_)) {}
+
+EnclosedField::Frame EnclosedField::at(const scene::SceneAt& now, int threads) {
+    std::vector<int> counts;
+    for (const auto& array : now.bindings.arrays) counts.push_back(array.count);
+    const bool are_many = !counts.empty() && std::ranges::max(counts) > elements::FieldByPlace::few;
+    if (are_many && !was_looked_for_) {
+        by_place_ = elements::FieldByPlace::of(field_, counts);
+        was_looked_for_ = true;
+    }
+    Frame frame(programs_, now);
+    if (are_many && by_place_) {
+        // Tubes are wider than the bounds by far less.
+        const glm::dvec3 margin(0x1p-12 * now.bounds.radius);
+        frame.by_place_ = by_place_->at(
+            now.bindings, {now.bounds.min - margin, now.bounds.max + margin}, threads);
+    }
+    return frame;
+}
+
+RootFinder EnclosedField::Frame::finder(Budget budget) const {
+    return by_place_ ? RootFinder(*by_place_, budget) : RootFinder(programs_, now_, budget);
+}
+
+} // namespace isomotion::truth

@@ -1,0 +1,43 @@
+// A scene's field as truth asks for it: over boxes, at one frame after the other.
+#pragma once
+
+#include <optional>
+
+#include "elements/field_by_place.h"
+#include "formula/enclosure.h"
+#include "scene/scene.h"
+#include "scene/scene_at.h"
+#include "truth/first_root.h"
+
+namespace isomotion::truth {
+
+class EnclosedField {
+public:
+    explicit EnclosedField(const scene::Scene& scene);
+
+    // One frame's values, for finders on all threads.
+    class Frame {
+    public:
+        RootFinder finder(Budget budget = {}) const;
+
+    private:
+        friend class EnclosedField;
+        Frame(const formula::EnclosurePrograms& programs, const scene::SceneAt& now)
+            : programs_(programs)
+            , now_(now) {}
+
+        const formula::EnclosurePrograms& programs_;
+        const scene::SceneAt& now_;
+        std::optional<elements::FieldByPlace::Frame> by_place_; // of many elements
+    };
+    // `now` and this outlive the frame.
+    Frame at(const scene::SceneAt& now, int threads);
+
+private:
+    const formula::Field& field_;
+    formula::EnclosurePrograms programs_;
+    std::optional<elements::FieldByPlace> by_place_; // from the first frame of many elements on
+    bool was_looked_for_ = false;
+};
+
+} // namespace isomotion::truth
