@@ -56,11 +56,8 @@ double quantile(const std::vector<float>& sorted, double part) {
     return double(sorted[std::size_t(part * double(sorted.size() - 1) + 0.5)]);
 }
 
-Errors compare(const scene::Scene& scene, const scene::SceneAt& now, const image::Frame& drawn,
-               const truth::Truth& truth) {
+Errors compare(const scene::SceneAt& now, const image::Frame& drawn, const truth::Truth& truth) {
     const truth::Tubes tubes(now, truth.width, truth.height);
-    formula::FieldEvaluator<double> field(*scene.surface.field);
-    const auto bindings = formula::convert<double>(now.bindings);
     const image::Channel* proofs = drawn.find("proof");
     Errors errors;
     errors.pixels = std::int64_t(truth.width) * truth.height;
@@ -94,9 +91,7 @@ Errors compare(const scene::Scene& scene, const scene::SceneAt& now, const image
 
         const double certain = 0.5 * (double(root.low) + double(root.high));
         errors.depth.push_back(float(std::abs(t - certain) / tube.footprint));
-        const glm::dvec3 at = tube.anchor + certain * tube.direction;
-        const auto g = field.gradient(bindings, {at.x, at.y, at.z});
-        glm::dvec3 gradient(g[0], g[1], g[2]);
+        glm::dvec3 gradient(root.gradient[0], root.gradient[1], root.gradient[2]);
         const glm::dvec3 normal =
             glm::transpose(now.placement.rotate) * vector_of(drawn, "N.X", "N.Y", "N.Z", pixel);
         const double size = glm::length(gradient) * glm::length(normal);

@@ -38,7 +38,6 @@ struct Errors {
 double quantile(const std::vector<float>& sorted, double part);
 
 // The picture must have the channels position, normal and verdict.
-Errors compare(const scene::Scene& scene, const scene::SceneAt& now, const image::Frame& drawn,
-               const truth::Truth& truth);
+Errors compare(const scene::SceneAt& now, const image::Frame& drawn, const truth::Truth& truth);
 
 } // namespace isomotion::accuracy

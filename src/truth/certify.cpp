@@ -31,9 +31,10 @@ Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, i
                 row_of_tubes[std::size_t(column)] = tubes.at(column, int(row));
             }
             const std::int64_t before = finder.evaluations();
-            finder.find(
-                row_of_tubes,
-                std::span(truth.roots).subspan(row * std::size_t(width), std::size_t(width)));
+            const std::span<FirstRoot> roots =
+                std::span(truth.roots).subspan(row * std::size_t(width), std::size_t(width));
+            finder.find(row_of_tubes, roots);
+            finder.gradients(row_of_tubes, roots);
             const std::lock_guard lock(counting);
             truth.evaluations += finder.evaluations() - before;
         };

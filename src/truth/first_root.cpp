@@ -224,6 +224,25 @@ void RootFinder::find(std::span<const Tube> tubes, std::span<FirstRoot> roots) {
     }
 }
 
+void RootFinder::gradients(std::span<const Tube> tubes, std::span<FirstRoot> roots) {
+    Request places;
+    std::vector<FirstRoot*> hits;
+    for (std::size_t k = 0; k < roots.size(); ++k) {
+        if (roots[k].answer != Answer::hit) continue;
+        hits.push_back(&roots[k]);
+        const double t = 0.5 * (double(roots[k].low) + double(roots[k].high));
+        for (int axis = 0; axis < 3; ++axis)
+            places.inputs[std::size_t(axis)].emplace_back(tubes[k].anchor[axis] +
+                                                          t * tubes[k].direction[axis]);
+    }
+    if (hits.empty()) return;
+    places.evaluate(gradient_, bindings_, 3, 3);
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            hits[k]->gradient[axis] = float(mid(places.outputs[axis][k]));
+    }
+}
+
 // Where the tube's thickness alone makes a sign uncertain: F over the cross-section at a point is F
 // in its middle and at most the gradient times the radius more. Near nodes and where large terms
 // cancel that is far less than what the terms' own enclosures leave.

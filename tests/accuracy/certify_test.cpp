@@ -250,8 +250,7 @@ TEST_P(Certify, DoublesProveWhatFloatsCannot) {
         GTEST_SKIP() << "no doubles, or not to be trusted";
     }
     EXPECT_GE(render::proved_part(by_both.proofs), 0.98);
-    const Errors errors =
-        compare(scene, now, by_both.frame, truth::certify(scene, now, side, side));
+    const Errors errors = compare(now, by_both.frame, truth::certify(scene, now, side, side));
     EXPECT_EQ(errors.contradicted, 0);
 }
 
@@ -277,7 +276,7 @@ TEST_P(CertifyAnimation, IsNotContradictedByTruth) {
         if (!context) continue;
         render::Renderer renderer(*context, scene, {side, side, channels(), {}});
         const Picture picture = renderer.draw(now);
-        const Errors errors = compare(scene, now, picture.frame, truth);
+        const Errors errors = compare(now, picture.frame, truth);
         EXPECT_EQ(errors.contradicted, 0);
         EXPECT_EQ(errors.proofs, picture.proofs);
         EXPECT_GE(render::proved_part(errors.proofs), GetParam().proved);
@@ -329,7 +328,7 @@ private:
             scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1)));
         render::Renderer renderer(context, scene, {24, 24, channels(), {}});
         return compare(
-            scene, now, renderer.draw(now).frame,
+            now, renderer.draw(now).frame,
             truth::certify(scene, now, 24, 24, {truth::Budget{.evaluations = 4000}, 0, {}}));
     }
 };

@@ -47,12 +47,14 @@ Errors judged(const Pixel& pixel, const truth::FirstRoot& root) {
     add("N.Y", 0);
     add("N.Z", pixel.normal_z);
     if (pixel.proof) add("proof", double(*pixel.proof));
-    return compare(scene, now, frame, {1, 1, {root}, 0});
+    return compare(now, frame, {1, 1, {root}, 0});
 }
 
-truth::FirstRoot hit_at(double t) { return {Answer::hit, false, float(t), float(t), 0, 0}; }
+truth::FirstRoot hit_at(double t) {
+    return {Answer::hit, false, float(t), float(t), 0, 0, {1, 0, 0}};
+}
 const truth::FirstRoot miss{};
-const truth::FirstRoot unknown{Answer::undecided, false, 0, 0, 0, 0};
+const truth::FirstRoot unknown{Answer::undecided, false, 0, 0, 0, 0, {}};
 
 TEST(Compare, AProofIsOfWhatIsDrawnAndCertain) {
     using render::Proof;
@@ -92,8 +94,8 @@ TEST(Compare, AHitIsRightWithinAPixelOfTheFirstRoot) {
 }
 
 TEST(Compare, WhereSomethingTouchesBothAreRight) {
-    const truth::FirstRoot touch_then_miss{Answer::touching, false, 0, 0, -1.01f, -0.99f};
-    const truth::FirstRoot touch_then_hit{Answer::touching, true, 0.5f, 0.5f, -1.01f, -0.99f};
+    const truth::FirstRoot touch_then_miss{Answer::touching, false, 0, 0, -1.01f, -0.99f, {}};
+    const truth::FirstRoot touch_then_hit{Answer::touching, true, 0.5f, 0.5f, -1.01f, -0.99f, {}};
     EXPECT_EQ(judged({Verdict::hit, 1}, touch_then_miss).faults[0], Fault::none);
     EXPECT_EQ(judged({Verdict::miss}, touch_then_miss).faults[0], Fault::none);
     EXPECT_EQ(judged({Verdict::hit, 0}, touch_then_miss).faults[0], Fault::false_hit);

@@ -29,8 +29,7 @@ TEST_P(HermiteOfCatalogue, NoCertainPixelIsWrong) {
         const int frame = scene.output.poster;
         const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
         const render::Picture picture = render::draw(*context, scene, frame);
-        const Errors errors =
-            compare(scene, now, picture.frame, truth::certify(scene, now, 64, 64));
+        const Errors errors = compare(now, picture.frame, truth::certify(scene, now, 64, 64));
         EXPECT_LE(errors.wrong(), known.wrong);
         EXPECT_EQ(errors.nan, 0);
         EXPECT_EQ(errors.step_limit, 0);

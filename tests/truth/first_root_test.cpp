@@ -231,7 +231,7 @@ TEST(FirstRoot, IsTheSameAloneAndAmongOthers) {
     const formula::EnclosurePrograms field = formula::enclosure_programs(*view.scene.surface.field);
     RootFinder finder(field, view.now);
     for (std::size_t k = 0; k < view.roots.size(); k += 7) {
-        FirstRoot alone{Answer::undecided, true, 1, 2, 3, 4}; // what was there before goes
+        FirstRoot alone{Answer::undecided, true, 1, 2, 3, 4, {}}; // what was there before goes
         finder.find({&view.tubes[k], 1}, {&alone, 1});
         expect_same(alone, view.roots[k]);
     }

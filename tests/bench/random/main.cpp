@@ -86,7 +86,7 @@ Trial attempt(gpu::Context& context, const std::string& text, const Arguments& a
     }
     const truth::Truth truth =
         truth::certify(scene, now, scene.output.width, scene.output.height, {});
-    trial.errors = accuracy::compare(scene, now, picture.frame, truth);
+    trial.errors = accuracy::compare(now, picture.frame, truth);
     trial.evaluations = double(picture.evaluations);
     return trial;
 }
