@@ -6,6 +6,7 @@
 
 #include "formula/graph/decoration.h"
 #include "formula/graph/functions.h"
+#include "formula/graph/vanishing.h"
 
 namespace isomotion::formula {
 namespace {
@@ -102,6 +103,7 @@ NodeId with_gaps(Graph& g, NodeId root) { return g.add(root, gaps(g, root)); }
 NodeId without_value(Graph& g, NodeId root) {
     const NodeId zero = g.constant(0), one = g.constant(1);
     std::vector<NodeId> none(std::size_t(root) + 1, zero);
+    const std::vector<NodeId> is_0 = vanishing(g, root);
     for (const NodeId id : nodes_below(g, std::array{root})) {
         const Node node = g[id];
         const NodeId a = node.children[0], b = node.children[1];
@@ -126,9 +128,10 @@ NodeId without_value(Graph& g, NodeId root) {
             none[id] = g.add(none[a], none[b]);
             break;
         case Op::divide: { // 0/0
-            const NodeId is_0 = g.select(zero, g.unary(Op::abs, a), zero, one);
-            const NodeId is_0_by_0 = g.select(zero, g.unary(Op::abs, b), zero, is_0);
-            none[id] = g.add(is_0_by_0, g.add(none[a], none[b]));
+            const NodeId unless_a = g.select(zero, g.unary(Op::abs, a), zero, one);
+            const NodeId by_bounds = g.select(zero, g.unary(Op::abs, b), zero, unless_a);
+            const NodeId by_0 = g.add(by_bounds, g.multiply(is_0[a], is_0[b]));
+            none[id] = g.add(by_0, g.add(none[a], none[b]));
             break;
         }
         case Op::negate:

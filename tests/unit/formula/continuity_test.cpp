@@ -61,6 +61,9 @@ TEST(WithoutValue, IsCertainWhereNoPointHasOne) {
              Case{"abs(y - max(x, 0)*y/max(x, 0)) - 1", below, true},
              Case{"sqrt((y - max(x, 0)^3*y/max(x, 0)^3)^2) - 1", below, true},
              Case{"sqrt((y - max(x, 0)^3*y/max(x, 0)^3)^2) - 1", across, false},
+             Case{"y - sum(blobs, cx*max(0, x)^3)/sum(blobs, max(0, x)^3)", below, true},
+             Case{"y - sum(blobs, cx*max(0, x)^3)/sum(blobs, max(0, x)^3)", across, false},
+             Case{"y - sum(blobs, cx + max(0, x)^3)/sum(blobs, max(0, x)^3)", below, false},
              // What chooses, cuts or compares may have a value all the same.
              Case{"min(y, log(x))", below, false},
              Case{"max(y, log(x))", below, false},
