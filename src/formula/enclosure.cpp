@@ -36,11 +36,14 @@ struct Enclosed {
         along = slope(direction(graph));
         gradient = {slope({one, zero, zero}), slope({zero, one, zero}), slope({zero, zero, one})};
         jump = jumps(graph, field.root);
+        none = without_value(graph, field.root);
         is_root = field.wall_distance > 0 ? unless_bounded(graph, value) : jump;
     }
 
+    bool may_lack_values() const { return !graph.is_constant(none, 0); }
+
     Graph graph;
-    NodeId value = 0, along = 0, jump = 0, is_root = 0;
+    NodeId value = 0, along = 0, jump = 0, none = 0, is_root = 0;
     std::array<NodeId, 3> gradient{};
 };
 
@@ -52,9 +55,10 @@ EnclosurePrograms enclosure_programs(const Field& field) {
     return {schedule(g, std::array{e.value}),
             schedule(g, std::array{e.value, e.along}),
             schedule(g, e.gradient),
-            schedule(g, std::array{e.is_root}),
-            schedule(g, std::array{e.jump, without_value(g, field.root)}),
-            schedule(g, std::array{e.value, anywhere(g, roughness(g, field.root))})};
+            schedule(g, std::array{e.is_root, e.none}),
+            schedule(g, std::array{e.jump, e.none}),
+            schedule(g, std::array{e.value, anywhere(g, roughness(g, field.root))}),
+            e.may_lack_values()};
 }
 
 std::optional<EnclosuresApart> enclosures_apart(const Field& field, int array) {
@@ -66,10 +70,14 @@ std::optional<EnclosuresApart> enclosures_apart(const Field& field, int array) {
     auto value = apart(std::array{e.value}, place);
     auto directional = apart(std::array{e.value, e.along}, place_and_direction);
     auto gradient = apart(e.gradient, place);
-    auto jumps = apart(std::array{e.is_root}, place);
+    auto jumps = apart(std::array{e.is_root, e.none}, place);
     if (!value || !directional || !gradient || !jumps) return std::nullopt;
-    return EnclosuresApart{std::move(*value), std::move(*directional), std::move(*gradient),
-                           std::move(*jumps), sums_over(e.graph, std::array{field.root}, array)};
+    return EnclosuresApart{std::move(*value),
+                           std::move(*directional),
+                           std::move(*gradient),
+                           std::move(*jumps),
+                           sums_over(e.graph, std::array{field.root}, array),
+                           e.may_lack_values()};
 }
 
 Program value_enclosure(const Field& field) {

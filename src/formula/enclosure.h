@@ -27,11 +27,13 @@ struct EnclosurePrograms {
     Program value;
     Program directional;
     Program gradient;
-    Program jumps; // 0 where F is continuous, else the entire line (graph/continuity.h)
-    // `jumps`, and a number above 0 over boxes where F has no value anywhere.
-    Program breaks;
+    // 0 where F is continuous, else the entire line (graph/continuity.h), of walls where F has no
+    // bounds; and a number above 0 over boxes where F has no value anywhere.
+    Program jumps;
+    Program breaks; // both, also of walls where F jumps
     // The value, and 0 where F is smooth, else the entire line (graph/roughness.h).
     Program rough;
+    bool may_lack_values = false; // else the second output of `jumps` is always 0
 };
 
 EnclosurePrograms enclosure_programs(const Field& field);
@@ -41,6 +43,7 @@ Program value_enclosure(const Field& field); // the first of them alone
 struct EnclosuresApart {
     SumsApart value, directional, gradient, jumps;
     std::vector<NodeId> sums_of_field; // those of each program that F itself has are among these
+    bool may_lack_values = false;
 };
 
 // None if a sum over the array holds another sum or lies in one.

@@ -107,6 +107,7 @@ RootFinder::RootFinder(const formula::EnclosurePrograms& field, const scene::Sce
     , gradient_(OverAll(field.gradient))
     , jumps_(OverAll(field.jumps))
     , bindings_(formula::convert<Interval>(scene.bindings))
+    , may_lack_values_(field.may_lack_values)
     , budget_(budget) {}
 
 RootFinder::RootFinder(const elements::FieldByPlace::Frame& field, Budget budget)
@@ -114,6 +115,7 @@ RootFinder::RootFinder(const elements::FieldByPlace::Frame& field, Budget budget
     , directional_(elements::BoxesByPlace(field.programs().directional, field))
     , gradient_(elements::BoxesByPlace(field.programs().gradient, field))
     , jumps_(elements::BoxesByPlace(field.programs().jumps, field))
+    , may_lack_values_(field.programs().may_lack_values)
     , budget_(budget) {}
 
 // Boxes to evaluate, one for each lane that asks.
@@ -304,6 +306,13 @@ void RootFinder::refine(Lane& lane, const Interval& f) const {
 void RootFinder::march(Lane& lane, const Interval& at_b, const Interval& f, const Interval& slope) {
     const double b = lane.b(), h = b - lane.a;
     const int sign_a = sign_of(lane.at_a), sign_b = sign_of(at_b);
+    if (may_lack_values_ && f == Interval::entire()) {
+        lane.evaluations += 1;
+        if (breaks(lane.tube, lane.a, b).has_no_value) {
+            pass_gap(lane, at_b);
+            return;
+        }
+    }
     int piece_sign = sign_of(f);
     if (piece_sign == 0 && sign_a != 0 && sign_a == sign_b) {
         const double least = least_between(times(lane.at_a, sign_a).lo, times(at_b, sign_b).lo,
@@ -362,15 +371,28 @@ void RootFinder::end_run(Lane& lane, int sign) {
     }
     lane.low = lane.run_begin;
     lane.high = lane.a;
-    lane.end_crossing(is_continuous(lane.tube, lane.low, lane.high));
+    lane.end_crossing(breaks(lane.tube, lane.low, lane.high).is_continuous);
 }
 
-// Whether F has all values between those at the ends of a piece.
-bool RootFinder::is_continuous(const Tube& tube, double low, double high) {
+// On to the end of a piece where F has no value: what was uncertain ends before it, and what sign F
+// had before tells nothing of after.
+void RootFinder::pass_gap(Lane& lane, const Interval& at_b) const {
+    const double b = lane.b();
+    if (lane.in_run && lane.run_begin < lane.a) lane.touch(lane.run_begin, lane.a);
+    lane.in_run = false;
+    lane.sign = 0;
+    lane.step = 1.5 * (b - lane.a);
+    lane.a = b;
+    lane.at_a = at_b;
+    if (b >= lane.tube.far) finish(lane);
+}
+
+// Whether F has all values between those at the ends of a piece, and whether it has none there.
+RootFinder::Breaks RootFinder::breaks(const Tube& tube, double low, double high) {
     Request piece;
     piece.add(tube, low, high, false);
-    piece.evaluate(jumps_, bindings_, 3, 1);
-    return piece.outputs[0][0] != Interval::entire();
+    piece.evaluate(jumps_, bindings_, 3, 2);
+    return {piece.outputs[0][0] != Interval::entire(), piece.outputs[1][0].lo > 0};
 }
 
 void RootFinder::finish(Lane& lane) const {

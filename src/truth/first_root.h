@@ -66,7 +66,11 @@ private:
                const formula::Interval& slope);
     void refine(Lane& lane, const formula::Interval& f) const;
     void end_run(Lane& lane, int sign);
-    bool is_continuous(const Tube& tube, double low, double high);
+    struct Breaks {
+        bool is_continuous = false, has_no_value = false;
+    };
+    Breaks breaks(const Tube& tube, double low, double high);
+    void pass_gap(Lane& lane, const formula::Interval& at_b) const;
     void finish(Lane& lane) const;
 
     using OverAll = formula::Evaluator<formula::Interval>;
@@ -74,6 +78,7 @@ private:
 
     Program value_, directional_, gradient_, jumps_;
     formula::Bindings<formula::Interval> bindings_; // of programs over all elements
+    bool may_lack_values_;
     Budget budget_;
     std::int64_t evaluations_ = 0;
 };
