@@ -38,6 +38,12 @@ public:
 
     const glm::dvec3& cell() const { return cell_; }
 
+    // All places that belong to a cell, and what rounding takes for them.
+    std::pair<glm::dvec3, glm::dvec3> box(const glm::ivec3& place) const {
+        const glm::dvec3 low = low_ + glm::dvec3(place) * cell_;
+        return {low - slack_, low + cell_ + slack_};
+    }
+
     Block block(const LevelSet& set) const {
         Block cells;
         if (set.kind == Kind::empty) return cells;
@@ -183,6 +189,7 @@ public:
     CellSums(const RootFree& root_free, std::size_t cells)
         : root_free_(root_free)
         , sums_(root_free.at_most.size())
+        , has_levels_(std::ranges::all_of(root_free.at_most, [](double s) { return s > 0; }))
         , bounds_(cells * sums_, 0.0f) {}
 
     // An element's set of quadric k, whose form's root is at least that in the cell.
@@ -197,19 +204,70 @@ public:
     }
     bool are_free(std::size_t cell, std::uint32_t elements) const {
         if (elements == 0 && root_free_.is_emptiness) return true;
-        if (sums_ == 0) return false;
-        // Additions in floats, each rounded.
-        const double rounding = 1 + 0x1p-23 * (elements + 1.0);
+        if (sums_ == 0 || !has_levels_) return false;
         for (std::size_t sum = 0; sum < sums_; ++sum) {
-            if (!(rounding * bounds_[cell * sums_ + sum] <= root_free_.at_most[sum])) return false;
+            if (!(bound(cell, sum, elements) <= root_free_.at_most[sum])) return false;
         }
         return true;
     }
+    // At least what is listed of a sum is in size.
+    double bound(std::size_t cell, std::size_t sum, std::uint32_t elements) const {
+        // Additions in floats, each rounded.
+        return (1 + 0x1p-23 * (elements + 1.0)) * double(bounds_[cell * sums_ + sum]);
+    }
+    std::size_t sums() const { return sums_; }
 
 private:
     const RootFree& root_free_;
     std::size_t sums_;
+    bool has_levels_;
     std::vector<float> bounds_;
+};
+
+// Looks for roots in a row of cells that are not known to be free.
+class Rows {
+public:
+    Rows(const ElementGrid& grid, const CellSums& sums, const RootFree& root_free,
+         const Placing& placing)
+        : grid_(grid)
+        , sums_(sums)
+        , root_free_(root_free)
+        , placing_(placing)
+        , boxes_(*root_free.roots, *root_free.bindings)
+        , inputs_(3 + sums.sums()) {}
+
+    // `cell` is the row's first one.
+    void look(int y, int z, std::size_t cell, std::span<std::uint8_t> is_free) {
+        for (auto& input : inputs_) input.clear();
+        cells_.clear();
+        for (int x = 0; x < grid_.across.x; ++x) {
+            if (is_free[std::size_t(x)] != 0) continue;
+            cells_.push_back(std::size_t(x));
+            const auto [low, high] = placing_.box({x, y, z});
+            for (int k = 0; k < 3; ++k) inputs_[std::size_t(k)].emplace_back(low[k], high[k]);
+            const std::uint32_t elements = grid_.cells[cell + std::size_t(x)].packed;
+            for (std::size_t sum = 0; sum < sums_.sums(); ++sum) {
+                const double most = sums_.bound(cell + std::size_t(x), sum, elements);
+                const Interval& signs = root_free_.signs[sum];
+                inputs_[3 + sum].push_back(Interval(signs.lo * most, signs.hi * most) +
+                                           root_free_.left_out[sum]);
+            }
+        }
+        if (cells_.empty()) return;
+        boxes_.exclude(inputs_, excluded_);
+        for (std::size_t k = 0; k < cells_.size(); ++k)
+            is_free[cells_[k]] = std::uint8_t(excluded_[k]);
+    }
+
+private:
+    const ElementGrid& grid_;
+    const CellSums& sums_;
+    const RootFree& root_free_;
+    const Placing& placing_;
+    SumsAtRoots::Boxes boxes_;
+    std::vector<std::vector<Interval>> inputs_;
+    std::vector<std::size_t> cells_;
+    std::vector<bool> excluded_;
 };
 
 } // namespace
@@ -289,7 +347,7 @@ ElementGrid make_grid(const Region& region, std::span<const LevelSet> sets, int 
         };
     });
     std::uint32_t begin = 0;
-    std::vector<bool> is_free(grid.cells.size());
+    std::vector<std::uint8_t> is_free(grid.cells.size());
     for (std::size_t k = 0; k < grid.cells.size(); ++k) {
         Cell& cell = grid.cells[k];
         cell.first = begin;
@@ -312,7 +370,21 @@ ElementGrid make_grid(const Region& region, std::span<const LevelSet> sets, int 
             });
         };
     });
-    measure(grid, is_free);
+    if (root_free.roots) {
+        base::share(over_parts, [&] {
+            return [&, rows = Rows(grid, sums, root_free, placing)](std::size_t part) mutable {
+                for (int z = first_layer(part); z < first_layer(part + 1); ++z) {
+                    for (int y = 0; y < grid.across.y; ++y) {
+                        const std::size_t cell =
+                            std::size_t(z * grid.across.y + y) * std::size_t(grid.across.x);
+                        rows.look(y, z, cell,
+                                  std::span(is_free).subspan(cell, std::size_t(grid.across.x)));
+                    }
+                }
+            };
+        });
+    }
+    measure(grid, {is_free.begin(), is_free.end()});
     return grid;
 }
 

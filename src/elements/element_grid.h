@@ -12,8 +12,11 @@
 #include <glm/glm.hpp>
 
 #include "elements/quadric.h"
+#include "elements/sums_at_roots.h"
 
 namespace isomotion::elements {
+
+using formula::Interval;
 
 // As shaders read it.
 struct Cell {
@@ -66,8 +69,12 @@ struct GridLimits {
 struct RootFree {
     std::span<const int> quadric_of; // of each sum
     std::span<const float> sizes;    // ElementTerms::sizes() of all elements
-    std::vector<double> at_most;     // F has no root where each sum is at most this; none: unknown
+    std::vector<double> at_most;     // F has no root where each sum is at most this; 0: unknown
     bool is_emptiness = false;       // F has no root where there is no element
+    // Else: what looks for roots cell by cell, with bounds of the sums there.
+    const SumsAtRoots* roots = nullptr;
+    const formula::Bindings<float>* bindings = nullptr;
+    std::vector<Interval> left_out{}, signs{}; // of each sum; signs of its terms, in [-1, 1]
 };
 
 // `sets`: `each` level sets of the first element, then of the next. Lists hold elements in

@@ -37,19 +37,23 @@ double mean_size(const ElementTerms& terms, std::span<const double> tolerance) {
     return sum;
 }
 
-// How large each sum is at least at roots; 0 where that is not known.
-std::vector<double> sizes_at_roots(const ElementTerms& terms, const SumsAtRoots& roots,
-                                   const Region& region) {
+// What the largest term of each sum can be; from 0 on where none is negative.
+std::vector<Interval> units_of(const ElementTerms& terms) {
     std::vector<Interval> units;
     for (int k = 0; k < terms.sums(); ++k) {
         const Interval term = terms.bounds(k, 0);
         units.emplace_back(term.lo >= 0 ? 0.0 : -magnitude(term), magnitude(term));
     }
+    return units;
+}
+
+// Multiples of them; 0 where they have no bounds.
+std::vector<double> times(const std::vector<Interval>& units, auto&& multiple) {
     const bool are_finite =
         std::ranges::all_of(units, [](const Interval& u) { return u.hi > 0 && u.hi < 1e300; });
-    const double least = are_finite ? roots.least(terms.bindings(), region, units) : 0.0;
+    const double factor = are_finite ? multiple() : 0.0;
     std::vector<double> sizes;
-    for (const Interval& unit : units) sizes.push_back(least > 0 ? least * unit.hi : 0);
+    for (const Interval& unit : units) sizes.push_back(factor > 0 ? factor * unit.hi : 0);
     return sizes;
 }
 
@@ -57,13 +61,12 @@ std::vector<double> sizes_at_roots(const ElementTerms& terms, const SumsAtRoots&
 
 // Leaves nothing out where terms are 0 beyond a support. (Those of kernels that fade without end
 // are 0 far outside, where doubles can't tell them from it.)
-Tolerances GridMaker::choose(const ElementTerms& terms, std::span<const double> at_roots,
+Tolerances GridMaker::choose(const ElementTerms& terms, std::vector<double> little,
                              const Region& region) {
     constexpr double support_at_most = 1.5; // times the size where little is left out
     const std::vector<double> nothing(std::size_t(terms.sums()), 0.0);
     const double size_of_support = mean_size(terms, nothing);
     const Tolerances exact{nothing, nothing};
-    std::vector<double> little(at_roots.begin(), at_roots.end());
     for (double& size : little) size *= part_left_out;
     if (std::ranges::all_of(little, [](double a) { return a == 0; })) return exact;
     if (size_of_support <= support_at_most * mean_size(terms, little)) return exact;
@@ -80,11 +83,16 @@ std::optional<GridMaker> GridMaker::of(const formula::Field& field, int array) {
 ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Region& region,
                             const GridLimits& limits) const {
     const ElementTerms terms(kernels_, bindings, region);
+    const std::vector<Interval> units = units_of(terms);
     RootFree root_free{kernels_.quadric_of,
                        {},
-                       sizes_at_roots(terms, roots_, region),
+                       times(units, [&] { return roots_.least(bindings, region, units); }),
                        roots_.are_everything(bindings, region)};
-    const Tolerances left_out = choose(terms, root_free.at_most, region);
+    // How large sums are where little is left out of them.
+    std::vector<double> at_roots = root_free.at_most;
+    if (std::ranges::all_of(at_roots, [](double size) { return size == 0; }))
+        at_roots = times(units, [&] { return roots_.sensitivity(bindings, region, units); });
+    const Tolerances left_out = choose(terms, std::move(at_roots), region);
     const auto each = std::size_t(terms.quadrics()), sums = std::size_t(terms.sums());
     std::vector<LevelSet> sets(std::size_t(terms.count()) * each);
     std::vector<float> sizes(std::size_t(terms.count()) * sums * ElementTerms::shells);
@@ -103,9 +111,15 @@ ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Regi
         };
     });
     root_free.sizes = sizes;
-    for (std::size_t k = 0; k < sums; ++k) root_free.at_most[k] -= left_out.of_sum[k];
-    if (std::ranges::any_of(root_free.at_most, [](double s) { return !(s > 0); }))
-        root_free.at_most.clear();
+    for (std::size_t k = 0; k < sums; ++k) {
+        root_free.at_most[k] -= left_out.of_sum[k];
+        root_free.left_out.emplace_back(-left_out.of_sum[k], left_out.of_sum[k]);
+        root_free.signs.emplace_back(units[k].lo < 0 ? -1.0 : 0.0, 1.0);
+    }
+    if (roots_.depend_on_place()) {
+        root_free.roots = &roots_;
+        root_free.bindings = &bindings;
+    }
     ElementGrid grid = make_grid(region, sets, terms.quadrics(), root_free, limits);
     grid.left_out = left_out.of_sum;
     return grid;

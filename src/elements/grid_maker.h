@@ -29,7 +29,7 @@ private:
         : kernels_(std::move(kernels))
         , roots_(std::move(roots)) {}
 
-    static Tolerances choose(const ElementTerms& terms, std::span<const double> at_roots,
+    static Tolerances choose(const ElementTerms& terms, std::vector<double> little,
                              const Region& region);
 
     formula::ElementKernels kernels_;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "formula/enclosure.h"
 #include "formula/graph/continuity.h"
+#include "formula/graph/lowering.h"
 #include "formula/graph/substitute.h"
 
 namespace isomotion::elements {
@@ -16,63 +18,66 @@ using formula::Interval;
 constexpr int split = 4;                               // parts of the region along each axis
 constexpr double smallest = 0x1p-40, largest = 0x1p40; // of sums, in their units
 constexpr int halvings = 14;                           // of the logarithm between these
+constexpr int sampled = 96;                            // places
 
 // All but the elements of one array, whose sums are inputs.
-formula::Bindings<Interval> values_of(const formula::Bindings<float>& bindings,
-                                      std::size_t without) {
+formula::Bindings<float> without(const formula::Bindings<float>& bindings, std::size_t array) {
     formula::Bindings<float> rest;
     rest.parameters = bindings.parameters;
     rest.seed = bindings.seed;
     rest.arrays.resize(bindings.arrays.size());
     for (std::size_t a = 0; a < rest.arrays.size(); ++a) {
-        if (a != without) rest.arrays[a] = bindings.arrays[a];
+        if (a != array) rest.arrays[a] = bindings.arrays[a];
     }
-    return formula::convert<Interval>(rest);
+    return rest;
 }
 
-} // namespace
-
-// Parts of the region.
-class SumsAtRoots::Boxes {
+// F at places, by how much the sums are of their units.
+class Sampled {
 public:
-    Boxes(const SumsAtRoots& of, const formula::Bindings<float>& bindings, const Region& region)
-        : evaluator_(of.field_)
-        , bindings_(values_of(bindings, std::size_t(of.array_)))
-        , inputs_(std::size_t(3 + of.sums_), std::vector<Interval>(split * split * split)) {
-        for (int part = 0; part < split * split * split; ++part) {
-            const glm::ivec3 at(part % split, part / split % split, part / (split * split));
-            for (int k = 0; k < 3; ++k) {
-                const double low = region.low[k], side = (region.high[k] - low) / split;
-                inputs_[std::size_t(k)][std::size_t(part)] =
-                    Interval(low + at[k] * side,
-                             at[k] + 1 == split ? region.high[k] : low + (at[k] + 1) * side);
-            }
-        }
-    }
+    Sampled(const formula::Program& field, formula::Bindings<double> bindings,
+            std::span<const Interval> units)
+        : evaluator_(field)
+        , bindings_(std::move(bindings))
+        , units_(units) {}
 
-    // Whether F is not 0 in any part, with these bounds of the sums.
-    bool exclude_0(std::span<const Interval> sums) {
-        for (std::size_t k = 0; k < sums.size(); ++k) std::ranges::fill(inputs_[3 + k], sums[k]);
-        std::vector<Interval> values(inputs_[0].size()), gaps(values);
-        const std::vector<std::span<const Interval>> from(inputs_.begin(), inputs_.end());
-        const std::array<std::span<Interval>, 2> to{values, gaps};
-        evaluator_.points(bindings_, from, to);
-        for (std::size_t part = 0; part < values.size(); ++part) {
-            const bool has_no_value = gaps[part].lo > 0;
-            if (!has_no_value && contains(values[part], 0.0)) return false;
+    double value(const glm::dvec3& p, double sums) {
+        std::vector<double> inputs{p.x, p.y, p.z};
+        for (const Interval& unit : units_) inputs.push_back(sums * unit.hi);
+        double f = 0;
+        evaluator_.point(bindings_, inputs, {&f, 1});
+        return f;
+    }
+    // The least multiple at which F is 0, where its sign changes between powers of two.
+    std::optional<double> root(const glm::dvec3& p) {
+        double low = 0, at_low = value(p, 0);
+        for (double high = smallest; high <= largest; high *= 2) {
+            const double at_high = value(p, high);
+            if (at_low * at_high < 0) {
+                for (int k = 0; k < 40; ++k) {
+                    const double middle = 0.5 * (low + high);
+                    (value(p, middle) * at_high > 0 ? high : low) = middle;
+                }
+                return high;
+            }
+            low = high;
+            at_low = at_high;
         }
-        return true;
+        return std::nullopt;
     }
 
 private:
-    formula::Evaluator<Interval> evaluator_;
-    formula::Bindings<Interval> bindings_;
-    std::vector<std::vector<Interval>> inputs_;
+    formula::Evaluator<double> evaluator_;
+    formula::Bindings<double> bindings_;
+    std::span<const Interval> units_;
 };
+
+} // namespace
 
 SumsAtRoots::SumsAtRoots(const formula::Field& field, int array)
     : array_(array) {
-    formula::Graph graph = field.graph;
+    formula::Graph graph;
+    graph.fold_exactly();
     const auto as_input = [&](formula::Graph& g, const formula::Node& node,
                               formula::NodeId rebuilt) {
         const bool is_sum = node.op == formula::Op::sum && node.index == array;
@@ -80,17 +85,56 @@ SumsAtRoots::SumsAtRoots(const formula::Field& field, int array)
     };
     const formula::NodeId root =
         formula::substitute(graph, field.graph, std::array{field.root}, as_input)[0];
+    for (const formula::NodeId id : formula::nodes_below(graph, std::array{root})) {
+        const formula::Node& node = graph[id];
+        depend_on_place_ = depend_on_place_ || (node.op == formula::Op::input && node.index < 3);
+    }
     field_ = formula::schedule(graph, std::array{root, formula::without_value(graph, root)});
+    numbers_ = formula::schedule_lowered(graph, root);
+}
+
+SumsAtRoots::Boxes::Boxes(const SumsAtRoots& of, const formula::Bindings<float>& bindings)
+    : evaluator_(of.field_)
+    , bindings_(formula::convert<Interval>(without(bindings, std::size_t(of.array_)))) {}
+
+void SumsAtRoots::Boxes::exclude(std::span<const std::vector<Interval>> places_and_sums,
+                                 std::vector<bool>& excluded) {
+    const std::size_t count = places_and_sums[0].size();
+    values_.resize(count);
+    gaps_.resize(count);
+    const std::vector<std::span<const Interval>> from(places_and_sums.begin(),
+                                                      places_and_sums.end());
+    evaluator_.points(bindings_, from, std::array{std::span(values_), std::span(gaps_)});
+    excluded.resize(count);
+    for (std::size_t k = 0; k < count; ++k)
+        excluded[k] = gaps_[k].lo > 0 || !contains(values_[k], 0.0);
+}
+
+// Whether F is not 0 in any part of the region, with these bounds of the sums.
+bool SumsAtRoots::exclude(Boxes& boxes, const Region& region,
+                          std::span<const Interval> sums) const {
+    std::vector<std::vector<Interval>> inputs(std::size_t(3 + sums_));
+    for (int part = 0; part < split * split * split; ++part) {
+        const glm::ivec3 at(part % split, part / split % split, part / (split * split));
+        for (int k = 0; k < 3; ++k) {
+            const double low = region.low[k], side = (region.high[k] - low) / split;
+            inputs[std::size_t(k)].emplace_back(
+                low + at[k] * side, at[k] + 1 == split ? region.high[k] : low + (at[k] + 1) * side);
+        }
+        for (std::size_t k = 0; k < sums.size(); ++k) inputs[3 + k].push_back(sums[k]);
+    }
+    std::vector<bool> excluded;
+    boxes.exclude(inputs, excluded);
+    return std::ranges::all_of(excluded, [](bool is) { return is; });
 }
 
 double SumsAtRoots::least(const formula::Bindings<float>& bindings, const Region& region,
                           std::span<const Interval> units) const {
-    Boxes boxes(*this, bindings, region);
-    const auto count = std::size_t(sums_);
-    std::vector<Interval> sums(count);
+    Boxes boxes(*this, bindings);
+    std::vector<Interval> sums(std::size_t(sums_), Interval(0.0));
     const auto excludes = [&](double s) {
         for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = {s * units[k].lo, s * units[k].hi};
-        return boxes.exclude_0(sums);
+        return exclude(boxes, region, sums);
     };
     double low = smallest, high = largest;
     if (!excludes(low)) return 0;
@@ -103,8 +147,34 @@ double SumsAtRoots::least(const formula::Bindings<float>& bindings, const Region
 
 bool SumsAtRoots::are_everything(const formula::Bindings<float>& bindings,
                                  const Region& region) const {
-    Boxes boxes(*this, bindings, region);
-    return boxes.exclude_0(std::vector<Interval>(std::size_t(sums_), Interval(0)));
+    Boxes boxes(*this, bindings);
+    return exclude(boxes, region, std::vector<Interval>(std::size_t(sums_), Interval(0.0)));
+}
+
+double SumsAtRoots::sensitivity(const formula::Bindings<float>& bindings, const Region& region,
+                                std::span<const Interval> units) const {
+    Sampled field(numbers_, formula::convert<double>(without(bindings, std::size_t(array_))),
+                  units);
+    const glm::dvec3 sides = region.high - region.low;
+    constexpr double near = 0x1p-10; // of the sides
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < sampled; ++k) {
+        // Places that fill the region evenly: Roberts's sequence (2018).
+        const glm::dvec3 part =
+            glm::fract(0.5 + double(k) * glm::dvec3(0.8191725134, 0.6710436067, 0.5497004779));
+        const glm::dvec3 p = region.low + part * sides;
+        const std::optional<double> here = field.root(p);
+        if (!here) continue;
+        double slope = 0; // over a side
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::dvec3 q = p;
+            q[axis] += near * sides[axis];
+            if (const auto beside = field.root(q))
+                slope = std::max(slope, std::abs(*beside - *here) / near);
+        }
+        least = std::min(least, *here + slope);
+    }
+    return std::isfinite(least) ? least : 0;
 }
 
 } // namespace isomotion::elements

@@ -5,8 +5,9 @@
 // each sum.
 #pragma once
 
-#include <optional>
+#include <array>
 #include <span>
+#include <vector>
 
 #include "elements/quadric.h"
 #include "formula/field.h"
@@ -25,12 +26,40 @@ public:
     // Whether F has no root in the region without elements.
     bool are_everything(const formula::Bindings<float>& bindings, const Region& region) const;
 
+    // Where sums are as small as one likes at roots, as of z - S: how much of them, in their units,
+    // moves the roots by as much as they are wide, or is all that a sum is there; the least of it
+    // at some places. 0 if no root is found. No bound, but what is left out by it has one.
+    double sensitivity(const formula::Bindings<float>& bindings, const Region& region,
+                       std::span<const formula::Interval> units) const;
+
+    // Whether F reads the place other than through these sums.
+    bool depend_on_place() const { return depend_on_place_; }
+
+    // Looks for roots in boxes, where sums have bounds. One a thread.
+    class Boxes {
+    public:
+        Boxes(const SumsAtRoots& of, const formula::Bindings<float>& bindings);
+
+        // Boxes x, y, z and `sums` of each box, as many: excluded[k] is whether there is no root.
+        void exclude(std::span<const std::vector<formula::Interval>> places_and_sums,
+                     std::vector<bool>& excluded);
+
+    private:
+        formula::Evaluator<formula::Interval> evaluator_;
+        formula::Bindings<formula::Interval> bindings_;
+        std::vector<formula::Interval> values_, gaps_;
+    };
+
 private:
-    class Boxes;
+    friend class Boxes;
+
+    bool exclude(Boxes& boxes, const Region& region, std::span<const formula::Interval> sums) const;
 
     int array_;
     int sums_ = 0;
-    formula::Program field_; // inputs: x y z, the value of each sum -> F
+    bool depend_on_place_ = false;
+    formula::Program field_;   // inputs: x y z, the value of each sum -> F, without_value()
+    formula::Program numbers_; // the same inputs -> F, of numbers
 };
 
 } // namespace isomotion::elements

@@ -57,6 +57,12 @@ inline constexpr Family families[] = {
      "sum(p, w*max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/h^2)^2)"
      " / (1 + sum(p, max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/r^2)^3)) - level",
      true},
+    // Roots where the sum is 0.
+    {"water and a post",
+     "min(level - sum(p, max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/h^2)^3),"
+     " sqrt((x-0.3)^2 + y^2) - 0.15)",
+     true},
+    {"bumps", "z - level - 0.2*sum(p, w*exp(-a*((x-cx)^2 + (y-cy)^2 + (z-cz)^2)))", false},
     {"ratio",
      "sqrt((x - sum(p, cx*max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/h^2)^3)"
      "/sum(p, max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/h^2)^3))^2 + (y - cos(z))^2) - level",
