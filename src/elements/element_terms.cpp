@@ -30,7 +30,7 @@ double level_at(const Quadric& q, double part) {
 // A quadric with the range of both.
 Quadric hull(const Quadric& a, const Quadric& b) {
     Quadric both = a;
-    both.is_definite = a.is_definite && b.is_definite && a.sign == b.sign;
+    both.is_definite = a.is_definite && b.is_definite && a.sign == b.sign && a.is_flat == b.is_flat;
     both.least = std::min(a.least, b.least);
     both.most = std::max(a.most, b.most);
     both.flattest = std::min(a.flattest, b.flattest);

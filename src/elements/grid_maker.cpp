@@ -31,7 +31,7 @@ double mean_size(const ElementTerms& terms, std::span<const double> tolerance) {
         for (const LevelSet& set : sets) {
             if (set.kind == LevelSet::Kind::unbounded)
                 return std::numeric_limits<double>::infinity();
-            sum += set.half.x + set.half.y + set.half.z;
+            for (int axis = 0; axis < 3; ++axis) sum += set.is_flat[axis] ? 0 : set.half[axis];
         }
     }
     return sum;

@@ -21,12 +21,21 @@ Symmetric Symmetric::inverse() const {
 
 Quadric Quadric::from(const std::array<double, 10>& q, const Region& region) {
     Quadric made;
-    made.sign = q[4] < 0 ? -1 : 1;
+    made.sign = q[4] < 0 || q[7] < 0 || q[9] < 0 ? -1 : 1;
     made.hessian = made.sign * Symmetric{q[4], q[5], q[6], q[7], q[8], q[9]};
-    if (!made.hessian.is_positive()) return made;
-    const Symmetric inverse = made.hessian.inverse();
+    const Symmetric& h = made.hessian;
     const glm::dvec3 slope = made.sign * glm::dvec3(q[1], q[2], q[3]);
+    made.is_flat = {h.xx == 0 && h.xy == 0 && h.xz == 0 && slope.x == 0,
+                    h.yy == 0 && h.xy == 0 && h.yz == 0 && slope.y == 0,
+                    h.zz == 0 && h.xz == 0 && h.yz == 0 && slope.z == 0};
+    const Symmetric filled = h.filled(made.is_flat);
+    if (glm::all(made.is_flat) || !filled.is_positive()) return made;
+    const Symmetric inverse = filled.inverse();
     made.centre = -(inverse * slope);
+    made.width = glm::length(region.high - region.low);
+    for (int k = 0; k < 3; ++k) {
+        if (made.is_flat[k]) made.centre[k] = 0.5 * (region.low[k] + region.high[k]);
+    }
     // A difference of larger numbers, which are rounded.
     const double value = made.sign * q[0], fall = 0.5 * glm::dot(slope, made.centre);
     made.least = value + fall - 1e-12 * (std::abs(value) + std::abs(fall));
@@ -34,7 +43,8 @@ Quadric Quadric::from(const std::array<double, 10>& q, const Region& region) {
     made.most = made.least + 0.5 * made.hessian.trace() * reach * reach +
                 1e-9 * (std::abs(value) + std::abs(fall));
     // The least eigenvalue is at least that of 1 over the inverse's trace.
-    made.flattest = made.hessian.is_round() ? 0.5 * made.hessian.xx : 0.5 / inverse.trace();
+    const double flat = double(made.is_flat.x) + double(made.is_flat.y) + double(made.is_flat.z);
+    made.flattest = h.is_round() ? 0.5 * h.xx : 0.5 / (inverse.trace() - flat);
     made.is_definite = std::isfinite(made.most) && made.flattest > 0 && made.most > made.least;
     return made;
 }
@@ -43,10 +53,14 @@ LevelSet Quadric::level_set(double level) const {
     LevelSet set;
     const double height = margin * margin * 2 * (level - least);
     if (!(height > 0)) return set;
-    const Symmetric inverse = hessian.inverse();
+    const Symmetric inverse = hessian.filled(is_flat).inverse();
+    set.is_flat = is_flat;
     set.is_round = hessian.is_round();
     set.centre = centre;
     set.half = glm::sqrt(height * glm::dvec3(inverse.xx, inverse.yy, inverse.zz));
+    for (int k = 0; k < 3; ++k) {
+        if (is_flat[k]) set.half[k] = width;
+    }
     set.form = 1 / height * hessian;
     set.least = least;
     set.rise = 0.5 * height;

@@ -1,4 +1,5 @@
-// Quadratic polynomials that grow in all directions, and their level sets: ellipsoids.
+// Quadratic polynomials that grow in all directions, and their level sets: ellipsoids. Along some
+// axes they may be the same everywhere: those of kernels of a distance from a line or a plane.
 #pragma once
 
 #include <array>
@@ -28,6 +29,14 @@ struct Symmetric {
     }
     // False where a number is none.
     bool is_positive() const { return xx > 0 && xx * yy - xy * xy > 0 && determinant() > 0; }
+    // With 1 for what is flat along an axis.
+    Symmetric filled(const glm::bvec3& is_flat) const {
+        Symmetric all = *this;
+        if (is_flat.x) all.xx = 1;
+        if (is_flat.y) all.yy = 1;
+        if (is_flat.z) all.zz = 1;
+        return all;
+    }
     bool is_round() const { return xy == 0 && xz == 0 && yz == 0 && xx == yy && yy == zz; }
     Symmetric inverse() const;
     glm::dvec3 operator*(const glm::dvec3& v) const {
@@ -47,7 +56,8 @@ struct LevelSet {
     Kind kind = Kind::empty;
     bool is_round = false;
     glm::dvec3 centre{0};
-    glm::dvec3 half{0};         // of the box around it
+    glm::dvec3 half{0}; // of the box around it; beyond the region along a flat axis
+    glm::bvec3 is_flat{false};
     Symmetric form;             // at most 1 inside, of places relative to the centre
     double least = 0, rise = 0; // the polynomial is least + rise * form
 };
@@ -56,10 +66,14 @@ struct LevelSet {
 struct Quadric {
     bool is_definite = false;
     double sign = 1;
-    double least = 0;    // of P anywhere
-    double most = 0;     // of P in the region and far around it
-    double flattest = 0; // P is at least `least` + flattest * (distance from the centre)^2
+    double least = 0; // of P anywhere
+    double most = 0;  // of P in the region and far around it
+    // P is at least `least` + flattest * (distance from the centre)^2, the distance across the axes
+    // along which it is flat. There the centre is in the middle of the region.
+    double flattest = 0;
     glm::dvec3 centre{0};
+    glm::bvec3 is_flat{false};
+    double width = 0;  // of the region
     Symmetric hessian; // of P
 
     // From the value, the gradient and the Hessian of Q at the origin. Rounded doubles: least and

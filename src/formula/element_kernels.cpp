@@ -33,24 +33,33 @@ std::array<NodeId, 3> gradient_of(Graph& graph, NodeId node) {
             differentiate_inputs(graph, node, {zero, zero, one})};
 }
 
-// Whether a polynomial of degree 2 bends along each axis, as one that grows in all directions does.
-bool bends_everywhere(Graph& graph, NodeId node) {
+// Along how many axes a polynomial of degree 2 bends, as one that grows along them does; 0 if it
+// is linear along one.
+int bends(Graph& graph, NodeId node) {
     const std::array<NodeId, 3> first = gradient_of(graph, node);
+    int axes = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        if (graph.is_constant(gradient_of(graph, first[k])[k], 0)) return false;
+        if (graph.is_constant(first[k], 0)) continue;
+        if (graph.is_constant(gradient_of(graph, first[k])[k], 0)) return 0;
+        ++axes;
     }
-    return true;
+    return axes;
 }
 
 // The polynomial that a term reads the coordinates through: the deepest one without which it
-// reads none, or else the last one.
+// reads none, or else the last one of those that bend along most axes.
 std::optional<NodeId> quadric_of(Graph& graph, NodeId term) {
     const auto degree_of = degrees(graph, term);
     std::optional<NodeId> last;
+    int most = 1;
     for (const NodeId id : nodes_below(graph, std::array{term})) {
-        if (degree_of[id] != 2 || !bends_everywhere(graph, id)) continue;
+        if (degree_of[id] != 2) continue;
+        const int axes = bends(graph, id);
+        if (axes == 0) continue;
         if (!reads_coordinates(graph, term, id)) return id;
+        if (axes < most) continue;
         last = id;
+        most = axes;
     }
     return last;
 }

@@ -63,6 +63,10 @@ inline constexpr Family families[] = {
      " sqrt((x-0.3)^2 + y^2) - 0.15)",
      true},
     {"bumps", "z - level - 0.2*sum(p, w*exp(-a*((x-cx)^2 + (y-cy)^2 + (z-cz)^2)))", false},
+    // Kernels of a distance from a line, and from a plane.
+    {"terrain", "z - 0.1*sum(p, w*exp(-a*((x-cx)^2 + (y-cy)^2)))", false},
+    {"columns", "level - sum(p, max(0, 1 - ((x-cx)^2 + (z-cz)^2)/h^2)^3)", true},
+    {"sheets", "y - sum(p, 0.1*w*max(0, 1 - (x-cx)^2/h^2)^2)", true},
     {"ratio",
      "sqrt((x - sum(p, cx*max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/h^2)^3)"
      "/sum(p, max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/h^2)^3))^2 + (y - cos(z))^2) - level",

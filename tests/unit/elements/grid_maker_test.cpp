@@ -28,7 +28,8 @@ formula::Bindings<double> only(const formula::Bindings<double>& all,
 // What F is far from all elements, or would be of a logarithm at its root: level or h^2/2. Where
 // roots have sums of any size, the bounds' size.
 double scale(const Family& family, const formula::Bindings<float>& values) {
-    if (std::string(family.name) == "bumps") return ball.high.x - ball.low.x;
+    const std::string name = family.name;
+    if (name == "bumps" || name == "terrain") return ball.high.x - ball.low.x;
     return std::min<double>(values.parameters[2],
                             0.5 * values.parameters[1] * values.parameters[1]);
 }

@@ -59,10 +59,35 @@ TEST(Quadric, OthersAreNotDefinite) {
     const Region region{glm::dvec3(-1), glm::dvec3(1)};
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const Symmetric& h :
-         {Symmetric{1, 0, 0, 1, 0, -1}, Symmetric{1, 0, 0, 1, 0, 0}, Symmetric{1, 2, 0, 1, 0, 1},
-          Symmetric{nan, 0, 0, 1, 0, 1}, Symmetric{1e300, 0, 0, 1e300, 0, 1e300}}) {
+         {Symmetric{1, 0, 0, 1, 0, -1}, Symmetric{0, 0, 0, 0, 0, 0}, Symmetric{1, 0, 0, 1, 1, 0},
+          Symmetric{1, 2, 0, 1, 0, 1}, Symmetric{nan, 0, 0, 1, 0, 1},
+          Symmetric{1e300, 0, 0, 1e300, 0, 1e300}}) {
         EXPECT_FALSE(Quadric::from(written_out(h, glm::dvec3(0), 0), region).is_definite);
     }
+}
+
+// Kernels of a distance from a line, or from a plane.
+TEST(Quadric, MayBeFlatAlongAxes) {
+    const Region region{glm::dvec3(-1, -1, 3), glm::dvec3(1, 1, 5)};
+    const Quadric line =
+        Quadric::from(written_out({2, 0.5, 0, 3, 0, 0}, {0.5, -0.25, 0}, 1), region);
+    ASSERT_TRUE(line.is_definite);
+    EXPECT_EQ(line.is_flat, glm::bvec3(false, false, true));
+    EXPECT_NEAR(glm::length(line.centre - glm::dvec3(0.5, -0.25, 4)), 0, 1e-12);
+    const LevelSet set = line.level_set(2);
+    ASSERT_EQ(set.kind, LevelSet::Kind::bounded);
+    EXPECT_GE(set.half.z, 2) << "all of the region";
+    EXPECT_EQ(set.form.zz, 0);
+    EXPECT_LT(set.half.x, 1.2);
+    EXPECT_LE(line.flattest * 0.01, 0.5 * 3 * 0.01) << "at most what it is along y";
+    EXPECT_GT(line.flattest, 0.5);
+    const Quadric plane = Quadric::from(written_out({0, 0, 0, 8, 0, 0}, {0, 0.5, 0}, 0), region);
+    ASSERT_TRUE(plane.is_definite);
+    EXPECT_NEAR(plane.level_set(1).half.y, 0.5, 1e-5);
+    // Linear along an axis is not flat.
+    std::array<double, 10> q = written_out({2, 0, 0, 3, 0, 0}, glm::dvec3(0), 0);
+    q[3] = 1;
+    EXPECT_FALSE(Quadric::from(q, region).is_definite);
 }
 
 } // namespace

@@ -43,7 +43,7 @@ TEST(ElementKernels, OthersAreNone) {
     for (const char* text : {
              "x^2 + y^2 - 1",                                     // no sum
              "sum(blobs, abs(x-cx) + abs(y-cy) + abs(z-cz)) - 1", // no square
-             "sum(blobs, exp(-(x-cx)^2 - (y-cy)^2)) - 1",         // without end along z
+             "sum(blobs, exp(-x*cx - y*cy - z)) - 1",             // without end
              "sum(blobs, sin(cx*x)) - 1",                         //
              "sum(links, exp(-(x-px)^2 - (y-py)^2 - z^2)) - 1",   // another array
              "sum(blobs, sum(links, exp(-(x-cx-px)^2 - (y-cy)^2 - (z-cz)^2))) - 1", // one in

@@ -1,0 +1,80 @@
+// The lists of a grid's cells, and bounds of the sums there.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "elements/element_grid.h"
+#include "elements/element_terms.h"
+#include "elements/placing.h"
+
+namespace isomotion::elements {
+
+// Sums over the elements that matter in a cell, bounded; what is left out of them included.
+class CellSums {
+public:
+    CellSums(const RootFree& root_free, std::size_t cells)
+        : root_free_(root_free)
+        , sums_(root_free.at_most.size())
+        , has_levels_(std::ranges::all_of(root_free.at_most, [](double s) { return s > 0; }))
+        , bounds_(cells * sums_, 0.0f) {}
+
+    // An element's set of quadric k, whose form's root is at least that in the cell.
+    void add(std::uint32_t element, int k, double root, std::size_t cell) {
+        constexpr int shells = ElementTerms::shells;
+        for (std::size_t sum = 0; sum < sums_; ++sum) {
+            if (root_free_.quadric_of[sum] != k) continue;
+            const int shell = std::min(int(root * shells), shells - 1);
+            bounds_[cell * sums_ + sum] +=
+                root_free_.sizes[(element * sums_ + sum) * shells + std::size_t(shell)];
+        }
+    }
+    bool are_free(std::size_t cell, std::uint32_t elements) const {
+        if (elements == 0 && root_free_.is_emptiness) return true;
+        if (sums_ == 0 || !has_levels_) return false;
+        for (std::size_t sum = 0; sum < sums_; ++sum) {
+            if (!(bound(cell, sum, elements) <= root_free_.at_most[sum])) return false;
+        }
+        return true;
+    }
+    // At least what is listed of a sum is in size.
+    double bound(std::size_t cell, std::size_t sum, std::uint32_t elements) const {
+        // Additions in floats, each rounded.
+        return (1 + 0x1p-23 * (elements + 1.0)) * double(bounds_[cell * sums_ + sum]);
+    }
+    std::size_t sums() const { return sums_; }
+
+private:
+    const RootFree& root_free_;
+    std::size_t sums_;
+    bool has_levels_;
+    std::vector<float> bounds_;
+};
+
+// Fills the cells' lists of a grid that has its size, and the sums of the cells.
+class CellLists {
+public:
+    // `sets`: `each` level sets of the first element, then of the next. All that is named outlives
+    // this.
+    CellLists(ElementGrid& grid, const Region& region, std::span<const LevelSet> sets, int each,
+              const GridLimits& limits);
+
+    // Throws std::length_error where more than Cell::most_elements matter in one cell.
+    void fill(CellSums& sums);
+
+private:
+    template<class Found> void for_each_entry(std::size_t part, bool once, Found&& found) const;
+    int first_layer(std::size_t part) const;
+
+    ElementGrid& grid_;
+    Placing placing_;
+    std::span<const LevelSet> sets_;
+    std::vector<Block> blocks_;
+    std::size_t each_;
+    int threads_;
+    int parts_; // turns, each with some layers of cells to itself
+};
+
+} // namespace isomotion::elements

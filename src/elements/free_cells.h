@@ -1,0 +1,15 @@
+// Tells the cells of a grid how far around them F has no root, and how far there is no element.
+#pragma once
+
+#include "elements/cell_lists.h"
+#include "elements/element_grid.h"
+
+namespace isomotion::elements {
+
+// Of a grid with its lists; sums of its cells. Along axes on which no element depends, where it has
+// one cell, it gets more where F reads the place: they share one list.
+void find_free_cells(ElementGrid& grid, const Region& region, const CellSums& sums,
+                     const RootFree& root_free, const glm::bvec3& is_flat,
+                     const GridLimits& limits);
+
+} // namespace isomotion::elements
