@@ -31,11 +31,12 @@ void CellLists::for_each_entry(std::size_t part, bool once, Found&& found) const
     const std::size_t layer = std::size_t(grid_.across.x) * std::size_t(grid_.across.y);
     const int begin = first_layer(part), end = first_layer(part + 1);
     std::vector<std::uint32_t> last(once && each_ > 1 ? layer * std::size_t(end - begin) : 0, ~0u);
+    Placing::Meeting meets(placing_);
     for (std::size_t k = 0; k < sets_.size(); ++k) {
         const auto element = std::uint32_t(k / each_);
         const auto& [low, high] = blocks_[k];
         if (high.z < begin || low.z >= end) continue;
-        const Placing::Meeting meets(placing_, sets_[k]);
+        meets.take(sets_[k], blocks_[k]);
         for (int z = std::max(low.z, begin); z <= std::min(high.z, end - 1); ++z) {
             for (int y = low.y; y <= high.y; ++y) {
                 const std::size_t row =

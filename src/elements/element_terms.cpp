@@ -155,6 +155,10 @@ ElementTerms::ElementTerms(const formula::ElementKernels& kernels,
         for (int e = 1; e < count_; ++e) all = hull(all, quadric(e, k));
         hulls_.push_back(all);
     }
+    for (std::size_t f = 0; f < kernels_.fields.size() && count_ > 0; ++f) {
+        const auto [low, high] = std::ranges::minmax(column(f));
+        field_ranges_.emplace_back(low, high);
+    }
     alike_ = count_ > 0 && has_equal_terms();
 }
 
@@ -299,10 +303,7 @@ Interval ElementTerms::bounds(int sum, double distance) const {
             is_own ? std::min(all.least + all.flattest * distance * distance, all.most) : all.least;
         lanes.set_quadric(k, 0, oriented(all, least, all.most));
     }
-    for (std::size_t f = 0; f < kernels_.fields.size(); ++f) {
-        const auto [low, high] = std::ranges::minmax(column(f));
-        lanes.set_field(f, 0, Interval(low, high));
-    }
+    for (std::size_t f = 0; f < field_ranges_.size(); ++f) lanes.set_field(f, 0, field_ranges_[f]);
     lanes.run(1);
     return lanes.term(sum, 0);
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -53,51 +55,80 @@ public:
         return cells;
     }
 
-    // Whether the set may meet the cell, of those of its block.
+    // How near a level set comes to the cells of its block.
     class Meeting {
     public:
-        Meeting(const Placing& of, const LevelSet& set)
-            : of_(of)
-            , set_(set) {
-            if (set.kind != LevelSet::Kind::bounded || set.is_round) return;
-            const glm::dvec3 corner = 0.5 * of.cell_ + of.slack_;
-            for (const glm::dvec3 sign : {glm::dvec3(1, 1, 1), glm::dvec3(1, 1, -1),
-                                          glm::dvec3(1, -1, 1), glm::dvec3(-1, 1, 1)}) {
-                const glm::dvec3 d = sign * corner;
-                half_cell_ = std::max(half_cell_, glm::dot(d, set.form * d));
+        explicit Meeting(const Placing& of)
+            : of_(of) {}
+
+        void take(const LevelSet& set, const Block& block) {
+            set_ = &set;
+            first_ = block.first;
+            if (set.kind != LevelSet::Kind::bounded) return;
+            if (set.is_round) {
+                for (int k = 0; k < 3; ++k) take_axis(k, block);
+            } else {
+                take_diagonal();
             }
-            half_cell_ = std::sqrt(half_cell_);
         }
 
-        // The least root of the form in the cell; above 1 if the set does not meet the cell.
+        // The least root of the form in the cell; 2 if the set does not meet it.
         double operator()(const glm::ivec3& place) const {
-            if (set_.kind == LevelSet::Kind::unbounded) return 0;
-            const glm::dvec3 middle = of_.low_ + (glm::dvec3(place) + 0.5) * of_.cell_;
-            const glm::dvec3 off = middle - set_.centre;
-            double root;
-            if (set_.is_round) {
-                // The nearest place of the cell.
-                const glm::dvec3 near =
-                    glm::max(glm::abs(off) - 0.5 * of_.cell_ - of_.slack_, 0.0) / set_.half;
-                root = glm::length(near);
-            } else {
-                // The form's root is a norm: no place of the cell is nearer than its middle by
-                // more than half of the cell's diagonal.
-                root = std::max(std::sqrt(glm::dot(off, set_.form * off)) - half_cell_, 0.0);
+            if (set_->kind == LevelSet::Kind::unbounded) return 0;
+            constexpr double none = 2;
+            if (set_->is_round) {
+                const glm::ivec3 at = place - first_;
+                const double square = squares_[0][std::size_t(at.x)] +
+                                      squares_[1][std::size_t(at.y)] +
+                                      squares_[2][std::size_t(at.z)];
+                return square > 1 ? none : std::sqrt(square);
             }
+            // The form's root is a norm: no place of the cell is nearer than its middle by more
+            // than half of the cell's diagonal.
+            const glm::dvec3 off = of_.low_ + (glm::dvec3(place) + 0.5) * of_.cell_ - set_->centre;
+            const double square = glm::dot(off, set_->form * off);
+            if (square <= farthest_) return std::max(std::sqrt(square) - half_cell_, 0.0);
             // The outermost cells hold all that is beyond them.
-            return is_on_border(place) ? std::min(root, 1.0) : root;
+            return is_on_border(place) ? 1 : none;
         }
 
     private:
+        // The square of the part along one axis, of each of the block's cells.
+        void take_axis(int k, const Block& block) {
+            std::vector<double>& squares = squares_[std::size_t(k)];
+            squares.clear();
+            const double half_cell = 0.5 * of_.cell_[k] + of_.slack_[k];
+            for (int place = block.first[k]; place <= block.last[k]; ++place) {
+                const double off = of_.low_[k] + (place + 0.5) * of_.cell_[k] - set_->centre[k];
+                // From the centre to the cell. The outermost cells hold all that is beyond them.
+                const double below = place == 0 ? 0 : off - half_cell;
+                const double above = place + 1 == of_.across_[k] ? 0 : -off - half_cell;
+                const double near = std::max({below, above, 0.0});
+                squares.push_back(near * near / (set_->half[k] * set_->half[k]));
+            }
+        }
+        void take_diagonal() {
+            const glm::dvec3 corner = 0.5 * of_.cell_ + of_.slack_;
+            half_cell_ = 0;
+            for (const glm::dvec3 sign : {glm::dvec3(1, 1, 1), glm::dvec3(1, 1, -1),
+                                          glm::dvec3(1, -1, 1), glm::dvec3(-1, 1, 1)}) {
+                const glm::dvec3 d = sign * corner;
+                half_cell_ = std::max(half_cell_, glm::dot(d, set_->form * d));
+            }
+            half_cell_ = std::sqrt(half_cell_);
+            farthest_ = (1 + half_cell_) * (1 + half_cell_);
+        }
         bool is_on_border(const glm::ivec3& place) const {
             return glm::any(glm::equal(place, glm::ivec3(0))) ||
                    glm::any(glm::equal(place, of_.across_ - 1));
         }
 
         const Placing& of_;
-        const LevelSet& set_;
-        double half_cell_ = 0; // in the form's norm
+        const LevelSet* set_ = nullptr;
+        glm::ivec3 first_{0};
+        std::array<std::vector<double>, 3> squares_;
+        double half_cell_ = 0; // of others, in the form's norm
+        double farthest_ = 0;
     };
 
 private:
