@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/confines.h"
+
 namespace isomotion::scene {
 
 enum class Scalar : char { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
@@ -63,6 +65,7 @@ struct NamedColumn {
 // What a reader of a format goes by.
 struct ParticleRequest {
     std::filesystem::path file;
+    base::Confines within{}; // where it must lie when it is opened
     // Asked once, as soon as the names are known; may throw NamedColumn.
     std::function<Wanted(const std::string& format, const std::vector<std::string>& names)> choose;
     // Only `count` is asked for, of what may be a file's beginning alone.

@@ -72,16 +72,19 @@ int read_count(const toml::node& node, const std::string& key) {
     return int(*count);
 }
 
-TableOptions read_data(const toml::table& table, const std::string& key, Reach reach) {
+TableOptions read_data(const toml::table& table, const std::string& key,
+                       const base::Confines& within) {
     Section section(table, key);
     TableOptions options;
     const toml::node& file = *section.find("file");
     options.file = beside(file, *section.text("file"));
+    options.within = confines_of(file, within);
     const int first_file = section.integer("first_file", 0, limits::frames).value_or(1);
-    for (const NumberedFile& one : numbered_files(file, key + ".file", options.file, reach))
+    for (const NumberedFile& one :
+         numbered_files(file, key + ".file", options.file, options.within))
         options.frames.emplace_back(std::int64_t(one.number) - first_file + 1, one.file);
     if (options.frames.empty()) {
-        options.file = named_file(file, key + ".file", std::array{options.file}, reach);
+        options.file = named_file(file, key + ".file", std::array{options.file}, options.within);
         if (const toml::node* first = section.find("first_file")) {
             fail(*first, key + ".first_file",
                  "is the number of the file that frame 1 shows; the file's name has no place for "
@@ -159,8 +162,8 @@ void check_times(const toml::table& table, const std::string& key, const TableOp
 
 // The columns of a file become fields; a field that the scene writes itself goes before.
 void add_data(const ArrayNodes& nodes, const std::string& key, Tables& tables, TrackTable& tracks,
-              Reach reach, animation::Array& array) {
-    TableOptions options = read_data(*nodes.data, key, reach);
+              const base::Confines& within, animation::Array& array) {
+    TableOptions options = read_data(*nodes.data, key, within);
     options.most = nodes.count ? read_count(*nodes.count, key + ".count") : limits::elements;
     options.counts_files = !nodes.count;
     const ElementTable& table = tables.read(options);
@@ -176,12 +179,12 @@ void add_data(const ArrayNodes& nodes, const std::string& key, Tables& tables, T
 }
 
 animation::Array make_array(const std::string& name, const ArrayNodes& nodes, Tables& tables,
-                            TrackTable& tracks, Reach reach) {
+                            TrackTable& tracks, const base::Confines& within) {
     animation::Array array;
     array.name = name;
     const std::string key = "arrays." + name;
     if (nodes.data) {
-        add_data(nodes, key, tables, tracks, reach, array);
+        add_data(nodes, key, tables, tracks, within, array);
     } else {
         if (!nodes.count) {
             fail(*nodes.place, key,
@@ -217,7 +220,7 @@ animation::Array make_array(const std::string& name, const ArrayNodes& nodes, Ta
 
 std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
                                           const animation::Timeline& timeline, TrackTable& tracks,
-                                          Reach reach) {
+                                          const base::Confines& within) {
     std::vector<std::string> names;
     std::map<std::string, ArrayNodes> nodes;
     for (Section* from : {catalogue, &document}) {
@@ -239,7 +242,7 @@ std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
     arrays.reserve(names.size());
     Tables tables(timeline);
     for (const std::string& name : names) {
-        arrays.push_back(make_array(name, nodes[name], tables, tracks, reach));
+        arrays.push_back(make_array(name, nodes[name], tables, tracks, within));
     }
     return arrays;
 }

@@ -58,6 +58,7 @@ public:
     ElementTable read(TableBudget& budget) {
         ParticleRequest request;
         request.file = options_.file;
+        request.within = options_.within;
         request.choose = [&](const std::string& format, const std::vector<std::string>& names) {
             return choose(format, names, budget);
         };
@@ -291,10 +292,11 @@ ElementTable read_frames(const TableOptions& options, const animation::Timeline&
         files.times.push_back(timeline.time(frame));
     }
     files.most = std::size_t(options.most);
+    files.within = options.within;
     if (options.counts_files) {
         files.most = 0;
         for (const std::filesystem::path& file : files.files) {
-            const std::size_t count = count_particles(file, limits::table_bytes);
+            const std::size_t count = count_particles(file, options.within, limits::table_bytes);
             if (count > std::size_t(options.most)) {
                 throw SceneError(fmt::format("{}: says that it holds {} particles; there may be {}",
                                              file.string(), count, options.most));
@@ -306,6 +308,7 @@ ElementTable read_frames(const TableOptions& options, const animation::Timeline&
     Interpolation rule = Interpolation::linear;
     ParticleRequest request;
     request.file = files.files.front();
+    request.within = options.within;
     request.choose = [&](const std::string&, const std::vector<std::string>& names) {
         const ColumnChoice choice = choose_columns(names, options.columns, false);
         SampledColumns columns = sampled_columns(choice, names, options.interpolation);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "animation/timeline.h"
+#include "base/confines.h"
 
 namespace isomotion::scene {
 
@@ -33,6 +34,7 @@ struct TableBudget {
 // How a scene reads a file.
 struct TableOptions {
     std::filesystem::path file;
+    base::Confines within{};                    // where files must lie when they are opened
     std::map<std::string, std::string> columns; // field to the column it is called in the file
     // Without a value: by velocities where the file has some, else straight.
     std::optional<animation::ElementSamples::Interpolation> interpolation{};
