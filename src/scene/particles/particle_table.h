@@ -53,8 +53,13 @@ struct ParticleTable {
 struct Wanted {
     std::vector<bool> columns;
     std::size_t most = 0;              // particles
-    double values = 0;                 // numbers, of the columns that are read
+    double values = 0;                 // numbers that are kept
     std::optional<std::size_t> time{}; // the column that tells it
+    // How many numbers are kept of each particle; without it one for each column that is read.
+    std::optional<std::size_t> kept{};
+
+    // Of so many particles.
+    double numbers(std::size_t count) const;
 };
 
 // Thrown by the choice of columns; the reader says where their names are.

@@ -89,7 +89,7 @@ ReadParticles read_particles(const ParticleRequest& request, std::size_t most) {
         !unknown && size > most) {
         fail_of_file(request,
                      fmt::format("has {} bytes; {} are left of the {} of all tables that arrays of "
-                                 "a scene name, with each name counted whose columns differ",
+                                 "a scene name",
                                  size, most, limits::table_bytes));
     }
     return read_particles(request, base::file_text(request.file, most, request.within), most);

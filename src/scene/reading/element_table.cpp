@@ -48,60 +48,89 @@ Interpolation rule_of(std::optional<Interpolation> asked, const SampledColumns& 
     return asked.value_or(has_velocities ? Interpolation::hermite : Interpolation::linear);
 }
 
+// What an array reads of a file.
+struct Part {
+    const TableOptions* options = nullptr;
+    ColumnChoice choice;
+    SampledColumns columns;
+    Interpolation rule = Interpolation::linear;
+
+    Part(const TableOptions& asked, const std::vector<std::string>& names, bool many_times)
+        : options(&asked)
+        , choice(choose_columns(names, asked.columns, many_times))
+        , columns(sampled_columns(choice, names, asked.interpolation))
+        , rule(rule_of(asked.interpolation, columns)) {}
+
+    bool moves() const { return choice.time != ColumnChoice::Time::none; }
+    // Calls use(column) for each time that a column's numbers are kept.
+    template<class Use> void for_each_use(Use&& use) const {
+        for (const std::size_t column : columns.from) use(column);
+        if (choice.id_column) use(*choice.id_column);
+        if (choice.time_column) use(*choice.time_column);
+    }
+};
+
+// The columns of a file that was read once, each taken as often as the parts use it.
+class SharedTable {
+public:
+    SharedTable(ParticleTable table, const std::filesystem::path& file,
+                const std::vector<Part>& parts)
+        : table_(std::move(table))
+        , file_(file)
+        , uses_(table_.columns.size()) {
+        for (const Part& part : parts)
+            part.for_each_use([&](std::size_t column) { ++uses_[column]; });
+    }
+
+    const ParticleTable& table() const { return table_; }
+    std::string place_of(std::size_t row, std::size_t column) const {
+        return place(table_, file_, column, row);
+    }
+    std::vector<double> numbers(std::size_t column) { return taken(column, take_numbers); }
+    std::vector<std::int64_t> whole_numbers(std::size_t column) {
+        return taken(column, take_whole_numbers);
+    }
+
+private:
+    // Those of a text are moved out of the table, so all but the last use get a copy.
+    template<class Take> auto taken(std::size_t column, Take&& take) {
+        auto* text = std::get_if<std::vector<double>>(&table_.columns[column].values);
+        std::vector<double> kept;
+        if (--uses_[column] > 0 && text) kept = *text;
+        auto numbers = take(table_, file_, column);
+        if (text) *text = std::move(kept);
+        return numbers;
+    }
+
+    ParticleTable table_;
+    std::filesystem::path file_;
+    std::vector<std::size_t> uses_;
+};
+
 // Makes samples of the rows of one file.
 class RowsInTime {
 public:
-    RowsInTime(const TableOptions& options, const animation::Timeline& timeline)
-        : options_(options)
-        , timeline_(timeline) {}
+    RowsInTime(const Part& part, const animation::Timeline& timeline, SharedTable& file)
+        : options_(*part.options)
+        , timeline_(timeline)
+        , choice_(part.choice)
+        , columns_(part.columns)
+        , file_(file)
+        , table_(file.table())
+        , place_column_(choice_.from.empty() ? 0 : choice_.from.front()) {}
 
-    ElementTable read(TableBudget& budget) {
-        ParticleRequest request;
-        request.file = options_.file;
-        request.within = options_.within;
-        request.choose = [&](const std::string& format, const std::vector<std::string>& names) {
-            return choose(format, names, budget);
-        };
-        ReadParticles read = read_particles(request, budget.bytes);
-        budget.bytes -= read.bytes;
-        table_ = std::move(read.table);
-        budget.values -= double(columns_.from.size()) * double(table_.count);
-        if (table_.count == table_.bare.size() && table_.bare.empty()) {
-            if (table_.end_line > 0)
-                fail_at_line(request, table_.end_line, "holds no element below its header");
-            fail_of_file(request, "holds no particle");
-        }
-        place_column_ = choice_.from.empty() ? 0 : choice_.from.front();
+    ElementTable read(Interpolation rule) {
         ElementTable result{nullptr, choice_.fields, here(0), here(table_.count - 1)};
         split_by_time();
         rows_.origin = fmt::format("{}: {}", options_.file.string(), table_.format);
         if (rows_.times.size() > 1) rows_.origin += fmt::format(", {} times", rows_.times.size());
         take_columns();
-        result.samples = std::make_shared<const animation::ElementSamples>(std::move(rows_), rule_);
+        result.samples = std::make_shared<const animation::ElementSamples>(std::move(rows_), rule);
         return result;
     }
 
 private:
-    Wanted choose(const std::string& format, const std::vector<std::string>& names,
-                  const TableBudget& budget) {
-        choice_ =
-            choose_columns(names, options_.columns, format == "CSV" || format.starts_with("NPY"));
-        columns_ = sampled_columns(choice_, names, options_.interpolation);
-        rule_ = rule_of(options_.interpolation, columns_);
-        const bool moves = choice_.time != ColumnChoice::Time::none;
-        Wanted wanted{std::vector<bool>(names.size()),
-                      moves ? std::size_t(limits::table_values) : std::size_t(options_.most),
-                      budget.values, choice_.time_column};
-        for (const std::size_t column : columns_.from) wanted.columns[column] = true;
-        if (choice_.id_column) wanted.columns[*choice_.id_column] = true;
-        if (choice_.time_column) wanted.columns[*choice_.time_column] = true;
-        for (const std::size_t column : columns_.from) rows_.names.push_back(names[column]);
-        return wanted;
-    }
-
-    std::string here(std::size_t row) const {
-        return place(table_, options_.file, place_column_, row);
-    }
+    std::string here(std::size_t row) const { return file_.place_of(row, place_column_); }
     [[noreturn]] void fail(std::size_t row, const std::string& column,
                            const std::string& message) const {
         throw SceneError(
@@ -113,14 +142,6 @@ private:
                                     : fmt::format("line {}", table_.lines[row]);
     }
 
-    // One that is a field as well is read twice.
-    std::vector<double> copy_numbers(std::size_t column) {
-        std::vector<double> numbers = take_numbers(table_, options_.file, column);
-        if (auto* text = std::get_if<std::vector<double>>(&table_.columns[column].values))
-            *text = numbers;
-        return numbers;
-    }
-
     void split_by_time() {
         if (choice_.time == ColumnChoice::Time::none) {
             rows_.times = {0};
@@ -128,7 +149,7 @@ private:
             if (table_.count > std::size_t(options_.most)) too_many(std::size_t(options_.most), 0);
             return;
         }
-        const std::vector<double> times = copy_numbers(*choice_.time_column);
+        const std::vector<double> times = file_.numbers(*choice_.time_column);
         auto bare = table_.bare.begin();
         std::size_t kept = 0;
         for (std::size_t row = 0; row < table_.count; ++row) {
@@ -231,24 +252,16 @@ private:
 
     void take_columns() {
         if (choice_.id_column) take_ids();
-        std::vector<std::size_t> uses(table_.columns.size());
-        for (const std::size_t column : columns_.from) ++uses[column];
         for (const std::size_t column : columns_.from) {
-            rows_.values.push_back(--uses[column] > 0
-                                       ? copy_numbers(column)
-                                       : take_numbers(table_, options_.file, column));
+            rows_.names.push_back(table_.columns[column].name);
+            rows_.values.push_back(file_.numbers(column));
             leave_out_bare(rows_.values.back());
         }
         rows_.velocities = columns_.velocities;
     }
 
     void take_ids() {
-        const std::size_t column = *choice_.id_column;
-        std::vector<double> numbers;
-        auto* text = std::get_if<std::vector<double>>(&table_.columns[column].values);
-        if (text) numbers = *text;
-        rows_.ids = take_whole_numbers(table_, options_.file, column);
-        if (text) *text = std::move(numbers); // it may be a field as well
+        rows_.ids = file_.whole_numbers(*choice_.id_column);
         leave_out_bare(rows_.ids);
         for (std::size_t k = 0; k + 1 < rows_.begin.size(); ++k) {
             const auto ids =
@@ -271,11 +284,11 @@ private:
 
     const TableOptions& options_;
     const animation::Timeline& timeline_;
-    ColumnChoice choice_;
-    SampledColumns columns_;
-    Interpolation rule_ = Interpolation::linear;
-    ParticleTable table_;
-    std::size_t place_column_ = 0;
+    const ColumnChoice& choice_;
+    const SampledColumns& columns_;
+    SharedTable& file_;
+    const ParticleTable& table_;
+    std::size_t place_column_;
 
     std::optional<std::int64_t> last_frame_;
     std::int64_t stride_ = 0;
@@ -283,6 +296,45 @@ private:
     bool sample_is_empty_ = false;
     animation::SampleRows rows_;
 };
+
+// One file, read once for all that arrays ask of it.
+std::vector<ElementTable> read_rows_in_time(std::span<const TableOptions> options,
+                                            const animation::Timeline& timeline,
+                                            TableBudget& budget) {
+    std::vector<Part> parts;
+    ParticleRequest request;
+    request.file = options.front().file;
+    request.within = options.front().within;
+    Wanted wanted;
+    request.choose = [&](const std::string& format, const std::vector<std::string>& names) {
+        wanted = {std::vector<bool>(names.size()), 0, budget.values, {}, 0};
+        for (const TableOptions& asked : options) {
+            const Part& part =
+                parts.emplace_back(asked, names, format == "CSV" || format.starts_with("NPY"));
+            wanted.most = std::max(wanted.most, part.moves() ? std::size_t(limits::table_values)
+                                                             : std::size_t(asked.most));
+            wanted.time = part.choice.time_column;
+            part.for_each_use([&](std::size_t column) {
+                wanted.columns[column] = true;
+                ++*wanted.kept;
+            });
+        }
+        return wanted;
+    };
+    ReadParticles read = read_particles(request, budget.bytes);
+    budget.bytes -= read.bytes;
+    budget.values -= wanted.numbers(read.table.count);
+    if (read.table.count == read.table.bare.size() && read.table.bare.empty()) {
+        if (read.table.end_line > 0)
+            fail_at_line(request, read.table.end_line, "holds no element below its header");
+        fail_of_file(request, "holds no particle");
+    }
+    SharedTable file(std::move(read.table), request.file, parts);
+    std::vector<ElementTable> tables;
+    for (const Part& part : parts)
+        tables.push_back(RowsInTime(part, timeline, file).read(part.rule));
+    return tables;
+}
 
 // A file for each frame: only the first is read here.
 ElementTable read_frames(const TableOptions& options, const animation::Timeline& timeline) {
@@ -338,10 +390,13 @@ ElementTable read_frames(const TableOptions& options, const animation::Timeline&
 
 } // namespace
 
-ElementTable read_element_table(const TableOptions& options, const animation::Timeline& timeline,
-                                TableBudget& budget) {
-    if (!options.frames.empty()) return read_frames(options, timeline);
-    return RowsInTime(options, timeline).read(budget);
+std::vector<ElementTable> read_element_tables(std::span<const TableOptions> options,
+                                              const animation::Timeline& timeline,
+                                              TableBudget& budget) {
+    if (options.front().frames.empty()) return read_rows_in_time(options, timeline, budget);
+    std::vector<ElementTable> tables;
+    for (const TableOptions& asked : options) tables.push_back(read_frames(asked, timeline));
+    return tables;
 }
 
 } // namespace isomotion::scene

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,10 +48,13 @@ struct TableOptions {
     bool operator==(const TableOptions&) const = default;
 };
 
-// Columns that `columns` leaves out keep their names where formulas can say them; others are
-// skipped. `timeline` turns frames into times. Takes what it holds off the budget. Throws
-// SceneError ("drops.csv:12: mass: ..."), and for what exceeds the budget before it is read.
-ElementTable read_element_table(const TableOptions& options, const animation::Timeline& timeline,
-                                TableBudget& budget);
+// What several arrays make of one file, or of the same files of frames, each in its own way: one
+// table for each of `options`. Columns that `columns` leaves out keep their names where formulas
+// can say them; others are skipped. `timeline` turns frames into times. Takes off the budget the
+// bytes of the file once, and every number that is kept, times and ids too. Throws SceneError
+// ("drops.csv:12: mass: ..."), and for what exceeds the budget before it is read.
+std::vector<ElementTable> read_element_tables(std::span<const TableOptions> options,
+                                              const animation::Timeline& timeline,
+                                              TableBudget& budget);
 
 } // namespace isomotion::scene
