@@ -93,11 +93,14 @@ public:
 
 private:
     // Those of a text are moved out of the table, so all but the last use get a copy.
-    template<class Take> auto taken(std::size_t column, Take&& take) {
+    template<class Number>
+    std::vector<Number>
+    taken(std::size_t column,
+          std::vector<Number> (*take)(ParticleTable&, const std::filesystem::path&, std::size_t)) {
         auto* text = std::get_if<std::vector<double>>(&table_.columns[column].values);
         std::vector<double> kept;
         if (--uses_[column] > 0 && text) kept = *text;
-        auto numbers = take(table_, file_, column);
+        std::vector<Number> numbers = take(table_, file_, column);
         if (text) *text = std::move(kept);
         return numbers;
     }

@@ -22,7 +22,10 @@ base::Confines confines(const base::FileDescriptor& folder, Reach reach) {
                 "cannot be told to lie in the scene's folder, as there is no /proc; allow all "
                 "files with --allow-outside"};
     }
-    for (const char* own : {"animations", "media"}) add(base::open_folder(data_folder() / own));
+    try {
+        for (const char* own : {"animations", "media"}) add(base::open_folder(data_folder() / own));
+    } catch (const SceneError&) { // no such folder: told where something of it is needed
+    }
     return {std::move(places), "lies outside the scene's folder; move it there, or allow such "
                                "files with --allow-outside"};
 }

@@ -45,39 +45,38 @@ TEST_F(ElementTables, StandStillWithoutATime) {
 
 // What is read once must be whole for each of those that read it.
 TEST_F(ElementTables, SeveralArraysReadOneFileEachInItsWay) {
-    write("d.csv", "frame,id,x,y,vx,id2\n1,5,1,10,3,8\n1,6,2,20,3,9\n2,6,4,40,3,9\n3,6,8,80,3,9\n");
+    write("d.csv", "frame,id,x,cy,vx\n1,5,1,10,30\n1,6,2,20,30\n2,6,4,40,30\n3,6,8,80,30\n");
     const auto array = [](const char* name, const char* more) {
         return fmt::format("[arrays.{}]\nfile = \"d.csv\"\n{}\n", name, more);
     };
-    const Scene scene = loaded(
-        "[time]\nfps = 10\nframes = 3\n[surface]\nbounds = { sphere = 4 }\n"
-        "formula = \"x + sum(a, x + y) + sum(b, cy + cx + again) + sum(c, who + x) + sum(d, "
-        "y)\"\n" +
+    const std::string text =
         array("a", "interpolation = \"linear\"") +
-        array("b",
-              "columns = { cx = \"x\", cy = \"y\", again = \"x\" }\ninterpolation = \"hold\"") +
-        array("c", "columns = { who = \"id\", when = \"frame\" }") +
-        array("d", "interpolation = \"linear\""));
-    const auto fields = [&](std::size_t a, double t) {
-        std::map<std::string, std::vector<double>> found;
-        const auto columns = scene.timeline.animation.at(t).arrays[a];
-        const auto& named = scene.timeline.animation.arrays()[a].fields;
-        for (std::size_t f = 0; f < named.size(); ++f) found[named[f].name] = columns.fields[f];
-        return found;
+        array("b", "columns = { cx = \"x\", again = \"x\" }\ninterpolation = \"hold\"") +
+        array("c", "columns = { who = \"id\", when = \"frame\", cx = \"x\" }") +
+        array("d", "interpolation = \"linear\"") +
+        "[time]\nfps = 10\nframes = 3\n[surface]\nbounds = { sphere = 4 }\nformula = ";
+    const Scene scene = loaded(text + "\"x + sum(a, cy) + sum(b, cx + cy + again) + "
+                                      "sum(c, who + when + cx) + sum(d, cy)\"");
+    const auto field = [&](std::size_t a, const std::string& name, double t) {
+        const auto& fields = scene.timeline.animation.arrays()[a].fields;
+        const auto at = std::ranges::find(fields, name, &animation::ArrayField::name);
+        return scene.timeline.animation.at(t).arrays[a].fields[std::size_t(at - fields.begin())];
     };
     for (const std::size_t a : {0u, 3u}) {
-        EXPECT_THAT(fields(a, 0)["y"], ElementsAre(10, 20));
-        EXPECT_NEAR(fields(a, 0.15)["y"][0], 60, 1e-9);
+        EXPECT_THAT(field(a, "cy", 0), ElementsAre(10, 20));
+        EXPECT_THAT(field(a, "cy", 0.15), ElementsAre(testing::DoubleNear(60, 1e-9)));
     }
-    EXPECT_NEAR(fields(0, 0.15)["x"][0], 6, 1e-9);
-    EXPECT_THAT(fields(1, 0.05)["cx"], ElementsAre(1, 2));
-    EXPECT_THAT(fields(1, 0.05)["again"], ElementsAre(1, 2));
-    EXPECT_THAT(fields(1, 0.15)["cy"], ElementsAre(40));
-    EXPECT_THAT(fields(2, 0)["who"], ElementsAre(5, 6));
-    EXPECT_THAT(fields(2, 0.2)["x"], ElementsAre(8));
-    // Which of them is wrong.
-    EXPECT_EQ(mistake(array("a", "") + array("b", "count = 1") +
-                      "[surface]\nformula = \"sum(a, x) + sum(b, x)\"\nbounds = { sphere = 1 }\n"),
+    EXPECT_THAT(field(1, "cx", 0.05), ElementsAre(1, 2));
+    EXPECT_THAT(field(1, "again", 0.05), ElementsAre(1, 2));
+    EXPECT_THAT(field(1, "cy", 0.15), ElementsAre(40));
+    EXPECT_THAT(field(2, "who", 0), ElementsAre(5, 6));
+    EXPECT_THAT(field(2, "when", 0), ElementsAre(1, 1));
+    // On a cubic from 4 to 8, at both ends as fast as 30.
+    EXPECT_THAT(field(2, "cx", 0.15), ElementsAre(testing::DoubleNear(6, 1e-9)));
+    EXPECT_THAT(field(2, "cx", 0.125),
+                ElementsAre(testing::DoubleNear(4 + 4 * 0.15625 + 3 * 0.09375, 1e-9)));
+    // The mistake is that of one.
+    EXPECT_EQ(mistake(array("e", "count = 1") + text + "\"x + sum(a, cy) + sum(e, cy)\""),
               "d.csv:3: is element 2 of its time; the array's count allows 1");
 }
 
@@ -89,7 +88,7 @@ TEST_F(ElementTables, TakeOffTheBudgetWhatIsKept) {
         std::vector<TableOptions> all(arrays, options);
         for (std::size_t k = 0; k < arrays; ++k) all[k].columns[fmt::format("c{}", k)] = "x";
         TableBudget budget{1000, values};
-        const auto read = read_element_tables(all, {.fps = {}, .frames = 9}, budget);
+        const auto read = read_element_tables(all, animation::Timeline(), budget);
         EXPECT_EQ(read.size(), arrays);
         EXPECT_EQ(budget.bytes, 1000 - table.size()) << "of " << arrays;
         return budget.values;
