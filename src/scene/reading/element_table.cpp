@@ -7,108 +7,12 @@
 
 #include "scene/error.h"
 #include "scene/limits.h"
-#include "scene/particles/column_choice.h"
 #include "scene/particles/file_frames.h"
 #include "scene/particles/read_particles.h"
+#include "scene/reading/file_part.h"
 
 namespace isomotion::scene {
 namespace {
-
-using Interpolation = animation::ElementSamples::Interpolation;
-
-// The columns of the samples: those of the fields, then velocities that no field is.
-struct SampledColumns {
-    std::vector<std::size_t> from; // the file's column of each
-    std::vector<std::optional<std::size_t>> velocities;
-};
-
-SampledColumns sampled_columns(const ColumnChoice& choice, const std::vector<std::string>& names,
-                               std::optional<Interpolation> interpolation) {
-    SampledColumns columns{choice.from, {}};
-    columns.velocities.resize(choice.from.size());
-    const bool curved = !interpolation || *interpolation == Interpolation::hermite;
-    for (std::size_t c = 0; curved && c < choice.from.size(); ++c) {
-        const auto velocity = velocity_column(names, columns.from[c]);
-        if (!velocity) continue;
-        const auto known = std::ranges::find(columns.from, *velocity);
-        columns.velocities[c] = std::size_t(known - columns.from.begin());
-        if (known == columns.from.end()) columns.from.push_back(*velocity);
-    }
-    columns.velocities.resize(columns.from.size());
-    return columns;
-}
-
-Interpolation rule_of(std::optional<Interpolation> asked, const SampledColumns& columns) {
-    const bool has_velocities = std::ranges::any_of(
-        columns.velocities, [](const auto& velocity) { return velocity.has_value(); });
-    if (asked == Interpolation::hermite && !has_velocities) {
-        throw NamedColumn{"vx", "there is no column vx, vy or vz beside x, y or z; interpolation = "
-                                "\"hermite\" reads them"};
-    }
-    return asked.value_or(has_velocities ? Interpolation::hermite : Interpolation::linear);
-}
-
-// What an array reads of a file.
-struct Part {
-    const TableOptions* options = nullptr;
-    ColumnChoice choice;
-    SampledColumns columns;
-    Interpolation rule = Interpolation::linear;
-
-    Part(const TableOptions& asked, const std::vector<std::string>& names, bool many_times)
-        : options(&asked)
-        , choice(choose_columns(names, asked.columns, many_times))
-        , columns(sampled_columns(choice, names, asked.interpolation))
-        , rule(rule_of(asked.interpolation, columns)) {}
-
-    bool moves() const { return choice.time != ColumnChoice::Time::none; }
-    // Calls use(column) for each time that a column's numbers are kept.
-    template<class Use> void for_each_use(Use&& use) const {
-        for (const std::size_t column : columns.from) use(column);
-        if (choice.id_column) use(*choice.id_column);
-        if (choice.time_column) use(*choice.time_column);
-    }
-};
-
-// The columns of a file that was read once, each taken as often as the parts use it.
-class SharedTable {
-public:
-    SharedTable(ParticleTable table, const std::filesystem::path& file,
-                const std::vector<Part>& parts)
-        : table_(std::move(table))
-        , file_(file)
-        , uses_(table_.columns.size()) {
-        for (const Part& part : parts)
-            part.for_each_use([&](std::size_t column) { ++uses_[column]; });
-    }
-
-    const ParticleTable& table() const { return table_; }
-    std::string place_of(std::size_t row, std::size_t column) const {
-        return place(table_, file_, column, row);
-    }
-    std::vector<double> numbers(std::size_t column) { return taken(column, take_numbers); }
-    std::vector<std::int64_t> whole_numbers(std::size_t column) {
-        return taken(column, take_whole_numbers);
-    }
-
-private:
-    // Those of a text are moved out of the table, so all but the last use get a copy.
-    template<class Number>
-    std::vector<Number>
-    taken(std::size_t column,
-          std::vector<Number> (*take)(ParticleTable&, const std::filesystem::path&, std::size_t)) {
-        auto* text = std::get_if<std::vector<double>>(&table_.columns[column].values);
-        std::vector<double> kept;
-        if (--uses_[column] > 0 && text) kept = *text;
-        std::vector<Number> numbers = take(table_, file_, column);
-        if (text) *text = std::move(kept);
-        return numbers;
-    }
-
-    ParticleTable table_;
-    std::filesystem::path file_;
-    std::vector<std::size_t> uses_;
-};
 
 // Makes samples of the rows of one file.
 class RowsInTime {
