@@ -89,11 +89,12 @@ def scenes():
 
 
 def write_tables(folder):
-    rows = [f"{1 + row // 9000}," + ",".join([f"{row % 97 * 0.01:.3f}"] * 30) + "\n" for row in range(900_000)]
+    # No more than a row in memory: what a program takes counts from what this one takes.
     for name, column in [("table.csv", "c"), ("unspoken.csv", "c.")]:
         with open(folder / name, "w") as table:
             table.write("frame," + ",".join(f"{column}{k}" for k in range(30)) + "\n")
-            table.writelines(rows)
+            for row in range(900_000):
+                table.write(f"{1 + row // 9000}," + ",".join([f"{row % 97 * 0.01:.3f}"] * 30) + "\n")
     # As many numbers as may be kept.
     with open(folder / "times.csv", "w") as table:
         table.write("t,c\n")
