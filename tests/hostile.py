@@ -20,6 +20,9 @@ import tempfile
 KINDS = [
     ("limits of scenes, and one more", "unit/scene/scene_test", "Limits.*"),
     ("files that scenes name", "unit/scene/scene_test", "Scenes.*:Outside.*"),
+    ("files that change before they are opened", "unit/base/base_test", "Confined.*"),
+    ("what tables keep", "unit/scene/scene_test", "ElementTables.TakeOff*:ElementTables.Several*"),
+    ("particles of every format", "unit/scene/particles_test", "*"),
     ("slips in scenes", "unit/scene/scene_test", "*Mistakes*"),
     ("pictures of light", "unit/image/image_test", "EnvironmentFile.*"),
     ("names and numbers that reach shaders", "fuzz/hostile_scene_test", "*"),

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/confines.h"
+
 namespace isomotion::base {
 
 /// The file system refused, or a file is not what it has to be. The message has the path, what was
@@ -31,11 +33,15 @@ private:
 /// same file take turns. A device or a pipe is written straight.
 void write_whole(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// A regular file's bytes. A folder, a pipe or a device is refused, as one may never end, and so is
-/// a file of more than `most` bytes.
+/// A regular file's bytes (regular_file.h). A file of more than `most` bytes is refused.
 std::vector<std::byte> read_whole(const std::filesystem::path& path,
-                                  std::size_t most = std::size_t(4) << 30);
-std::string read_whole_text(const std::filesystem::path& path, std::size_t most);
+                                  std::size_t most = std::size_t(4) << 30,
+                                  const Confines& within = {});
+std::string read_whole_text(const std::filesystem::path& path, std::size_t most,
+                            const Confines& within = {});
+/// Of the file of this name in an open folder.
+std::string read_whole_text(const FileDescriptor& folder, const std::filesystem::path& path,
+                            std::size_t most);
 
 /// The content_hash() of a regular file's bytes, of which few are held at once.
 std::string hash_of_file(const std::filesystem::path& path);

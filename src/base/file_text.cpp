@@ -30,15 +30,25 @@ std::string mistake(const FileError& error, std::size_t most) {
     }
 }
 
-} // namespace
-
-std::string file_text(const std::filesystem::path& file, std::size_t most) {
+template<class Read>
+std::string text_or_mistake(const std::filesystem::path& file, std::size_t most, Read&& read) {
     try {
-        return read_whole_text(file, most);
+        return read();
     } catch (const FileError& error) {
         throw InputError(
             fmt::format("{}: {}", printable_line(file.string()), mistake(error, most)));
     }
+}
+
+} // namespace
+
+std::string file_text(const std::filesystem::path& file, std::size_t most, const Confines& within) {
+    return text_or_mistake(file, most, [&] { return read_whole_text(file, most, within); });
+}
+
+std::string file_text(const FileDescriptor& folder, const std::filesystem::path& file,
+                      std::size_t most) {
+    return text_or_mistake(file, most, [&] { return read_whole_text(folder, file, most); });
 }
 
 } // namespace isomotion::base

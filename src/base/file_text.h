@@ -5,10 +5,17 @@
 #include <filesystem>
 #include <string>
 
+#include "base/confines.h"
+
 namespace isomotion::base {
 
 // Throws InputError ("drops.csv: ...") for what is missing, no regular file (a folder, a pipe, a
-// device: reading them may never end), larger than `most` bytes or unreadable.
-std::string file_text(const std::filesystem::path& file, std::size_t most);
+// device: reading them may never end), larger than `most` bytes, unreadable or outside its
+// confines.
+std::string file_text(const std::filesystem::path& file, std::size_t most,
+                      const Confines& within = {});
+// The file of this name in an open folder.
+std::string file_text(const FileDescriptor& folder, const std::filesystem::path& file,
+                      std::size_t most);
 
 } // namespace isomotion::base

@@ -54,8 +54,9 @@ Frame decode(const std::filesystem::path& file) { return codecs().decode(file); 
 
 std::string pixel_hash(const std::filesystem::path& file) { return codecs().pixel_hash(file); }
 
-int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink) {
-    return codecs().read_environment(file, sink);
+int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink,
+                     const base::Confines& within) {
+    return codecs().read_environment(file, sink, within);
 }
 
 EnvironmentMap read_environment(const std::filesystem::path& file) {
@@ -69,7 +70,7 @@ EnvironmentMap read_environment(const std::filesystem::path& file) {
     sink.rows = [&](int, std::span<const float> texels) {
         map.texels.insert(map.texels.end(), texels.begin(), texels.end());
     };
-    map.mended = read_environment(file, sink);
+    map.mended = read_environment(file, sink, {});
     return map;
 }
 

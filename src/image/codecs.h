@@ -18,7 +18,8 @@ struct Codecs {
     std::vector<std::byte> (*encode)(const Frame& frame, Format format, PixelHash* hash);
     Frame (*decode)(const std::filesystem::path& file);
     std::string (*pixel_hash)(const std::filesystem::path& file);
-    int (*read_environment)(const std::filesystem::path& file, const EnvironmentSink& sink);
+    int (*read_environment)(const std::filesystem::path& file, const EnvironmentSink& sink,
+                            const base::Confines& within);
 };
 
 // Throws std::runtime_error if the module cannot be loaded. From any thread.

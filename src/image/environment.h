@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/confines.h"
+
 namespace isomotion::image {
 
 /// Light from every direction: a picture of the whole sphere, longitude across and latitude down.
@@ -39,9 +41,11 @@ struct EnvironmentSink {
     std::function<void(int first, std::span<const float> texels)> rows; ///< as in EnvironmentMap
 };
 
-/// Returns how many texels were mended. Decodes what holds floats twice: what the largest is must
-/// be known before the first row.
-int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink);
+/// Returns how many texels were mended. Throws an InputError if the file that is opened lies
+/// outside its confines. Decodes what holds floats twice: what the largest is must be known before
+/// the first row.
+int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink,
+                     const base::Confines& within);
 
 /// What to tell about a map with mended texels: `environment FILE: 12 texels were ...`.
 std::string mending(const std::filesystem::path& file, int mended);

@@ -123,7 +123,8 @@ struct Renderer::Parts {
             environment->update_rows(first, texels);
             print.append(std::as_bytes(texels));
         };
-        const int mended = image::read_environment(scene.environment->map, sink);
+        const int mended =
+            image::read_environment(scene.environment->map, sink, scene.environment->within);
         if (mended > 0 && options.warn)
             options.warn(image::mending(scene.environment->map, mended));
         environment_print = print.text();

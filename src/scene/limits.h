@@ -21,7 +21,7 @@ inline constexpr int parameters = 1000; // fields with one value for all element
 inline constexpr int keys = 100'000;    // of one track
 inline constexpr int elements = 1'000'000;
 inline constexpr int fields = 1000; // of an array; columns of a table
-// Of all tables together: their numbers, eight bytes each, of the columns that become fields.
+// Of all tables together: the numbers that arrays keep of them, eight bytes each.
 inline constexpr double table_values = 3e7;
 // The formula at one point, with all elements of its sums. All fields of all elements at one frame:
 // how many they are, some 50 bytes each, and what they take.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "animation/timeline.h"
+#include "base/confines.h"
 #include "formula/field.h"
 #include "formula/paint.h"
 #include "formula/smoothness.h"
@@ -180,6 +181,7 @@ constexpr std::optional<Material::Model> parse_model(std::string_view text) {
 // points to the top of the map, the x axis to its middle, the y axis to its left quarter.
 struct Environment {
     std::filesystem::path map;
+    base::Confines within;  // where the map must lie when it is opened
     TrackId rotation = 0;   // of the surroundings about the z axis, degrees
     TrackId intensity = 0;  // multiplies the map
     bool background = true; // seen behind the surface

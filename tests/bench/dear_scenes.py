@@ -78,13 +78,30 @@ def scenes():
     yield "many names of a sum", scene(f"x-sum(a, {said})*1e-9", array("a", 2, names))
     tables = "".join(f'[arrays.a{k}]\nfile = "table.csv"\n' for k in range(32))
     yield "a table named often", scene("x+" + "+".join(f"sum(a{k}, c1)" for k in range(32)), tables)
+    # One column and the time each.
+    ways = "".join(
+        f'[arrays.a{k}]\nfile = "unspoken.csv"\ncolumns = {{ c = "c.{k}" }}\n' for k in range(16)
+    )
+    yield "a table read in many ways", scene("x+" + "+".join(f"sum(a{k}, c)" for k in range(16)), ways)
+    for kind in ["times", "ids"]:
+        table = f'[arrays.a]\nfile = "{kind}.csv"\nextrapolate = "hold"\n'
+        yield f"a table of {kind}", scene("x+sum(a, c)*1e-9", table)
 
 
-def write_table(file):
-    with open(file, "w") as table:
-        table.write("frame," + ",".join(f"c{k}" for k in range(30)) + "\n")
-        for row in range(900_000):
-            table.write(f"{1 + row // 9000}," + ",".join([f"{row % 97 * 0.01:.3f}"] * 30) + "\n")
+def write_tables(folder):
+    # No more than a row in memory: what a program takes counts from what this one takes.
+    for name, column in [("table.csv", "c"), ("unspoken.csv", "c.")]:
+        with open(folder / name, "w") as table:
+            table.write("frame," + ",".join(f"{column}{k}" for k in range(30)) + "\n")
+            for row in range(900_000):
+                table.write(f"{1 + row // 9000}," + ",".join([f"{row % 97 * 0.01:.3f}"] * 30) + "\n")
+    # As many numbers as may be kept.
+    with open(folder / "times.csv", "w") as table:
+        table.write("t,c\n")
+        table.writelines(f"{row},1\n" for row in range(14_999_999))
+    with open(folder / "ids.csv", "w") as table:
+        table.write("frame,id,c\n")
+        table.writelines(f"{1 + row // 999_999},{row * 7919 % 10_000_019},1\n" for row in range(9_999_990))
 
 
 # With the exit codes that are right.
@@ -102,7 +119,7 @@ def cost(words):
 def main():
     program = sys.argv[1] if len(sys.argv) > 1 else "build/release/isomotion"
     with tempfile.TemporaryDirectory() as folder:
-        write_table(pathlib.Path(folder) / "table.csv")
+        write_tables(pathlib.Path(folder))
         dear = []
         print("| scene | command | seconds | MB | exit code |\n|---|---|--:|--:|--:|")
         for name, text in scenes():

@@ -109,8 +109,8 @@ TEST_F(Machine, OutputsThatCannotBeWritten) {
             cli::run({"/bin/sh", "-c",
                       "mkfifo p; : <p & exec 4>p; wait; rm p; exec \"$0\" \"$@\" " +
                           std::string(number) + ">&4",
-                      ISOMOTION_PROGRAM, "render", "nothing.toml", "--frames", "1-3", "--size",
-                      "16x16", "-o", "b.####.png"},
+                      cli::tested_program(ISOMOTION_PROGRAM), "render", "nothing.toml", "--frames",
+                      "1-3", "--size", "16x16", "-o", "b.####.png"},
                      circumstances());
         EXPECT_EQ(ending.signal, 0) << number << ending;
         EXPECT_EQ(ending.code, *number == '1' ? 3 : 0) << ending;
@@ -170,7 +170,8 @@ TEST_F(Machine, WhatIsWhereAManifestBelongs) {
 // As under some daemons: the kernel forgets how children end.
 TEST_F(Machine, EndsOfChildrenThatAParentIgnored) {
     const auto ignoring = [this](Words words) {
-        Words all{"/bin/sh", "-c", R"(trap '' CHLD; exec "$0" "$@")", ISOMOTION_PROGRAM};
+        Words all{"/bin/sh", "-c", R"(trap '' CHLD; exec "$0" "$@")",
+                  cli::tested_program(ISOMOTION_PROGRAM)};
         all.insert(all.end(), words.begin(), words.end());
         return cli::run(all, circumstances());
     };

@@ -139,6 +139,13 @@ int open(const char* path, int flags, ...) {
     va_end(rest);
     HAND_ON(call_open, open, -1, int (*)(const char*, int, ...), (path, flags, mode))
 }
+int openat(int folder, const char* path, int flags, ...) {
+    va_list rest;
+    va_start(rest, flags);
+    const int mode = flags & (O_CREAT | O_TMPFILE) ? va_arg(rest, int) : 0;
+    va_end(rest);
+    HAND_ON(call_open, openat, -1, int (*)(int, const char*, int, ...), (folder, path, flags, mode))
+}
 ssize_t write(int descriptor, const void* bytes, size_t size) {
     HAND_ON(call_write, write, -1, ssize_t(*)(int, const void*, size_t), (descriptor, bytes, size))
 }

@@ -63,7 +63,8 @@ void table(std::string_view text) {
         options.interpolation = interpolation;
         scene::TableBudget budget{1 << 16, 1e5};
         try {
-            const scene::ElementTable table = read_element_table(options, timeline, budget);
+            const scene::ElementTable table =
+                scene::read_element_tables(std::span(&options, 1), timeline, budget).front();
             const animation::ElementSamples& samples = *table.samples;
             const double first = samples.first_time(), last = samples.last_time();
             for (const double part : {-0.1, 0.0, 0.3, 0.5, 1.0, 1.1})

@@ -21,9 +21,9 @@ namespace {
 
 constexpr PictureLimits limits{.bytes = std::size_t(256) << 20, .channels = 16};
 
-PictureFile opened(const std::filesystem::path& file) {
+PictureFile opened(const std::filesystem::path& file, const base::Confines& within) {
     try {
-        return PictureFile(file, limits);
+        return PictureFile(file, limits, within);
     } catch (const ImageError& error) {
         fail(file, fmt::format("not a picture that can be read; give a latitude-longitude map as "
                                "EXR, HDR, TIFF, PNG or JPEG ({})",
@@ -102,8 +102,9 @@ float mended(float light, float largest) {
 
 } // namespace
 
-int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink) {
-    PictureFile picture = opened(file);
+int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink,
+                     const base::Confines& within) {
+    PictureFile picture = opened(file, within);
     const OIIO::ImageSpec spec = picture.spec();
     check_size(file, spec);
     const Colour colour = colour_of(file, spec.channelnames);

@@ -16,6 +16,7 @@ namespace isomotion::image::oiio {
 std::vector<std::byte> encode(const Frame& frame, Format format, PixelHash* hash);
 Frame decode(const std::filesystem::path& file);
 std::string pixel_hash(const std::filesystem::path& file);
-int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink);
+int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink,
+                     const base::Confines& within);
 
 } // namespace isomotion::image::oiio

@@ -48,9 +48,10 @@ const Signature* signature_of(std::span<const std::byte> bytes) {
     return found == signatures.end() ? nullptr : &*found;
 }
 
-std::vector<std::byte> bytes_of(const std::filesystem::path& file, std::size_t most) {
+std::vector<std::byte> bytes_of(const std::filesystem::path& file, std::size_t most,
+                                const base::Confines& within) {
     try {
-        return base::read_whole(file, most);
+        return base::read_whole(file, most, within);
     } catch (const base::FileError& error) {
         if (error.code() != EFBIG) throw;
         fail(file.string(), fmt::format("has more than {} MB, the most that is read", most >> 20));
@@ -126,9 +127,10 @@ int rows_at_once(const OIIO::ImageSpec& is) {
     return int(std::clamp<std::size_t>(bytes / row_bytes(is), 1, 128));
 }
 
-PictureFile::PictureFile(const std::filesystem::path& file, const PictureLimits& limits)
+PictureFile::PictureFile(const std::filesystem::path& file, const PictureLimits& limits,
+                         const base::Confines& within)
     : file_(file.string())
-    , bytes_(bytes_of(file, limits.bytes))
+    , bytes_(bytes_of(file, limits.bytes, within))
     , memory_(bytes_.data(), bytes_.size()) {
     const Signature* signature = signature_of(bytes_);
     if (!signature) fail(file_, "no picture that is read; EXR, HDR, TIFF, PNG and JPEG are");

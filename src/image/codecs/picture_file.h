@@ -12,6 +12,8 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include "base/confines.h"
+
 namespace isomotion::image::oiio {
 
 // What a picture may cost.
@@ -32,8 +34,10 @@ int rows_at_once(const OIIO::ImageSpec& is);
 class PictureFile {
 public:
     // Throws FileError, and ImageError ("FILE: ...") for what is none of these, broken or beyond
-    // the limits, which the header tells before anything is decoded.
-    explicit PictureFile(const std::filesystem::path& file, const PictureLimits& limits = {});
+    // the limits, which the header tells before anything is decoded; InputError for what lies
+    // outside its confines.
+    explicit PictureFile(const std::filesystem::path& file, const PictureLimits& limits = {},
+                         const base::Confines& within = {});
 
     const OIIO::ImageSpec& spec() const { return input_->spec(); }
 

@@ -104,11 +104,11 @@ private:
         const bool ends = text_.empty() || text_.back() == '\n';
         const auto rows =
             std::ranges::count(text_.begin() + std::ptrdiff_t(at_), text_.end(), '\n') + !ends;
-        const auto columns = std::ranges::count(wanted_.columns, true);
-        if (double(columns) * double(rows) > wanted_.values) {
-            fail("", fmt::format("has {} columns and {} lines; all tables of a scene hold at most "
-                                 "{:.3g} numbers: leave columns out that the formula doesn't read",
-                                 columns, rows, limits::table_values));
+        if (const double numbers = wanted_.numbers(std::size_t(rows)); numbers > wanted_.values) {
+            fail("", fmt::format("has {} lines, and {:.3g} numbers of them are kept; all tables of "
+                                 "a scene hold at most {:.3g}: leave columns out that the formula "
+                                 "doesn't read",
+                                 rows, numbers, limits::table_values));
         }
     }
 

@@ -1,12 +1,14 @@
 #include "scene/particles/file_frames.h"
 
 #include <algorithm>
-#include <fstream>
+#include <span>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include "base/content_hash.h"
+#include "base/file.h"
+#include "base/regular_file.h"
 #include "scene/error.h"
 #include "scene/limits.h"
 #include "scene/particles/column_choice.h"
@@ -20,18 +22,20 @@ constexpr std::size_t bytes_kept = 256 << 20;
 constexpr std::uintmax_t bytes_hashed = 1 << 30;
 
 // A file's bytes, or those at both its ends.
-void add_file(base::ContentHash& hash, const std::filesystem::path& file, bool whole) {
-    std::ifstream stream(file, std::ios::binary);
-    std::vector<char> piece(whole ? 1 << 20 : 1 << 16);
+void add_file(base::ContentHash& hash, base::RegularFile file, bool whole) {
+    std::vector<std::byte> piece(whole ? 1 << 20 : 1 << 16);
     const auto add = [&] {
-        stream.read(piece.data(), std::streamsize(piece.size()));
-        hash.add(std::as_bytes(std::span(piece).first(std::size_t(stream.gcount()))));
+        const std::size_t count = file.read(piece);
+        hash.add(std::span<const std::byte>(piece).first(count));
+        return count == piece.size();
     };
-    do add();
-    while (whole && stream);
-    if (whole || !stream) return;
-    stream.seekg(-std::streamoff(piece.size()), std::ios::end);
-    if (stream) add();
+    if (whole) {
+        while (add())
+            ;
+    } else if (add()) {
+        file.go_to(file.size() - std::min(file.size(), piece.size()));
+        add();
+    }
 }
 
 } // namespace
@@ -61,6 +65,7 @@ std::size_t FileFrames::files_read() const {
 FileFrames::FramePointer FileFrames::read(std::size_t k, const std::vector<bool>& columns) const {
     ParticleRequest request;
     request.file = files_.files[k];
+    request.within = files_.within;
     std::vector<std::optional<std::size_t>> from(files_.columns.size());
     std::optional<std::size_t> id;
     request.choose = [&](const std::string&, const std::vector<std::string>& names) {
@@ -241,8 +246,12 @@ void FileFrames::add_rows(base::Fingerprint& print) const {
         for (const std::uintmax_t size : sizes) all += size;
         base::ContentHash hash;
         hash.add_values(std::span<const std::uintmax_t>(sizes));
-        for (const std::filesystem::path& file : files_.files)
-            add_file(hash, file, all <= bytes_hashed);
+        for (const std::filesystem::path& file : files_.files) {
+            try {
+                add_file(hash, base::RegularFile(file, files_.within), all <= bytes_hashed);
+            } catch (const base::FileError&) { // gone: told when its frame is asked for
+            }
+        }
         print_ = hash.text();
     }
     print.add_values(std::span(files_.times)).add(print_);

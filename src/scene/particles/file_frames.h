@@ -23,6 +23,7 @@ struct FrameFiles {
     std::vector<std::string> columns;                   // as files call them
     std::vector<std::optional<std::size_t>> velocities; // of each column
     std::size_t most = 0;                               // particles of a file
+    base::Confines within{};                            // where files must lie when they are opened
 };
 
 class FileFrames final : public animation::SampleSource {

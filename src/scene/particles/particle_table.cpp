@@ -84,6 +84,10 @@ void fail_of_file(const ParticleRequest& request, const std::string& message) {
     throw SceneError(fmt::format("{}: {}", request.file.string(), message));
 }
 
+double Wanted::numbers(std::size_t count) const {
+    return double(kept.value_or(std::size_t(std::ranges::count(columns, true)))) * double(count);
+}
+
 Wanted wanted_of(const ParticleRequest& request, const std::string& format,
                  const std::vector<std::string>& names, std::size_t count) {
     if (names.size() > std::size_t(limits::fields)) {
@@ -105,12 +109,10 @@ Wanted wanted_of(const ParticleRequest& request, const std::string& format,
         fail_of_file(request, fmt::format("says that it holds {} particles; there may be {}", count,
                                           wanted.most));
     }
-    const double numbers = double(std::ranges::count(wanted.columns, true)) * double(count);
-    if (numbers > wanted.values) {
-        fail_of_file(request, fmt::format("has {} particles, and {} of its columns are read; all "
-                                          "tables of a scene hold at most {:.3g} numbers",
-                                          count, std::ranges::count(wanted.columns, true),
-                                          limits::table_values));
+    if (wanted.numbers(count) > wanted.values) {
+        fail_of_file(request, fmt::format("has {} particles, and {:.3g} numbers of them are kept; "
+                                          "all tables of a scene hold at most {:.3g}",
+                                          count, wanted.numbers(count), limits::table_values));
     }
     return wanted;
 }

@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/confines.h"
+
 namespace isomotion::scene {
 
 enum class Scalar : char { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
@@ -51,8 +53,13 @@ struct ParticleTable {
 struct Wanted {
     std::vector<bool> columns;
     std::size_t most = 0;              // particles
-    double values = 0;                 // numbers, of the columns that are read
+    double values = 0;                 // numbers that are kept
     std::optional<std::size_t> time{}; // the column that tells it
+    // How many numbers are kept of each particle; without it one for each column that is read.
+    std::optional<std::size_t> kept{};
+
+    // Of so many particles.
+    double numbers(std::size_t count) const;
 };
 
 // Thrown by the choice of columns; the reader says where their names are.
@@ -63,6 +70,7 @@ struct NamedColumn {
 // What a reader of a format goes by.
 struct ParticleRequest {
     std::filesystem::path file;
+    base::Confines within{}; // where it must lie when it is opened
     // Asked once, as soon as the names are known; may throw NamedColumn.
     std::function<Wanted(const std::string& format, const std::vector<std::string>& names)> choose;
     // Only `count` is asked for, of what may be a file's beginning alone.

@@ -1,11 +1,13 @@
 #include "scene/particles/read_particles.h"
 
 #include <algorithm>
-#include <fstream>
+#include <span>
 
 #include <fmt/format.h>
 
+#include "base/file.h"
 #include "base/file_text.h"
+#include "base/regular_file.h"
 #include "scene/error.h"
 #include "scene/limits.h"
 #include "scene/particles/formats.h"
@@ -67,11 +69,15 @@ Reader reader_of(std::string_view bytes, const ParticleRequest& request) {
     return reader;
 }
 
-std::string beginning_of(const std::filesystem::path& file, std::size_t most) {
+// Nothing of what cannot be read.
+std::string beginning_of(const ParticleRequest& request, std::size_t most) {
     std::string bytes(most, '\0');
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(bytes.data(), std::streamsize(most));
-    bytes.resize(std::size_t(std::max<std::streamsize>(stream.gcount(), 0)));
+    try {
+        base::RegularFile file(request.file, request.within);
+        bytes.resize(file.read(std::as_writable_bytes(std::span(bytes))));
+    } catch (const base::FileError&) {
+        bytes.clear();
+    }
     return bytes;
 }
 
@@ -83,10 +89,10 @@ ReadParticles read_particles(const ParticleRequest& request, std::size_t most) {
         !unknown && size > most) {
         fail_of_file(request,
                      fmt::format("has {} bytes; {} are left of the {} of all tables that arrays of "
-                                 "a scene name, with each name counted whose columns differ",
+                                 "a scene name",
                                  size, most, limits::table_bytes));
     }
-    return read_particles(request, base::file_text(request.file, most), most);
+    return read_particles(request, base::file_text(request.file, most, request.within), most);
 }
 
 ReadParticles read_particles(const ParticleRequest& request, std::string bytes, std::size_t most) {
@@ -100,12 +106,14 @@ ReadParticles read_particles(const ParticleRequest& request, std::string bytes, 
     return read;
 }
 
-std::size_t count_particles(const std::filesystem::path& file, std::size_t most) {
+std::size_t count_particles(const std::filesystem::path& file, const base::Confines& within,
+                            std::size_t most) {
     ParticleRequest request;
     request.file = file;
+    request.within = within;
     request.count_alone = true;
     constexpr std::size_t beginning = 1 << 16;
-    std::string bytes = beginning_of(file, beginning);
+    std::string bytes = beginning_of(request, beginning);
     if (is_gzip(bytes)) bytes = gunzip(request, bytes, beginning);
     const bool is_whole = bytes.size() < beginning;
     const Reader reader = bytes.empty() ? read_csv : reader_of(bytes, request);

@@ -21,6 +21,7 @@ ReadParticles read_particles(const ParticleRequest& request, std::string bytes, 
 
 // How many particles a file holds, by its beginning where that tells; of a text without a count,
 // how many there are at most. Throws SceneError.
-std::size_t count_particles(const std::filesystem::path& file, std::size_t most);
+std::size_t count_particles(const std::filesystem::path& file, const base::Confines& within,
+                            std::size_t most);
 
 } // namespace isomotion::scene

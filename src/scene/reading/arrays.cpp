@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <deque>
-#include <utility>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -72,16 +72,21 @@ int read_count(const toml::node& node, const std::string& key) {
     return int(*count);
 }
 
-TableOptions read_data(const toml::table& table, const std::string& key, Reach reach) {
-    Section section(table, key);
+TableOptions read_data(const ArrayNodes& nodes, const std::string& key,
+                       const base::Confines& within) {
+    Section section(*nodes.data, key);
     TableOptions options;
+    options.most = nodes.count ? read_count(*nodes.count, key + ".count") : limits::elements;
+    options.counts_files = !nodes.count;
     const toml::node& file = *section.find("file");
     options.file = beside(file, *section.text("file"));
+    options.within = confines_of(file, within);
     const int first_file = section.integer("first_file", 0, limits::frames).value_or(1);
-    for (const NumberedFile& one : numbered_files(file, key + ".file", options.file, reach))
+    for (const NumberedFile& one :
+         numbered_files(file, key + ".file", options.file, options.within))
         options.frames.emplace_back(std::int64_t(one.number) - first_file + 1, one.file);
     if (options.frames.empty()) {
-        options.file = named_file(file, key + ".file", std::array{options.file}, reach);
+        options.file = named_file(file, key + ".file", std::array{options.file}, options.within);
         if (const toml::node* first = section.find("first_file")) {
             fail(*first, key + ".first_file",
                  "is the number of the file that frame 1 shows; the file's name has no place for "
@@ -108,25 +113,45 @@ TableOptions read_data(const toml::table& table, const std::string& key, Reach r
     return options;
 }
 
-// The tables of a scene. One that several arrays name alike is read once.
+// The tables of a scene. A file that several arrays name is read once for all of them; arrays that
+// name it alike share what they have of it.
 class Tables {
 public:
     explicit Tables(const animation::Timeline& timeline)
         : timeline_(timeline) {}
 
+    // Before the first is read.
+    void add(const TableOptions& options) {
+        File& file = file_of(options);
+        if (std::ranges::find(file.asked, options) == file.asked.end())
+            file.asked.push_back(options);
+    }
     const ElementTable& read(const TableOptions& options) {
-        for (const auto& [known, table] : tables_) {
-            if (known == options) return table;
-        }
-        return tables_.emplace_back(options, read_element_table(options, timeline_, budget_))
-            .second;
+        File& file = file_of(options);
+        if (file.tables.empty()) file.tables = read_element_tables(file.asked, timeline_, budget_);
+        const auto k = std::ranges::find(file.asked, options) - file.asked.begin();
+        return file.tables[std::size_t(k)];
     }
     const animation::Timeline& timeline() const { return timeline_; }
 
 private:
+    struct File {
+        std::vector<TableOptions> asked;
+        std::vector<ElementTable> tables; // of each
+    };
+
+    File& file_of(const TableOptions& options) {
+        const auto known = std::ranges::find_if(files_, [&](const File& file) {
+            const TableOptions& first = file.asked.front();
+            return first.file == options.file && first.within == options.within &&
+                   first.frames == options.frames;
+        });
+        return known != files_.end() ? *known : files_.emplace_back();
+    }
+
     const animation::Timeline& timeline_;
     TableBudget budget_{limits::table_bytes, limits::table_values};
-    std::deque<std::pair<TableOptions, ElementTable>> tables_;
+    std::deque<File> files_;
 };
 
 // Frames beyond the data would show its ends, standing still.
@@ -158,11 +183,8 @@ void check_times(const toml::table& table, const std::string& key, const TableOp
 }
 
 // The columns of a file become fields; a field that the scene writes itself goes before.
-void add_data(const ArrayNodes& nodes, const std::string& key, Tables& tables, TrackTable& tracks,
-              Reach reach, animation::Array& array) {
-    TableOptions options = read_data(*nodes.data, key, reach);
-    options.most = nodes.count ? read_count(*nodes.count, key + ".count") : limits::elements;
-    options.counts_files = !nodes.count;
+void add_data(const ArrayNodes& nodes, const std::string& key, const TableOptions& options,
+              Tables& tables, TrackTable& tracks, animation::Array& array) {
     const ElementTable& table = tables.read(options);
     check_times(*nodes.data, key, options, table, tables.timeline());
     array.samples = table.samples;
@@ -175,13 +197,14 @@ void add_data(const ArrayNodes& nodes, const std::string& key, Tables& tables, T
     }
 }
 
-animation::Array make_array(const std::string& name, const ArrayNodes& nodes, Tables& tables,
-                            TrackTable& tracks, Reach reach) {
+// `data`: how it reads its file, if it has one.
+animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
+                            const TableOptions* data, Tables& tables, TrackTable& tracks) {
     animation::Array array;
     array.name = name;
     const std::string key = "arrays." + name;
-    if (nodes.data) {
-        add_data(nodes, key, tables, tracks, reach, array);
+    if (data) {
+        add_data(nodes, key, *data, tables, tracks, array);
     } else {
         if (!nodes.count) {
             fail(*nodes.place, key,
@@ -217,7 +240,7 @@ animation::Array make_array(const std::string& name, const ArrayNodes& nodes, Ta
 
 std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
                                           const animation::Timeline& timeline, TrackTable& tracks,
-                                          Reach reach) {
+                                          const base::Confines& within) {
     std::vector<std::string> names;
     std::map<std::string, ArrayNodes> nodes;
     for (Section* from : {catalogue, &document}) {
@@ -235,11 +258,18 @@ std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
         fail(*nodes[names.back()].place, "arrays",
              fmt::format("a scene has at most {} arrays", formula::max_arrays));
     }
+    Tables tables(timeline);
+    std::map<std::string, TableOptions> data;
+    for (const std::string& name : names) {
+        if (!nodes[name].data) continue;
+        tables.add(data[name] = read_data(nodes[name], "arrays." + name, within));
+    }
     std::vector<animation::Array> arrays;
     arrays.reserve(names.size());
-    Tables tables(timeline);
     for (const std::string& name : names) {
-        arrays.push_back(make_array(name, nodes[name], tables, tracks, reach));
+        const auto file = data.find(name);
+        arrays.push_back(make_array(name, nodes[name], file == data.end() ? nullptr : &file->second,
+                                    tables, tracks));
     }
     return arrays;
 }

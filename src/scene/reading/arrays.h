@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "base/confines.h"
 #include "scene/reading/document.h"
-#include "scene/reading/reach.h"
 #include "scene/reading/track_table.h"
 
 namespace isomotion::scene {
@@ -13,6 +13,6 @@ namespace isomotion::scene {
 // the scene's takes the place of the catalogue's lists. Remembers the place of every field.
 std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
                                           const animation::Timeline& timeline, TrackTable& tracks,
-                                          Reach reach);
+                                          const base::Confines& within);
 
 } // namespace isomotion::scene

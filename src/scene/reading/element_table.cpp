@@ -7,100 +7,37 @@
 
 #include "scene/error.h"
 #include "scene/limits.h"
-#include "scene/particles/column_choice.h"
 #include "scene/particles/file_frames.h"
 #include "scene/particles/read_particles.h"
+#include "scene/reading/file_part.h"
 
 namespace isomotion::scene {
 namespace {
 
-using Interpolation = animation::ElementSamples::Interpolation;
-
-// The columns of the samples: those of the fields, then velocities that no field is.
-struct SampledColumns {
-    std::vector<std::size_t> from; // the file's column of each
-    std::vector<std::optional<std::size_t>> velocities;
-};
-
-SampledColumns sampled_columns(const ColumnChoice& choice, const std::vector<std::string>& names,
-                               std::optional<Interpolation> interpolation) {
-    SampledColumns columns{choice.from, {}};
-    columns.velocities.resize(choice.from.size());
-    const bool curved = !interpolation || *interpolation == Interpolation::hermite;
-    for (std::size_t c = 0; curved && c < choice.from.size(); ++c) {
-        const auto velocity = velocity_column(names, columns.from[c]);
-        if (!velocity) continue;
-        const auto known = std::ranges::find(columns.from, *velocity);
-        columns.velocities[c] = std::size_t(known - columns.from.begin());
-        if (known == columns.from.end()) columns.from.push_back(*velocity);
-    }
-    columns.velocities.resize(columns.from.size());
-    return columns;
-}
-
-Interpolation rule_of(std::optional<Interpolation> asked, const SampledColumns& columns) {
-    const bool has_velocities = std::ranges::any_of(
-        columns.velocities, [](const auto& velocity) { return velocity.has_value(); });
-    if (asked == Interpolation::hermite && !has_velocities) {
-        throw NamedColumn{"vx", "there is no column vx, vy or vz beside x, y or z; interpolation = "
-                                "\"hermite\" reads them"};
-    }
-    return asked.value_or(has_velocities ? Interpolation::hermite : Interpolation::linear);
-}
-
 // Makes samples of the rows of one file.
 class RowsInTime {
 public:
-    RowsInTime(const TableOptions& options, const animation::Timeline& timeline)
-        : options_(options)
-        , timeline_(timeline) {}
+    RowsInTime(const Part& part, const animation::Timeline& timeline, SharedTable& file)
+        : options_(*part.options)
+        , timeline_(timeline)
+        , choice_(part.choice)
+        , columns_(part.columns)
+        , file_(file)
+        , table_(file.table())
+        , place_column_(choice_.from.empty() ? 0 : choice_.from.front()) {}
 
-    ElementTable read(TableBudget& budget) {
-        ParticleRequest request;
-        request.file = options_.file;
-        request.choose = [&](const std::string& format, const std::vector<std::string>& names) {
-            return choose(format, names, budget);
-        };
-        ReadParticles read = read_particles(request, budget.bytes);
-        budget.bytes -= read.bytes;
-        table_ = std::move(read.table);
-        budget.values -= double(columns_.from.size()) * double(table_.count);
-        if (table_.count == table_.bare.size() && table_.bare.empty()) {
-            if (table_.end_line > 0)
-                fail_at_line(request, table_.end_line, "holds no element below its header");
-            fail_of_file(request, "holds no particle");
-        }
-        place_column_ = choice_.from.empty() ? 0 : choice_.from.front();
+    ElementTable read(Interpolation rule) {
         ElementTable result{nullptr, choice_.fields, here(0), here(table_.count - 1)};
         split_by_time();
         rows_.origin = fmt::format("{}: {}", options_.file.string(), table_.format);
         if (rows_.times.size() > 1) rows_.origin += fmt::format(", {} times", rows_.times.size());
         take_columns();
-        result.samples = std::make_shared<const animation::ElementSamples>(std::move(rows_), rule_);
+        result.samples = std::make_shared<const animation::ElementSamples>(std::move(rows_), rule);
         return result;
     }
 
 private:
-    Wanted choose(const std::string& format, const std::vector<std::string>& names,
-                  const TableBudget& budget) {
-        choice_ =
-            choose_columns(names, options_.columns, format == "CSV" || format.starts_with("NPY"));
-        columns_ = sampled_columns(choice_, names, options_.interpolation);
-        rule_ = rule_of(options_.interpolation, columns_);
-        const bool moves = choice_.time != ColumnChoice::Time::none;
-        Wanted wanted{std::vector<bool>(names.size()),
-                      moves ? std::size_t(limits::table_values) : std::size_t(options_.most),
-                      budget.values, choice_.time_column};
-        for (const std::size_t column : columns_.from) wanted.columns[column] = true;
-        if (choice_.id_column) wanted.columns[*choice_.id_column] = true;
-        if (choice_.time_column) wanted.columns[*choice_.time_column] = true;
-        for (const std::size_t column : columns_.from) rows_.names.push_back(names[column]);
-        return wanted;
-    }
-
-    std::string here(std::size_t row) const {
-        return place(table_, options_.file, place_column_, row);
-    }
+    std::string here(std::size_t row) const { return file_.place_of(row, place_column_); }
     [[noreturn]] void fail(std::size_t row, const std::string& column,
                            const std::string& message) const {
         throw SceneError(
@@ -112,14 +49,6 @@ private:
                                     : fmt::format("line {}", table_.lines[row]);
     }
 
-    // One that is a field as well is read twice.
-    std::vector<double> copy_numbers(std::size_t column) {
-        std::vector<double> numbers = take_numbers(table_, options_.file, column);
-        if (auto* text = std::get_if<std::vector<double>>(&table_.columns[column].values))
-            *text = numbers;
-        return numbers;
-    }
-
     void split_by_time() {
         if (choice_.time == ColumnChoice::Time::none) {
             rows_.times = {0};
@@ -127,7 +56,7 @@ private:
             if (table_.count > std::size_t(options_.most)) too_many(std::size_t(options_.most), 0);
             return;
         }
-        const std::vector<double> times = copy_numbers(*choice_.time_column);
+        const std::vector<double> times = file_.numbers(*choice_.time_column);
         auto bare = table_.bare.begin();
         std::size_t kept = 0;
         for (std::size_t row = 0; row < table_.count; ++row) {
@@ -230,24 +159,16 @@ private:
 
     void take_columns() {
         if (choice_.id_column) take_ids();
-        std::vector<std::size_t> uses(table_.columns.size());
-        for (const std::size_t column : columns_.from) ++uses[column];
         for (const std::size_t column : columns_.from) {
-            rows_.values.push_back(--uses[column] > 0
-                                       ? copy_numbers(column)
-                                       : take_numbers(table_, options_.file, column));
+            rows_.names.push_back(table_.columns[column].name);
+            rows_.values.push_back(file_.numbers(column));
             leave_out_bare(rows_.values.back());
         }
         rows_.velocities = columns_.velocities;
     }
 
     void take_ids() {
-        const std::size_t column = *choice_.id_column;
-        std::vector<double> numbers;
-        auto* text = std::get_if<std::vector<double>>(&table_.columns[column].values);
-        if (text) numbers = *text;
-        rows_.ids = take_whole_numbers(table_, options_.file, column);
-        if (text) *text = std::move(numbers); // it may be a field as well
+        rows_.ids = file_.whole_numbers(*choice_.id_column);
         leave_out_bare(rows_.ids);
         for (std::size_t k = 0; k + 1 < rows_.begin.size(); ++k) {
             const auto ids =
@@ -270,11 +191,11 @@ private:
 
     const TableOptions& options_;
     const animation::Timeline& timeline_;
-    ColumnChoice choice_;
-    SampledColumns columns_;
-    Interpolation rule_ = Interpolation::linear;
-    ParticleTable table_;
-    std::size_t place_column_ = 0;
+    const ColumnChoice& choice_;
+    const SampledColumns& columns_;
+    SharedTable& file_;
+    const ParticleTable& table_;
+    std::size_t place_column_;
 
     std::optional<std::int64_t> last_frame_;
     std::int64_t stride_ = 0;
@@ -282,6 +203,45 @@ private:
     bool sample_is_empty_ = false;
     animation::SampleRows rows_;
 };
+
+// One file, read once for all that arrays ask of it.
+std::vector<ElementTable> read_rows_in_time(std::span<const TableOptions> options,
+                                            const animation::Timeline& timeline,
+                                            TableBudget& budget) {
+    std::vector<Part> parts;
+    ParticleRequest request;
+    request.file = options.front().file;
+    request.within = options.front().within;
+    Wanted wanted;
+    request.choose = [&](const std::string& format, const std::vector<std::string>& names) {
+        wanted = {std::vector<bool>(names.size()), 0, budget.values, {}, 0};
+        for (const TableOptions& asked : options) {
+            const Part& part =
+                parts.emplace_back(asked, names, format == "CSV" || format.starts_with("NPY"));
+            wanted.most = std::max(wanted.most, part.moves() ? std::size_t(limits::table_values)
+                                                             : std::size_t(asked.most));
+            wanted.time = part.choice.time_column;
+            part.for_each_use([&](std::size_t column) {
+                wanted.columns[column] = true;
+                ++*wanted.kept;
+            });
+        }
+        return wanted;
+    };
+    ReadParticles read = read_particles(request, budget.bytes);
+    budget.bytes -= read.bytes;
+    budget.values -= wanted.numbers(read.table.count);
+    if (read.table.count == read.table.bare.size() && read.table.bare.empty()) {
+        if (read.table.end_line > 0)
+            fail_at_line(request, read.table.end_line, "holds no element below its header");
+        fail_of_file(request, "holds no particle");
+    }
+    SharedTable file(std::move(read.table), request.file, parts);
+    std::vector<ElementTable> tables;
+    for (const Part& part : parts)
+        tables.push_back(RowsInTime(part, timeline, file).read(part.rule));
+    return tables;
+}
 
 // A file for each frame: only the first is read here.
 ElementTable read_frames(const TableOptions& options, const animation::Timeline& timeline) {
@@ -291,10 +251,11 @@ ElementTable read_frames(const TableOptions& options, const animation::Timeline&
         files.times.push_back(timeline.time(frame));
     }
     files.most = std::size_t(options.most);
+    files.within = options.within;
     if (options.counts_files) {
         files.most = 0;
         for (const std::filesystem::path& file : files.files) {
-            const std::size_t count = count_particles(file, limits::table_bytes);
+            const std::size_t count = count_particles(file, options.within, limits::table_bytes);
             if (count > std::size_t(options.most)) {
                 throw SceneError(fmt::format("{}: says that it holds {} particles; there may be {}",
                                              file.string(), count, options.most));
@@ -306,6 +267,7 @@ ElementTable read_frames(const TableOptions& options, const animation::Timeline&
     Interpolation rule = Interpolation::linear;
     ParticleRequest request;
     request.file = files.files.front();
+    request.within = options.within;
     request.choose = [&](const std::string&, const std::vector<std::string>& names) {
         const ColumnChoice choice = choose_columns(names, options.columns, false);
         SampledColumns columns = sampled_columns(choice, names, options.interpolation);
@@ -335,10 +297,13 @@ ElementTable read_frames(const TableOptions& options, const animation::Timeline&
 
 } // namespace
 
-ElementTable read_element_table(const TableOptions& options, const animation::Timeline& timeline,
-                                TableBudget& budget) {
-    if (!options.frames.empty()) return read_frames(options, timeline);
-    return RowsInTime(options, timeline).read(budget);
+std::vector<ElementTable> read_element_tables(std::span<const TableOptions> options,
+                                              const animation::Timeline& timeline,
+                                              TableBudget& budget) {
+    if (options.front().frames.empty()) return read_rows_in_time(options, timeline, budget);
+    std::vector<ElementTable> tables;
+    for (const TableOptions& asked : options) tables.push_back(read_frames(asked, timeline));
+    return tables;
 }
 
 } // namespace isomotion::scene

@@ -11,10 +11,12 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "animation/timeline.h"
+#include "base/confines.h"
 
 namespace isomotion::scene {
 
@@ -33,6 +35,7 @@ struct TableBudget {
 // How a scene reads a file.
 struct TableOptions {
     std::filesystem::path file;
+    base::Confines within{};                    // where files must lie when they are opened
     std::map<std::string, std::string> columns; // field to the column it is called in the file
     // Without a value: by velocities where the file has some, else straight.
     std::optional<animation::ElementSamples::Interpolation> interpolation{};
@@ -45,10 +48,13 @@ struct TableOptions {
     bool operator==(const TableOptions&) const = default;
 };
 
-// Columns that `columns` leaves out keep their names where formulas can say them; others are
-// skipped. `timeline` turns frames into times. Takes what it holds off the budget. Throws
-// SceneError ("drops.csv:12: mass: ..."), and for what exceeds the budget before it is read.
-ElementTable read_element_table(const TableOptions& options, const animation::Timeline& timeline,
-                                TableBudget& budget);
+// What several arrays make of one file, or of the same files of frames, each in its own way: one
+// table for each of `options`. Columns that `columns` leaves out keep their names where formulas
+// can say them; others are skipped. `timeline` turns frames into times. Takes off the budget the
+// bytes of the file once, and every number that is kept, times and ids too. Throws SceneError
+// ("drops.csv:12: mass: ..."), and for what exceeds the budget before it is read.
+std::vector<ElementTable> read_element_tables(std::span<const TableOptions> options,
+                                              const animation::Timeline& timeline,
+                                              TableBudget& budget);
 
 } // namespace isomotion::scene

@@ -20,7 +20,8 @@ bool read_background(Section& section, Section& document) {
 
 } // namespace
 
-std::optional<Environment> read_environment(Section& document, TrackTable& tracks, Reach reach) {
+std::optional<Environment> read_environment(Section& document, TrackTable& tracks,
+                                            const base::Confines& within) {
     auto section = document.section("environment");
     if (!section) return std::nullopt;
     Environment environment;
@@ -30,8 +31,10 @@ std::optional<Environment> read_environment(Section& document, TrackTable& track
              "needs map = \"FILE\", a latitude-longitude map such as \"studio.exr\"");
     }
     const toml::node& map = *section->find("map");
-    environment.map = named_file(map, "environment.map",
-                                 std::array{beside(map, *name), media_file(*name)}, reach);
+    environment.within = confines_of(map, within);
+    environment.map =
+        named_file(map, "environment.map", std::array{beside(map, *name), media_file(*name)},
+                   environment.within);
     const auto number = [&](const std::string& key, double value) {
         const auto source = section->track(key);
         return tracks.add("environment." + key, source ? *source : animation::TrackSource(value),

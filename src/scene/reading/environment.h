@@ -1,8 +1,8 @@
 // The [environment] of a scene: light from far away, as a map of all directions.
 #pragma once
 
+#include "base/confines.h"
 #include "scene/reading/document.h"
-#include "scene/reading/reach.h"
 #include "scene/reading/track_table.h"
 #include "scene/scene.h"
 
@@ -11,6 +11,7 @@ namespace isomotion::scene {
 // Reads the section, if there is one, and adds its tracks; comes after read_output. Looks for the
 // map beside the scene, then in the program's media/. Checks only that the file exists: a scene
 // loads without reading pictures.
-std::optional<Environment> read_environment(Section& document, TrackTable& tracks, Reach reach);
+std::optional<Environment> read_environment(Section& document, TrackTable& tracks,
+                                            const base::Confines& within);
 
 } // namespace isomotion::scene

@@ -1,8 +1,10 @@
 #include "scene/reading/load.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <numeric>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -16,6 +18,7 @@
 #include "scene/reading/environment.h"
 #include "scene/reading/lights.h"
 #include "scene/reading/material.h"
+#include "scene/reading/named_file.h"
 #include "scene/reading/space.h"
 #include "scene/reading/surface.h"
 #include "scene/regions.h"
@@ -298,21 +301,9 @@ void rescale(Scene& scene, SurfaceParts& parts, const SceneAt& first) {
              loss.example));
 }
 
-} // namespace
-
-std::string title(const fs::path& file) {
-    const toml::table root = read_document(file);
-    Section document(root, "");
-    return read_title(document, file);
-}
-
-Scene load(const std::string& name, const std::vector<Override>& overrides, Reach reach) {
-    const fs::path file = locate(name);
-    return load_text(base::file_text(file, limits::scene_bytes), file, overrides, reach);
-}
-
-Scene load_text(std::string_view text, const fs::path& file, const std::vector<Override>& overrides,
-                Reach reach) {
+// `within`: where files may lie that the scene names.
+Scene read_scene(std::string_view text, const fs::path& file,
+                 const std::vector<Override>& overrides, const base::Confines& within) {
     Scene scene;
     scene.file = file;
     toml::table root = parse_document(text, file);
@@ -323,7 +314,7 @@ Scene load_text(std::string_view text, const fs::path& file, const std::vector<O
     TrackTable tracks;
     std::uint64_t seed = 0;
     read_time(document, scene, seed);
-    const auto parts = read_surface(document, scene.timeline, tracks, reach);
+    const auto parts = read_surface(document, scene.timeline, tracks, within);
     read_space(document, *parts, tracks);
     scene.camera = read_camera(document, tracks);
     read_lights(document, scene, tracks);
@@ -331,7 +322,7 @@ Scene load_text(std::string_view text, const fs::path& file, const std::vector<O
     scene.material = read_material(document, *parts, tracks, painted);
     read_output(document, scene);
     read_surroundings(document, scene, tracks);
-    scene.environment = read_environment(document, tracks, reach);
+    scene.environment = read_environment(document, tracks, within);
     GivenThresholds given;
     if (parts->catalogue) {
         Section catalogue(*parts->catalogue, "");
@@ -372,6 +363,32 @@ Scene load_text(std::string_view text, const fs::path& file, const std::vector<O
     // Curvatures are quotients of the same field's slopes.
     if (painted) scene.material.paint = make_paint(*painted, *parts);
     return scene;
+}
+
+} // namespace
+
+std::string title(const fs::path& file) {
+    const toml::table root = read_document(file);
+    Section document(root, "");
+    return read_title(document, file);
+}
+
+Scene load(const std::string& name, const std::vector<Override>& overrides, Reach reach) {
+    const fs::path file = locate(name);
+    // The scene and what it may name lie in one folder, wherever that folder's name leads later.
+    const base::FileDescriptor folder = base::open_folder(file.parent_path());
+    if (!folder) {
+        throw SceneError(fmt::format("{}: its folder cannot be opened: {}", file.string(),
+                                     std::generic_category().message(errno)));
+    }
+    return read_scene(base::file_text(folder, file, limits::scene_bytes), file, overrides,
+                      confines(folder, reach));
+}
+
+Scene load_text(std::string_view text, const fs::path& file, const std::vector<Override>& overrides,
+                Reach reach) {
+    return read_scene(text, file, overrides,
+                      confines(base::open_folder(file.parent_path()), reach));
 }
 
 } // namespace isomotion::scene

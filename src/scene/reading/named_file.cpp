@@ -1,6 +1,7 @@
 #include "scene/reading/named_file.h"
 
-#include <algorithm>
+#include <fcntl.h>
+#include <sys/stat.h>
 
 #include <fmt/format.h>
 
@@ -9,30 +10,29 @@
 
 namespace isomotion::scene {
 namespace fs = std::filesystem;
-namespace {
-
-// Both without symbolic links and dots.
-bool lies_in(const fs::path& file, const fs::path& folder) {
-    const auto [in_folder, in_file] =
-        std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
-    return in_folder == folder.end();
+base::Confines confines(const base::FileDescriptor& folder, Reach reach) {
+    if (reach == Reach::anywhere) return {};
+    std::vector<fs::path> places;
+    const auto add = [&](const base::FileDescriptor& open) {
+        if (const auto place = base::place_of(open)) places.push_back(*place);
+    };
+    add(folder);
+    if (folder && places.empty()) {
+        return {{},
+                "cannot be told to lie in the scene's folder, as there is no /proc; allow all "
+                "files with --allow-outside"};
+    }
+    try {
+        for (const char* own : {"animations", "media"}) add(base::open_folder(data_folder() / own));
+    } catch (const SceneError&) { // no such folder: told where something of it is needed
+    }
+    return {std::move(places), "lies outside the scene's folder; move it there, or allow such "
+                               "files with --allow-outside"};
 }
 
-bool is_within(const fs::path& file, const fs::path& folder) {
-    std::error_code error;
-    const fs::path real_folder = fs::canonical(folder.empty() ? "." : folder, error);
-    if (error) return false;
-    const fs::path real_file = fs::canonical(file, error);
-    return !error && lies_in(real_file, real_folder);
+base::Confines confines_of(const toml::node& node, const base::Confines& scene) {
+    return node.source().path ? scene : base::Confines();
 }
-
-bool is_near(const fs::path& file, const fs::path& document) {
-    if (is_within(file, document.parent_path())) return true;
-    const fs::path own = data_folder();
-    return is_within(file, own / "animations") || is_within(file, own / "media");
-}
-
-} // namespace
 
 fs::path beside(const toml::node& node, const std::string& name) {
     const auto& document = node.source().path;
@@ -41,25 +41,22 @@ fs::path beside(const toml::node& node, const std::string& name) {
 }
 
 fs::path named_file(const toml::node& node, const std::string& key,
-                    std::span<const fs::path> places, Reach reach) {
+                    std::span<const fs::path> places, const base::Confines& within) {
     const fs::path* endless = nullptr;
     for (const fs::path& file : places) {
         // A zero would end the name for the system and not for us.
-        std::error_code ignored;
         if (file.native().find('\0') != std::string::npos) continue;
-        const fs::file_status found = fs::status(file, ignored);
-        if (!fs::is_regular_file(found)) {
-            if (fs::exists(found) && !fs::is_directory(found)) endless = &file;
+        // Not opened for reading yet: that may set a device going.
+        const base::FileDescriptor found(::open(file.c_str(), O_PATH | O_CLOEXEC));
+        struct stat is = {};
+        if (!found || ::fstat(found.number(), &is) != 0 || S_ISDIR(is.st_mode)) continue;
+        if (!S_ISREG(is.st_mode)) {
+            endless = &file;
             continue;
         }
-        const auto& document = node.source().path;
-        if (document && reach == Reach::own_folder && !is_near(file, *document)) {
-            fail(node, key,
-                 fmt::format("{} lies outside the scene's folder; move it there, or allow such "
-                             "files with --allow-outside",
-                             base::printable_line(file.string())));
-        }
-        return file;
+        if (within.hold(found)) return file;
+        fail(node, key,
+             fmt::format("{} {}", base::printable_line(file.string()), within.refusal()));
     }
     if (endless) {
         fail(node, key,

@@ -26,7 +26,7 @@ sequence::SequenceName parsed(const toml::node& node, const std::string& key,
 } // namespace
 
 std::vector<NumberedFile> numbered_files(const toml::node& node, const std::string& key,
-                                         const fs::path& name, Reach reach) {
+                                         const fs::path& name, const base::Confines& within) {
     std::error_code error;
     const std::string last = name.filename().string();
     // A zero would end the name for the system and not for us.
@@ -45,7 +45,7 @@ std::vector<NumberedFile> numbered_files(const toml::node& node, const std::stri
         std::error_code ignored;
         // What lies in the folder itself is as near as the folder is.
         if (files.empty() || entry->is_symlink(ignored) || !entry->is_regular_file(ignored))
-            named_file(node, key, std::array{pattern.path(*number)}, reach);
+            named_file(node, key, std::array{pattern.path(*number)}, within);
         files.push_back({*number, pattern.path(*number)});
     }
     if (error)

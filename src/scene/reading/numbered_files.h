@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/confines.h"
 #include "scene/reading/document.h"
-#include "scene/reading/reach.h"
 
 namespace isomotion::scene {
 
@@ -18,8 +18,9 @@ struct NumberedFile {
 
 // The files that `name` stands for, in the order of their numbers, which are evenly spaced. None if
 // the name has no place for a number, or is a file as it is. Throws SceneError at `key` if there is
-// no such file, if one between two others is missing, or if `reach` forbids one.
+// no such file, if one between two others is missing, or if one lies outside its confines.
 std::vector<NumberedFile> numbered_files(const toml::node& node, const std::string& key,
-                                         const std::filesystem::path& name, Reach reach);
+                                         const std::filesystem::path& name,
+                                         const base::Confines& within);
 
 } // namespace isomotion::scene

@@ -161,7 +161,7 @@ void refuse_unused_fields(const SurfaceParts& parts, const std::vector<bool>& us
 } // namespace
 
 std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
-                                           TrackTable& tracks, Reach reach) {
+                                           TrackTable& tracks, const base::Confines& within) {
     auto parts = std::make_unique<SurfaceParts>();
     auto section = document.section("surface");
     if (!section) {
@@ -197,9 +197,9 @@ std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::T
     read_parameters(document, *parts, tracks);
     if (parts->catalogue) {
         Section catalogue(*parts->catalogue, "");
-        parts->arrays = read_arrays(&catalogue, document, timeline, tracks, reach);
+        parts->arrays = read_arrays(&catalogue, document, timeline, tracks, within);
     } else {
-        parts->arrays = read_arrays(nullptr, document, timeline, tracks, reach);
+        parts->arrays = read_arrays(nullptr, document, timeline, tracks, within);
     }
     make_vocabulary(*parts, tracks);
     return parts;

@@ -1,8 +1,8 @@
 // The [surface], [parameters] and [arrays] of a scene, with those of its catalogue surface.
 #pragma once
 
+#include "base/confines.h"
 #include "scene/reading/document.h"
-#include "scene/reading/reach.h"
 #include "scene/reading/track_table.h"
 #include "scene/scene.h"
 
@@ -21,7 +21,7 @@ struct SurfaceParts {
 // Reads the three sections and adds their tracks: parameters first, then fields that have one value
 // for all elements.
 std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
-                                           TrackTable& tracks, Reach reach);
+                                           TrackTable& tracks, const base::Confines& within);
 
 // Parses the formula.
 void make_field(SurfaceParts& parts);

@@ -9,6 +9,12 @@
 #include "formula/evaluate/evaluate.h"
 
 namespace isomotion::topology {
+
+struct SignEvaluators {
+    formula::Evaluator<double> numbers;
+    formula::Evaluator<formula::Interval> enclosure;
+};
+
 namespace {
 
 constexpr int whole = 8, part = 4; // vertices along the edge of a block, and of its eight parts
@@ -33,7 +39,6 @@ Price price(const formula::Field& field, const formula::Bindings<double>& bindin
 // What all threads share.
 struct FrameValues {
     const formula::Field& field;
-    const formula::Program& enclosure;
     const formula::Bindings<double>& numbers;
     const formula::Bindings<formula::Interval> intervals;
 };
@@ -47,10 +52,9 @@ struct Block {
 // the sign at all of their vertices; in the others these are evaluated.
 class BlockSigns {
 public:
-    BlockSigns(const FrameValues& frame, const scene::BoundsAt& bounds, Side solid, SignGrid& grid,
-               Work& work)
-        : evaluator_(frame.field.value)
-        , enclosure_(frame.enclosure)
+    BlockSigns(SignEvaluators& evaluators, const FrameValues& frame, const scene::BoundsAt& bounds,
+               Side solid, SignGrid& grid, Work& work)
+        : evaluators_(evaluators)
         , frame_(frame)
         , bounds_(bounds)
         , solid_(solid)
@@ -125,7 +129,7 @@ private:
         const std::array<std::span<const formula::Interval>, 3> inputs{boxes[0], boxes[1],
                                                                        boxes[2]};
         const std::array<std::span<formula::Interval>, 1> outputs{f};
-        enclosure_.points(frame_.intervals, inputs, outputs);
+        evaluators_.enclosure.points(frame_.intervals, inputs, outputs);
         std::vector<Block> open;
         for (std::size_t k = 0; k < blocks.size(); ++k) {
             if (!(f[k].lo > 0 || f[k].hi < 0)) {
@@ -149,14 +153,13 @@ private:
         std::vector<double> f(vertices.size());
         const std::array<std::span<const double>, 3> inputs{points[0], points[1], points[2]};
         const std::array<std::span<double>, 1> outputs{f};
-        evaluator_.points(frame_.numbers, inputs, outputs);
+        evaluators_.numbers.points(frame_.numbers, inputs, outputs);
         for (std::size_t k = 0; k < vertices.size(); ++k) {
             if (is_solid(f[k])) grid_.set(vertices[k][0], vertices[k][1], vertices[k][2]);
         }
     }
 
-    formula::Evaluator<double> evaluator_;
-    formula::Evaluator<formula::Interval> enclosure_;
+    SignEvaluators& evaluators_;
     const FrameValues& frame_;
     const scene::BoundsAt& bounds_;
     Side solid_;
@@ -172,19 +175,43 @@ FrameSigns::FrameSigns(const formula::Field& field)
     : field_(field)
     , enclosure_(formula::value_enclosure(field)) {}
 
+FrameSigns::~FrameSigns() = default;
+
+void FrameSigns::GiveBack::operator()(SignEvaluators* evaluators) const {
+    std::unique_ptr<SignEvaluators> own(evaluators);
+    const std::lock_guard lock(to->mutex_);
+    to->idle_.push_back(std::move(own));
+}
+
+std::unique_ptr<SignEvaluators, FrameSigns::GiveBack> FrameSigns::borrow() const {
+    {
+        const std::lock_guard lock(mutex_);
+        if (!idle_.empty()) {
+            SignEvaluators* last = idle_.back().release();
+            idle_.pop_back();
+            return {last, GiveBack{this}};
+        }
+    }
+    return {new SignEvaluators{formula::Evaluator<double>(field_.value),
+                               formula::Evaluator<formula::Interval>(enclosure_)},
+            GiveBack{this}};
+}
+
 std::optional<SignGrid> FrameSigns::at(const formula::Bindings<double>& bindings,
                                        const scene::BoundsAt& bounds, Side solid, int side,
                                        int threads, Work& work) const {
-    // Each frame's evaluators have registers of their own, for many points at once.
+    // Every frame goes over all registers, which are of many points at once.
     constexpr double of_register = 500;
     work.add(of_register *
              double(field_.value.instructions.size() + 2 * enclosure_.instructions.size()));
     SignGrid grid(side);
-    const FrameValues frame{field_, enclosure_, bindings,
-                            formula::convert<formula::Interval>(bindings)};
+    const FrameValues frame{field_, bindings, formula::convert<formula::Interval>(bindings)};
     const auto layers = [&] {
-        return [blocks = std::make_unique<BlockSigns>(frame, bounds, solid, grid, work)](
-                   std::size_t layer) { blocks->make(int(layer)); };
+        auto evaluators = borrow();
+        auto blocks = std::make_unique<BlockSigns>(*evaluators, frame, bounds, solid, grid, work);
+        return [evaluators = std::move(evaluators), blocks = std::move(blocks)](std::size_t layer) {
+            blocks->make(int(layer));
+        };
     };
     base::SharedLoop loop{.count = std::size_t((side + whole - 1) / whole)};
     loop.threads = threads > 0 ? threads : int(std::thread::hardware_concurrency());

@@ -4,8 +4,11 @@
 #include <atomic>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "scene/scene_at.h"
 #include "topology/betti/sign_grid.h"
@@ -38,10 +41,13 @@ private:
 SignGrid frame_signs(const formula::Field& field, const formula::Bindings<double>& bindings,
                      const scene::BoundsAt& bounds, Side solid, int side, int threads = 0);
 
+struct SignEvaluators;
+
 // Signs of many frames of one field, which must outlive this.
 class FrameSigns {
 public:
     explicit FrameSigns(const formula::Field& field);
+    ~FrameSigns();
 
     // As frame_signs(). Adds what it takes to `work`; none where that is over. Whether it becomes
     // too much is the same for any number of threads.
@@ -50,8 +56,18 @@ public:
                                Work& work) const;
 
 private:
+    struct GiveBack {
+        const FrameSigns* to;
+        void operator()(SignEvaluators* evaluators) const;
+    };
+    // For one thread, and for another frame afterwards: those of long programs have megabytes of
+    // registers, and the system takes longer to give them than most frames take.
+    std::unique_ptr<SignEvaluators, GiveBack> borrow() const;
+
     const formula::Field& field_;
     formula::Program enclosure_;
+    mutable std::mutex mutex_; // of what follows
+    mutable std::vector<std::unique_ptr<SignEvaluators>> idle_;
 };
 
 } // namespace isomotion::topology

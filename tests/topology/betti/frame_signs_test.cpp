@@ -60,6 +60,23 @@ TEST(FrameSigns, TheSameForAnyNumberOfThreads) {
     EXPECT_EQ(signs(1), signs(4));
 }
 
+// What evaluates is used again for the next frame, and keeps nothing of the one before.
+TEST(FrameSigns, OfAFrameAfterOthersAreThoseOfTheFrameAlone) {
+    const scene::Scene scene = animated("blobby75");
+    const FrameSigns signs_of(*scene.surface.field);
+    Work unlimited;
+    for (const double time : {2.0, 0.0, 1.3, 0.4, 2.0}) {
+        const StillScene frame(scene, time);
+        for (const int threads : {2, 1}) {
+            EXPECT_EQ(
+                signs_of.at(frame.numbers, frame.bounds, Side::positive, 40, threads, unlimited),
+                frame_signs(*scene.surface.field, frame.numbers, frame.bounds, Side::positive, 40,
+                            1))
+                << time;
+        }
+    }
+}
+
 TEST(FrameSigns, BlobbyFallsTogether) {
     const scene::Scene scene = animated("blobby75");
     EXPECT_EQ(solid_side(scene), Side::positive);

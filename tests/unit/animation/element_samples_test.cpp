@@ -1,6 +1,9 @@
 #include "animation/element_samples.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <random>
 
 #include <gmock/gmock.h>
 
@@ -171,6 +174,56 @@ TEST(ElementSamples, TwinsAreFound) {
     ASSERT_TRUE(twins);
     EXPECT_EQ(twins->first, 1u);
     EXPECT_EQ(twins->second, 3u);
+}
+
+// Against a look at every pair; ids from all of their range, of few and of many bytes.
+TEST(ElementSamples, AreMatchedByTheirIds) {
+    std::mt19937_64 random(5);
+    constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+    for (int round = 0; round < 300; ++round) {
+        const std::int64_t span = round % 3 == 0 ? 40 : round % 3 == 1 ? 70'000 : most;
+        std::uniform_int_distribution<std::int64_t> draw(-span, span);
+        std::vector<std::int64_t> all{0, -1, 1, 255, 256, -256};
+        if (span == most) all.insert(all.end(), {least, most});
+        for (int k = 0; k < 30; ++k) all.push_back(draw(random));
+        const auto some = [&](bool twice) {
+            std::vector<std::int64_t> ids = all;
+            if (!twice) {
+                std::ranges::sort(ids);
+                ids.erase(std::ranges::unique(ids).begin(), ids.end());
+            }
+            std::ranges::shuffle(ids, random);
+            ids.resize(random() % (ids.size() + 1));
+            return ids;
+        };
+        std::vector<std::int64_t> here = some(false), there = some(false);
+        // As simulations write them: many where they were.
+        if (round % 2)
+            std::copy_n(here.begin(), std::min(here.size(), there.size()) / 2, there.begin());
+        if (find_twins(there)) continue;
+        const std::vector<std::uint32_t> found = match(here, there);
+        ASSERT_EQ(found.size(), here.size());
+        for (std::size_t row = 0; row < here.size(); ++row) {
+            const auto at = std::ranges::find(there, here[row]);
+            EXPECT_EQ(found[row], at == there.end() ? SampleSource::Successors::none
+                                                    : std::uint32_t(at - there.begin()))
+                << round;
+        }
+
+        const std::vector<std::int64_t> ids = some(true);
+        std::optional<std::size_t> second; // the first that was there before
+        for (std::size_t k = 0; k < ids.size() && !second; ++k) {
+            if (std::find(ids.begin(), ids.begin() + std::ptrdiff_t(k), ids[k]) !=
+                ids.begin() + std::ptrdiff_t(k))
+                second = k;
+        }
+        const auto twins = find_twins(ids);
+        ASSERT_EQ(twins.has_value(), second.has_value()) << round;
+        if (!twins) continue;
+        EXPECT_EQ(twins->second, *second);
+        EXPECT_EQ(twins->first, std::size_t(std::ranges::find(ids, ids[*second]) - ids.begin()));
+    }
 }
 
 // No jump but where elements come and go.

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "base/file.h"
+#include "base/input_error.h"
 #include "image/encode.h"
 #include "places.h"
 
@@ -216,7 +217,7 @@ TEST_F(EnvironmentFile, LargeMapsComeInBands) {
         next += int(texels.size() / (4 * width));
         ++bands;
     };
-    EXPECT_EQ(read_environment(write("a.exr", frame), sink), 1);
+    EXPECT_EQ(read_environment(write("a.exr", frame), sink, {}), 1);
     EXPECT_EQ(begun, 1);
     EXPECT_GT(bands, 1);
     EXPECT_EQ(next, height);
@@ -314,6 +315,24 @@ TEST_F(EnvironmentFile, MendingTellsHowMany) {
 TEST_F(EnvironmentFile, MissingFilesAndFoldersAreTheFileSystems) {
     EXPECT_THROW(read_environment(folder_ / "none.exr"), base::FileError);
     EXPECT_THROW(read_environment(folder_.path()), base::FileError);
+}
+
+/// Whatever the file is: it is asked before a byte of it is read.
+TEST_F(EnvironmentFile, LiesInItsConfines) {
+    const auto file = write("a.exr", plain(2, 1, 1, 2, 3));
+    const auto read = [&](const std::filesystem::path& folder) {
+        int width = 0;
+        const EnvironmentSink sink{[&](int is, int) { width = is; },
+                                   [](int, std::span<const float>) {}};
+        read_environment(file, sink, base::Confines({folder}, "lies outside"));
+        return width;
+    };
+    EXPECT_EQ(read(*base::place_of(base::open_folder(folder_.path()))), 2);
+    const auto refusal = file.string() + " lies outside";
+    EXPECT_THAT([&] { read(folder_ / "below"); },
+                testing::ThrowsMessage<base::InputError>(testing::StrEq(refusal)));
+    write("a.exr", std::string("no picture"));
+    EXPECT_THROW(read(folder_ / "below"), base::InputError);
 }
 
 TEST_F(EnvironmentFile, WhatIsNoPictureIsRefused) {

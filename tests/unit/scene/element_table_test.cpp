@@ -1,6 +1,7 @@
 // Arrays from files of comma-separated values, and what is said about wrong ones.
 #include <fmt/format.h>
 
+#include "scene/reading/element_table.h"
 #include "testing.h"
 
 namespace isomotion::scene {
@@ -40,6 +41,70 @@ TEST_F(ElementTables, StandStillWithoutATime) {
         EXPECT_THAT(columns.fields[2], ElementsAre(3, 6));
     }
     EXPECT_EQ(scene.timeline.animation.arrays()[0].count, 2);
+}
+
+// What is read once must be whole for each of those that read it.
+TEST_F(ElementTables, SeveralArraysReadOneFileEachInItsWay) {
+    write("d.csv", "frame,id,x,cy,vx\n1,5,1,10,30\n1,6,2,20,30\n2,6,4,40,30\n3,6,8,80,30\n");
+    const auto array = [](const char* name, const char* more) {
+        return fmt::format("[arrays.{}]\nfile = \"d.csv\"\n{}\n", name, more);
+    };
+    const std::string text =
+        array("a", "interpolation = \"linear\"") +
+        array("b", "columns = { cx = \"x\", again = \"x\" }\ninterpolation = \"hold\"") +
+        array("c", "columns = { who = \"id\", when = \"frame\", cx = \"x\" }") +
+        array("d", "interpolation = \"linear\"") +
+        "[time]\nfps = 10\nframes = 3\n[surface]\nbounds = { sphere = 4 }\nformula = ";
+    const Scene scene = loaded(text + "\"x + sum(a, cy) + sum(b, cx + cy + again) + "
+                                      "sum(c, who + when + cx) + sum(d, cy)\"");
+    const auto field = [&](std::size_t a, const std::string& name, double t) {
+        const auto& fields = scene.timeline.animation.arrays()[a].fields;
+        const auto at = std::ranges::find(fields, name, &animation::ArrayField::name);
+        return scene.timeline.animation.at(t).arrays[a].fields[std::size_t(at - fields.begin())];
+    };
+    for (const std::size_t a : {0u, 3u}) {
+        EXPECT_THAT(field(a, "cy", 0), ElementsAre(10, 20));
+        EXPECT_THAT(field(a, "cy", 0.15), ElementsAre(testing::DoubleNear(60, 1e-9)));
+    }
+    EXPECT_THAT(field(1, "cx", 0.05), ElementsAre(1, 2));
+    EXPECT_THAT(field(1, "again", 0.05), ElementsAre(1, 2));
+    EXPECT_THAT(field(1, "cy", 0.15), ElementsAre(40));
+    EXPECT_THAT(field(2, "who", 0), ElementsAre(5, 6));
+    EXPECT_THAT(field(2, "when", 0), ElementsAre(1, 1));
+    // On a cubic from 4 to 8, at both ends as fast as 30.
+    EXPECT_THAT(field(2, "cx", 0.15), ElementsAre(testing::DoubleNear(6, 1e-9)));
+    EXPECT_THAT(field(2, "cx", 0.125),
+                ElementsAre(testing::DoubleNear(4 + 4 * 0.15625 + 3 * 0.09375, 1e-9)));
+    // The mistake is that of one.
+    EXPECT_EQ(mistake(array("e", "count = 1") + text + "\"x + sum(a, cy) + sum(e, cy)\""),
+              "d.csv:3: is element 2 of its time; the array's count allows 1");
+}
+
+TEST_F(ElementTables, TakeOffTheBudgetWhatIsKept) {
+    const auto left = [&](const std::string& table, std::size_t arrays, double values) {
+        TableOptions options;
+        options.file = write("d.csv", table);
+        options.most = 10;
+        std::vector<TableOptions> all(arrays, options);
+        for (std::size_t k = 0; k < arrays; ++k) all[k].columns[fmt::format("c{}", k)] = "x";
+        TableBudget budget{1000, values};
+        const auto read = read_element_tables(all, animation::Timeline(), budget);
+        EXPECT_EQ(read.size(), arrays);
+        EXPECT_EQ(budget.bytes, 1000 - table.size()) << "of " << arrays;
+        return budget.values;
+    };
+    // Rows of x; of x and its time; of x, its time and its id.
+    EXPECT_EQ(left("x\n1\n2\n", 1, 100), 98);
+    EXPECT_EQ(left("frame,x\n1,1\n2,2\n", 1, 100), 96);
+    EXPECT_EQ(left("id,x\n1,1\n2,2\n", 1, 100), 96);
+    EXPECT_EQ(left("frame,id,x\n1,1,1\n1,2,2\n", 1, 100), 94);
+    for (const std::size_t arrays : {2u, 5u})
+        EXPECT_EQ(left("frame,id,x\n1,1,1\n1,2,2\n", arrays, 100), 100 - 6 * double(arrays));
+    EXPECT_EQ(left("frame,id,x\n1,1,1\n1,2,2\n", 2, 12), 0);
+    EXPECT_THAT([&] { left("frame,id,x\n1,1,1\n1,2,2\n", 2, 11); },
+                testing::ThrowsMessage<SceneError>(testing::HasSubstr(
+                    "d.csv:1: has 2 lines, and 12 numbers of them are kept; all tables of a scene "
+                    "hold at most 3e+07")));
 }
 
 TEST_F(ElementTables, FramesAreThoseOfTheScene) {
@@ -203,8 +268,9 @@ TEST_F(ElementTables, MistakesInTheSceneNameTheirKey) {
     EXPECT_EQ(wrong(table, "columns = { y = \"y\" }"),
               "scene.toml:10: arrays.drops.columns.y: 'y' already has a meaning in formulas; "
               "choose another name");
-    EXPECT_EQ(wrong("cx,cy,cz\n1,2,3\n", "interpolation = \"cubic\""),
-              "scene.toml:10: arrays.drops.interpolation: must be linear, hold or hermite, not 'cubic'");
+    EXPECT_EQ(
+        wrong("cx,cy,cz\n1,2,3\n", "interpolation = \"cubic\""),
+        "scene.toml:10: arrays.drops.interpolation: must be linear, hold or hermite, not 'cubic'");
     EXPECT_EQ(
         wrong("cx,cy,cz\n1,2,3\n", "extrapolate = \"loop\""),
         "scene.toml:10: arrays.drops.extrapolate: must be hold: the first and the last elements "

@@ -5,8 +5,13 @@
 
 #include <sys/stat.h>
 
+#include <fmt/format.h>
+
+#include "base/fingerprint.h"
 #include "base/printable.h"
+#include "base/regular_file.h"
 #include "scene/limits.h"
+#include "scene/source_print.h"
 
 namespace isomotion::scene {
 namespace {
@@ -100,6 +105,57 @@ TEST_F(Outside, IsWhatTheUserNames) {
     const std::string file = write("scenes/scene.toml", blobs_of("own.csv")).string();
     const std::string outside = (folder() / "outside.csv").string();
     EXPECT_NO_THROW(load(file, {"arrays.blobs.file=\"" + outside + "\""}));
+}
+
+// What was looked at when the scene was read is another file when it is opened.
+TEST_F(Outside, IsNotReadThroughALinkMadeMeanwhile) {
+    write("scenes/map.exr", "");
+    for (int frame = 1; frame <= 9; ++frame)
+        write(fmt::format("scenes/p.{}.csv", frame), fmt::format("cx\n{}\n", frame));
+    write("outside.csv", "cx\n77\n");
+    const auto file =
+        write("scenes/scene.toml", blobs_of("p.#.csv") + "[time]\nfps = 10\nframes = 9\n"
+                                                         "[environment]\nmap = \"map.exr\"\n");
+    const auto with_links = [&](const Scene& scene) {
+        for (const char* name : {"p.2.csv", "p.3.csv", "map.exr"}) {
+            fs::remove(folder() / "scenes" / name);
+            fs::create_symlink(std::string("../outside") + fs::path(name).extension().string(),
+                               folder() / "scenes" / name);
+        }
+        return scene;
+    };
+    const std::string text = file.string();
+    const auto refusal = HasSubstr("lies outside the scene's folder");
+    const Scene scene = with_links(load(text));
+    EXPECT_EQ(scene.timeline.values(1).arrays[0].fields[0].front(), 1);
+    for (const int frame : {2, 3}) { // no longer in memory
+        EXPECT_THAT([&] { scene.timeline.values(frame); },
+                    testing::ThrowsMessage<SceneError>(refusal));
+    }
+    EXPECT_THAT([&] { base::RegularFile(scene.environment->map, scene.environment->within); },
+                testing::ThrowsMessage<SceneError>(refusal));
+    base::Fingerprint print;
+    EXPECT_THROW(add_array(print, scene.timeline.animation, 0), SceneError);
+
+    // Whoever allows others has them.
+    write("scenes/own.csv", "");
+    const Scene free = load(text, {}, Reach::anywhere);
+    EXPECT_EQ(free.timeline.values(2).arrays[0].fields[0].front(), 77);
+    EXPECT_NO_THROW(base::RegularFile(free.environment->map, free.environment->within));
+}
+
+// The folder whose files a scene may name is the one in which the scene was read.
+TEST_F(Outside, IsAFolderThatTakesTheNameOfTheScenes) {
+    fs::create_directories(folder() / "private");
+    write("private/map.exr", "");
+    write("scenes/map.exr", "");
+    write("scenes/scene.toml", with_map("map.exr"));
+    fs::create_directory_symlink("scenes", folder() / "link");
+    const Scene scene = load((folder() / "link/scene.toml").string());
+    EXPECT_NO_THROW(base::RegularFile(scene.environment->map, scene.environment->within));
+    fs::remove(folder() / "link");
+    fs::create_directory_symlink("private", folder() / "link");
+    EXPECT_THROW(base::RegularFile(scene.environment->map, scene.environment->within), SceneError);
 }
 
 TEST_F(Outside, SurfacesAreNamesOfTheCatalogue) {

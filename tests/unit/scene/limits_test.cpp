@@ -155,9 +155,30 @@ TEST_F(Limits, NumbersOfAllTablesTogether) {
         return text;
     };
     expect_fine(with([](int) { return 0; })); // one that is named alike is read once
-    EXPECT_EQ(mistake(with([](int a) { return a; })),
-              "3.csv:1: has 10 columns and 1000000 lines; all tables of a scene hold at most 3e+07 "
-              "numbers: leave columns out that the formula doesn't read");
+    EXPECT_EQ(
+        mistake(with([](int a) { return a; })),
+        "3.csv:1: has 1000000 lines, and 1e+07 numbers of them are kept; all tables of a scene "
+        "hold at most 3e+07: leave columns out that the formula doesn't read");
+}
+
+TEST_F(Limits, BytesOfAllTablesTogether) {
+    const std::string table =
+        "x,y\n1,2\n#" + std::string(limits::table_bytes / 2 + 100, ' ') + "\n";
+    for (const char* name : {"0.csv", "1.csv"}) write(name, table);
+    const auto with = [](auto file) {
+        std::string text = "[surface]\nformula = \"x\"\nbounds = { sphere = 1 }\n";
+        for (int a = 0; a < 4; ++a) {
+            text += fmt::format("[arrays.a{}]\nfile = \"{}.csv\"\ncolumns = {{ c{} = \"x\" }}\n", a,
+                                file(a), a);
+        }
+        return text;
+    };
+    expect_fine(with([](int) { return 0; })); // one that is named in several ways is read once
+    EXPECT_THAT(
+        mistake(with([](int a) { return a / 2; })),
+        HasSubstr(fmt::format("1.csv: has {} bytes; {} are left of the 268435456 of all tables "
+                              "that arrays of a scene name",
+                              table.size(), limits::table_bytes - table.size())));
 }
 
 TEST_F(Limits, WorkOfAFrame) {

@@ -119,7 +119,7 @@ TEST_F(ParticleFormats, SayHowManyTheyHoldByTheirBeginning) {
     const Cloud cloud = particles::cloud(4000, 3);
     for (const particles::Sample& sample : particles::samples(cloud)) {
         const auto file = write_bytes(sample.file, sample.bytes);
-        EXPECT_EQ(count_particles(file, 1 << 22), 4000u) << sample.name;
+        EXPECT_EQ(count_particles(file, {}, 1 << 22), 4000u) << sample.name;
         EXPECT_EQ(read_all(file, sample.bytes, 4000).count, 4000u) << sample.name;
     }
 }
