@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "synthesis/paint_text.h"
+
 namespace isomotion::render {
 namespace {
 
@@ -32,10 +34,11 @@ double shade_iterations(const scene::Scene& scene, const synthesis::Passes& pass
                         const std::vector<int>& counts) {
     const double gradient =
         passes.march_takes_gradient ? 0.0 : loops_of(scene.surface.field->gradient, counts);
-    if (!scene.material.paint) return gradient;
-    const formula::Paint& paint = *scene.material.paint->value;
-    const double curvature = paint.hessian ? gradient + loops_of(*paint.hessian, counts) : 0.0;
-    return gradient + curvature + loops_of(paint.value, counts);
+    const formula::Paint* paint = synthesis::painting(scene);
+    if (!paint) return gradient;
+    const double curvature = paint->hessian ? gradient + loops_of(*paint->hessian, counts) : 0.0;
+    const bool all = synthesis::sums_all_elements(*paint, passes);
+    return gradient + curvature + loops_of(paint->value, all ? capacities(passes) : counts);
 }
 
 // The passes that don't march must fit the loop limit, too; they know no lists.

@@ -140,9 +140,11 @@ struct Material {
     };
     Model model = Model::lambert;
     Vec3Track color{};
+    // Another one at every place, of which parts may be those of `color`; null: `color` everywhere.
+    std::shared_ptr<const formula::Paint> color_by_place;
     Reflection reflection = Reflection::none; // of what is around, and of the surface itself
     std::optional<Vec3Track> inside;          // seen from where F < 0
-    std::optional<Paint> paint;               // instead of both
+    std::optional<Paint> paint;               // instead of all
     // Each only where the model has it.
     std::optional<TrackId> shininess;           // exponent, 0 to max_shininess
     std::optional<TrackId> roughness, metallic; // 0..1

@@ -52,6 +52,7 @@ std::string scene_fingerprint(const scene::Scene& scene) {
         print.add(paint->value->text);
         add_numbers(print, {double(paint->map)});
     }
+    if (const auto& color = scene.material.color_by_place) print.add(color->text);
     if (scene.environment) {
         print.add(scene.environment->map.filename().string());
         add_numbers(print, {double(scene.environment->background)});

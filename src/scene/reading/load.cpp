@@ -327,8 +327,8 @@ Scene load_text(std::string_view text, const fs::path& file, const std::vector<O
     read_space(document, *parts, tracks);
     scene.camera = read_camera(document, tracks);
     read_lights(document, scene, tracks);
-    std::optional<PaintParts> painted;
-    scene.material = read_material(document, *parts, tracks, painted);
+    const MaterialParts material = read_material(document, *parts, tracks);
+    scene.material = material.material;
     read_output(document, scene);
     read_surroundings(document, scene, tracks);
     scene.environment = read_environment(document, tracks, reach);
@@ -345,9 +345,9 @@ Scene load_text(std::string_view text, const fs::path& file, const std::vector<O
     if (const auto why = refusal(scene.isolation.method, *parts->surface.field); !why.empty()) {
         fail(*given.method, "isolation.method", why);
     }
-    if (painted) scene.material.paint = make_paint(*painted, *parts);
-    refuse_unused(*parts, painted ? scene.material.paint->value.get() : nullptr,
-                  scene.timeline.animation, tracks);
+    make_paints(material, *parts, scene.timeline.animation, scene.material);
+    store_elements_of(*parts, paints_of(scene.material));
+    refuse_unused(*parts, paints_of(scene.material), scene.timeline.animation, tracks);
     scene.surface = parts->surface;
     scene.timeline.animation.keep_fields(parts->surface.field->packing);
 
@@ -370,7 +370,7 @@ Scene load_text(std::string_view text, const fs::path& file, const std::vector<O
     }
     rescale(scene, *parts, first);
     // Curvatures are quotients of the same field's slopes.
-    if (painted) scene.material.paint = make_paint(*painted, *parts);
+    make_paints(material, *parts, scene.timeline.animation, scene.material);
     return scene;
 }
 
