@@ -62,8 +62,8 @@ bool are_alike(Factors a, const Factors& b, const std::vector<bool>& reads_place
         a, [&](const auto& factor) { return factor.second == 0 || !reads_place[factor.first]; });
 }
 
-// Whether a term has all factors of a field's that differ from element to element: where one of them
-// makes the field's small, the other must be.
+// Whether a term has all factors of a field's that differ from element to element: where one of
+// them makes the field's small, the other must be.
 bool holds(const Graph& graph, const Factors& term, const Factors& of_field) {
     return std::ranges::all_of(of_field, [&](const auto& factor) {
         const auto [id, power] = factor;

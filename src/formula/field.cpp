@@ -54,8 +54,8 @@ Field make_field(std::string_view text, Vocabulary vocabulary) {
     vocabulary.inputs = coordinate_names;
     field.root = parse(text, vocabulary, field.graph);
     derive_programs(field);
-    field.packing =
-        packing_of(vocabulary.arrays.size(), std::array{&field.value, &field.directional, &field.gradient});
+    field.packing = packing_of(vocabulary.arrays.size(),
+                               std::array{&field.value, &field.directional, &field.gradient});
     return field;
 }
 

@@ -39,17 +39,11 @@ Paint finish(Paint paint, const Field& field) {
     return paint;
 }
 
-std::string glsl_value(const Paint& paint, std::string_view type, std::string_view name,
-                       const ArrayPacking& packing) {
-    return "uniform float paint_time;\n" +
-           emit_glsl(paint.value,
-                     {fmt::format("{} {}(vec3 p, vec3 n, vec2 curvature, float evaluations)", type,
-                                  name),
-                      std::string(type),
-                      {"p.x", "p.y", "p.z", "n.x", "n.y", "n.z", "curvature.x", "curvature.y",
-                       "evaluations", "paint_time", "material_color.r", "material_color.g",
-                       "material_color.b"}},
-                     packing);
+std::string glsl_value(const Paint& paint, GlslSignature signature, const ArrayPacking& packing) {
+    signature.inputs = {"p.x",   "p.y",         "p.z",         "n.x",         "n.y",
+                        "n.z",   "curvature.x", "curvature.y", "evaluations", "paint_time",
+                        "own.r", "own.g",       "own.b"};
+    return "uniform float paint_time;\n" + emit_glsl(paint.value, signature, packing);
 }
 
 } // namespace
@@ -105,11 +99,19 @@ std::optional<Paint> make_mean_color(const Vocabulary& surface, const Field& fie
 }
 
 std::string glsl_paint_value(const Paint& paint, const ArrayPacking& packing) {
-    return glsl_value(paint, "float", "paint_value", packing);
+    return glsl_value(
+        paint,
+        {"float paint_value(vec3 p, vec3 n, vec2 curvature, float evaluations)", "float", {}},
+        packing);
 }
 
 std::string glsl_color_value(const Paint& paint, const ArrayPacking& packing) {
-    return glsl_value(paint, "vec3", "color_value", packing);
+    return glsl_value(
+        paint,
+        {"vec3 color_value(vec3 p, vec3 n, vec2 curvature, float evaluations, vec3 own)",
+         "vec3",
+         {}},
+        packing);
 }
 
 } // namespace isomotion::formula

@@ -22,8 +22,8 @@ inline const std::vector<std::string> paint_names{
     "x", "y", "z", "nx", "ny", "nz", "mean_curvature", "gaussian_curvature", "evaluations", "t"};
 
 struct Paint {
-    std::string text; // as the user wrote it
-    Graph graph;      // what is written and the field's value: what both have is one node
+    std::string text;          // as the user wrote it
+    Graph graph;               // what is written and the field's value: what both have is one node
     std::vector<NodeId> roots; // a number, or a colour's three parts
     NodeId field = 0;          // F
     // Inputs: paint_names; then, of a colour, the parts of the material's own.
@@ -48,7 +48,8 @@ std::optional<Paint> make_mean_color(const Vocabulary& surface, const Field& fie
 
 // float paint_value(vec3 p, vec3 n, vec2 curvature, float evaluations); reads `paint_time`.
 std::string glsl_paint_value(const Paint& paint, const ArrayPacking& packing);
-// vec3 color_value(vec3 p, vec3 n, vec2 curvature, float evaluations); also reads `material_color`.
+// vec3 color_value(vec3 p, vec3 n, vec2 curvature, float evaluations, vec3 own); `own` is the
+// material's.
 std::string glsl_color_value(const Paint& paint, const ArrayPacking& packing);
 
 } // namespace isomotion::formula

@@ -127,6 +127,7 @@ struct Occlusion {
 struct Paint {
     std::shared_ptr<const formula::Paint> value;
     TrackId low = 0, high = 0;
+    std::optional<Range> shown; // in place of both: what the surface shows, see shown_range.h
     ColorMap map = ColorMap::blue_yellow;
 };
 

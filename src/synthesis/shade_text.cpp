@@ -75,8 +75,7 @@ std::vector<Channel> written_channels(const std::vector<Channel>& channels) {
 }
 
 bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels) {
-    return !keeps_surfaces(scene) && !painting(scene) &&
-           !contains(channels, Channel::velocity);
+    return !keeps_surfaces(scene) && !painting(scene) && !contains(channels, Channel::velocity);
 }
 
 Pass fused_pass(const scene::Scene& scene, const Passes& passes) {

@@ -112,7 +112,8 @@ std::shared_ptr<const formula::Paint> make_color(const ColorParts& color, const 
         for (const ColorFields& known : color_fields) {
             const auto fields = free_fields(parts, animation, a, known.names);
             if (!fields) continue;
-            auto mean = formula::make_mean_color(parts.vocabulary, field, int(a), *fields, known.unit);
+            auto mean =
+                formula::make_mean_color(parts.vocabulary, field, int(a), *fields, known.unit);
             if (mean) return std::make_shared<formula::Paint>(*std::move(mean));
         }
     }

@@ -20,6 +20,7 @@
 #include "scene/reading/surface.h"
 #include "scene/regions.h"
 #include "scene/renamed_keys.h"
+#include "scene/shown_range.h"
 #include "scene/thresholds.h"
 
 namespace isomotion::scene {
@@ -371,6 +372,8 @@ Scene load_text(std::string_view text, const fs::path& file, const std::vector<O
     rescale(scene, *parts, first);
     // Curvatures are quotients of the same field's slopes.
     make_paints(material, *parts, scene.timeline.animation, scene.material);
+    if (auto& paint = scene.material.paint; paint && paint->shown)
+        paint->shown = shown_range(scene, *paint->value);
     return scene;
 }
 

@@ -21,6 +21,24 @@ ColorMap read_map(Section& section) {
              : fmt::format("there is no map '{}'; did you mean '{}'?", *text, near));
 }
 
+void read_range(Section& section, PaintParts& parts, TrackTable& tracks) {
+    const std::string key = section.dotted("range");
+    const toml::node* range = section.find("range");
+    if (range && range->value_exact<std::string>() == "auto") {
+        parts.takes_shown_range = true;
+        parts.paint.shown = Range{0, 1}; // until all else is known
+        return;
+    }
+    const toml::array* ends = range ? range->as_array() : nullptr;
+    if (!ends || ends->size() != 2) {
+        fail(range ? *range : section.table(), key,
+             fmt::format("{} [low, high], the values at the ends of the map, or \"auto\"",
+                         range ? "must be" : "is missing; give"));
+    }
+    parts.paint.low = tracks.add(key + ".low", read_track(*ends->get(0), key + ".low"), range);
+    parts.paint.high = tracks.add(key + ".high", read_track(*ends->get(1), key + ".high"), range);
+}
+
 } // namespace
 
 PaintParts read_paint(Section section, TrackTable& tracks) {
@@ -33,16 +51,7 @@ PaintParts read_paint(Section section, TrackTable& tracks) {
     }
     parts.value = *section.text("value");
     parts.value_key = section.dotted("value");
-    const std::string key = section.dotted("range");
-    const toml::node* range = section.find("range");
-    const toml::array* ends = range ? range->as_array() : nullptr;
-    if (!ends || ends->size() != 2) {
-        fail(range ? *range : section.table(), key,
-             fmt::format("{} [low, high], the values at the ends of the map",
-                         range ? "must be" : "is missing; give"));
-    }
-    parts.paint.low = tracks.add(key + ".low", read_track(*ends->get(0), key + ".low"), range);
-    parts.paint.high = tracks.add(key + ".high", read_track(*ends->get(1), key + ".high"), range);
+    read_range(section, parts, tracks);
     parts.paint.map = read_map(section);
     section.refuse_rest();
     return parts;
@@ -55,6 +64,11 @@ Paint make_paint(const PaintParts& parts, const SurfaceParts& surface) {
             formula::make_paint(parts.value, surface.vocabulary, *surface.surface.field));
     } catch (const formula::ParseError& error) {
         fail(*parts.value_node, parts.value_key, error.what());
+    }
+    if (parts.takes_shown_range && paint.value->uses("evaluations")) {
+        fail(*parts.value_node, parts.value_key,
+             "how many evaluations there are is known once a picture is drawn; give the range as "
+             "[low, high]");
     }
     return paint;
 }

@@ -14,6 +14,7 @@ struct PaintParts {
     std::string value;
     const toml::node* value_node = nullptr;
     std::string value_key; // for messages
+    bool takes_shown_range = false;
 };
 
 // Reads the section and adds the tracks of the range.

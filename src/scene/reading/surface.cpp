@@ -132,8 +132,7 @@ std::vector<const formula::Graph*> graphs_of(const SurfaceParts& parts,
 // A field that neither the formula nor a sibling names is a slip of the pen, as with parameters:
 // "weigth = 2" would leave the catalogue's weight as it was. `used` is that of the vocabulary's
 // parameters. An array that the formula leaves out altogether is no slip.
-void refuse_unused_fields(const SurfaceParts& parts,
-                          std::span<const formula::Graph* const> graphs,
+void refuse_unused_fields(const SurfaceParts& parts, std::span<const formula::Graph* const> graphs,
                           const std::vector<bool>& used, const animation::Animation& animation,
                           const TrackTable& tracks) {
     for (std::size_t a = 0; a < parts.arrays.size(); ++a) {

@@ -1,0 +1,211 @@
+#include "scene/shown_range.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "formula/curvature.h"
+#include "formula/element_weights.h"
+#include "scene/error.h"
+#include "scene/near_elements.h"
+#include "scene/rays.h"
+
+namespace isomotion::scene {
+namespace {
+
+// What looking takes.
+struct Effort {
+    static constexpr int most_frames = 9, fewest_frames = 3;
+    static constexpr int most_across = 40, fewest_across = 6; // rays of a picture's longer side
+    static constexpr int pieces = 64;                         // of a ray's way through the bounds
+    static constexpr int halvings = 30;                       // of the piece that a root is in
+    static constexpr double most_operations = 1e9;            // in all, as near as that can be told
+    static constexpr double most_values = 1e6;                // of elements, in all frames
+};
+
+struct Way {
+    glm::dvec3 anchor{0}, direction{0};
+    double near = 1, far = 0;
+
+    glm::dvec3 at(double t) const { return anchor + t * direction; }
+};
+
+// The part of a ray within the bounds and before the eye.
+Way way_of(const Rays& rays, const BoundsAt& bounds, double u, double v) {
+    const glm::dvec3 across = u * rays.right + v * rays.up;
+    const glm::dvec3 from_eye = rays.parallel ? rays.axis : rays.axis + across;
+    Way way{rays.origin + across, glm::normalize(from_eye)};
+    const double eye = -glm::length(from_eye);
+    if (bounds.shape == Bounds::Shape::sphere) {
+        const glm::dvec3 from = way.anchor - bounds.centre;
+        const double middle = -glm::dot(from, way.direction);
+        const double foot = glm::length(from + middle * way.direction);
+        if (!(foot < bounds.radius)) return way;
+        const double half = std::sqrt(bounds.radius * bounds.radius - foot * foot);
+        way.near = std::max(middle - half, eye);
+        way.far = middle + half;
+        return way;
+    }
+    way.near = eye;
+    way.far = HUGE_VAL;
+    for (int k = 0; k < 3; ++k) {
+        // Parallel to the sides: at once infinite, or no number, which both comparisons pass by.
+        const double a = (bounds.min[k] - way.anchor[k]) / way.direction[k];
+        const double b = (bounds.max[k] - way.anchor[k]) / way.direction[k];
+        way.near = std::max(way.near, std::min(a, b));
+        way.far = std::min(way.far, std::max(a, b));
+    }
+    return way;
+}
+
+// The scene at one time, as a ray meets it.
+class MetSurface {
+public:
+    MetSurface(const Scene& scene, const formula::Paint& paint, const SceneAt& now,
+               NearElements& elements, bool paint_sums_all)
+        : field_(*scene.surface.field)
+        , paint_(paint.value)
+        , now_(now)
+        , elements_(elements)
+        , paint_sums_all_(paint_sums_all) {
+        if (paint.hessian) hessian_.emplace(*paint.hessian);
+    }
+
+    // Where F first changes its sign along the way, other than at a pole.
+    std::optional<double> root(const Way& way) {
+        double before = way.near, f_before = value(way.at(before));
+        for (int k = 1; k <= Effort::pieces; ++k) {
+            const double t = way.near + (way.far - way.near) * k / Effort::pieces;
+            const double f = value(way.at(t));
+            if (f_before * f <= 0 && f_before != 0) {
+                if (const auto found = halve(way, before, t, f_before, f)) return found;
+            }
+            before = t;
+            f_before = f;
+        }
+        return std::nullopt;
+    }
+
+    double number(const Way& way, double t) {
+        const glm::dvec3 p = way.at(t);
+        const std::array<double, 3> at{p.x, p.y, p.z};
+        const auto& bindings = elements_.at(p);
+        const auto g = field_.gradient(bindings, at);
+        const glm::dvec3 n = glm::normalize(now_.placement.rotate * glm::dvec3(g[0], g[1], g[2]));
+        formula::Curvatures curved;
+        if (hessian_) {
+            std::array<double, 6> second{};
+            hessian_->point(bindings, at, second);
+            curved = formula::curvatures(g, second);
+        }
+        const std::array<double, 10> inputs{
+            // paint_names
+            p.x, p.y, p.z, n.x, n.y, n.z, curved.mean, curved.gaussian, 0, now_.time};
+        double number = 0;
+        paint_.point(paint_sums_all_ ? elements_.all() : bindings, inputs, {&number, 1});
+        return number;
+    }
+
+private:
+    double value(const glm::dvec3& p) { return field_.value(elements_.at(p), {p.x, p.y, p.z}); }
+
+    std::optional<double> halve(const Way& way, double low, double high, double f_low,
+                                double f_high) {
+        const double smaller = std::min(std::abs(f_low), std::abs(f_high));
+        for (int k = 0; k < Effort::halvings; ++k) {
+            const double middle = 0.5 * (low + high), f = value(way.at(middle));
+            (f_low * f <= 0 ? high : low) = middle;
+        }
+        // Towards a pole values grow.
+        const double there = std::abs(value(way.at(low)));
+        return there <= std::max(smaller, 1e-3 * std::max(std::abs(f_low), std::abs(f_high)))
+                   ? std::optional(low)
+                   : std::nullopt;
+    }
+
+    formula::FieldEvaluator<double> field_;
+    formula::Evaluator<double> paint_;
+    std::optional<formula::Evaluator<double>> hessian_;
+    const SceneAt& now_;
+    NearElements& elements_;
+    bool paint_sums_all_;
+};
+
+// Rays on the longer side of a picture, so many that all frames take what there is to spend.
+int rays_across(const Scene& scene, const formula::Paint& paint, const NearElements& elements,
+                bool paint_sums_all, int frames) {
+    const std::vector<int> usual = elements.usual_counts();
+    std::vector<int> all;
+    for (const auto& array : elements.all().arrays) all.push_back(array.count);
+    const formula::Field& field = *scene.surface.field;
+    double each =
+        (Effort::pieces + Effort::halvings) * formula::cost(field.value, usual).operations +
+        formula::cost(field.gradient, usual).operations +
+        formula::cost(paint.value, paint_sums_all ? all : usual).operations;
+    if (paint.hessian) each += formula::cost(*paint.hessian, usual).operations;
+    const double rays = Effort::most_operations / frames / (each + 1);
+    return std::clamp(int(std::sqrt(rays)), Effort::fewest_across, Effort::most_across);
+}
+
+int frames_to_show(const Scene& scene) {
+    double values = 0;
+    const animation::Animation& animation = scene.timeline.animation;
+    for (std::size_t a = 0; a < animation.arrays().size(); ++a) values += animation.values(a);
+    const int frames = int(std::clamp(Effort::most_values / (values + 1),
+                                      double(Effort::fewest_frames), double(Effort::most_frames)));
+    return std::min(frames, scene.timeline.frames);
+}
+
+void take_in(Range& range, double value) {
+    if (!(std::abs(value) < double(std::numeric_limits<float>::max()))) return;
+    range.least = std::min(range.least, value);
+    range.most = std::max(range.most, value);
+}
+
+void look(const Scene& scene, const formula::Paint& paint, const ElementFinder& finder, int frame,
+          int frames, Range& range) {
+    const SceneAt now = at(scene, scene.timeline.values(frame));
+    NearElements elements(finder, now);
+    const auto array = finder.array();
+    const bool sums_all =
+        array && !formula::weigh_like_field(paint.graph, paint.field, paint.roots, *array);
+    const int longer = rays_across(scene, paint, elements, sums_all, frames);
+    const int most = std::max(scene.output.width, scene.output.height);
+    const int width = std::max(1, longer * scene.output.width / most);
+    const int height = std::max(1, longer * scene.output.height / most);
+    const Rays rays = scene::rays(now, scene.output.width, scene.output.height);
+    MetSurface surface(scene, paint, now, elements, sums_all);
+    for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            const Way way = way_of(rays, now.bounds, (2 * column + 1.0) / width - 1,
+                                   (2 * row + 1.0) / height - 1);
+            if (!(way.near < way.far)) continue;
+            if (const auto t = surface.root(way)) take_in(range, surface.number(way, *t));
+        }
+    }
+}
+
+} // namespace
+
+Range shown_range(const Scene& scene, const formula::Paint& paint) {
+    const ElementFinder finder(scene);
+    const int frames = frames_to_show(scene);
+    Range none;
+    Range range{none.most, none.least};
+    for (int k = 0; k < frames; ++k) {
+        const int frame =
+            1 + int(std::int64_t(scene.timeline.frames - 1) * k / std::max(1, frames - 1));
+        try {
+            look(scene, paint, finder, frame, frames, range);
+        } catch (const SceneError&) { // said where the frame is drawn, as is the other
+        } catch (const std::length_error&) {
+        }
+    }
+    if (!(range.least <= range.most)) return {0, 1};
+    if (float(range.least) < float(range.most)) return range;
+    const double half = 0.5 * std::max(1.0, std::abs(range.least));
+    return {range.least - half, range.least + half};
+}
+
+} // namespace isomotion::scene
