@@ -55,20 +55,37 @@ std::vector<bool> readers_of_place(const Graph& graph) {
     return reads;
 }
 
-// Whether the quotient of two products is the same everywhere.
-bool are_alike(Factors a, const Factors& b, const std::vector<bool>& reads_place) {
+// What a factor changes with.
+struct Readers {
+    explicit Readers(const Graph& of)
+        : graph(of)
+        , place(readers_of_place(of)) {}
+
+    bool is_of_elements(NodeId id) const { return graph[id].arrays != 0; }
+    // Tells near elements from far ones.
+    bool is_of_both(NodeId id) const { return place[id] && is_of_elements(id); }
+
+    const Graph& graph;
+    std::vector<bool> place;
+};
+
+// Whether two terms are alike but for factors that are the same everywhere or for all elements.
+bool are_alike(Factors a, const Factors& b, const Readers& readers) {
     for (const auto& [id, power] : b) a[id] -= power;
-    return std::ranges::all_of(
-        a, [&](const auto& factor) { return factor.second == 0 || !reads_place[factor.first]; });
+    return std::ranges::all_of(a, [&](const auto& factor) {
+        return factor.second == 0 || !readers.is_of_both(factor.first);
+    });
 }
 
-// Whether a term has all factors of a field's that differ from element to element: where one of
-// them makes the field's small, the other must be.
-bool holds(const Graph& graph, const Factors& term, const Factors& of_field) {
+// Whether a term has all factors of a field's that change: where one of them makes the field's
+// small, the other must be.
+bool holds(const Factors& term, const Factors& of_field, const Readers& readers) {
     return std::ranges::all_of(of_field, [&](const auto& factor) {
         const auto [id, power] = factor;
+        if (!readers.place[id] && !readers.is_of_elements(id)) return true;
         const auto found = term.find(id);
-        return graph[id].arrays == 0 || (found != term.end() && found->second >= power);
+        if (found == term.end()) return false;
+        return found->second == power || (power > 0 && found->second > power);
     });
 }
 
@@ -94,13 +111,13 @@ std::vector<NodeId> terms_over(const Graph& graph, NodeId root, int array) {
 std::optional<NodeId> element_weight(const Graph& graph, NodeId field, int array) {
     const std::vector<NodeId> terms = terms_over(graph, field, array);
     if (terms.empty()) return std::nullopt;
-    const std::vector<bool> reads_place = readers_of_place(graph);
+    const Readers readers(graph);
     const Factors first = factors_of(graph, terms.front());
     NodeId weight = terms.front();
     double fewest = count(first);
     for (const NodeId term : terms) {
         const Factors factors = factors_of(graph, term);
-        if (!(count(factors) < fewest) || !are_alike(first, factors, reads_place)) continue;
+        if (!(count(factors) < fewest) || !are_alike(first, factors, readers)) continue;
         weight = term;
         fewest = count(factors);
     }
@@ -108,7 +125,7 @@ std::optional<NodeId> element_weight(const Graph& graph, NodeId field, int array
 }
 
 bool weigh_like_field(const Graph& graph, NodeId field, std::span<const NodeId> roots, int array) {
-    const std::vector<bool> reads_place = readers_of_place(graph);
+    const Readers readers(graph);
     std::vector<Factors> of_field;
     for (const NodeId term : terms_over(graph, field, array))
         of_field.push_back(factors_of(graph, term));
@@ -117,7 +134,7 @@ bool weigh_like_field(const Graph& graph, NodeId field, std::span<const NodeId> 
         if (node.op != Op::sum || node.index != array) return true;
         const Factors term = factors_of(graph, node.children[0]);
         return std::ranges::any_of(of_field, [&](const Factors& known) {
-            return are_alike(term, known, reads_place) && holds(graph, term, known);
+            return are_alike(term, known, readers) && holds(term, known, readers);
         });
     });
 }

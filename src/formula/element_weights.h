@@ -12,14 +12,14 @@
 
 namespace isomotion::formula {
 
-// The term of the sums over the array below `field` that weighs its elements: the first sum's, or
-// of those that are alike but for factors that are the same everywhere the one with the fewest
-// factors. So it is the weight of a ratio of sums too, wherever that stands. None without such a
+// The term of the sums over the array below `field` that weighs its elements: the first sum's, or of
+// those that differ from it by factors of the place alone or of the element alone the one with the
+// fewest factors. So it is the weight of a ratio of sums, wherever that stands. None without such a
 // sum.
 std::optional<NodeId> element_weight(const Graph& graph, NodeId field, int array);
 
 // Whether the terms of all sums over the array below `roots` are terms of sums of the field times
-// further factors that are the same everywhere, if not for every element.
+// further factors, each of the place alone or of the element alone.
 bool weigh_like_field(const Graph& graph, NodeId field, std::span<const NodeId> roots, int array);
 
 } // namespace isomotion::formula

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 #include "formula/curvature.h"
@@ -157,11 +158,66 @@ int frames_to_show(const Scene& scene) {
     return std::min(frames, scene.timeline.frames);
 }
 
-void take_in(Range& range, double value) {
-    if (!(std::abs(value) < double(std::numeric_limits<float>::max()))) return;
-    range.least = std::min(range.least, value);
-    range.most = std::max(range.most, value);
-}
+// One end of the numbers of a picture, and the ray that shows it.
+struct End {
+    double sign = 1;                                         // of the greatest; -1 of the least
+    double value = -std::numeric_limits<double>::infinity(); // times the sign
+    glm::dvec2 at{0};                                        // picture coordinates
+
+    bool take(double number, const glm::dvec2& where) {
+        if (!(std::abs(number) < double(std::numeric_limits<float>::max()))) return false;
+        if (!(sign * number > value)) return false;
+        value = sign * number;
+        at = where;
+        return true;
+    }
+};
+
+// The rays of a picture.
+class Pictured {
+public:
+    Pictured(MetSurface& surface, const Rays& rays, const BoundsAt& bounds)
+        : surface_(surface)
+        , rays_(rays)
+        , bounds_(bounds) {}
+
+    double number(const glm::dvec2& at) {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        const Way way = way_of(rays_, bounds_, at.x, at.y);
+        if (!(way.near < way.far)) return none;
+        const auto t = surface_.root(way);
+        return t ? surface_.number(way, *t) : none;
+    }
+
+    void scan(int width, int height, std::span<End> ends) {
+        for (int row = 0; row < height; ++row) {
+            for (int column = 0; column < width; ++column) {
+                const glm::dvec2 at((2 * column + 1.0) / width - 1, (2 * row + 1.0) / height - 1);
+                const double found = number(at);
+                for (End& end : ends) end.take(found, at);
+            }
+        }
+    }
+
+    // Looks around it, ever nearer, from half a pixel on: extremes lie on silhouettes.
+    void climb(End& end, glm::dvec2 pixel, int rounds) {
+        if (!std::isfinite(end.value)) return;
+        for (int k = 0; k < rounds; ++k) {
+            pixel *= 0.5;
+            const glm::dvec2 middle = end.at;
+            for (const glm::dvec2& step :
+                 {glm::dvec2(1, 0), {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}) {
+                const glm::dvec2 at = glm::clamp(middle + step * pixel, -1.0, 1.0);
+                end.take(number(at), at);
+            }
+        }
+    }
+
+private:
+    MetSurface& surface_;
+    const Rays rays_;
+    const BoundsAt& bounds_;
+};
 
 void look(const Scene& scene, const formula::Paint& paint, const ElementFinder& finder, int frame,
           int frames, Range& range) {
@@ -174,16 +230,14 @@ void look(const Scene& scene, const formula::Paint& paint, const ElementFinder& 
     const int most = std::max(scene.output.width, scene.output.height);
     const int width = std::max(1, longer * scene.output.width / most);
     const int height = std::max(1, longer * scene.output.height / most);
-    const Rays rays = scene::rays(now, scene.output.width, scene.output.height);
     MetSurface surface(scene, paint, now, elements, sums_all);
-    for (int row = 0; row < height; ++row) {
-        for (int column = 0; column < width; ++column) {
-            const Way way = way_of(rays, now.bounds, (2 * column + 1.0) / width - 1,
-                                   (2 * row + 1.0) / height - 1);
-            if (!(way.near < way.far)) continue;
-            if (const auto t = surface.root(way)) take_in(range, surface.number(way, *t));
-        }
-    }
+    Pictured picture(surface, rays(now, scene.output.width, scene.output.height), now.bounds);
+    std::array<End, 2> ends{End{-1}, End{1}};
+    picture.scan(width, height, ends);
+    for (End& end : ends)
+        picture.climb(end, glm::dvec2(2.0 / width, 2.0 / height), std::min(8, longer / 4));
+    range.least = std::min(range.least, -ends[0].value);
+    range.most = std::max(range.most, ends[1].value);
 }
 
 } // namespace
