@@ -109,9 +109,9 @@ TEST_P(ColoredPictures, TwoBlobsThatMergeShowTheMeanOfTheirColours) {
         // Far from the other, each is its own colour.
         std::size_t left = 0, right = 0;
         for (const Pixel& p : hits_of(picture)) {
-            if (p.position.x < -apart - 0.6)
+            if (p.position.x < -apart - 0.4)
                 left += glm::distance(p.color, red) < 2 * step_of_8_bits;
-            if (p.position.x > apart + 0.6)
+            if (p.position.x > apart + 0.4)
                 right += glm::distance(p.color, blue) < 2 * step_of_8_bits;
         }
         EXPECT_GT(left, 20u) << apart;
@@ -154,14 +154,14 @@ TEST_P(ColoredPictures, TheOrderOfElementsDoesNotMatter) {
 TEST_P(ColoredPictures, ARatioOfSumsShowsTheMeanByItsWeights) {
     const std::vector<Element> three{
         {{-1, 0, 0}, red}, {{0, 0.3, 0.2}, {0, 1, 0}}, {{1, 0, -0.3}, blue}};
-    const std::string k = fmt::format("max(0, 1 - {}/1.44)^3", distance);
+    const std::string k = fmt::format("exp(2 - 2*{})", distance);
     const auto part = [&](char axis) {
         return fmt::format("({0} - sum(p, c{0}*{1})/sum(p, {1}))^2", axis, k);
     };
     const std::string formula =
         fmt::format("sqrt({} + {} + {}) - 0.6", part('x'), part('y'), part('z'));
     expect_colors(draw(*context, scene_of(scene_text(formula, three, ""))), 300,
-                  [&](const Pixel& p) { return mean(three, p.position, hat); });
+                  [&](const Pixel& p) { return mean(three, p.position, gauss); });
 }
 
 TEST_P(ColoredPictures, AnExpressionHasEveryNameOfThePlace) {
