@@ -1,11 +1,12 @@
 #include "scene/near_elements.h"
 
 #include <algorithm>
+#include <thread>
 
 namespace isomotion::scene {
 namespace {
 
-constexpr int fewest = 200; // elements, so that finding them pays
+constexpr int fewest_to_find = 200; // elements, so that finding them pays
 
 } // namespace
 
@@ -13,7 +14,7 @@ ElementFinder::ElementFinder(const Scene& scene) {
     const auto& arrays = scene.timeline.animation.arrays();
     if (arrays.empty()) return;
     const auto most = std::ranges::max_element(arrays, {}, &animation::Array::count);
-    if (most->count < fewest) return;
+    if (most->count < fewest_to_find) return;
     maker_ = elements::GridMaker::of(*scene.surface.field, int(most - arrays.begin()));
 }
 
@@ -25,7 +26,9 @@ NearElements::NearElements(const ElementFinder& finder, const SceneAt& now)
     : all_(formula::convert<double>(now.bindings)) {
     if (!finder.maker_) return;
     array_ = std::size_t(finder.maker_->array());
-    grid_ = finder.maker_->make(now.bindings, {now.bounds.min, now.bounds.max}, {});
+    elements::GridLimits limits;
+    limits.threads = std::max(1, int(std::thread::hardware_concurrency())); // decides nothing
+    grid_ = finder.maker_->make(now.bindings, {now.bounds.min, now.bounds.max}, limits);
     near_ = all_;
 }
 

@@ -29,6 +29,7 @@ public:
     // Valid until the next call. Without an array to find by place, all().
     const formula::Bindings<double>& at(const glm::dvec3& p);
     const formula::Bindings<double>& all() const { return all_; }
+    bool is_by_place() const { return grid_.has_value(); }
     // Of each array: how many elements a sum takes at most places.
     std::vector<int> usual_counts() const;
 

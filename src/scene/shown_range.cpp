@@ -20,9 +20,11 @@ struct Effort {
     static constexpr int most_frames = 9, fewest_frames = 3;
     static constexpr int most_across = 40, fewest_across = 6; // rays of a picture's longer side
     static constexpr int pieces = 64;                         // of a ray's way through the bounds
-    static constexpr int halvings = 30;                       // of the piece that a root is in
-    static constexpr double most_operations = 1e9;            // in all, as near as that can be told
-    static constexpr double most_values = 1e6;                // of elements, in all frames
+    static constexpr int parts = 32; // of a piece that a root is in, and of these again
+    static constexpr int rounds = 3;
+    static constexpr double operations = 2e9;      // in all, as near as that can be told
+    static constexpr double most_operations = 4e9; // of the fewest rays
+    static constexpr double most_values = 1e6;     // of elements, in all frames
 };
 
 struct Way {
@@ -65,7 +67,8 @@ class MetSurface {
 public:
     MetSurface(const Scene& scene, const formula::Paint& paint, const SceneAt& now,
                NearElements& elements, bool paint_sums_all)
-        : field_(*scene.surface.field)
+        : value_(scene.surface.field->value)
+        , field_(*scene.surface.field)
         , paint_(paint.value)
         , now_(now)
         , elements_(elements)
@@ -75,15 +78,13 @@ public:
 
     // Where F first changes its sign along the way, other than at a pole.
     std::optional<double> root(const Way& way) {
-        double before = way.near, f_before = value(way.at(before));
-        for (int k = 1; k <= Effort::pieces; ++k) {
-            const double t = way.near + (way.far - way.near) * k / Effort::pieces;
-            const double f = value(way.at(t));
-            if (f_before * f <= 0 && f_before != 0) {
-                if (const auto found = halve(way, before, t, f_before, f)) return found;
-            }
-            before = t;
-            f_before = f;
+        const std::vector<double> f = values(way, way.near, way.far, Effort::pieces);
+        const double piece = (way.far - way.near) / Effort::pieces;
+        for (std::size_t k = 0; k + 1 < f.size(); ++k) {
+            if (!changes(f[k], f[k + 1])) continue;
+            if (const auto found =
+                    root_in(way, way.near + double(k) * piece, piece, f[k], f[k + 1]))
+                return found;
         }
         return std::nullopt;
     }
@@ -109,22 +110,48 @@ public:
     }
 
 private:
-    double value(const glm::dvec3& p) { return field_.value(elements_.at(p), {p.x, p.y, p.z}); }
+    static bool changes(double f, double next) { return f * next <= 0 && f != 0; }
 
-    std::optional<double> halve(const Way& way, double low, double high, double f_low,
-                                double f_high) {
+    std::optional<double> root_in(const Way& way, double low, double length, double f_low,
+                                  double f_high) {
         const double smaller = std::min(std::abs(f_low), std::abs(f_high));
-        for (int k = 0; k < Effort::halvings; ++k) {
-            const double middle = 0.5 * (low + high), f = value(way.at(middle));
-            (f_low * f <= 0 ? high : low) = middle;
+        const double larger = std::max(std::abs(f_low), std::abs(f_high));
+        double there = f_low;
+        for (int round = 0; round < Effort::rounds; ++round) {
+            const std::vector<double> f = values(way, low, low + length, Effort::parts);
+            std::size_t k = 0;
+            while (k + 2 < f.size() && !changes(f[k], f[k + 1])) ++k;
+            length /= Effort::parts;
+            low += double(k) * length;
+            there = f[k];
         }
         // Towards a pole values grow.
-        const double there = std::abs(value(way.at(low)));
-        return there <= std::max(smaller, 1e-3 * std::max(std::abs(f_low), std::abs(f_high)))
-                   ? std::optional(low)
-                   : std::nullopt;
+        return std::abs(there) <= std::max(smaller, 1e-3 * larger) ? std::optional(low)
+                                                                   : std::nullopt;
     }
 
+    // At the ends of equal parts of the way from `low` to `high`.
+    std::vector<double> values(const Way& way, double low, double high, int parts) {
+        std::array<std::vector<double>, 3> places;
+        for (int k = 0; k <= parts; ++k) {
+            const glm::dvec3 p = way.at(low + (high - low) * k / parts);
+            for (int axis = 0; axis < 3; ++axis) places[std::size_t(axis)].push_back(p[axis]);
+        }
+        std::vector<double> found(places[0].size());
+        if (!elements_.is_by_place()) {
+            const std::array<std::span<const double>, 3> inputs{places[0], places[1], places[2]};
+            const std::array<std::span<double>, 1> outputs{found};
+            value_.points(elements_.all(), inputs, outputs);
+            return found;
+        }
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            const std::array<double, 3> p{places[0][k], places[1][k], places[2][k]};
+            value_.point(elements_.at({p[0], p[1], p[2]}), p, {&found[k], 1});
+        }
+        return found;
+    }
+
+    formula::Evaluator<double> value_;
     formula::FieldEvaluator<double> field_;
     formula::Evaluator<double> paint_;
     std::optional<formula::Evaluator<double>> hessian_;
@@ -133,6 +160,12 @@ private:
     bool paint_sums_all_;
 };
 
+double work(const formula::Program& program, std::span<const int> counts) {
+    constexpr double of_a_function = 10; // exp, sin, ...
+    const formula::Cost cost = formula::cost(program, counts);
+    return cost.operations + of_a_function * cost.functions;
+}
+
 // Rays on the longer side of a picture, so many that all frames take what there is to spend.
 int rays_across(const Scene& scene, const formula::Paint& paint, const NearElements& elements,
                 bool paint_sums_all, int frames) {
@@ -140,12 +173,14 @@ int rays_across(const Scene& scene, const formula::Paint& paint, const NearEleme
     std::vector<int> all;
     for (const auto& array : elements.all().arrays) all.push_back(array.count);
     const formula::Field& field = *scene.surface.field;
-    double each =
-        (Effort::pieces + Effort::halvings) * formula::cost(field.value, usual).operations +
-        formula::cost(field.gradient, usual).operations +
-        formula::cost(paint.value, paint_sums_all ? all : usual).operations;
-    if (paint.hessian) each += formula::cost(*paint.hessian, usual).operations;
-    const double rays = Effort::most_operations / frames / (each + 1);
+    constexpr int values = Effort::pieces + Effort::rounds * Effort::parts;
+    double each = values * work(field.value, usual) + work(field.gradient, usual) +
+                  work(paint.value, paint_sums_all ? all : usual);
+    if (paint.hessian) each += work(*paint.hessian, usual);
+    const double rays = Effort::operations / frames / (each + 1);
+    constexpr double fewest = Effort::fewest_across * Effort::fewest_across;
+    if (rays < fewest * Effort::operations / Effort::most_operations)
+        throw TooDear("what the surface shows takes too long to find; give [low, high]");
     return std::clamp(int(std::sqrt(rays)), Effort::fewest_across, Effort::most_across);
 }
 
@@ -234,8 +269,14 @@ void look(const Scene& scene, const formula::Paint& paint, const ElementFinder& 
     Pictured picture(surface, rays(now, scene.output.width, scene.output.height), now.bounds);
     std::array<End, 2> ends{End{-1}, End{1}};
     picture.scan(width, height, ends);
-    for (End& end : ends)
+    // A spike goes on and on: what is added stays small beside what many rays show.
+    constexpr double most_added = 0.125;
+    const double added = most_added * (ends[0].value + ends[1].value);
+    for (End& end : ends) {
+        const double scanned = end.value;
         picture.climb(end, glm::dvec2(2.0 / width, 2.0 / height), std::min(8, longer / 4));
+        end.value = std::min(end.value, scanned + added);
+    }
     range.least = std::min(range.least, -ends[0].value);
     range.most = std::max(range.most, ends[1].value);
 }

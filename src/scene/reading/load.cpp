@@ -20,7 +20,6 @@
 #include "scene/reading/surface.h"
 #include "scene/regions.h"
 #include "scene/renamed_keys.h"
-#include "scene/shown_range.h"
 #include "scene/thresholds.h"
 
 namespace isomotion::scene {
@@ -372,8 +371,7 @@ Scene load_text(std::string_view text, const fs::path& file, const std::vector<O
     rescale(scene, *parts, first);
     // Curvatures are quotients of the same field's slopes.
     make_paints(material, *parts, scene.timeline.animation, scene.material);
-    if (auto& paint = scene.material.paint; paint && paint->shown)
-        paint->shown = shown_range(scene, *paint->value);
+    if (material.colormap) find_shown_range(*material.colormap, scene);
     return scene;
 }
 

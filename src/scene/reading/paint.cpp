@@ -4,6 +4,7 @@
 
 #include "base/nearest_name.h"
 #include "formula/graph/parser.h"
+#include "scene/shown_range.h"
 
 namespace isomotion::scene {
 namespace {
@@ -25,7 +26,8 @@ void read_range(Section& section, PaintParts& parts, TrackTable& tracks) {
     const std::string key = section.dotted("range");
     const toml::node* range = section.find("range");
     if (range && range->value_exact<std::string>() == "auto") {
-        parts.takes_shown_range = true;
+        parts.shown_node = range;
+        parts.range_key = key;
         parts.paint.shown = Range{0, 1}; // until all else is known
         return;
     }
@@ -65,12 +67,21 @@ Paint make_paint(const PaintParts& parts, const SurfaceParts& surface) {
     } catch (const formula::ParseError& error) {
         fail(*parts.value_node, parts.value_key, error.what());
     }
-    if (parts.takes_shown_range && paint.value->uses("evaluations")) {
+    if (parts.shown_node && paint.value->uses("evaluations")) {
         fail(*parts.value_node, parts.value_key,
              "how many evaluations there are is known once a picture is drawn; give the range as "
              "[low, high]");
     }
     return paint;
+}
+
+void find_shown_range(const PaintParts& parts, Scene& scene) {
+    if (!parts.shown_node) return;
+    try {
+        scene.material.paint->shown = shown_range(scene, *scene.material.paint->value);
+    } catch (const TooDear& error) {
+        fail(*parts.shown_node, parts.range_key, error.what());
+    }
 }
 
 } // namespace isomotion::scene

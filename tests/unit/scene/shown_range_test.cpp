@@ -109,6 +109,12 @@ TEST_F(ShownRange, Mistakes) {
     EXPECT_EQ(mistake(ball_and(begin + "'x'\nrange = 'automatic'")),
               "scene.toml:17: material.colormap.range: must be [low, high], the values at the ends "
               "of the map, or \"auto\"");
+    // Terms that have no place.
+    EXPECT_EQ(mistake("[surface]\nformula = 'sum(p, sin(x*a)*sin(y*a)) - 1'\n"
+                      "bounds = { sphere = 1 }\n[arrays.p]\ncount = 100000\na = 'i'\n" +
+                      begin + "'x'\nrange = 'auto'"),
+              "scene.toml:9: material.colormap.range: what the surface shows takes too long to "
+              "find; give [low, high]");
     EXPECT_EQ(
         mistake(ball_and(begin + "'evaluations/2'\nrange = 'auto'")),
         "scene.toml:16: material.colormap.value: how many evaluations there are is known once "
