@@ -88,11 +88,14 @@ std::optional<Paint> make_mean_color(const Vocabulary& surface, const Field& fie
     const ArrayName& names = surface.arrays[std::size_t(array)];
     const NodeId weight = g.unary(Op::abs, *term), all = g.sum(array, weight);
     paint.text = "the elements' mean of";
-    for (const int part : fields) {
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        const int part = fields[k];
         const FieldName& name = names.fields[std::size_t(part)];
         const NodeId value = name.parameter ? g.parameter(*name.parameter) : g.element(array, part);
         const NodeId sum = g.sum(array, g.multiply(weight, value));
-        paint.roots.push_back(g.multiply(g.constant(unit), g.divide(sum, all)));
+        const NodeId mean = g.multiply(g.constant(unit), g.divide(sum, all));
+        const NodeId own = g.input(int(paint_names.size() + k));
+        paint.roots.push_back(g.select(g.constant(0), all, mean, own));
         paint.text += fmt::format(" {}.{}", names.name, name.name);
     }
     return finish(std::move(paint), field);

@@ -150,6 +150,17 @@ TEST_P(ColoredPictures, TheOrderOfElementsDoesNotMatter) {
     }
 }
 
+// Beyond all kernels, on another part of the surface, it is the material's.
+TEST_P(ColoredPictures, WhereNoElementReachesIsTheMaterials) {
+    const std::vector<Element> one{{{1.5, 0, 0}, blue}};
+    const std::string formula = fmt::format(
+        "min(0.3 - sum(p, max(0, 1 - {}/0.36)^3), (x + 1)^2 + y^2 + z^2 - 0.5)", distance);
+    expect_colors(
+        draw(*context, scene_of(scene_text(formula, one, ""))), 200,
+        [](const Pixel& p) { return p.position.x > 0.5 ? blue : glm::dvec3(0.72, 0.32, 0.08); },
+        1e-6);
+}
+
 // The particles of fluids: a mean position, a mean radius. The weight is that of the means.
 TEST_P(ColoredPictures, ARatioOfSumsShowsTheMeanByItsWeights) {
     const std::vector<Element> three{

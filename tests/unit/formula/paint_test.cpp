@@ -110,6 +110,15 @@ TEST(Color, OfElementsIsTheirMean) {
     EXPECT_FALSE(make_mean_color(test_vocabulary(), field(), 1, {0, 1, 2}, 1)) << "no sum over it";
 }
 
+TEST(Color, WithoutAWeightIsTheMaterials) {
+    const auto color = make_mean_color(test_vocabulary(), field(), 0, {0, 4, 5}, 0.5);
+    std::array<double, 3> parts{};
+    std::vector<double> inputs(paint_names.size(), 0.5);
+    inputs.insert(inputs.end(), {10, 11, 12});
+    Evaluator<double>(color->value).point(test_bindings(0), inputs, parts);
+    EXPECT_EQ(parts, (std::array{10.0, 11.0, 12.0}));
+}
+
 // A field with one value for all elements is what the mean is.
 TEST(Color, OfElementsThatShareAFieldHasItsValue) {
     const Field links = make_field("sum(links, px*x) - 1", test_vocabulary());
