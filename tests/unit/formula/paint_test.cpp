@@ -95,7 +95,8 @@ vec3 color_value(vec3 p, vec3 n, vec2 curvature, float evaluations, vec3 own) {
 TEST(Color, OfElementsIsTheirMean) {
     const auto color = make_mean_color(test_vocabulary(), field(), 0, {0, 4, 5}, 0.5);
     ASSERT_TRUE(color);
-    const auto& blobs = test_bindings().arrays[0].fields;
+    const Bindings<double> bindings = test_bindings();
+    const auto& blobs = bindings.arrays[0].fields;
     std::array<double, 3> sums{};
     double all = 0;
     for (std::size_t i = 0; i < 3; ++i) {
