@@ -41,7 +41,7 @@ void print_samples(const animation::ElementSamples& samples, double time) {
         if (values.empty()) continue;
         const auto [least, greatest] = std::ranges::minmax_element(values);
         print_result("        {:<24} {:g} to {:g}\n", base::printable_line(names[c]), *least,
-                   *greatest);
+                     *greatest);
     }
     if (names.size() > most) print_result("        and {} columns more\n", names.size() - most);
 }
@@ -139,7 +139,7 @@ int show(const ShowArguments& arguments) {
     for (std::size_t a = 0; a < values.arrays.size(); ++a) {
         const auto& array = scene.timeline.animation.arrays()[a];
         print_result("    {:<28} {} elements{}\n", array.name, values.arrays[a].count,
-                   synthesis::array_with_grid(passes) == int(a) ? ", found by place" : "");
+                     synthesis::array_with_grid(passes) == int(a) ? ", found by place" : "");
         if (array.samples) print_samples(*array.samples, values.time);
     }
     std::vector<std::string_view> called;
@@ -147,6 +147,10 @@ int show(const ShowArguments& arguments) {
         called.push_back(synthesis::name(effect));
     print_result("effects   {}\n",
                  called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
+    if (const auto& paint = scene.material.paint; paint && paint->shown) {
+        print_result("colormap  {:g} to {:g}, what the surface shows\n", paint->shown->least,
+                     paint->shown->most);
+    }
     const double size = synthesis::inlined_size(passes), largest = synthesis::largest_shaders();
     print_result("compiles  {} passes, {:.0f} operations{}\n", passes.list.size(), size,
                  size > largest ? fmt::format("; more than {:.0f} are not compiled", largest) : "");

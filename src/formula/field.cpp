@@ -1,6 +1,7 @@
 #include "formula/field.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "formula/graph/derivative.h"
 #include "formula/graph/lowering.h"
@@ -12,8 +13,8 @@ namespace {
 
 // All fields that any program reads. They are packed in the order of declaration, so that the
 // storage of an array doesn't depend on which derivative reads what.
-ArrayPacking packing_of(const Vocabulary& vocabulary, std::span<const Program* const> programs) {
-    std::vector<std::set<int>> used(vocabulary.arrays.size());
+ArrayPacking packing_of(std::size_t arrays, std::span<const Program* const> programs) {
+    std::vector<std::set<int>> used(arrays);
     for (const Program* program : programs) {
         for (const Instruction& now : program->instructions) {
             if (now.kind == Instruction::Kind::operation && now.op == Op::element) {
@@ -53,8 +54,8 @@ Field make_field(std::string_view text, Vocabulary vocabulary) {
     vocabulary.inputs = coordinate_names;
     field.root = parse(text, vocabulary, field.graph);
     derive_programs(field);
-    field.packing =
-        packing_of(vocabulary, std::array{&field.value, &field.directional, &field.gradient});
+    field.packing = packing_of(vocabulary.arrays.size(),
+                               std::array{&field.value, &field.directional, &field.gradient});
     return field;
 }
 
@@ -62,6 +63,17 @@ Field scaled(Field field, double scale) {
     field.scale *= scale;
     field.root = field.graph.multiply(field.graph.constant(scale), field.root);
     derive_programs(field);
+    return field;
+}
+
+Field with_elements_of(Field field, const Program& beside) {
+    const ArrayPacking read = packing_of(field.packing.size(), std::array{&beside});
+    for (std::size_t a = 0; a < read.size(); ++a) {
+        std::vector<int>& packed = field.packing[a];
+        std::ranges::copy_if(read[a], std::back_inserter(packed), [&](int one) {
+            return std::ranges::find(packed, one) == packed.end();
+        });
+    }
     return field;
 }
 

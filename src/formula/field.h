@@ -36,6 +36,8 @@ struct Field {
 Field make_field(std::string_view text, Vocabulary vocabulary);
 // The field times a power of two.
 Field scaled(Field field, double scale);
+// The same with more in its packing, behind what F reads: what a program beside it reads of arrays.
+Field with_elements_of(Field field, const Program& beside);
 // The same with walls where F jumps.
 Field with_walls(Field field, double distance);
 

@@ -1,30 +1,49 @@
 #include "formula/paint.h"
 
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 
+#include "formula/element_weights.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/parser.h"
+#include "formula/graph/substitute.h"
 #include "formula/hessian.h"
 
 namespace isomotion::formula {
 namespace {
 
-// The elements of arrays that the field's programs don't read have no place in the packing.
-void refuse_unpacked(const Paint& paint, const Vocabulary& vocabulary, const Field& field) {
-    for (NodeId id = 0; id < paint.graph.size(); ++id) {
-        const Node& node = paint.graph[id];
-        if (node.op != Op::element) continue;
-        const auto& packed = field.packing[std::size_t(node.index)];
-        if (std::find(packed.begin(), packed.end(), node.second) != packed.end()) continue;
-        const ArrayName& array = vocabulary.arrays[std::size_t(node.index)];
-        const std::string& name = array.fields[std::size_t(node.second)].name;
-        throw ParseError(paint.text, paint.text.find(name),
-                         fmt::format("the surface's formula leaves out the field '{}' of '{}'; "
-                                     "only fields that it reads are there to paint with",
-                                     name, array.name));
+NodeId as_it_is(Graph&, const Node&, NodeId rebuilt) { return rebuilt; }
+
+// The field's value, for what is written about it.
+Paint begin_paint(const Field& field) {
+    Paint paint;
+    paint.field = substitute(paint.graph, field.graph, std::array{field.root}, as_it_is).front();
+    return paint;
+}
+
+// A graph of its own: however large the field is, there is room for as much as a formula may hold.
+NodeId parse_beside(std::string_view text, const Names& names, Graph& to) {
+    Graph written;
+    const NodeId root = parse(text, names, written);
+    return substitute(to, written, std::array{root}, as_it_is).front();
+}
+
+Paint finish(Paint paint, const Field& field) {
+    Graph working = paint.graph;
+    paint.value = schedule(working, lower(working, paint.roots));
+    if (paint.uses("mean_curvature") || paint.uses("gaussian_curvature")) {
+        paint.hessian = hessian(field);
     }
+    return paint;
+}
+
+std::string glsl_value(const Paint& paint, GlslSignature signature, const ArrayPacking& packing) {
+    signature.inputs = {"p.x",   "p.y",         "p.z",         "n.x",         "n.y",
+                        "n.z",   "curvature.x", "curvature.y", "evaluations", "paint_time",
+                        "own.r", "own.g",       "own.b"};
+    return "uniform float paint_time;\n" + emit_glsl(paint.value, signature, packing);
 }
 
 } // namespace
@@ -38,28 +57,64 @@ bool Paint::uses(std::string_view name) const {
     });
 }
 
-Paint make_paint(std::string_view text, Vocabulary surface, const Field& field) {
-    Paint paint;
+Paint make_paint(std::string_view text, const Vocabulary& surface, const Field& field) {
+    Vocabulary vocabulary = surface;
+    vocabulary.inputs = paint_names;
+    Paint paint = begin_paint(field);
     paint.text = text;
-    surface.inputs = paint_names;
-    const NodeId root = parse(text, surface, paint.graph);
-    refuse_unpacked(paint, surface, field);
-    Graph working = paint.graph;
-    paint.value = schedule_lowered(working, root);
-    if (paint.uses("mean_curvature") || paint.uses("gaussian_curvature")) {
-        paint.hessian = hessian(field);
+    paint.roots = {parse_beside(text, Names(vocabulary), paint.graph)};
+    return finish(std::move(paint), field);
+}
+
+Paint make_color(const ColorTexts& texts, const Vocabulary& surface, const Field& field) {
+    Vocabulary vocabulary = surface;
+    vocabulary.inputs = paint_names;
+    const Names names(vocabulary);
+    Paint paint = begin_paint(field);
+    for (std::size_t k = 0; k < texts.size(); ++k) {
+        const NodeId own = paint.graph.input(int(paint_names.size() + k));
+        paint.roots.push_back(texts[k] ? parse_beside(*texts[k], names, paint.graph) : own);
+        paint.text += (k > 0 ? ", " : "") + texts[k].value_or("as it is");
     }
-    return paint;
+    return finish(std::move(paint), field);
+}
+
+std::optional<Paint> make_mean_color(const Vocabulary& surface, const Field& field, int array,
+                                     const std::array<int, 3>& fields, double unit) {
+    Paint paint = begin_paint(field);
+    Graph& g = paint.graph;
+    const std::optional<NodeId> term = element_weight(g, paint.field, array);
+    if (!term) return std::nullopt;
+    const ArrayName& names = surface.arrays[std::size_t(array)];
+    const NodeId weight = g.unary(Op::abs, *term), all = g.sum(array, weight);
+    paint.text = "the elements' mean of";
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        const int part = fields[k];
+        const FieldName& name = names.fields[std::size_t(part)];
+        const NodeId value = name.parameter ? g.parameter(*name.parameter) : g.element(array, part);
+        const NodeId sum = g.sum(array, g.multiply(weight, value));
+        const NodeId mean = g.multiply(g.constant(unit), g.divide(sum, all));
+        const NodeId own = g.input(int(paint_names.size() + k));
+        paint.roots.push_back(g.select(g.constant(0), all, mean, own));
+        paint.text += fmt::format(" {}.{}", names.name, name.name);
+    }
+    return finish(std::move(paint), field);
 }
 
 std::string glsl_paint_value(const Paint& paint, const ArrayPacking& packing) {
-    return "uniform float paint_time;\n" +
-           emit_glsl(paint.value,
-                     {"float paint_value(vec3 p, vec3 n, vec2 curvature, float evaluations)",
-                      "float",
-                      {"p.x", "p.y", "p.z", "n.x", "n.y", "n.z", "curvature.x", "curvature.y",
-                       "evaluations", "paint_time"}},
-                     packing);
+    return glsl_value(
+        paint,
+        {"float paint_value(vec3 p, vec3 n, vec2 curvature, float evaluations)", "float", {}},
+        packing);
+}
+
+std::string glsl_color_value(const Paint& paint, const ArrayPacking& packing) {
+    return glsl_value(
+        paint,
+        {"vec3 color_value(vec3 p, vec3 n, vec2 curvature, float evaluations, vec3 own)",
+         "vec3",
+         {}},
+        packing);
 }
 
 } // namespace isomotion::formula

@@ -13,9 +13,6 @@
 namespace isomotion::render {
 namespace {
 
-// Loops over one list in a shader, below the driver's 65535 turns.
-constexpr std::uint32_t most_elements_at_a_place = 50'000;
-
 template<class T> void add_value(base::Fingerprint& print, const T& value) {
     print.add_values(std::span<const T>(&value, 1));
 }
@@ -66,15 +63,15 @@ void add_places(base::Fingerprint& print, const scene::SceneAt& at) {
 
 // The grid covers the bounds, and what rounding takes for them.
 elements::ElementGrid grid_of(const elements::GridMaker& maker, const scene::SceneAt& at,
-                              const elements::GridLimits& limits) {
+                              const InputLayout& layout) {
     const glm::dvec3 margin(0x1p-12 * at.bounds.radius);
-    elements::ElementGrid grid =
-        maker.make(at.bindings, {at.bounds.min - margin, at.bounds.max + margin}, limits);
-    if (grid.longest > most_elements_at_a_place) {
+    elements::ElementGrid grid = maker.make(
+        at.bindings, {at.bounds.min - margin, at.bounds.max + margin}, layout.grid_limits);
+    if (grid.longest > layout.most_elements_at_a_place) {
         throw std::length_error(fmt::format(
             "{} elements of an array matter at one place; a shader can sum {}: smaller kernels, "
             "or fewer elements in one place",
-            grid.longest, most_elements_at_a_place));
+            grid.longest, layout.most_elements_at_a_place));
     }
     return grid;
 }
@@ -83,7 +80,7 @@ FieldInputs field_inputs(const scene::Scene& scene, const scene::SceneAt& at,
                          const InputLayout& layout) {
     const synthesis::Passes& passes = layout.passes;
     FieldInputs field;
-    if (layout.grid) field.grid = grid_of(*layout.grid, at, layout.grid_limits);
+    if (layout.grid) field.grid = grid_of(*layout.grid, at, layout);
     field.parameters = parameter_block(passes, at, field.grid ? &*field.grid : nullptr);
     for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
         field.arrays.push_back(array_texels(scene, passes, at, a));

@@ -88,6 +88,7 @@ struct InputLayout {
     // Of the array whose elements are found by place, else null.
     const elements::GridMaker* grid = nullptr;
     elements::GridLimits grid_limits{};
+    std::uint32_t most_elements_at_a_place = 0; // that a shader can sum
 };
 
 // `element_radius`: of rays that march by cubics; null for others.

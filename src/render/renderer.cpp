@@ -139,6 +139,7 @@ struct Renderer::Parts {
         InputLayout all{passes, options.width, options.height, light_side};
         if (!grid_maker) return all;
         all.grid = &*grid_maker;
+        all.most_elements_at_a_place = plan.most_elements_at_a_place;
         all.grid_limits.threads = options.threads > 0
                                       ? options.threads
                                       : std::max(1, int(std::thread::hardware_concurrency()));

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "synthesis/paint_text.h"
+
 namespace isomotion::render {
 namespace {
 
@@ -27,15 +29,32 @@ double loops_of(const formula::Program& program, const std::vector<int>& counts)
     return formula::cost(program, counts).iterations;
 }
 
+// How often a pixel's shader asks for the surface's colour: a mirror weighs what it shows by it,
+// and the surface seen in it does both again.
+int colours_of_a_pixel(const scene::Scene& scene) {
+    using Reflection = scene::Material::Reflection;
+    switch (scene.material.reflection) {
+    case Reflection::none:
+        break;
+    case Reflection::sky:
+        return 2;
+    case Reflection::self:
+        return 4;
+    }
+    return 1;
+}
+
 // What the loops of one shaded pixel add up to.
 double shade_iterations(const scene::Scene& scene, const synthesis::Passes& passes,
                         const std::vector<int>& counts) {
     const double gradient =
         passes.march_takes_gradient ? 0.0 : loops_of(scene.surface.field->gradient, counts);
-    if (!scene.material.paint) return gradient;
-    const formula::Paint& paint = *scene.material.paint->value;
-    const double curvature = paint.hessian ? gradient + loops_of(*paint.hessian, counts) : 0.0;
-    return gradient + curvature + loops_of(paint.value, counts);
+    const formula::Paint* paint = synthesis::painting(scene);
+    if (!paint) return gradient;
+    const double curvature = paint->hessian ? gradient + loops_of(*paint->hessian, counts) : 0.0;
+    const bool all = synthesis::sums_all_elements(*paint, passes);
+    return gradient + colours_of_a_pixel(scene) *
+                          (curvature + loops_of(paint->value, all ? capacities(passes) : counts));
 }
 
 // The passes that don't march must fit the loop limit, too; they know no lists.
@@ -54,6 +73,14 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
         }
     }
     const double sums = shade_iterations(scene, passes, counts);
+    const formula::Paint* paint = synthesis::painting(scene);
+    if (sums > loop_iterations_per_pass && paint && synthesis::sums_all_elements(*paint, passes)) {
+        throw std::length_error(
+            fmt::format("the normal and the colour sum {:.0f} terms a pixel; a shader can sum "
+                        "{:.0f}: draw fewer elements, or weigh them in the colour by the terms of "
+                        "the formula's sums, whose elements are found by place",
+                        sums, loop_iterations_per_pass));
+    }
     if (sums > loop_iterations_per_pass) {
         throw std::length_error(
             fmt::format("the normal and the paint sum {:.0f} terms a pixel; a shader can sum "
@@ -101,6 +128,20 @@ int without_lists(const scene::Scene& scene, const synthesis::Passes& passes, in
     return std::clamp(fitting, fewest, planned);
 }
 
+// Of an array whose elements are found by place, as many as the loops that shade a pixel can take.
+std::uint32_t most_at_a_place(const scene::Scene& scene, const synthesis::Passes& passes) {
+    constexpr double most = 50'000;
+    const auto array = synthesis::array_with_grid(passes);
+    if (!array) return std::uint32_t(most);
+    std::vector<int> counts = capacities(passes);
+    counts[std::size_t(*array)] = 0;
+    const double others = shade_iterations(scene, passes, counts);
+    counts[std::size_t(*array)] = 1;
+    const double each = shade_iterations(scene, passes, counts) - others;
+    return std::uint32_t(
+        std::clamp((loop_iterations_per_pass - others) / std::max(each, 1.0), 1.0, most));
+}
+
 // Where only lists tell how many elements an evaluation takes.
 float budget_of_elements(const scene::Scene& scene, const synthesis::Passes& passes) {
     const auto once = std::vector<int>(passes.arrays.size(), 1);
@@ -116,6 +157,7 @@ ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Passes& passes,
     ScenePlan plan;
     plan.march = plan_of_march(scene, passes, width, height, max_texture_size, wanted);
     plan.evaluations_without_lists = without_lists(scene, passes, plan.march.evaluations_per_pass);
+    plan.most_elements_at_a_place = most_at_a_place(scene, passes);
     plan.element_budget = budget_of_elements(scene, passes);
     return plan;
 }

@@ -1,6 +1,7 @@
 // How a scene's pictures are cut into draws, by what its passes' loops may add up to.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "render/march_plan.h"
@@ -11,7 +12,8 @@ namespace isomotion::render {
 
 struct ScenePlan {
     MarchPlan march;
-    int evaluations_without_lists = 0; // of one draw, for rays that go by all elements
+    int evaluations_without_lists = 0;          // of one draw, for rays that go by all elements
+    std::uint32_t most_elements_at_a_place = 0; // that are found by place
     float element_budget = 0; // that the evaluations of one draw may go through, all together
 };
 

@@ -128,6 +128,7 @@ struct Occlusion {
 struct Paint {
     std::shared_ptr<const formula::Paint> value;
     TrackId low = 0, high = 0;
+    std::optional<Range> shown; // in place of both: what the surface shows, see shown_range.h
     ColorMap map = ColorMap::blue_yellow;
 };
 
@@ -141,9 +142,11 @@ struct Material {
     };
     Model model = Model::lambert;
     Vec3Track color{};
+    // Another one at every place, of which parts may be those of `color`; null: `color` everywhere.
+    std::shared_ptr<const formula::Paint> color_by_place;
     Reflection reflection = Reflection::none; // of what is around, and of the surface itself
     std::optional<Vec3Track> inside;          // seen from where F < 0
-    std::optional<Paint> paint;               // instead of both
+    std::optional<Paint> paint;               // instead of all
     // Each only where the model has it.
     std::optional<TrackId> shininess;           // exponent, 0 to max_shininess
     std::optional<TrackId> roughness, metallic; // 0..1

@@ -170,6 +170,7 @@ public:
     }
 
     glm::dvec2 range(const Paint& paint) const {
+        if (paint.shown) return {paint.shown->least, paint.shown->most};
         const glm::dvec2 ends(number(paint.low), number(paint.high));
         // As floats: a shader divides by their difference.
         if (float(ends.x) == float(ends.y)) {

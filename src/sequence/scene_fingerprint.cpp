@@ -51,7 +51,9 @@ std::string scene_fingerprint(const scene::Scene& scene) {
     if (const auto& paint = scene.material.paint) {
         print.add(paint->value->text);
         add_numbers(print, {double(paint->map)});
+        if (paint->shown) add_numbers(print, {paint->shown->least, paint->shown->most});
     }
+    if (const auto& color = scene.material.color_by_place) print.add(color->text);
     if (scene.environment) {
         print.add(scene.environment->map.filename().string());
         add_numbers(print, {double(scene.environment->background)});

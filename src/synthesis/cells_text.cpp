@@ -49,6 +49,17 @@ std::string entering_cells(std::string glsl) {
     return glsl.insert(begin + 2, "    enter_cell(cell_of(p));\n");
 }
 
+std::string over_all_elements(const FieldStorage& storage, const std::string& glsl) {
+    const auto a = std::size_t(*array_with_grid(storage));
+    const ArrayStorage& array = storage.arrays[a];
+    return fmt::format("int all_count = array_counts[{2}].{3};\n"
+                       "vec4 all_texel(int element, int texel) {{ return texelFetch({0}, element * "
+                       "{1} + texel); }}\n"
+                       "#define {0}_count all_count\n#define {0}_texel all_texel\n{4}"
+                       "#undef {0}_count\n#undef {0}_texel\n",
+                       array.name, array.texels, a / 4, "xyzw"[a % 4], glsl);
+}
+
 std::string in_cells(FieldFunction function, const std::string& glsl) {
     const OverCells* over = of_boxes(function);
     if (!over) return entering_cells(glsl);

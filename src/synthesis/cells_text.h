@@ -15,6 +15,8 @@ void add_cells(ShaderText& text, const FieldStorage& storage);
 
 // A generated function that begins by entering the cell of its place, "vec3 p".
 std::string entering_cells(std::string glsl);
+// A generated function whose loops go over all elements, whatever cell was entered.
+std::string over_all_elements(const FieldStorage& storage, const std::string& glsl);
 // A field's function: of a place as above; of a box by another name, for one cell.
 std::string in_cells(FieldFunction function, const std::string& glsl);
 // And the function that takes the box's parts in all cells.

@@ -67,6 +67,14 @@ const std::array table{
                          to.push_back({"paint_time", float(now.time)});
                      }
                  }},
+    EffectTraits{Effect::color_by_place, "color-by-place",
+                 "material.color: expressions of the place, or fields r, g, b of elements",
+                 [](const Scene& s) { return s.material.color_by_place && !s.material.paint; },
+                 [](Scene& s) { s.material.color_by_place.reset(); }, false, "", "",
+                 [](const Scene& s, const SceneAt& now, Uniforms& to) {
+                     if (s.material.color_by_place->uses("t"))
+                         to.push_back({"paint_time", float(now.time)});
+                 }},
     EffectTraits{Effect::mirror, "mirror", "material.reflection = \"sky\": mirrors what is around",
                  [](const Scene& s) { return s.material.reflection == Reflection::sky; },
                  [](Scene& s) { s.material.reflection = Reflection::none; }, true},

@@ -19,6 +19,7 @@ enum class Effect {
     ggx,
     two_sides,
     paint,
+    color_by_place,
     mirror,
     self_reflection,
     occlusion,

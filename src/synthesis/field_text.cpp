@@ -242,7 +242,9 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     }
     for (const GeneratedFunction& function : beside) {
         text.generated("generated from: " + as_comment(function.from),
-                       by_place ? entering_cells(function.glsl) : function.glsl);
+                       !by_place           ? function.glsl
+                       : function.sums_all ? over_all_elements(storage, function.glsl)
+                                           : entering_cells(function.glsl));
     }
     if (by_place && on_intervals) {
         text.file("elements/cells_of_box.glsl");

@@ -80,6 +80,8 @@ struct GeneratedFunction {
     std::string from; // what the user wrote
     std::set<std::string> kernels;
     std::string glsl;
+    // Of all elements, also of an array whose elements are found by place.
+    bool sums_all = false;
 };
 
 void add_field(ShaderText& text, const formula::Field& field, const FieldStorage& storage,

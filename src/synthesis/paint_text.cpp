@@ -1,5 +1,6 @@
 #include "synthesis/paint_text.h"
 
+#include "formula/element_weights.h"
 #include "formula/hessian.h"
 #include "synthesis/shader_text.h"
 
@@ -13,23 +14,44 @@ const char* file_of(scene::ColorMap map) {
 
 } // namespace
 
-std::vector<GeneratedFunction> paint_functions(const formula::Paint& paint,
-                                               const formula::Field& field) {
+const formula::Paint* painting(const scene::Scene& scene) {
+    const scene::Material& material = scene.material;
+    return material.paint ? material.paint->value.get() : material.color_by_place.get();
+}
+
+bool sums_all_elements(const formula::Paint& paint, const FieldStorage& storage) {
+    const auto array = array_with_grid(storage);
+    return array && !formula::weigh_like_field(paint.graph, paint.field, paint.roots, *array);
+}
+
+std::vector<GeneratedFunction> painting_functions(const scene::Scene& scene,
+                                                  const FieldStorage& storage) {
+    const formula::Paint* paint = painting(scene);
+    if (!paint) return {};
+    const formula::ArrayPacking& packing = scene.surface.field->packing;
     std::vector<GeneratedFunction> functions;
-    if (paint.hessian) {
-        functions.push_back({"second derivatives", formula::kernels_used(*paint.hessian),
-                             formula::glsl_hessian(*paint.hessian, field.packing)});
+    if (paint->hessian) {
+        functions.push_back({"second derivatives", formula::kernels_used(*paint->hessian),
+                             formula::glsl_hessian(*paint->hessian, packing)});
     }
-    functions.push_back({paint.text, formula::kernels_used(paint.value),
-                         formula::glsl_paint_value(paint, field.packing)});
+    functions.push_back({paint->text, formula::kernels_used(paint->value),
+                         scene.material.paint ? formula::glsl_paint_value(*paint, packing)
+                                              : formula::glsl_color_value(*paint, packing),
+                         sums_all_elements(*paint, storage)});
     return functions;
 }
 
-void add_paint(ShaderText& text, const scene::Paint& paint) {
-    text.file(paint.value->hessian ? "effects/curvature.glsl" : "effects/no_curvature.glsl");
-    text.file("effects/oklab.glsl");
-    text.file(file_of(paint.map));
-    text.file("effects/paint.glsl");
+void add_painting(ShaderText& text, const scene::Scene& scene) {
+    const scene::Material& material = scene.material;
+    text.file(painting(scene)->hessian ? "effects/curvature.glsl" : "effects/no_curvature.glsl");
+    if (material.paint) {
+        text.file("effects/oklab.glsl");
+        text.file(file_of(material.paint->map));
+        text.file("effects/paint.glsl");
+    } else {
+        text.file("effects/color_by_place.glsl");
+        text.file(material.inside ? "effects/front_by_place.glsl" : "effects/sides_by_place.glsl");
+    }
 }
 
 } // namespace isomotion::synthesis

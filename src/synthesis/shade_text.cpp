@@ -75,8 +75,7 @@ std::vector<Channel> written_channels(const std::vector<Channel>& channels) {
 }
 
 bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels) {
-    return !keeps_surfaces(scene) && !scene.material.paint &&
-           !contains(channels, Channel::velocity);
+    return !keeps_surfaces(scene) && !painting(scene) && !contains(channels, Channel::velocity);
 }
 
 Pass fused_pass(const scene::Scene& scene, const Passes& passes) {
@@ -145,9 +144,7 @@ Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
     text.define("LIGHTS", int(scene.lights.size()));
     const bool from_surface = keeps_surfaces(scene);
     const formula::Field& field = *scene.surface.field;
-    const auto& paint = scene.material.paint;
-    std::vector<GeneratedFunction> painting;
-    if (paint) painting = paint_functions(*paint->value, field);
+    const bool paint = painting(scene) != nullptr;
     std::vector<FieldFunction> functions;
     // Paint may ask for the gradient too.
     const bool needs_gradient = !from_surface || paint;
@@ -156,14 +153,14 @@ Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
     }
     if (from_surface && scene.occlusion) functions.push_back(FieldFunction::value);
     if (!functions.empty() || paint) {
-        add_field(text, field, passes, functions, painting);
+        add_field(text, field, passes, functions, painting_functions(scene, passes));
     } else {
         text.file("math/bits.glsl");
     }
     add_ray(text, scene);
     add_picture(text, scene);
     if (paint) {
-        add_paint(text, *paint);
+        add_painting(text, scene);
     } else {
         add_side_color(text, scene);
     }

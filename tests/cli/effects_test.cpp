@@ -33,6 +33,21 @@ TEST_F(Effects, AreShownWithTheirFiles) {
     EXPECT_THAT(some.out, HasSubstr("effects/shadow.glsl"));
 }
 
+TEST_F(Effects, ARangeThatIsShownIsTold) {
+    const std::string map = "[material.colormap]\nvalue = \"z*(1 + t)\"\nrange = \"auto\"\n"
+                            "[time]\nfps = 2\nframes = 3\n[output]\nsize = [40, 30]\n";
+    const Ending told = run(with_scene("show", map));
+    EXPECT_EQ(told.code, 0) << told;
+    EXPECT_THAT(told.out,
+                testing::ContainsRegex("\ncolormap  -1\\.5[0-9]* to 2, what the surface"));
+    // Whichever frames are asked for.
+    render({"scene.toml", "-o", "all.#.png"});
+    render({"scene.toml", "-o", "one.#.png", "--frames", "2"});
+    EXPECT_EQ(bytes("all.2.png"), bytes("one.2.png"));
+    EXPECT_THAT(render({"scene.toml", "-o", "all.#.png", "--resume"}).out,
+                HasSubstr("\n3 frames kept from an earlier run\n"));
+}
+
 TEST_F(Effects, HaveTheirPrices) {
     Words words = with_scene("accuracy", "[fog]\ndensity = 0.1\n[occlusion]\n");
     words.insert(words.end(), {"--effects", "--size", "32x32", "--repeat", "1"});

@@ -258,6 +258,9 @@ ParticleTable read_npy(const Bytes& bytes, const ParticleRequest& request) {
             {names[k], RawColumn{data.data() + places[k].byte, stride, *places[k].kind.scalar,
                                  places[k].kind.is_big, bytes->data()}});
     }
+    std::vector<Scalar> types;
+    for (const Place& place : places) types.push_back(*place.kind.scalar);
+    scale_colors(table, types);
     table.kept.push_back(bytes);
     return table;
 }

@@ -117,6 +117,30 @@ Wanted wanted_of(const ParticleRequest& request, const std::string& format,
     return wanted;
 }
 
+void scale_colors(ParticleTable& table, std::span<const Scalar> types) {
+    const auto unit = [](Scalar type) {
+        return type == Scalar::u8 ? 1.0 / 255 : type == Scalar::u16 ? 1.0 / 65535 : 1.0;
+    };
+    const auto column = [&](std::string_view name) {
+        return std::size_t(std::ranges::find(table.columns, name, &ParticleColumn::name) -
+                           table.columns.begin());
+    };
+    for (const char* part : {"r", "g", "b"}) {
+        const std::size_t at = column(part);
+        if (at == table.columns.size() || unit(types[at]) == 1) return;
+    }
+    for (const char* part : {"r", "g", "b", "a"}) {
+        const std::size_t at = column(part);
+        if (at == table.columns.size()) continue;
+        auto& values = table.columns[at].values;
+        if (auto* raw = std::get_if<RawColumn>(&values)) {
+            raw->unit = unit(types[at]);
+        } else {
+            for (double& number : std::get<std::vector<double>>(values)) number *= unit(types[at]);
+        }
+    }
+}
+
 std::string place(const ParticleTable& table, const std::filesystem::path& file, std::size_t column,
                   std::size_t row) {
     if (!table.lines.empty()) return fmt::format("{}:{}", file.string(), table.lines[row]);
@@ -130,7 +154,11 @@ std::vector<double> take_numbers(ParticleTable& table, const std::filesystem::pa
                                  std::size_t column) {
     ParticleColumn& from = table.columns[column];
     if (auto* numbers = std::get_if<std::vector<double>>(&from.values)) return std::move(*numbers);
-    std::vector<double> numbers = decoded<double>(std::get<RawColumn>(from.values), table.count);
+    const RawColumn& raw = std::get<RawColumn>(from.values);
+    std::vector<double> numbers = decoded<double>(raw, table.count);
+    if (raw.unit != 1) {
+        for (double& number : numbers) number *= raw.unit;
+    }
     // A sum over all tells at once, in most files.
     double sum = 0;
     for (const double number : numbers) sum += number * 0;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -29,6 +30,7 @@ struct RawColumn {
     Scalar type = Scalar::f32;
     bool big_endian = false;
     const char* file = nullptr; // its first byte, or null where the numbers were packed
+    double unit = 1;            // multiplies the numbers
 };
 
 struct ParticleColumn {
@@ -88,6 +90,10 @@ struct ParticleRequest {
 // beyond the limit and two of one name, all before any of them is stored.
 Wanted wanted_of(const ParticleRequest& request, const std::string& format,
                  const std::vector<std::string>& names, std::size_t count);
+
+// Makes numbers from 0 to 1 of colours in whole bytes or pairs of them: where columns r, g and b
+// are all of such a type, and of an a beside them. `types` are those of the columns.
+void scale_colors(ParticleTable& table, std::span<const Scalar> types);
 
 // "drops.ply:7" or "drops.ply: byte 99: particle 3".
 std::string place(const ParticleTable& table, const std::filesystem::path& file, std::size_t column,

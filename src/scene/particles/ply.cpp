@@ -225,6 +225,7 @@ ParticleTable read_ply(const Bytes& bytes, const ParticleRequest& request) {
     if (request.count_alone) return table;
     std::vector<std::string> names;
     std::vector<std::size_t> places;
+    std::vector<Scalar> types;
     std::size_t stride = 0;
     for (const Property& property : header.vertices.properties) {
         if (property.length)
@@ -232,12 +233,14 @@ ParticleTable read_ply(const Bytes& bytes, const ParticleRequest& request) {
                 fmt::format("the vertices have a list, '{}'; numbers are read", property.name));
         add_names(names, property.name, 1);
         places.push_back(stride);
+        types.push_back(property.type);
         stride += size_of(property.type);
     }
     if (names.empty()) words.fail("the vertices have no property");
     const Wanted wanted = wanted_of(request, table.format, names, table.count);
     if (header.encoding == Encoding::ascii) {
         read_ascii(words, header, wanted, names, table);
+        scale_colors(table, types);
         return table;
     }
     const bool is_big = header.encoding == Encoding::big;
@@ -246,10 +249,10 @@ ParticleTable read_ply(const Bytes& bytes, const ParticleRequest& request) {
     for (const Element& element : header.before) skip(in, element);
     const std::string_view rows = in.take(table.count * stride, "its vertices");
     for (std::size_t k = 0; k < names.size(); ++k) {
-        table.columns.push_back(
-            {names[k], RawColumn{rows.data() + places[k], stride,
-                                 header.vertices.properties[k].type, is_big, bytes->data()}});
+        table.columns.push_back({names[k], RawColumn{rows.data() + places[k], stride, types[k],
+                                                     is_big, bytes->data()}});
     }
+    scale_colors(table, types);
     table.kept.push_back(bytes);
     return table;
 }

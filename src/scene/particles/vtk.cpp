@@ -146,7 +146,9 @@ private:
         std::size_t components = 1;
         if (key == "TEXTURE_COORDINATES" || key == "COLOR_SCALARS")
             components = words_.count("an attribute's number of components");
-        if (key == "COLOR_SCALARS") return array(name, components, "unsigned_char", tuples_);
+        // From 0 to 1 as a text, from 0 to 255 else.
+        if (key == "COLOR_SCALARS")
+            return array(name, components, is_ascii ? "float" : "unsigned_char", tuples_);
         const std::string_view type = words_.need("an attribute's type");
         if (key == "VECTORS" || key == "NORMALS") components = 3;
         if (key == "TENSORS") components = 9;
@@ -241,8 +243,10 @@ ParticleTable read_vtk(const Bytes& bytes, const ParticleRequest& request) {
         add_names(names, array.name, array.components);
     }
     const Wanted wanted = wanted_of(request, table.format, names, table.count);
+    std::vector<Scalar> types;
     for (const PointArray& array : reader.arrays) {
         const std::size_t first = table.columns.size(), size = size_of(array.type);
+        types.insert(types.end(), array.components, array.type);
         for (std::size_t c = 0; c < array.components; ++c) {
             table.columns.push_back({names[first + c], {}});
             if (reader.is_ascii) continue;
@@ -261,6 +265,7 @@ ParticleTable read_vtk(const Bytes& bytes, const ParticleRequest& request) {
             }
         }
     }
+    scale_colors(table, types);
     table.kept.push_back(bytes);
     return table;
 }

@@ -210,8 +210,10 @@ ParticleTable read_vtu(const Bytes& bytes, const ParticleRequest& request) {
     }
     const Wanted wanted = wanted_of(request, table.format, names, table.count);
     std::size_t memory = limits::table_bytes;
+    std::vector<Scalar> types;
     for (const VtuArray& array : reader.arrays) {
         const std::size_t first = table.columns.size();
+        types.insert(types.end(), array.components, array.type);
         bool is_wanted = false;
         for (std::size_t c = 0; c < array.components; ++c) {
             table.columns.push_back({names[first + c], {}});
@@ -251,6 +253,7 @@ ParticleTable read_vtu(const Bytes& bytes, const ParticleRequest& request) {
                                                         array.type, coding.big_endian, nullptr};
         }
     }
+    scale_colors(table, types);
     return table;
 }
 

@@ -318,8 +318,8 @@ Scene read_scene(std::string_view text, const fs::path& file,
     read_space(document, *parts, tracks);
     scene.camera = read_camera(document, tracks);
     read_lights(document, scene, tracks);
-    std::optional<PaintParts> painted;
-    scene.material = read_material(document, *parts, tracks, painted);
+    const MaterialParts material = read_material(document, *parts, tracks);
+    scene.material = material.material;
     read_output(document, scene);
     read_surroundings(document, scene, tracks);
     scene.environment = read_environment(document, tracks, within);
@@ -336,9 +336,9 @@ Scene read_scene(std::string_view text, const fs::path& file,
     if (const auto why = refusal(scene.isolation.method, *parts->surface.field); !why.empty()) {
         fail(*given.method, "isolation.method", why);
     }
-    if (painted) scene.material.paint = make_paint(*painted, *parts);
-    refuse_unused(*parts, painted ? scene.material.paint->value.get() : nullptr,
-                  scene.timeline.animation, tracks);
+    make_paints(material, *parts, scene.timeline.animation, scene.material);
+    store_elements_of(*parts, paints_of(scene.material));
+    refuse_unused(*parts, paints_of(scene.material), scene.timeline.animation, tracks);
     scene.surface = parts->surface;
     scene.timeline.animation.keep_fields(parts->surface.field->packing);
 
@@ -361,7 +361,8 @@ Scene read_scene(std::string_view text, const fs::path& file,
     }
     rescale(scene, *parts, first);
     // Curvatures are quotients of the same field's slopes.
-    if (painted) scene.material.paint = make_paint(*painted, *parts);
+    make_paints(material, *parts, scene.timeline.animation, scene.material);
+    if (material.colormap) find_shown_range(*material.colormap, scene);
     return scene;
 }
 

@@ -29,23 +29,31 @@ constexpr Gloss gloss_keys[] = {
 };
 
 // The scene's colours, else the catalogue's.
-void read_colors(std::optional<Section>& own, const SurfaceParts& parts, Material& material,
+void read_colors(std::optional<Section>& own, const SurfaceParts& parts, MaterialParts& read,
                  TrackTable& tracks) {
     std::optional<Section> catalogue;
     if (parts.catalogue) catalogue = Section(*parts.catalogue, "").section("material");
-    const auto color = [&](const std::string& name) -> std::optional<Vec3Track> {
-        std::optional<Vec3Track> found;
+    struct Found {
+        const toml::node* node = nullptr;
+        std::string key;
+    };
+    const auto find = [&](const std::string& name) {
+        Found found;
         for (auto* section : {&own, &catalogue}) {
             const toml::node* node = *section ? (*section)->find(name) : nullptr;
-            if (node && !found) {
-                found = tracks.add((*section)->dotted(name), *(*section)->vector(name), node);
-            }
+            if (node && !found.node) found = {node, (*section)->dotted(name)};
         }
         return found;
     };
-    const auto front = color("color");
-    material.color = front ? *front : tracks.add("material.color", 0.72, 0.32, 0.08);
-    material.inside = color("back_color");
+    if (const Found front = find("color"); front.node) {
+        read.color = read_color(*front.node, front.key, parts, tracks);
+    } else {
+        read.color.tracks = tracks.add("material.color", 0.72, 0.32, 0.08);
+    }
+    read.color.is_given = own && own->has("color");
+    read.material.color = read.color.tracks;
+    if (const Found back = find("back_color"); back.node)
+        read.material.inside = tracks.add(back.key, read_vector(*back.node, back.key), back.node);
     if (catalogue) catalogue->refuse_rest();
 }
 
@@ -96,19 +104,34 @@ void read_reflection(Section& section, Material& material) {
 
 } // namespace
 
-Material read_material(Section& document, const SurfaceParts& parts, TrackTable& tracks,
-                       std::optional<PaintParts>& painted) {
-    Material material;
+MaterialParts read_material(Section& document, const SurfaceParts& parts, TrackTable& tracks) {
+    MaterialParts read;
+    Material& material = read.material;
     auto own = document.section("material");
-    read_colors(own, parts, material, tracks);
+    read_colors(own, parts, read, tracks);
     if (own) {
         material.model = read_model(*own);
         read_gloss(*own, material, tracks);
         read_reflection(*own, material);
-        if (auto paint = own->section("colormap")) painted = read_paint(*paint, tracks);
+        if (auto paint = own->section("colormap")) read.colormap = read_paint(*paint, tracks);
         own->refuse_rest();
     }
-    return material;
+    return read;
+}
+
+void make_paints(const MaterialParts& parts, const SurfaceParts& surface,
+                 const animation::Animation& animation, Material& material) {
+    if (parts.colormap) material.paint = make_paint(*parts.colormap, surface);
+    // Elements' colours are not asked for where a map colours the surface.
+    if (!parts.colormap || parts.color.is_of_place())
+        material.color_by_place = make_color(parts.color, surface, animation);
+}
+
+std::vector<const formula::Paint*> paints_of(const Material& material) {
+    std::vector<const formula::Paint*> paints;
+    if (material.paint) paints.push_back(material.paint->value.get());
+    if (material.color_by_place) paints.push_back(material.color_by_place.get());
+    return paints;
 }
 
 } // namespace isomotion::scene

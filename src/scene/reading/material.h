@@ -1,15 +1,27 @@
 // The [material] of a scene: how its surface reflects light.
 #pragma once
 
+#include "scene/reading/color.h"
 #include "scene/reading/paint.h"
 #include "scene/reading/surface.h"
 
 namespace isomotion::scene {
 
+// The section as it is read before the field exists.
+struct MaterialParts {
+    Material material; // without its expressions
+    ColorParts color;
+    std::optional<PaintParts> colormap;
+};
+
 // Reads the section and adds its tracks. Colours that the scene leaves out come from the catalogue;
-// a model and its values only from the scene. Sets `painted` to the contents of
-// [material.colormap], for make_paint().
-Material read_material(Section& document, const SurfaceParts& parts, TrackTable& tracks,
-                       std::optional<PaintParts>& painted);
+// a model and its values only from the scene.
+MaterialParts read_material(Section& document, const SurfaceParts& parts, TrackTable& tracks);
+
+// Makes the material's expressions of the field.
+void make_paints(const MaterialParts& parts, const SurfaceParts& surface,
+                 const animation::Animation& animation, Material& material);
+// Those that it has.
+std::vector<const formula::Paint*> paints_of(const Material& material);
 
 } // namespace isomotion::scene

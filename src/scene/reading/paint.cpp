@@ -4,6 +4,7 @@
 
 #include "base/nearest_name.h"
 #include "formula/graph/parser.h"
+#include "scene/shown_range.h"
 
 namespace isomotion::scene {
 namespace {
@@ -21,6 +22,25 @@ ColorMap read_map(Section& section) {
              : fmt::format("there is no map '{}'; did you mean '{}'?", *text, near));
 }
 
+void read_range(Section& section, PaintParts& parts, TrackTable& tracks) {
+    const std::string key = section.dotted("range");
+    const toml::node* range = section.find("range");
+    if (range && range->value_exact<std::string>() == "auto") {
+        parts.shown_node = range;
+        parts.range_key = key;
+        parts.paint.shown = Range{0, 1}; // until all else is known
+        return;
+    }
+    const toml::array* ends = range ? range->as_array() : nullptr;
+    if (!ends || ends->size() != 2) {
+        fail(range ? *range : section.table(), key,
+             fmt::format("{} [low, high], the values at the ends of the map, or \"auto\"",
+                         range ? "must be" : "is missing; give"));
+    }
+    parts.paint.low = tracks.add(key + ".low", read_track(*ends->get(0), key + ".low"), range);
+    parts.paint.high = tracks.add(key + ".high", read_track(*ends->get(1), key + ".high"), range);
+}
+
 } // namespace
 
 PaintParts read_paint(Section section, TrackTable& tracks) {
@@ -33,16 +53,7 @@ PaintParts read_paint(Section section, TrackTable& tracks) {
     }
     parts.value = *section.text("value");
     parts.value_key = section.dotted("value");
-    const std::string key = section.dotted("range");
-    const toml::node* range = section.find("range");
-    const toml::array* ends = range ? range->as_array() : nullptr;
-    if (!ends || ends->size() != 2) {
-        fail(range ? *range : section.table(), key,
-             fmt::format("{} [low, high], the values at the ends of the map",
-                         range ? "must be" : "is missing; give"));
-    }
-    parts.paint.low = tracks.add(key + ".low", read_track(*ends->get(0), key + ".low"), range);
-    parts.paint.high = tracks.add(key + ".high", read_track(*ends->get(1), key + ".high"), range);
+    read_range(section, parts, tracks);
     parts.paint.map = read_map(section);
     section.refuse_rest();
     return parts;
@@ -56,7 +67,21 @@ Paint make_paint(const PaintParts& parts, const SurfaceParts& surface) {
     } catch (const formula::ParseError& error) {
         fail(*parts.value_node, parts.value_key, error.what());
     }
+    if (parts.shown_node && paint.value->uses("evaluations")) {
+        fail(*parts.value_node, parts.value_key,
+             "how many evaluations there are is known once a picture is drawn; give the range as "
+             "[low, high]");
+    }
     return paint;
+}
+
+void find_shown_range(const PaintParts& parts, Scene& scene) {
+    if (!parts.shown_node) return;
+    try {
+        scene.material.paint->shown = shown_range(scene, *scene.material.paint->value);
+    } catch (const TooDear& error) {
+        fail(*parts.shown_node, parts.range_key, error.what());
+    }
 }
 
 } // namespace isomotion::scene

@@ -13,7 +13,8 @@ struct PaintParts {
     Paint paint; // without its expression
     std::string value;
     const toml::node* value_node = nullptr;
-    std::string value_key; // for messages
+    std::string value_key, range_key;       // for messages
+    const toml::node* shown_node = nullptr; // of the range, where it is what the surface shows
 };
 
 // Reads the section and adds the tracks of the range.
@@ -21,5 +22,8 @@ PaintParts read_paint(Section section, TrackTable& tracks);
 
 // Parses the expression against the surface's names.
 Paint make_paint(const PaintParts& parts, const SurfaceParts& surface);
+
+// Sets what the surface shows as the paint's range, where that is asked for: once all else is read.
+void find_shown_range(const PaintParts& parts, Scene& scene);
 
 } // namespace isomotion::scene

@@ -121,19 +121,29 @@ toml::table read_catalogue(const toml::node& use, const std::string& name) {
     return read_document(file);
 }
 
+// Everything that a surface is drawn by.
+std::vector<const formula::Graph*> graphs_of(const SurfaceParts& parts,
+                                             std::span<const formula::Paint* const> paints) {
+    std::vector<const formula::Graph*> graphs{&parts.surface.field->graph};
+    for (const formula::Paint* paint : paints) graphs.push_back(&paint->graph);
+    return graphs;
+}
+
 // A field that neither the formula nor a sibling names is a slip of the pen, as with parameters:
 // "weigth = 2" would leave the catalogue's weight as it was. `used` is that of the vocabulary's
 // parameters. An array that the formula leaves out altogether is no slip.
-void refuse_unused_fields(const SurfaceParts& parts, const std::vector<bool>& used,
-                          const animation::Animation& animation, const TrackTable& tracks) {
-    const formula::Graph& graph = parts.surface.field->graph;
+void refuse_unused_fields(const SurfaceParts& parts, std::span<const formula::Graph* const> graphs,
+                          const std::vector<bool>& used, const animation::Animation& animation,
+                          const TrackTable& tracks) {
     for (std::size_t a = 0; a < parts.arrays.size(); ++a) {
         const animation::Array& array = parts.arrays[a];
         std::vector<bool> in_formula(array.fields.size(), false);
-        for (formula::NodeId id = 0; id < graph.size(); ++id) {
-            const formula::Node& node = graph[id];
-            if (node.op == formula::Op::element && std::size_t(node.index) == a)
-                in_formula[std::size_t(node.second)] = true;
+        for (const formula::Graph* graph : graphs) {
+            for (formula::NodeId id = 0; id < graph->size(); ++id) {
+                const formula::Node& node = (*graph)[id];
+                if (node.op == formula::Op::element && std::size_t(node.index) == a)
+                    in_formula[std::size_t(node.second)] = true;
+            }
         }
         std::vector<std::string> names;
         for (std::size_t f = 0; f < array.fields.size(); ++f) {
@@ -216,18 +226,25 @@ void make_field(SurfaceParts& parts) {
     }
 }
 
-void refuse_unused(const SurfaceParts& parts, const formula::Paint* paint,
+void store_elements_of(SurfaceParts& parts, std::span<const formula::Paint* const> paints) {
+    if (paints.empty()) return;
+    formula::Field field = *parts.surface.field;
+    for (const formula::Paint* paint : paints)
+        field = formula::with_elements_of(std::move(field), paint->value);
+    parts.surface.field = std::make_shared<formula::Field>(std::move(field));
+}
+
+void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* const> paints,
                    const animation::Animation& animation, const TrackTable& tracks) {
     std::vector<bool> used(parts.vocabulary.parameters.size(), false);
-    const auto mark = [&](const formula::Graph& graph) {
-        for (formula::NodeId id = 0; id < graph.size(); ++id) {
-            const formula::Node& node = graph[id];
+    const auto graphs = graphs_of(parts, paints);
+    for (const formula::Graph* graph : graphs) {
+        for (formula::NodeId id = 0; id < graph->size(); ++id) {
+            const formula::Node& node = (*graph)[id];
             if (node.op == formula::Op::parameter) used[std::size_t(node.index)] = true;
         }
-    };
-    mark(parts.surface.field->graph);
-    if (paint) mark(paint->graph);
-    refuse_unused_fields(parts, used, animation, tracks);
+    }
+    refuse_unused_fields(parts, graphs, used, animation, tracks);
     // A parameter that neither the formula nor an expression names is a slip of the pen.
     for (std::size_t k = 0; k < parts.parameters.size(); ++k) {
         if (used[k] || animation.is_referenced(int(k))) continue;

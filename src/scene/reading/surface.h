@@ -1,6 +1,8 @@
 // The [surface], [parameters] and [arrays] of a scene, with those of its catalogue surface.
 #pragma once
 
+#include <span>
+
 #include "base/confines.h"
 #include "scene/reading/document.h"
 #include "scene/reading/track_table.h"
@@ -26,8 +28,11 @@ std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::T
 // Parses the formula.
 void make_field(SurfaceParts& parts);
 
-// Refuses parameters and fields that nothing uses; `paint` may be null.
-void refuse_unused(const SurfaceParts& parts, const formula::Paint* paint,
+// Makes what the paints read of arrays part of what is stored for the field.
+void store_elements_of(SurfaceParts& parts, std::span<const formula::Paint* const> paints);
+
+// Refuses parameters and fields that neither the formula, nor a paint, nor another value uses.
+void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* const> paints,
                    const animation::Animation& animation, const TrackTable& tracks);
 
 } // namespace isomotion::scene

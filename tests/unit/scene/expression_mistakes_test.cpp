@@ -98,7 +98,8 @@ TEST_F(ExpressionMistakes, EveryOtherNumberThatMoves) {
         {ball_and("[[lights]]\ndirection = [0, 0, 1]\n[[lights]]\ndirection = [0, 0, 1]\ncolor = "
                   "[1, 1, \"q\"]"),
          unknown("scene.toml:19: lights[1].color.z")},
-        {ball_and("[material]\ncolor = [1, \"q\", 1]"), unknown("scene.toml:16: material.color.y")},
+        {ball_and("[material]\nback_color = [1, \"q\", 1]"),
+         unknown("scene.toml:16: material.back_color.y")},
     });
 }
 

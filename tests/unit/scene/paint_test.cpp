@@ -53,11 +53,11 @@ TEST_F(PaintOfScene, Mistakes) {
            "         ^");
     expect("value = 'nz'",
            "15: material.colormap.range: is missing; give [low, high], the values at "
-           "the ends of the map");
-    expect("value = 'nz'\nrange = 3",
-           "17: material.colormap.range: must be [low, high], the values at the ends of the map");
-    expect("value = 'nz'\nrange = [1, 2, 3]",
-           "17: material.colormap.range: must be [low, high], the values at the ends of the map");
+           "the ends of the map, or \"auto\"");
+    expect("value = 'nz'\nrange = 3", "17: material.colormap.range: must be [low, high], the "
+                                      "values at the ends of the map, or \"auto\"");
+    expect("value = 'nz'\nrange = [1, 2, 3]", "17: material.colormap.range: must be [low, high], "
+                                              "the values at the ends of the map, or \"auto\"");
     expect(
         "value = 'nz'\nrange = [0, true]",
         "17: material.colormap.range.high: must be a number, an expression in t (\"2 + sin(t)\"), "

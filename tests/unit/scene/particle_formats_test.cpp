@@ -270,7 +270,7 @@ TEST_F(ParticleFormats, WhatIsNoneOfThemIsSaid) {
 TEST_F(ParticleFormats, NamesOfColumnsThatWereWrittenDifferently) {
     const std::string text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
                              "property float y\nproperty float z\nproperty uchar red\n"
-                             "property uchar green\nproperty uchar blue\nproperty float x_0\n"
+                             "property uchar green\nproperty float blue\nproperty float x_0\n"
                              "end_header\n1 2 3 4 5 6 7\n";
     const Read read = read_all("p", text);
     for (const auto& [name, value] :
@@ -278,6 +278,50 @@ TEST_F(ParticleFormats, NamesOfColumnsThatWereWrittenDifferently) {
         EXPECT_EQ(read.columns.at(name), std::vector{value}) << name;
     EXPECT_EQ(wrong("p", replaced(text, "float x_0", "float x")),
               "p: x: two columns have this name");
+}
+
+// From 0 to 1 whatever their type is, where all three are whole bytes or pairs of them.
+TEST_F(ParticleFormats, ColoursOfWholeNumbersBecomeParts) {
+    const auto ply = [](const std::string& format, const std::string& type) {
+        return "ply\nformat " + format + " 1.0\nelement vertex 1\nproperty float x\nproperty " +
+               type + " red\nproperty " + type + " green\nproperty " + type +
+               " blue\nproperty uchar alpha\nproperty uchar n\nend_header\n";
+    };
+    const auto expect = [](const std::string& bytes, double r, double g, double b, double a) {
+        const Columns columns = read_all("p", bytes).columns;
+        for (const auto& [name, value] : {std::pair("r", r), {"g", g}, {"b", b}, {"a", a}})
+            EXPECT_DOUBLE_EQ(columns.at(name).at(0), value) << name;
+        EXPECT_EQ(columns.at("n").at(0), 255) << "no colour";
+    };
+    expect(ply("ascii", "uchar") + "1 0 51 255 102 255\n", 0, 0.2, 1, 0.4);
+    expect(ply("ascii", "ushort") + "1 0 13107 65535 51 255\n", 0, 0.2, 1, 0.2);
+    expect(ply("ascii", "float") + "1 0 0.25 1 51 255\n", 0, 0.25, 1, 51);
+    expect(ply("ascii", "int") + "1 0 51 255 51 255\n", 0, 51, 255, 51);
+    const std::string one("\0\0\x80\x3f", 4);
+    expect(ply("binary_little_endian", "uchar") + one + std::string("\0\x33\xff\x66\xff", 5), 0,
+           0.2, 1, 0.4);
+    expect(ply("binary_little_endian", "ushort") + one +
+               std::string("\0\0\x33\x33\xff\xff\x33\xff", 8),
+           0, 0.2, 1, 0.2);
+}
+
+TEST_F(ParticleFormats, ColoursOfLegacyVtk) {
+    const std::string begin = "# vtk DataFile Version 3.0\n\n";
+    const std::string points = "DATASET POLYDATA\nPOINTS 1 float\n";
+    const std::string values = "POINT_DATA 1\nCOLOR_SCALARS Cd 3\n";
+    const auto parts = [](const std::string& bytes) {
+        const Columns columns = read_all("p", bytes).columns;
+        return std::vector{columns.at("r")[0], columns.at("g")[0], columns.at("b")[0]};
+    };
+    const std::vector<double> wanted{0, 0.2, 1};
+    EXPECT_EQ(parts(begin + "ASCII\n" + points + "1 2 3\n" + values + "0 0.2 1\n"), wanted)
+        << "as a text they are parts already";
+    EXPECT_EQ(parts(begin + "BINARY\n" + points + std::string(12, '\0') + "\n" + values +
+                    std::string("\0\x33\xff\n", 4)),
+              wanted);
+    EXPECT_EQ(parts(begin + "ASCII\n" + points + "1 2 3\nPOINT_DATA 1\nFIELD f 1\n" +
+                    "rgb 3 1 unsigned_char\n0 51 255\n"),
+              wanted);
 }
 
 } // namespace

@@ -34,6 +34,12 @@ TEST(SceneFingerprint, EveryChangeShows) {
         "time.fps=12",
         "material.reflection=\"sky\"",
         "surface.transform.scale=1.5",
+        "material.color=['abs(nx)', 0, 0]",
+        "material.color=['abs(nx)', 0, 1]",
+        "material.color=['abs(ny)', 0, 1]",
+        "material.colormap={ value = 'x', range = [-1, 1] }",
+        "material.colormap={ value = 'x', range = 'auto' }",
+        "material.colormap={ value = '2*x', range = 'auto' }",
     };
     std::set<std::string> prints{print({})};
     for (const auto& change : changes) EXPECT_TRUE(prints.insert(print({change})).second) << change;

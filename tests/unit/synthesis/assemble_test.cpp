@@ -432,12 +432,14 @@ TEST_F(Assemble, TwoSidesOnlyWhereTheSceneTellsThemApart) {
 }
 
 TEST_F(Assemble, PaintOnlyWhereTheSceneHasIt) {
-    const Passes plain = assemble(scene_of(one_set_of_values));
+    const std::string all = one_set_of_values;
+    const std::string scene = all.substr(0, all.find("[material]"));
+    const Passes plain = assemble(scene_of(scene));
     EXPECT_THAT(text_of(plain, Role::shade), Not(HasSubstr("paint")));
     EXPECT_THAT(text_of(plain, Role::shade), Not(HasSubstr("essian")));
     for (const auto& file : plain.files()) EXPECT_FALSE(file.starts_with("effects/")) << file;
     for (const auto& paint : every_paint) {
-        const Passes painted = assemble(scene_of(one_set_of_values + paint));
+        const Passes painted = assemble(scene_of(scene + paint));
         EXPECT_EQ(text_of(painted, Role::march), text_of(plain, Role::march));
         const bool curved = paint.find("curvature") != paint.npos;
         EXPECT_EQ(occurrences(text_of(painted, Role::shade), "Hessian field_hessian(vec3 p) {"),
@@ -450,6 +452,23 @@ TEST_F(Assemble, PaintOnlyWhereTheSceneHasIt) {
         EXPECT_THAT(lost, testing::UnorderedElementsAre("// shaders/shade/one_sided.glsl",
                                                         "    return material_color.rgb;"));
     }
+}
+
+// A cell's list where the colour weighs elements as the field does, all of them where it doesn't.
+TEST_F(Assemble, ColoursSumWhatTheirWeightsAllow) {
+    const std::string term = "exp(-20*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))";
+    const auto shade = [&](const std::string& part) {
+        const std::string color = fmt::format("[material]\ncolor = ['{}', 0.5, 0]\n", part);
+        return text_of(assemble(scene_of(blobs_text(900, every_bounds[0], "hermite") + color)),
+                       Role::shade);
+    };
+    const std::string near = shade(fmt::format("sum(blobs, cx*{0})/sum(blobs, {0})", term));
+    EXPECT_THAT(near, HasSubstr("vec3 own) {\n    enter_cell(cell_of(p));\n"));
+    EXPECT_THAT(near, Not(HasSubstr("all_texel")));
+    const std::string all = shade("sum(blobs, cx*x)");
+    EXPECT_THAT(all, Not(HasSubstr("vec3 own) {\n    enter_cell")));
+    EXPECT_THAT(all, HasSubstr("#define array0_texel all_texel\n"));
+    EXPECT_THAT(all, HasSubstr("#undef array0_texel\n"));
 }
 
 // A kernel that field and paint share is defined once.

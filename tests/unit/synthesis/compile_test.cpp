@@ -44,6 +44,13 @@ std::vector<Text> fragment_texts() {
         add(paint, assemble(scene_of(surface_text(formula) + two_arrays + paint)));
         add("long, " + paint, assemble(scene_of(surface_text(long_formula()) + paint)));
     }
+    // Over the list of a cell, and over all elements.
+    const std::string term = "exp(-20*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))";
+    for (const std::string& weight : {term, std::string("x*cx")}) {
+        const std::string color =
+            fmt::format("[material]\ncolor = ['sum(blobs, {}*cx)', 0, 0]\n", weight);
+        add(color, assemble(scene_of(blobs_text(900, every_bounds[0], "hermite") + color)));
+    }
     for (const Channel channel : every_channel) {
         add(fmt::format("channel {}", int(channel)), assemble(scene, {channel}));
     }

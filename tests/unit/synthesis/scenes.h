@@ -53,11 +53,13 @@ inline const std::vector<std::string> every_bounds{"{ sphere = 2 }",
 inline const std::vector<Channel> every_channel{Channel::depth, Channel::normal, Channel::position,
                                                 Channel::verdict, Channel::evaluations};
 
-// Colours by a number, each with the files that another leaves out.
+// Colours by place, each with the files that another leaves out.
 inline const std::vector<std::string> every_paint{
     "[material.colormap]\nvalue = 'nz*t + evaluations'\nrange = [-1, 1]\n",
     "[material.colormap]\nvalue = 'exp(x) - mean_curvature'\nrange = ['t - 1', 1]\n"
-    "map = 'blue-orange'\n"};
+    "map = 'blue-orange'\n",
+    "[material]\ncolor = ['nx*t + evaluations', 'abs(y)', 0.5]\n",
+    "[material]\ncolor = ['exp(x) - gaussian_curvature', 't', 0]\nback_color = [1, 1, 1]\n"};
 
 // Effects, so that all files are called for.
 inline const std::vector<std::string> every_effect{

@@ -1,0 +1,43 @@
+// What a field's names stand for near a place: of an array with many elements, those that matter.
+#pragma once
+
+#include <optional>
+
+#include "elements/grid_maker.h"
+#include "scene/scene_at.h"
+
+namespace isomotion::scene {
+
+// Finds the array whose elements are worth finding by place, once for all times.
+class ElementFinder {
+public:
+    explicit ElementFinder(const Scene& scene);
+
+    std::optional<int> array() const;
+
+private:
+    friend class NearElements;
+    std::optional<elements::GridMaker> maker_;
+};
+
+// At one time. What it tells at places near one another takes little.
+class NearElements {
+public:
+    // Throws std::length_error where too many elements matter at one place.
+    NearElements(const ElementFinder& finder, const SceneAt& now);
+
+    // Valid until the next call. Without an array to find by place, all().
+    const formula::Bindings<double>& at(const glm::dvec3& p);
+    const formula::Bindings<double>& all() const { return all_; }
+    bool is_by_place() const { return grid_.has_value(); }
+    // Of each array: how many elements a sum takes at most places.
+    std::vector<int> usual_counts() const;
+
+private:
+    formula::Bindings<double> all_, near_;
+    std::optional<elements::ElementGrid> grid_;
+    std::size_t array_ = 0;
+    const elements::Cell* cell_ = nullptr;
+};
+
+} // namespace isomotion::scene

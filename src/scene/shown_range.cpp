@@ -1,0 +1,306 @@
+#include "scene/shown_range.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <stdexcept>
+
+#include "formula/curvature.h"
+#include "formula/element_weights.h"
+#include "scene/error.h"
+#include "scene/near_elements.h"
+#include "scene/rays.h"
+
+namespace isomotion::scene {
+namespace {
+
+// What looking takes.
+struct Effort {
+    static constexpr int most_frames = 9, fewest_frames = 3;
+    static constexpr int most_across = 40, fewest_across = 6; // rays of a picture's longer side
+    static constexpr int pieces = 64;                         // of a ray's way through the bounds
+    static constexpr int parts = 32; // of a piece that a root is in, and of these again
+    static constexpr int rounds = 3;
+    static constexpr double operations = 2e9;      // in all, as near as that can be told
+    static constexpr double most_operations = 4e9; // of the fewest rays
+    static constexpr double most_values = 1e6;     // of elements, in all frames
+};
+
+struct Way {
+    glm::dvec3 anchor{0}, direction{0};
+    double near = 1, far = 0;
+
+    glm::dvec3 at(double t) const { return anchor + t * direction; }
+};
+
+// The part of a ray within the bounds and before the eye.
+Way way_of(const Rays& rays, const BoundsAt& bounds, double u, double v) {
+    const glm::dvec3 across = u * rays.right + v * rays.up;
+    const glm::dvec3 from_eye = rays.parallel ? rays.axis : rays.axis + across;
+    Way way{rays.origin + across, glm::normalize(from_eye)};
+    const double eye = -glm::length(from_eye);
+    if (bounds.shape == Bounds::Shape::sphere) {
+        const glm::dvec3 from = way.anchor - bounds.centre;
+        const double middle = -glm::dot(from, way.direction);
+        const double foot = glm::length(from + middle * way.direction);
+        if (!(foot < bounds.radius)) return way;
+        const double half = std::sqrt(bounds.radius * bounds.radius - foot * foot);
+        way.near = std::max(middle - half, eye);
+        way.far = middle + half;
+        return way;
+    }
+    way.near = eye;
+    way.far = HUGE_VAL;
+    for (int k = 0; k < 3; ++k) {
+        // Parallel to the sides: at once infinite, or no number, which both comparisons pass by.
+        const double a = (bounds.min[k] - way.anchor[k]) / way.direction[k];
+        const double b = (bounds.max[k] - way.anchor[k]) / way.direction[k];
+        way.near = std::max(way.near, std::min(a, b));
+        way.far = std::min(way.far, std::max(a, b));
+    }
+    return way;
+}
+
+// The scene at one time, as a ray meets it.
+class MetSurface {
+public:
+    MetSurface(const Scene& scene, const formula::Paint& paint, const SceneAt& now,
+               NearElements& elements, bool paint_sums_all)
+        : value_(scene.surface.field->value)
+        , field_(*scene.surface.field)
+        , paint_(paint.value)
+        , now_(now)
+        , elements_(elements)
+        , paint_sums_all_(paint_sums_all) {
+        if (paint.hessian) hessian_.emplace(*paint.hessian);
+    }
+
+    // Where F first changes its sign along the way, other than at a pole.
+    std::optional<double> root(const Way& way) {
+        const std::vector<double> f = values(way, way.near, way.far, Effort::pieces);
+        const double piece = (way.far - way.near) / Effort::pieces;
+        for (std::size_t k = 0; k + 1 < f.size(); ++k) {
+            if (!changes(f[k], f[k + 1])) continue;
+            if (const auto found =
+                    root_in(way, way.near + double(k) * piece, piece, f[k], f[k + 1]))
+                return found;
+        }
+        return std::nullopt;
+    }
+
+    double number(const Way& way, double t) {
+        const glm::dvec3 p = way.at(t);
+        const std::array<double, 3> at{p.x, p.y, p.z};
+        const auto& bindings = elements_.at(p);
+        const auto g = field_.gradient(bindings, at);
+        const glm::dvec3 n = glm::normalize(now_.placement.rotate * glm::dvec3(g[0], g[1], g[2]));
+        formula::Curvatures curved;
+        if (hessian_) {
+            std::array<double, 6> second{};
+            hessian_->point(bindings, at, second);
+            curved = formula::curvatures(g, second);
+        }
+        const std::array<double, 10> inputs{
+            // paint_names
+            p.x, p.y, p.z, n.x, n.y, n.z, curved.mean, curved.gaussian, 0, now_.time};
+        double number = 0;
+        paint_.point(paint_sums_all_ ? elements_.all() : bindings, inputs, {&number, 1});
+        return number;
+    }
+
+private:
+    static bool changes(double f, double next) { return f * next <= 0 && f != 0; }
+
+    std::optional<double> root_in(const Way& way, double low, double length, double f_low,
+                                  double f_high) {
+        const double smaller = std::min(std::abs(f_low), std::abs(f_high));
+        const double larger = std::max(std::abs(f_low), std::abs(f_high));
+        double there = f_low;
+        for (int round = 0; round < Effort::rounds; ++round) {
+            const std::vector<double> f = values(way, low, low + length, Effort::parts);
+            std::size_t k = 0;
+            while (k + 2 < f.size() && !changes(f[k], f[k + 1])) ++k;
+            length /= Effort::parts;
+            low += double(k) * length;
+            there = f[k];
+        }
+        // Towards a pole values grow.
+        return std::abs(there) <= std::max(smaller, 1e-3 * larger) ? std::optional(low)
+                                                                   : std::nullopt;
+    }
+
+    // At the ends of equal parts of the way from `low` to `high`.
+    std::vector<double> values(const Way& way, double low, double high, int parts) {
+        std::array<std::vector<double>, 3> places;
+        for (int k = 0; k <= parts; ++k) {
+            const glm::dvec3 p = way.at(low + (high - low) * k / parts);
+            for (int axis = 0; axis < 3; ++axis) places[std::size_t(axis)].push_back(p[axis]);
+        }
+        std::vector<double> found(places[0].size());
+        if (!elements_.is_by_place()) {
+            const std::array<std::span<const double>, 3> inputs{places[0], places[1], places[2]};
+            const std::array<std::span<double>, 1> outputs{found};
+            value_.points(elements_.all(), inputs, outputs);
+            return found;
+        }
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            const std::array<double, 3> p{places[0][k], places[1][k], places[2][k]};
+            value_.point(elements_.at({p[0], p[1], p[2]}), p, {&found[k], 1});
+        }
+        return found;
+    }
+
+    formula::Evaluator<double> value_;
+    formula::FieldEvaluator<double> field_;
+    formula::Evaluator<double> paint_;
+    std::optional<formula::Evaluator<double>> hessian_;
+    const SceneAt& now_;
+    NearElements& elements_;
+    bool paint_sums_all_;
+};
+
+double work(const formula::Program& program, std::span<const int> counts) {
+    constexpr double of_a_function = 10; // exp, sin, ...
+    const formula::Cost cost = formula::cost(program, counts);
+    return cost.operations + of_a_function * cost.functions;
+}
+
+// Rays on the longer side of a picture, so many that all frames take what there is to spend.
+int rays_across(const Scene& scene, const formula::Paint& paint, const NearElements& elements,
+                bool paint_sums_all, int frames) {
+    const std::vector<int> usual = elements.usual_counts();
+    std::vector<int> all;
+    for (const auto& array : elements.all().arrays) all.push_back(array.count);
+    const formula::Field& field = *scene.surface.field;
+    constexpr int values = Effort::pieces + Effort::rounds * Effort::parts;
+    double each = values * work(field.value, usual) + work(field.gradient, usual) +
+                  work(paint.value, paint_sums_all ? all : usual);
+    if (paint.hessian) each += work(*paint.hessian, usual);
+    const double rays = Effort::operations / frames / (each + 1);
+    constexpr double fewest = Effort::fewest_across * Effort::fewest_across;
+    if (rays < fewest * Effort::operations / Effort::most_operations)
+        throw TooDear("what the surface shows takes too long to find; give [low, high]");
+    return std::clamp(int(std::sqrt(rays)), Effort::fewest_across, Effort::most_across);
+}
+
+int frames_to_show(const Scene& scene) {
+    double values = 0;
+    const animation::Animation& animation = scene.timeline.animation;
+    for (std::size_t a = 0; a < animation.arrays().size(); ++a) values += animation.values(a);
+    const int frames = int(std::clamp(Effort::most_values / (values + 1),
+                                      double(Effort::fewest_frames), double(Effort::most_frames)));
+    return std::min(frames, scene.timeline.frames);
+}
+
+// One end of the numbers of a picture, and the ray that shows it.
+struct End {
+    double sign = 1;                                         // of the greatest; -1 of the least
+    double value = -std::numeric_limits<double>::infinity(); // times the sign
+    glm::dvec2 at{0};                                        // picture coordinates
+
+    bool take(double number, const glm::dvec2& where) {
+        if (!(std::abs(number) < double(std::numeric_limits<float>::max()))) return false;
+        if (!(sign * number > value)) return false;
+        value = sign * number;
+        at = where;
+        return true;
+    }
+};
+
+// The rays of a picture.
+class Pictured {
+public:
+    Pictured(MetSurface& surface, const Rays& rays, const BoundsAt& bounds)
+        : surface_(surface)
+        , rays_(rays)
+        , bounds_(bounds) {}
+
+    double number(const glm::dvec2& at) {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        const Way way = way_of(rays_, bounds_, at.x, at.y);
+        if (!(way.near < way.far)) return none;
+        const auto t = surface_.root(way);
+        return t ? surface_.number(way, *t) : none;
+    }
+
+    void scan(int width, int height, std::span<End> ends) {
+        for (int row = 0; row < height; ++row) {
+            for (int column = 0; column < width; ++column) {
+                const glm::dvec2 at((2 * column + 1.0) / width - 1, (2 * row + 1.0) / height - 1);
+                const double found = number(at);
+                for (End& end : ends) end.take(found, at);
+            }
+        }
+    }
+
+    // Looks around it, ever nearer, from half a pixel on: extremes lie on silhouettes.
+    void climb(End& end, glm::dvec2 pixel, int rounds) {
+        if (!std::isfinite(end.value)) return;
+        for (int k = 0; k < rounds; ++k) {
+            pixel *= 0.5;
+            const glm::dvec2 middle = end.at;
+            for (const glm::dvec2& step :
+                 {glm::dvec2(1, 0), {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}) {
+                const glm::dvec2 at = glm::clamp(middle + step * pixel, -1.0, 1.0);
+                end.take(number(at), at);
+            }
+        }
+    }
+
+private:
+    MetSurface& surface_;
+    const Rays rays_;
+    const BoundsAt& bounds_;
+};
+
+void look(const Scene& scene, const formula::Paint& paint, const ElementFinder& finder, int frame,
+          int frames, Range& range) {
+    const SceneAt now = at(scene, scene.timeline.values(frame));
+    NearElements elements(finder, now);
+    const auto array = finder.array();
+    const bool sums_all =
+        array && !formula::weigh_like_field(paint.graph, paint.field, paint.roots, *array);
+    const int longer = rays_across(scene, paint, elements, sums_all, frames);
+    const int most = std::max(scene.output.width, scene.output.height);
+    const int width = std::max(1, longer * scene.output.width / most);
+    const int height = std::max(1, longer * scene.output.height / most);
+    MetSurface surface(scene, paint, now, elements, sums_all);
+    Pictured picture(surface, rays(now, scene.output.width, scene.output.height), now.bounds);
+    std::array<End, 2> ends{End{-1}, End{1}};
+    picture.scan(width, height, ends);
+    // A spike goes on and on: what is added stays small beside what many rays show.
+    constexpr double most_added = 0.125;
+    const double added = most_added * (ends[0].value + ends[1].value);
+    for (End& end : ends) {
+        const double scanned = end.value;
+        picture.climb(end, glm::dvec2(2.0 / width, 2.0 / height), std::min(8, longer / 4));
+        end.value = std::min(end.value, scanned + added);
+    }
+    range.least = std::min(range.least, -ends[0].value);
+    range.most = std::max(range.most, ends[1].value);
+}
+
+} // namespace
+
+Range shown_range(const Scene& scene, const formula::Paint& paint) {
+    const ElementFinder finder(scene);
+    const int frames = frames_to_show(scene);
+    Range none;
+    Range range{none.most, none.least};
+    for (int k = 0; k < frames; ++k) {
+        const int frame =
+            1 + int(std::int64_t(scene.timeline.frames - 1) * k / std::max(1, frames - 1));
+        try {
+            look(scene, paint, finder, frame, frames, range);
+        } catch (const SceneError&) { // said where the frame is drawn, as is the other
+        } catch (const std::length_error&) {
+        }
+    }
+    if (!(range.least <= range.most)) return {0, 1};
+    if (float(range.least) < float(range.most)) return range;
+    const double half = 0.5 * std::max(1.0, std::abs(range.least));
+    return {range.least - half, range.least + half};
+}
+
+} // namespace isomotion::scene
