@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "formula/graph/continuity.h"
+#include "formula/graph/functions.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/term.h"
 
