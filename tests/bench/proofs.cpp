@@ -38,7 +38,7 @@ accuracy::Errors held_against_truth(gpu::Context& context, const Certified& on,
          on.height(),
          {Channel::normal, Channel::position, Channel::verdict, Channel::proof},
          {}});
-    return accuracy::compare(scene, on.frames[0], renderer.draw(on.frames[0]).frame, on.truths[0]);
+    return accuracy::compare(on.frames[0], renderer.draw(on.frames[0]).frame, on.truths[0]);
 }
 
 void run(const Arguments& arguments) {

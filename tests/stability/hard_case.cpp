@@ -170,8 +170,8 @@ Looked look(const HardCase& a_case, scene::Method method) {
     Looked looked;
     looked.picture = render::draw(context(), hard);
     const truth::Truth& truth = truth_of(certain, easy);
-    looked.errors = accuracy::compare(easy, scene::at(easy, easy.timeline.values(1)),
-                                      looked.picture.frame, truth);
+    looked.errors =
+        accuracy::compare(scene::at(easy, easy.timeline.values(1)), looked.picture.frame, truth);
     looked.certain_hits = truth.counts()[std::size_t(truth::Answer::hit)];
     looked.zero_gradients = render::count(looked.picture, render::Verdict::zero_gradient);
     looked.hits = render::count(looked.picture, render::Verdict::hit) + looked.zero_gradients;

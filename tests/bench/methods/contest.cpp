@@ -99,7 +99,7 @@ Count count(gpu::Context& context, const Certified& on, const Setting& how) {
     for (std::size_t k = 0; k < on.frames.size(); ++k) {
         const render::Picture picture = renderer.draw(on.frames[k]);
         found.evaluations += double(picture.evaluations);
-        found.errors.add(accuracy::compare(scene, on.frames[k], picture.frame, on.truths[k]));
+        found.errors.add(accuracy::compare(on.frames[k], picture.frame, on.truths[k]));
     }
     found.errors.depth.clear();
     found.errors.normal.clear();
