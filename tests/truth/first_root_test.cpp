@@ -125,6 +125,21 @@ TEST(FirstRoot, WhereThereIsNoValueIsNoCertainHit) {
     }
 }
 
+// F comes to 0 where its values end: the last of them may be met.
+TEST(FirstRoot, BeforeAGapMayTouch) {
+    for (const char* formula : {"z^1.5", "z^1.5*(2 + sin(x))", "-z^0.7", "abs(z^1.5)"}) {
+        const View view = along_z(formula, {.backwards = true});
+        EXPECT_EQ(answer(view).answer, Answer::touching) << formula;
+        EXPECT_FALSE(answer(view).after_is_hit) << formula;
+        EXPECT_NEAR(answer(view).touch_high, 0, 1e-3) << formula;
+    }
+    // Behind the gap is another root.
+    const View view = along_z("(z^2 - 0.25)^1.5 - 1", {.backwards = true});
+    EXPECT_EQ(answer(view).answer, Answer::hit);
+    EXPECT_NE(answer(along_z("(z^2 - 0.25)^1.5 + 1")).answer, Answer::hit) << "on both sides";
+    EXPECT_EQ(answer(along_z("log(z - 3)")).answer, Answer::miss) << "no value anywhere";
+}
+
 // From 1 to 0.
 TEST(FirstRoot, OfAPowerOf0WhoseExponentComesTo0IsNoCertainHit) {
     for (const char* formula :
