@@ -83,7 +83,7 @@ void add_coefficients(Graph& graph, NodeId quadric, std::vector<NodeId>& all) {
 std::optional<ElementKernels> element_kernels(const Field& field, int array) {
     Graph graph = field.graph;
     const std::vector<NodeId> sums = sums_over(graph, std::array{field.root}, array);
-    if (sums.empty()) return std::nullopt;
+    if (sums.empty() || sums.size() > ElementKernels::most_sums) return std::nullopt;
 
     ElementKernels kernels;
     kernels.array = array;

@@ -17,6 +17,8 @@ namespace isomotion::formula {
 struct ElementKernels {
     // Of a quadric: its value, gradient and Hessian (xx xy xz yy yz zz) where x = y = z = 0.
     static constexpr int coefficients_each = 10;
+    // Each sum has bounds in each cell of a grid.
+    static constexpr std::size_t most_sums = 32;
 
     int array = 0;
     std::vector<int> fields;     // of the array, that the programs read, as inputs
@@ -31,7 +33,8 @@ struct ElementKernels {
     int sums() const { return int(quadric_of.size()); }
 };
 
-// Of the sums over `array`, if each has such a polynomial and none holds a sum or is in one.
+// Of the sums over `array`, if they are not too many, each has such a polynomial, and none holds a
+// sum or is in one.
 std::optional<ElementKernels> element_kernels(const Field& field, int array);
 
 } // namespace isomotion::formula

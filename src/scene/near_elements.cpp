@@ -53,9 +53,13 @@ std::vector<int> NearElements::usual_counts() const {
     std::vector<int> counts;
     for (const auto& array : all_.arrays) counts.push_back(array.count);
     if (!grid_) return counts;
-    const auto used = std::ranges::count_if(
-        grid_->cells, [](const elements::Cell& cell) { return cell.elements() > 0; });
-    counts[array_] = int(std::ssize(grid_->listed) / std::max<std::ptrdiff_t>(1, used));
+    // Of the cell that an entry of a list is in: most rays may look where elements are crowded.
+    double entries = 0, squares = 0;
+    for (const elements::Cell& cell : grid_->cells) {
+        entries += cell.elements();
+        squares += double(cell.elements()) * cell.elements();
+    }
+    counts[array_] = entries > 0 ? int(squares / entries) : 0;
     return counts;
 }
 

@@ -22,9 +22,10 @@ struct Effort {
     static constexpr int pieces = 64;                         // of a ray's way through the bounds
     static constexpr int parts = 32; // of a piece that a root is in, and of these again
     static constexpr int rounds = 3;
-    static constexpr double operations = 2e9;      // in all, as near as that can be told
-    static constexpr double most_operations = 4e9; // of the fewest rays
-    static constexpr double most_values = 1e6;     // of elements, in all frames
+    static constexpr double operations = 2e9;        // in all, as near as that can be told
+    static constexpr double most_operations = 4e9;   // of the fewest rays
+    static constexpr double most_values = 1e6;       // of elements, in all frames
+    static constexpr double most_to_have_them = 3e7; // operations, in all frames
 };
 
 struct Way {
@@ -187,8 +188,11 @@ int rays_across(const Scene& scene, const formula::Paint& paint, const NearEleme
 int frames_to_show(const Scene& scene) {
     double values = 0;
     const animation::Animation& animation = scene.timeline.animation;
+    if (animation.operations() * Effort::fewest_frames > 2 * Effort::most_to_have_them)
+        throw TooDear("what the surface shows takes too long to find; give [low, high]");
+    const double by_operations = Effort::most_to_have_them / (animation.operations() + 1);
     for (std::size_t a = 0; a < animation.arrays().size(); ++a) values += animation.values(a);
-    const int frames = int(std::clamp(Effort::most_values / (values + 1),
+    const int frames = int(std::clamp(std::min(Effort::most_values / (values + 1), by_operations),
                                       double(Effort::fewest_frames), double(Effort::most_frames)));
     return std::min(frames, scene.timeline.frames);
 }
@@ -254,13 +258,10 @@ private:
     const BoundsAt& bounds_;
 };
 
-void look(const Scene& scene, const formula::Paint& paint, const ElementFinder& finder, int frame,
-          int frames, Range& range) {
+void look(const Scene& scene, const formula::Paint& paint, bool sums_all,
+          const ElementFinder& finder, int frame, int frames, Range& range) {
     const SceneAt now = at(scene, scene.timeline.values(frame));
     NearElements elements(finder, now);
-    const auto array = finder.array();
-    const bool sums_all =
-        array && !formula::weigh_like_field(paint.graph, paint.field, paint.roots, *array);
     const int longer = rays_across(scene, paint, elements, sums_all, frames);
     const int most = std::max(scene.output.width, scene.output.height);
     const int width = std::max(1, longer * scene.output.width / most);
@@ -286,13 +287,16 @@ void look(const Scene& scene, const formula::Paint& paint, const ElementFinder& 
 Range shown_range(const Scene& scene, const formula::Paint& paint) {
     const ElementFinder finder(scene);
     const int frames = frames_to_show(scene);
+    const auto array = finder.array();
+    const bool sums_all =
+        array && !formula::weigh_like_field(paint.graph, paint.field, paint.roots, *array);
     Range none;
     Range range{none.most, none.least};
     for (int k = 0; k < frames; ++k) {
         const int frame =
             1 + int(std::int64_t(scene.timeline.frames - 1) * k / std::max(1, frames - 1));
         try {
-            look(scene, paint, finder, frame, frames, range);
+            look(scene, paint, sums_all, finder, frame, frames, range);
         } catch (const SceneError&) { // said where the frame is drawn, as is the other
         } catch (const std::length_error&) {
         }

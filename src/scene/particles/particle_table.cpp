@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/printable.h"
 #include "scene/error.h"
 #include "scene/limits.h"
 
@@ -68,20 +69,23 @@ template<class To> std::vector<To> decoded(const RawColumn& raw, std::size_t cou
     return values;
 }
 
+// Names may hold line ends.
+std::string shown(const std::filesystem::path& file) { return base::printable_line(file.string()); }
+
 bool is_whole(Scalar type) { return type != Scalar::f32 && type != Scalar::f64; }
 
 } // namespace
 
 void fail_at_line(const ParticleRequest& request, int line, const std::string& message) {
-    throw SceneError(fmt::format("{}:{}: {}", request.file.string(), line, message));
+    throw SceneError(fmt::format("{}:{}: {}", shown(request.file), line, message));
 }
 
 void fail_at_byte(const ParticleRequest& request, std::size_t byte, const std::string& message) {
-    throw SceneError(fmt::format("{}: byte {}: {}", request.file.string(), byte, message));
+    throw SceneError(fmt::format("{}: byte {}: {}", shown(request.file), byte, message));
 }
 
 void fail_of_file(const ParticleRequest& request, const std::string& message) {
-    throw SceneError(fmt::format("{}: {}", request.file.string(), message));
+    throw SceneError(fmt::format("{}: {}", shown(request.file), message));
 }
 
 double Wanted::numbers(std::size_t count) const {
@@ -143,10 +147,10 @@ void scale_colors(ParticleTable& table, std::span<const Scalar> types) {
 
 std::string place(const ParticleTable& table, const std::filesystem::path& file, std::size_t column,
                   std::size_t row) {
-    if (!table.lines.empty()) return fmt::format("{}:{}", file.string(), table.lines[row]);
+    if (!table.lines.empty()) return fmt::format("{}:{}", shown(file), table.lines[row]);
     const auto* raw = std::get_if<RawColumn>(&table.columns[column].values);
-    if (!raw || !raw->file) return fmt::format("{}: particle {}", file.string(), row + 1);
-    return fmt::format("{}: byte {}: particle {}", file.string(),
+    if (!raw || !raw->file) return fmt::format("{}: particle {}", shown(file), row + 1);
+    return fmt::format("{}: byte {}: particle {}", shown(file),
                        std::size_t(raw->first - raw->file) + row * raw->stride, row + 1);
 }
 

@@ -7,6 +7,7 @@
 
 #include "formula/graph/parser.h"
 #include "formula/graph/substitute.h"
+#include "scene/reading/paint.h"
 
 namespace isomotion::scene {
 namespace {
@@ -98,6 +99,8 @@ ColorParts read_color(const toml::node& node, const std::string& key, const Surf
         sources[k] = 0.0;
     }
     color.tracks = tracks.add(key, sources, &node);
+    color.node = &node;
+    color.key = key;
     return color;
 }
 
@@ -105,8 +108,14 @@ std::shared_ptr<const formula::Paint> make_color(const ColorParts& color, const 
                                                  const animation::Animation& animation) {
     const formula::Field& field = *parts.surface.field;
     if (color.is_of_place()) {
-        return std::make_shared<formula::Paint>(
-            formula::make_color(color.of_place, parts.vocabulary, field));
+        try {
+            const auto paint = std::make_shared<formula::Paint>(
+                formula::make_color(color.of_place, parts.vocabulary, field));
+            check_work(*paint, parts, *color.node, color.key);
+            return paint;
+        } catch (const std::length_error& error) {
+            fail(*color.node, color.key, error.what());
+        }
     }
     for (std::size_t a = 0; a < parts.arrays.size() && !color.is_given; ++a) {
         for (const ColorFields& known : color_fields) {

@@ -15,6 +15,8 @@ struct ColorParts {
     Vec3Track tracks{};
     formula::ColorTexts of_place{}; // the parts that no value over time can say
     bool is_given = false;          // by the scene itself
+    const toml::node* node = nullptr;
+    std::string key;
 
     bool is_of_place() const { return of_place[0] || of_place[1] || of_place[2]; }
 };

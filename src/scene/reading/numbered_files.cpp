@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/input_error.h"
+#include "base/printable.h"
 #include "scene/limits.h"
 #include "scene/reading/named_file.h"
 #include "sequence/names/sequence_name.h"
@@ -52,7 +53,8 @@ std::vector<NumberedFile> numbered_files(const toml::node& node, const std::stri
         fail(node, key, fmt::format("{} cannot be read: {}", folder.string(), error.message()));
     if (files.empty()) {
         fail(node, key,
-             fmt::format("there is no file {}, with a number in place of {}", name.string(),
+             fmt::format("there is no file {}, with a number in place of {}",
+                         base::printable_line(name.string()),
                          pattern.pattern().find('#') == std::string::npos ? "its place" : "####"));
     }
     std::ranges::sort(files, {}, &NumberedFile::number);

@@ -4,6 +4,7 @@
 
 #include "base/nearest_name.h"
 #include "formula/graph/parser.h"
+#include "scene/limits.h"
 #include "scene/shown_range.h"
 
 namespace isomotion::scene {
@@ -59,6 +60,20 @@ PaintParts read_paint(Section section, TrackTable& tracks) {
     return parts;
 }
 
+void check_work(const formula::Paint& paint, const SurfaceParts& surface, const toml::node& node,
+                const std::string& key) {
+    std::vector<int> counts;
+    for (const animation::Array& array : surface.arrays) counts.push_back(array.count);
+    double operations = formula::cost(paint.value, counts).operations;
+    if (paint.hessian)
+        operations = std::max(operations, formula::cost(*paint.hessian, counts).operations);
+    if (operations <= limits::operations_at_a_point) return;
+    fail(node, key,
+         fmt::format("takes {:.3g} operations at one point, all elements of its sums counted; at "
+                     "most {:.3g} are possible: give its arrays fewer elements",
+                     operations, limits::operations_at_a_point));
+}
+
 Paint make_paint(const PaintParts& parts, const SurfaceParts& surface) {
     Paint paint = parts.paint;
     try {
@@ -66,7 +81,10 @@ Paint make_paint(const PaintParts& parts, const SurfaceParts& surface) {
             formula::make_paint(parts.value, surface.vocabulary, *surface.surface.field));
     } catch (const formula::ParseError& error) {
         fail(*parts.value_node, parts.value_key, error.what());
+    } catch (const std::length_error& error) {
+        fail(*parts.value_node, parts.value_key, error.what());
     }
+    check_work(*paint.value, surface, *parts.value_node, parts.value_key);
     if (parts.shown_node && paint.value->uses("evaluations")) {
         fail(*parts.value_node, parts.value_key,
              "how many evaluations there are is known once a picture is drawn; give the range as "

@@ -20,6 +20,10 @@ struct PaintParts {
 // Reads the section and adds the tracks of the range.
 PaintParts read_paint(Section section, TrackTable& tracks);
 
+// Refuses what takes too many operations at one point, as is done of the field.
+void check_work(const formula::Paint& paint, const SurfaceParts& surface, const toml::node& node,
+                const std::string& key);
+
 // Parses the expression against the surface's names.
 Paint make_paint(const PaintParts& parts, const SurfaceParts& surface);
 

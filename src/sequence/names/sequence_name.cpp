@@ -66,7 +66,7 @@ SequenceName SequenceName::parse(std::string_view text) {
         throw base::InputError(
             fmt::format("{}: has two places for the frame's number; one run of # or "
                         "one %04d is right",
-                        base::printable(text)));
+                        base::printable_line(text)));
     if (place.digits > most_digits)
         throw base::InputError(fmt::format("{}: the frame's number has at most {} digits",
                                            base::printable(text.substr(0, 60)), most_digits));
@@ -74,7 +74,7 @@ SequenceName SequenceName::parse(std::string_view text) {
         throw base::InputError(
             fmt::format("{}: a sequence's name must be UTF-8 that can be printed, as its manifest "
                         "holds it",
-                        base::printable(text)));
+                        base::printable_line(text)));
     return name;
 }
 

@@ -41,16 +41,24 @@ TEST(ElementKernels, AreFoundHoweverTheyAreWritten) {
 
 TEST(ElementKernels, OthersAreNone) {
     for (const char* text : {
-             "x^2 + y^2 - 1",                                     // no sum
-             "sum(blobs, abs(x-cx) + abs(y-cy) + abs(z-cz)) - 1", // no square
-             "sum(blobs, exp(-x*cx - y*cy - z)) - 1",             // without end
-             "sum(blobs, sin(cx*x)) - 1",                         //
-             "sum(links, exp(-(x-px)^2 - (y-py)^2 - z^2)) - 1",   // another array
+             "x^2 + y^2 - 1",                                                       // no sum
+             "sum(blobs, abs(x-cx) + abs(y-cy) + abs(z-cz)) - 1",                   // no square
+             "sum(blobs, exp(-x*cx - y*cy - z)) - 1",                               // without end
+             "sum(blobs, sin(cx*x)) - 1",                                           //
+             "sum(links, exp(-(x-px)^2 - (y-py)^2 - z^2)) - 1",                     // another array
              "sum(blobs, sum(links, exp(-(x-cx-px)^2 - (y-cy)^2 - (z-cz)^2))) - 1", // one in
                                                                                     // another
          }) {
         EXPECT_FALSE(kernels_of(text)) << text;
     }
+}
+
+TEST(ElementKernels, OfVeryManySumsAreNone) {
+    std::string text = "0";
+    for (std::size_t k = 0; k < ElementKernels::most_sums; ++k)
+        text += " + sum(blobs, exp(-((x-cx)^2 + (y-cy)^2 + (z-cz)^2 + " + std::to_string(k) + ")))";
+    EXPECT_TRUE(kernels_of(text));
+    EXPECT_FALSE(kernels_of(text + " + sum(blobs, exp(-((x-cx)^2 + (y-cy)^2 + 2*(z-cz)^2)))"));
 }
 
 // The coefficients make up the polynomial, and the terms the sum.

@@ -71,6 +71,19 @@ TEST_F(ColorOfScene, Mistakes) {
 
 const std::string two = "count = 2\ncx = [-1, 1]\nw = [1, 2]\n";
 
+TEST_F(ColorOfScene, TooMuchWorkIsAMistakeOfIts) {
+    const std::string blobs = "[arrays.b]\ncount = 100000\ncx = 'sin(i)'\n";
+    std::string terms = "0";
+    for (int k = 0; k < 600; ++k) terms += "+sin(" + std::to_string(k) + "*x-cx)";
+    for (const std::string& text :
+         {"[material]\ncolor = ['sum(b, " + terms + ")', 0, 0]\n" + blobs,
+          "[material.colormap]\nvalue = 'sum(b, " + terms + ")'\nrange = [0, 1]\n" + blobs}) {
+        EXPECT_THAT(mistake(ball_and(text)),
+                    testing::HasSubstr("operations at one point, all elements of its sums counted"))
+            << text.substr(0, 60);
+    }
+}
+
 TEST_F(ColorOfScene, NamesAnyFieldOfAnArray) {
     const std::string tint = blobs(two + "tint = [0, 1]\n[material]\n"
                                          "color = ['sum(blobs, tint*w)', 0, 0]");
