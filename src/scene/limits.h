@@ -15,6 +15,8 @@ using formula::limits::name_bytes;
 
 inline constexpr std::size_t scene_bytes = 16 << 20;  // of a scene file or a surface's
 inline constexpr std::size_t table_bytes = 256 << 20; // of all tables of elements together
+// Read whole to count the particles of an array's files, where no count is given.
+inline constexpr std::size_t counted_bytes = 512 << 20;
 inline constexpr std::size_t title_bytes = 1000;
 inline constexpr int frames = 10'000'000;
 inline constexpr int parameters = 1000; // fields with one value for all elements included

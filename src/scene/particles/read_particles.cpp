@@ -107,7 +107,7 @@ ReadParticles read_particles(const ParticleRequest& request, std::string bytes, 
 }
 
 std::size_t count_particles(const std::filesystem::path& file, const base::Confines& within,
-                            std::size_t most) {
+                            std::size_t most, std::size_t& left) {
     ParticleRequest request;
     request.file = file;
     request.within = within;
@@ -124,7 +124,9 @@ std::size_t count_particles(const std::filesystem::path& file, const base::Confi
         } catch (const SceneError&) { // a header longer than that, or a mistake
         }
     }
-    return read_particles(request, most).table.count;
+    const ReadParticles read = read_particles(request, most);
+    left -= std::min(left, read.bytes);
+    return read.table.count;
 }
 
 } // namespace isomotion::scene

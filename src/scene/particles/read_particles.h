@@ -20,8 +20,9 @@ ReadParticles read_particles(const ParticleRequest& request, std::size_t most);
 ReadParticles read_particles(const ParticleRequest& request, std::string bytes, std::size_t most);
 
 // How many particles a file holds, by its beginning where that tells; of a text without a count,
-// how many there are at most. Throws SceneError.
+// how many there are at most. Takes what had to be read whole off `left`, bytes that may be read to
+// count, down to 0. Throws SceneError.
 std::size_t count_particles(const std::filesystem::path& file, const base::Confines& within,
-                            std::size_t most);
+                            std::size_t most, std::size_t& left);
 
 } // namespace isomotion::scene

@@ -1,10 +1,12 @@
 #include "scene/reading/element_table.h"
+#include "base/printable.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "base/printable.h"
 #include "scene/error.h"
 #include "scene/limits.h"
 #include "scene/particles/file_frames.h"
@@ -254,8 +256,16 @@ ElementTable read_frames(const TableOptions& options, const animation::Timeline&
     files.within = options.within;
     if (options.counts_files) {
         files.most = 0;
+        std::size_t left = limits::counted_bytes;
         for (const std::filesystem::path& file : files.files) {
-            const std::size_t count = count_particles(file, options.within, limits::table_bytes);
+            if (left == 0) {
+                throw SceneError(fmt::format(
+                    "{}: more than {} bytes of these files would be read to count their particles; "
+                    "give the array a count, the most that a file holds",
+                    base::printable_line(file.string()), limits::counted_bytes));
+            }
+            const std::size_t count =
+                count_particles(file, options.within, limits::table_bytes, left);
             if (count > std::size_t(options.most)) {
                 throw SceneError(fmt::format("{}: says that it holds {} particles; there may be {}",
                                              file.string(), count, options.most));

@@ -119,7 +119,12 @@ TEST_F(ParticleFormats, SayHowManyTheyHoldByTheirBeginning) {
     const Cloud cloud = particles::cloud(4000, 3);
     for (const particles::Sample& sample : particles::samples(cloud)) {
         const auto file = write_bytes(sample.file, sample.bytes);
-        EXPECT_EQ(count_particles(file, {}, 1 << 22), 4000u) << sample.name;
+        std::size_t left = 1 << 22;
+        EXPECT_EQ(count_particles(file, {}, 1 << 22, left), 4000u) << sample.name;
+        EXPECT_LE(left, std::size_t(1 << 22)) << sample.name;
+        std::size_t little = 1;
+        count_particles(file, {}, 1 << 22, little);
+        EXPECT_EQ(little == 0, left < std::size_t(1 << 22)) << sample.name << " is read whole";
         EXPECT_EQ(read_all(file, sample.bytes, 4000).count, 4000u) << sample.name;
     }
 }
