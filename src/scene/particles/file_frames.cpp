@@ -1,6 +1,7 @@
 #include "scene/particles/file_frames.h"
 
 #include <algorithm>
+#include <semaphore>
 #include <span>
 #include <system_error>
 
@@ -16,6 +17,19 @@
 
 namespace isomotion::scene {
 namespace {
+
+// Files that are read at the same time, of all arrays: each may have hundreds of megabytes
+// unpacked.
+constexpr int read_together = 2;
+std::counting_semaphore<read_together> free_to_read(read_together);
+
+class OneOfFew {
+public:
+    OneOfFew() { free_to_read.acquire(); }
+    ~OneOfFew() { free_to_read.release(); }
+    OneOfFew(const OneOfFew&) = delete;
+    OneOfFew& operator=(const OneOfFew&) = delete;
+};
 
 constexpr std::size_t most_kept = 6, fewest_kept = 3, ahead = 2;
 constexpr std::size_t bytes_kept = 256 << 20;
@@ -63,6 +77,7 @@ std::size_t FileFrames::files_read() const {
 }
 
 FileFrames::FramePointer FileFrames::read(std::size_t k, const std::vector<bool>& columns) const {
+    const OneOfFew reading;
     ParticleRequest request;
     request.file = files_.files[k];
     request.within = files_.within;
