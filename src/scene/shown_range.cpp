@@ -186,12 +186,15 @@ int rays_across(const Scene& scene, const formula::Paint& paint, const NearEleme
 }
 
 int frames_to_show(const Scene& scene) {
-    double values = 0;
     const animation::Animation& animation = scene.timeline.animation;
-    if (animation.operations() * Effort::fewest_frames > 2 * Effort::most_to_have_them)
+    double values = 0, operations = animation.operations();
+    for (std::size_t a = 0; a < animation.arrays().size(); ++a) {
+        values += animation.values(a);
+        operations += animation.operations(a);
+    }
+    if (operations * Effort::fewest_frames > 2 * Effort::most_to_have_them)
         throw TooDear("what the surface shows takes too long to find; give [low, high]");
-    const double by_operations = Effort::most_to_have_them / (animation.operations() + 1);
-    for (std::size_t a = 0; a < animation.arrays().size(); ++a) values += animation.values(a);
+    const double by_operations = Effort::most_to_have_them / (operations + 1);
     const int frames = int(std::clamp(std::min(Effort::most_values / (values + 1), by_operations),
                                       double(Effort::fewest_frames), double(Effort::most_frames)));
     return std::min(frames, scene.timeline.frames);
