@@ -18,8 +18,8 @@ namespace isomotion::elements {
 // The programs of a field, and what is made of a frame's values.
 class FieldByPlace {
 public:
-    // Of the array with the most elements, of those of which a grid can be made; none if there is
-    // none with more than `few`, which are as soon summed as looked up.
+    // Finds the elements of the largest array that a grid can be made of. None if no such array has
+    // more than `few` elements: summing those takes no longer than looking them up.
     static constexpr int few = 64;
     static std::optional<FieldByPlace> of(const formula::Field& field,
                                           std::span<const int> elements_of_arrays);
@@ -34,7 +34,7 @@ public:
         // A field of the array, one number an element.
         std::span<const float> column(int field) const { return columns_[std::size_t(field)]; }
         const formula::Bindings<Interval>& others() const { return others_; }
-        // What lists leave out of this sum of a program: of 0, no derivative is asked.
+        // Bounds of what lists leave out of this sum of a program; 0 of sums in derivatives alone.
         Interval left_out(formula::NodeId sum) const;
 
     private:

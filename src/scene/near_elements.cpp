@@ -53,7 +53,8 @@ std::vector<int> NearElements::usual_counts() const {
     std::vector<int> counts;
     for (const auto& array : all_.arrays) counts.push_back(array.count);
     if (!grid_) return counts;
-    // Of the cell that an entry of a list is in: most rays may look where elements are crowded.
+    // The mean over the entries of lists, not over cells: most rays may look where elements are
+    // crowded.
     double entries = 0, squares = 0;
     for (const elements::Cell& cell : grid_->cells) {
         entries += cell.elements();

@@ -1,5 +1,5 @@
 // Colours by place, pixel by pixel, against closed forms in double on the CPU.
-#include "render/drawing.h"
+#include "render/material_colors.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -14,28 +14,7 @@ namespace {
 class ColoredPictures : public Drawing {};
 ISOMOTION_ON_EVERY_BACKEND(ColoredPictures);
 
-// Black lights leave what comes from everywhere: 0.12 of the material's colour.
-constexpr double ambient = 0.12;
-const std::string dark = "[[lights]]\ndirection = [0, 0, 1]\ncolor = [0, 0, 0]\n";
 constexpr double step_of_8_bits = 1.0 / 255;
-
-struct Pixel {
-    glm::dvec3 color, position, normal;
-};
-
-std::vector<Pixel> hits_of(const Picture& picture) {
-    const auto sample = [&](const char* name, std::size_t k) {
-        return double(picture.frame.find(name)->samples[k]);
-    };
-    std::vector<Pixel> hits;
-    for (std::size_t k = 0; k < picture.frame.find("R")->samples.size(); ++k) {
-        if (Verdict(int(sample("verdict", k))) != Verdict::hit) continue;
-        hits.push_back({glm::dvec3(sample("R", k), sample("G", k), sample("B", k)) / ambient,
-                        {sample("P.X", k), sample("P.Y", k), sample("P.Z", k)},
-                        {sample("N.X", k), sample("N.Y", k), sample("N.Z", k)}});
-    }
-    return hits;
-}
 
 template<class Color>
 void expect_colors(const Picture& picture, std::size_t fewest, Color&& color,

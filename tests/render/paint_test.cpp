@@ -1,5 +1,5 @@
 // Painted surfaces, pixel by pixel: what the GPU computes against double on the CPU.
-#include "render/drawing.h"
+#include "render/material_colors.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,10 +13,6 @@ namespace {
 
 class PaintedPictures : public Drawing {};
 ISOMOTION_ON_EVERY_BACKEND(PaintedPictures);
-
-// Black lights leave what comes from everywhere: 0.12 of the material's colour.
-constexpr double ambient = 0.12;
-const std::string dark = "[[lights]]\ndirection = [0, 0, 1]\ncolor = [0, 0, 0]\n";
 
 std::string paint(const std::string& value, const std::string& range,
                   const std::string& map = "blue-yellow") {
@@ -34,26 +30,6 @@ glm::dvec3 blue_yellow(double u) {
     return {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
             -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
             -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
-}
-
-struct Pixel {
-    glm::dvec3 color, position, normal;
-    double evaluations;
-};
-
-std::vector<Pixel> hits_of(const Picture& picture) {
-    const auto sample = [&](const char* name, std::size_t k) {
-        return double(picture.frame.find(name)->samples[k]);
-    };
-    std::vector<Pixel> hits;
-    for (std::size_t k = 0; k < picture.frame.find("R")->samples.size(); ++k) {
-        if (Verdict(int(sample("verdict", k))) != Verdict::hit) continue;
-        hits.push_back({glm::dvec3(sample("R", k), sample("G", k), sample("B", k)) / ambient,
-                        {sample("P.X", k), sample("P.Y", k), sample("P.Z", k)},
-                        {sample("N.X", k), sample("N.Y", k), sample("N.Z", k)},
-                        sample("evaluations", k)});
-    }
-    return hits;
 }
 
 // `u` of a pixel is where its value stands in the range.
