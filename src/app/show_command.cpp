@@ -148,8 +148,9 @@ int show(const ShowArguments& arguments) {
     print_result("effects   {}\n",
                  called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
     if (const auto& paint = scene.material.paint; paint && paint->shown) {
-        print_result("colormap  {:g} to {:g}, what the surface shows\n", paint->shown->least,
-                     paint->shown->most);
+        print_result("colormap  {:g} to {:g}, {}\n", paint->shown->least, paint->shown->most,
+                     paint->met ? "what the surface shows"
+                                : "as no ray of the pictures looked at meets the surface");
     }
     const double size = synthesis::inlined_size(passes), largest = synthesis::largest_shaders();
     print_result("compiles  {} passes, {:.0f} operations{}\n", passes.list.size(), size,

@@ -129,6 +129,7 @@ struct Paint {
     std::shared_ptr<const formula::Paint> value;
     TrackId low = 0, high = 0;
     std::optional<Range> shown; // in place of both: what the surface shows, see shown_range.h
+    bool met = true;            // ...and whether it shows anything
     ColorMap map = ColorMap::blue_yellow;
 };
 

@@ -181,7 +181,7 @@ int rays_across(const Scene& scene, const formula::Paint& paint, const NearEleme
     const double rays = Effort::operations / frames / (each + 1);
     constexpr double fewest = Effort::fewest_across * Effort::fewest_across;
     if (rays < fewest * Effort::operations / Effort::most_operations)
-        throw TooDear("what the surface shows takes too long to find; give [low, high]");
+        throw NoRange("what the surface shows takes too long to find; give [low, high]");
     return std::clamp(int(std::sqrt(rays)), Effort::fewest_across, Effort::most_across);
 }
 
@@ -193,7 +193,7 @@ int frames_to_show(const Scene& scene) {
         operations += animation.operations(a);
     }
     if (operations * Effort::fewest_frames > 2 * Effort::most_to_have_them)
-        throw TooDear("what the surface shows takes too long to find; give [low, high]");
+        throw NoRange("what the surface shows takes too long to find; give [low, high]");
     const double by_operations = Effort::most_to_have_them / (operations + 1);
     const int frames = int(std::clamp(std::min(Effort::most_values / (values + 1), by_operations),
                                       double(Effort::fewest_frames), double(Effort::most_frames)));
@@ -228,8 +228,12 @@ public:
         const Way way = way_of(rays_, bounds_, at.x, at.y);
         if (!(way.near < way.far)) return none;
         const auto t = surface_.root(way);
-        return t ? surface_.number(way, *t) : none;
+        if (!t) return none;
+        met_ = true;
+        return surface_.number(way, *t);
     }
+
+    bool met() const { return met_; }
 
     void scan(int width, int height, std::span<End> ends) {
         for (int row = 0; row < height; ++row) {
@@ -259,9 +263,11 @@ private:
     MetSurface& surface_;
     const Rays rays_;
     const BoundsAt& bounds_;
+    bool met_ = false;
 };
 
-void look(const Scene& scene, const formula::Paint& paint, bool sums_all,
+// Widens the range by what a frame shows. Whether a ray met the surface.
+bool look(const Scene& scene, const formula::Paint& paint, bool sums_all,
           const ElementFinder& finder, int frame, int frames, Range& range) {
     const SceneAt now = at(scene, scene.timeline.values(frame));
     NearElements elements(finder, now);
@@ -283,11 +289,12 @@ void look(const Scene& scene, const formula::Paint& paint, bool sums_all,
     }
     range.least = std::min(range.least, -ends[0].value);
     range.most = std::max(range.most, ends[1].value);
+    return picture.met();
 }
 
 } // namespace
 
-Range shown_range(const Scene& scene, const formula::Paint& paint) {
+ShownRange shown_range(const Scene& scene, const formula::Paint& paint) {
     const ElementFinder finder(scene);
     const int frames = frames_to_show(scene);
     const auto array = finder.array();
@@ -295,19 +302,24 @@ Range shown_range(const Scene& scene, const formula::Paint& paint) {
         array && !formula::weigh_like_field(paint.graph, paint.field, paint.roots, *array);
     Range none;
     Range range{none.most, none.least};
+    bool met = false;
     for (int k = 0; k < frames; ++k) {
         const int frame =
             1 + int(std::int64_t(scene.timeline.frames - 1) * k / std::max(1, frames - 1));
         try {
-            look(scene, paint, sums_all, finder, frame, frames, range);
+            met = look(scene, paint, sums_all, finder, frame, frames, range) || met;
         } catch (const SceneError&) { // said where the frame is drawn, as is the other
         } catch (const std::length_error&) {
         }
     }
-    if (!(range.least <= range.most)) return {0, 1};
-    if (float(range.least) < float(range.most)) return range;
+    if (!met) return {{0, 1}, false};
+    if (!(range.least <= range.most)) {
+        throw NoRange("the value is no finite number anywhere on the surface, as far as rays of "
+                      "small pictures show; mend it, or give [low, high]");
+    }
+    if (float(range.least) < float(range.most)) return {range};
     const double half = 0.5 * std::max(1.0, std::abs(range.least));
-    return {range.least - half, range.least + half};
+    return {{range.least - half, range.least + half}};
 }
 
 } // namespace isomotion::scene

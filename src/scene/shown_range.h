@@ -7,8 +7,14 @@
 
 namespace isomotion::scene {
 
-struct TooDear : std::runtime_error {
+// Why no range is found.
+struct NoRange : std::runtime_error {
     using std::runtime_error::runtime_error;
+};
+
+struct ShownRange {
+    Range range;
+    bool met = true; // some ray met the surface
 };
 
 // The least and the greatest finite number where the rays of small pictures of some frames, the
@@ -18,7 +24,8 @@ struct TooDear : std::runtime_error {
 // rays' samples may be missed, so some numbers may lie beyond. Where all are the same, that is in
 // the middle of the range; where nothing is met, it is 0 to 1. The paint names no evaluations.
 //
-// Throws TooDear where even few rays take too long.
-Range shown_range(const Scene& scene, const formula::Paint& paint);
+// Throws NoRange where even few rays take too long, and where the surface is met but no number of
+// it is finite.
+ShownRange shown_range(const Scene& scene, const formula::Paint& paint);
 
 } // namespace isomotion::scene

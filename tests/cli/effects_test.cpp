@@ -40,6 +40,9 @@ TEST_F(Effects, ARangeThatIsShownIsTold) {
     EXPECT_EQ(told.code, 0) << told;
     EXPECT_THAT(told.out,
                 testing::ContainsRegex("\ncolormap  -1\\.5[0-9]* to 2, what the surface"));
+    Words empty = with_scene("show", map);
+    empty.insert(empty.end(), {"--set", "surface.formula=x^2 + 1"});
+    EXPECT_THAT(run(empty).out, HasSubstr("\ncolormap  0 to 1, as no ray"));
     // Whichever frames are asked for.
     render({"scene.toml", "-o", "all.#.png"});
     render({"scene.toml", "-o", "one.#.png", "--frames", "2"});

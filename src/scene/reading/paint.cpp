@@ -96,8 +96,10 @@ Paint make_paint(const PaintParts& parts, const SurfaceParts& surface) {
 void find_shown_range(const PaintParts& parts, Scene& scene) {
     if (!parts.shown_node) return;
     try {
-        scene.material.paint->shown = shown_range(scene, *scene.material.paint->value);
-    } catch (const TooDear& error) {
+        const ShownRange shown = shown_range(scene, *scene.material.paint->value);
+        scene.material.paint->shown = shown.range;
+        scene.material.paint->met = shown.met;
+    } catch (const NoRange& error) {
         fail(*parts.shown_node, parts.range_key, error.what());
     }
 }

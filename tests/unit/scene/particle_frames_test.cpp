@@ -9,6 +9,7 @@
 #include "base/fingerprint.h"
 #include "particle_writers.h"
 #include "scene/particles/file_frames.h"
+#include "scene/limits.h"
 #include "scene/source_print.h"
 #include "testing.h"
 
@@ -54,6 +55,21 @@ std::vector<double> xs(const Cloud& cloud) {
     std::vector<double> numbers;
     for (const auto& v : cloud.position) numbers.push_back(double(v[0]));
     return numbers;
+}
+
+// Links of one text, whose lines can only be counted by reading all of it each time.
+TEST_F(ParticleFrames, AreReadToCountThemWithinABudget) {
+    constexpr std::size_t length = 64 << 20;
+    constexpr int frames = int(limits::counted_bytes / length) + 1;
+    write_bytes("all.csv", "x,y,z\n0,0,0\n" + std::string(length, '\n'));
+    for (int k = 1; k <= frames; ++k)
+        std::filesystem::create_symlink("all.csv", folder() / fmt::format("p.{}.csv", k));
+    const std::string file = "file = \"p.#.csv\"";
+    EXPECT_THAT(mistake(scene_of(file, frames)),
+                AllOf(HasSubstr("p.9.csv: more than 536870912 bytes"),
+                      HasSubstr("give the array a count, the most that a file holds")));
+    const Scene scene = loaded(scene_of(file + "\ncount = 1", frames));
+    EXPECT_EQ(at_frame(scene, frames).count, 1);
 }
 
 TEST_F(ParticleFrames, OfEveryFormatWithCountsThatChange) {
