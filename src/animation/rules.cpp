@@ -115,7 +115,7 @@ NodeId Rules::field(int a, int f) {
 NodeId Rules::in_place(const formula::Node& node, NodeId rebuilt) {
     if (node.op == Op::parameter) return track(node.index);
     if (node.op == Op::element) return field(node.index, node.second);
-    if (node.op == Op::sum) used_.counts.insert(node.index);
+    if (formula::is_over_elements(node.op)) used_.counts.insert(node.index);
     return rebuilt;
 }
 

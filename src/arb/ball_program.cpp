@@ -195,13 +195,12 @@ void BallProgram::evaluate(const formula::Bindings<double>& bindings, std::span<
     std::vector<Loop> loops;
     for (std::size_t at = 0; at < code.size(); ++at) {
         const Instruction& now = code[at];
-        const auto result = [&] { return registers_[std::size_t(now.result)].get(); };
         switch (now.kind) {
-        case Instruction::Kind::zero:
-            arb_zero(result());
+        case Instruction::Kind::begin:
+            begin(now);
             break;
         case Instruction::Kind::accumulate:
-            arb_add(result(), result(), registers_[std::size_t(now.operands[0])].get(), precision);
+            accumulate(now, loops.back().element, precision);
             break;
         case Instruction::Kind::loop_begin:
             if (bindings.arrays[std::size_t(now.index)].count > 0) {
@@ -224,6 +223,29 @@ void BallProgram::evaluate(const formula::Bindings<double>& bindings, std::span<
     }
     for (std::size_t o = 0; o < outputs.size(); ++o) {
         outputs[o] = registers_[std::size_t(program_->outputs[o])];
+    }
+}
+
+void BallProgram::begin(const Instruction& now) {
+    Ball least_of_none;
+    arb_pos_inf(least_of_none.get());
+    registers_[std::size_t(now.result)] = now.op == Op::least ? least_of_none : Ball();
+    if (formula::keeps_least(now.op)) registers_[std::size_t(now.operands[2])] = least_of_none;
+}
+
+void BallProgram::accumulate(const Instruction& now, int element, slong precision) {
+    Ball& ball = registers_[std::size_t(now.result)];
+    const Ball& a = registers_[std::size_t(now.operands[0])];
+    if (now.op == Op::sum) {
+        arb_add(ball.get(), ball.get(), a.get(), precision);
+    } else if (now.op == Op::least) {
+        arb_min(ball.get(), ball.get(), a.get(), precision);
+    } else {
+        Ball& least = registers_[std::size_t(now.operands[2])];
+        const Ball value =
+            now.op == Op::pick ? registers_[std::size_t(now.operands[1])] : Ball(element + 1.0);
+        select(ball, a, least, value, Ball(ball), precision);
+        arb_min(least.get(), least.get(), a.get(), precision);
     }
 }
 
@@ -298,7 +320,10 @@ void BallProgram::operation(const Instruction& now, const formula::Bindings<doub
         select(ball, operand(0), operand(1), operand(2), operand(3), precision);
         break;
     case Op::sum:
-        throw std::logic_error("a sum is scheduled as a loop");
+    case Op::least:
+    case Op::pick:
+    case Op::which:
+        throw std::logic_error("what goes through elements is scheduled as a loop");
     }
 }
 

@@ -2,7 +2,8 @@
 //
 // It has nothing in common with Evaluator<Interval> but the program. Values are those on paper:
 // what Operations<double> cuts off at saturation is not cut off here, and what has no value (x/0,
-// the logarithm of 0, a power of a negative number) is a ball without bounds. A ball of which only
+// the logarithm of 0, a power of a negative number, the least of no elements) is a ball without
+// bounds. A ball of which only
 // a part has a value stands for that part under sqrt, asin, acos and real powers, as rounding
 // carries balls of |x| below 0 and those of cosines beyond 1.
 #pragma once
@@ -30,6 +31,8 @@ private:
         std::size_t begin;
         int array, element;
     };
+    void begin(const formula::Instruction& now);
+    void accumulate(const formula::Instruction& now, int element, slong precision);
     void operation(const formula::Instruction& now, const formula::Bindings<double>& bindings,
                    std::span<const Ball> inputs, const std::vector<Loop>& loops, slong precision);
 

@@ -19,7 +19,9 @@ public:
         : root_free_(root_free)
         , sums_(root_free.at_most.size())
         , has_levels_(std::ranges::all_of(root_free.at_most, [](double s) { return s > 0; }))
-        , bounds_(cells * sums_, 0.0f) {}
+        , bounds_(cells * sums_, is_least() ? root_free.least : 0.0f) {}
+
+    bool is_least() const { return root_free_.at_least.has_value(); }
 
     // An element's set of quadric k, whose form's root is at least that in the cell.
     void add(std::uint32_t element, int k, double root, std::size_t cell) {
@@ -27,17 +29,27 @@ public:
         for (std::size_t sum = 0; sum < sums_; ++sum) {
             if (root_free_.quadric_of[sum] != k) continue;
             const int shell = std::min(int(root * shells), shells - 1);
-            bounds_[cell * sums_ + sum] +=
+            const float size =
                 root_free_.sizes[(element * sums_ + sum) * shells + std::size_t(shell)];
+            float& bound = bounds_[cell * sums_ + sum];
+            bound = is_least() ? std::min(bound, size) : bound + size;
         }
     }
     bool are_free(std::size_t cell, std::uint32_t elements) const {
         if (elements == 0 && root_free_.is_emptiness) return true;
+        if (is_least()) return double(bounds_[cell]) >= *root_free_.at_least;
         if (sums_ == 0 || !has_levels_) return false;
         for (std::size_t sum = 0; sum < sums_; ++sum) {
             if (!(bound(cell, sum, elements) <= root_free_.at_most[sum])) return false;
         }
         return true;
+    }
+    // Bounds of a sum in a cell; what lists leave out is not in it.
+    Interval sum(std::size_t cell, std::size_t sum, std::uint32_t elements) const {
+        if (is_least()) return {double(bounds_[cell]), formula::infinity};
+        const double most = bound(cell, sum, elements);
+        const Interval& signs = root_free_.signs[sum];
+        return {signs.lo * most, signs.hi * most};
     }
     // At least what is listed of a sum is in size.
     double bound(std::size_t cell, std::size_t sum, std::uint32_t elements) const {

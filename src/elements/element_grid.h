@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,7 @@
 
 #include "elements/quadric.h"
 #include "elements/sums_at_roots.h"
+#include "formula/graph/operations.h"
 
 namespace isomotion::elements {
 
@@ -45,6 +47,9 @@ struct ElementGrid {
     std::uint32_t longest = 0; // list
     // Bounds of what lists leave out of each sum; 0: nothing, terms are 0 there.
     std::vector<double> left_out;
+    // Where F asks for the least element: no key is less of any that a list leaves out, and roots
+    // are the same if that is put in place of whatever is more.
+    float least = formula::Operations<float>::least_of_none();
 
     const Cell& at(const glm::ivec3& place) const {
         return cells[std::size_t((place.z * across.y + place.y) * across.x + place.x)];
@@ -65,11 +70,14 @@ struct GridLimits {
     int threads = 1;
 };
 
-// What tells cells without roots: the sums there are too small.
+// What tells cells without roots: the sums there are too small, or the least key is too large.
 struct RootFree {
     std::span<const int> quadric_of; // of each sum
-    std::span<const float> sizes;    // ElementTerms::sizes() of all elements
-    std::vector<double> at_most;     // F has no root where each sum is at most this; 0: unknown
+    std::span<const float> sizes{};  // ElementTerms::sizes() of all elements
+    std::vector<double> at_most{};   // F has no root where each sum is at most this; 0: unknown
+    // Of a `least`: F has no root where it is at least this; infinite: unknown.
+    std::optional<double> at_least{};
+    float least = 0; // as of the grid
     bool is_emptiness = false;       // F has no root where there is no element
     // Else: what looks for roots cell by cell, with bounds of the sums there.
     const SumsAtRoots* roots = nullptr;

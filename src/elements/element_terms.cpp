@@ -88,8 +88,7 @@ public:
         const auto keeps = [&](int l) {
             for (int sum = 0; sum < of_.sums(); ++sum) {
                 if (of_.kernels_.quadric_of[std::size_t(sum)] == k &&
-                    !(magnitude(term(sum, l)) <=
-                      std::max(tolerance[std::size_t(sum)], rounded_0))) {
+                    !of_.keeps(term(sum, l), tolerance[std::size_t(sum)])) {
                     return false;
                 }
             }
@@ -160,6 +159,10 @@ ElementTerms::ElementTerms(const formula::ElementKernels& kernels,
         field_ranges_.emplace_back(low, high);
     }
     alike_ = count_ > 0 && has_equal_terms();
+}
+
+bool ElementTerms::keeps(const Interval& term, double tolerance) const {
+    return is_least() ? term.lo >= tolerance : magnitude(term) <= std::max(tolerance, rounded_0);
 }
 
 std::span<const float> ElementTerms::column(std::size_t input) const {
@@ -277,9 +280,13 @@ void ElementTerms::sizes(std::span<const LevelSet> sets, int first, int last,
             lanes.run(count);
             for (int l = 0; l < count; ++l) {
                 for (int sum = 0; sum < all; ++sum) {
-                    const double size = magnitude(lanes.term(sum, l));
-                    number(begin + l, sum, shell) = std::nextafter(
-                        float(std::min(size, 1e38)), std::numeric_limits<float>::infinity());
+                    constexpr float infinite = std::numeric_limits<float>::infinity();
+                    const Interval& term = lanes.term(sum, l);
+                    const double size =
+                        is_least() ? std::clamp(term.lo, -1e38, 1e38)
+                                   : std::min(magnitude(term), 1e38);
+                    number(begin + l, sum, shell) =
+                        std::nextafter(float(size), is_least() ? -infinite : infinite);
                 }
             }
         }

@@ -18,6 +18,7 @@ public:
                  const Region& region);
 
     int count() const { return count_; }
+    bool is_least() const { return kernels_.is_least; }
     int sums() const { return kernels_.sums(); }
     int quadrics() const { return kernels_.quadrics; }
     const Quadric& quadric(int element, int k) const {
@@ -27,13 +28,13 @@ public:
 
     // The level sets of elements [first, last), one for each quadric of the first element, then of
     // the next: outside of them each term is at most the tolerance of its sum, by interval
-    // arithmetic. From any thread.
+    // arithmetic; each key of a `least` is at least its tolerance. From any thread.
     void level_sets(std::span<const double> tolerance, int first, int last,
                     std::span<LevelSet> found) const;
 
     // Bounds of the terms' sizes in shells of their level sets: for each element and each sum
     // `shells` numbers, from the middle outwards, where the form's root is at least k / shells.
-    // Holds for all places beyond as well.
+    // Holds for all places beyond as well. Of keys, lower bounds.
     static constexpr int shells = 8;
     void sizes(std::span<const LevelSet> sets, int first, int last, std::span<float> found) const;
 
@@ -42,6 +43,7 @@ public:
 
 private:
     class Lanes;
+    bool keeps(const Interval& term, double tolerance) const;
 
     void read_quadrics();
     bool has_equal_terms() const;

@@ -49,12 +49,16 @@ FieldByPlace::Frame FieldByPlace::at(const formula::Bindings<float>& bindings, c
     return frame;
 }
 
-Interval FieldByPlace::Frame::left_out(formula::NodeId sum) const {
+FieldByPlace::Frame::Rest FieldByPlace::Frame::rest(const formula::SumsApart::Sum& sum) const {
+    if (sum.op != formula::Op::sum) {
+        const Interval least(double(grid_.least), formula::infinity);
+        return {sum.op == formula::Op::least ? least : Interval::entire(), least};
+    }
     const std::vector<formula::NodeId>& own = programs().sums_of_field;
-    const auto at = std::ranges::find(own, sum);
-    if (at == own.end() || grid_.left_out.empty()) return 0.0;
+    const auto at = std::ranges::find(own, sum.node);
+    if (at == own.end() || grid_.left_out.empty()) return {0.0, 0.0};
     const double most = grid_.left_out[std::size_t(at - own.begin())];
-    return {-most, most};
+    return {{-most, most}, 0.0};
 }
 
 BoxesByPlace::BoxesByPlace(const formula::SumsApart& program, const FieldByPlace::Frame& frame)
@@ -65,9 +69,9 @@ BoxesByPlace::BoxesByPlace(const formula::SumsApart& program, const FieldByPlace
     , seen_(std::size_t(frame.elements()), 0)
     , places_(std::size_t(program.places))
     , fields_(program.fields.size())
-    , term_values_(program.sums.size())
+    , term_values_(program.terms.outputs.size())
     , sums_(program.sums.size()) {
-    for (const formula::NodeId sum : program.sums) left_out_.push_back(frame.left_out(sum));
+    for (const formula::SumsApart::Sum& sum : program.sums) left_out_.push_back(frame.rest(sum));
 }
 
 bool BoxesByPlace::look_up(const Interval& x, const Interval& y, const Interval& z) {
@@ -118,11 +122,32 @@ void BoxesByPlace::add_up(std::span<const std::span<const Interval>> inputs, std
         to.emplace_back(values);
     }
     terms_.points(frame_.others(), from, to);
-    for (std::size_t k = 0; k < sums_.size(); ++k) {
-        Interval& sum = sums_[k][box];
-        sum = left_out_[k];
-        for (const Interval& term : term_values_[k]) sum = sum + term;
+    for (std::size_t k = 0; k < sums_.size(); ++k) sums_[k][box] = over_found(k);
+}
+
+Interval BoxesByPlace::over_found(std::size_t which) const {
+    using Do = formula::Operations<Interval>;
+    const formula::SumsApart::Sum& sum = program_.sums[which];
+    const std::vector<Interval>& terms = term_values_[std::size_t(sum.term)];
+    auto [all, least] = left_out_[which];
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+        switch (sum.op) {
+        case formula::Op::sum:
+            all = all + terms[k];
+            break;
+        case formula::Op::least:
+            all = Do::min(terms[k], all);
+            break;
+        default: {
+            const bool picks = sum.op == formula::Op::pick;
+            const Interval value =
+                picks ? term_values_[std::size_t(sum.term + 1)][k] : Interval(double(k + 1));
+            all = Do::select(terms[k], least, value, all);
+            least = Do::min(terms[k], least);
+        }
+        }
     }
+    return all;
 }
 
 void BoxesByPlace::points(std::span<const std::span<const Interval>> inputs,

@@ -1,6 +1,7 @@
 // Encloses a field over boxes at one frame, from the elements that matter there.
 //
-// What lists leave out of a sum is a number at each place, within bounds that the grid tells. All
+// What lists leave out of a sum is a number at each place, within bounds that the grid tells; left
+// out of what may be the least element are some whose keys are not less than a number. All
 // that is said of values holds for each such number. So does what is said of slopes, taken as if
 // the number were the same along the box: where a slope has one sign for each of them, values
 // between two places lie between those at the two.
@@ -34,8 +35,13 @@ public:
         // A field of the array, one number an element.
         std::span<const float> column(int field) const { return columns_[std::size_t(field)]; }
         const formula::Bindings<Interval>& others() const { return others_; }
-        // Bounds of what lists leave out of this sum of a program; 0 of sums in derivatives alone.
-        Interval left_out(formula::NodeId sum) const;
+        // What a sum of a program begins with, of all that lists leave out: bounds of it, which
+        // are 0 of sums in derivatives alone; of what asks for the least element, any that is not
+        // less than the grid's least.
+        struct Rest {
+            Interval sum, least;
+        };
+        Rest rest(const formula::SumsApart::Sum& sum) const;
 
     private:
         friend class FieldByPlace;
@@ -72,11 +78,12 @@ private:
     // Collects the elements of the box's cells; false if they are too many.
     bool look_up(const Interval& x, const Interval& y, const Interval& z);
     void add_up(std::span<const std::span<const Interval>> inputs, std::size_t box);
+    Interval over_found(std::size_t sum) const;
 
     const formula::SumsApart& program_;
     const FieldByPlace::Frame& frame_;
     formula::Evaluator<Interval> terms_, rest_;
-    std::vector<Interval> left_out_; // of each sum
+    std::vector<FieldByPlace::Frame::Rest> left_out_; // of each sum
     std::vector<std::uint32_t> found_, seen_;
     std::uint32_t turn_ = 0;
     std::vector<std::vector<Interval>> places_, fields_, term_values_, sums_;

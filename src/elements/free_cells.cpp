@@ -117,9 +117,7 @@ public:
             const std::uint32_t elements = grid_.at(place).packed;
             const std::size_t cell = columns_.index(place);
             for (std::size_t sum = 0; sum < sums_.sums(); ++sum) {
-                const double most = sums_.bound(cell, sum, elements);
-                const Interval& signs = root_free_.signs[sum];
-                inputs_[3 + sum].push_back(Interval(signs.lo * most, signs.hi * most) +
+                inputs_[3 + sum].push_back(sums_.sum(cell, sum, elements) +
                                            root_free_.left_out[sum]);
             }
         }

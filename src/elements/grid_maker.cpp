@@ -1,6 +1,7 @@
 #include "elements/grid_maker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "base/workers.h"
@@ -77,22 +78,60 @@ Tolerances GridMaker::choose(const ElementTerms& terms, std::vector<double> litt
 std::optional<GridMaker> GridMaker::of(const formula::Field& field, int array) {
     auto kernels = formula::element_kernels(field, array);
     if (!kernels) return std::nullopt;
-    return GridMaker(std::move(*kernels), SumsAtRoots(field, array));
+    return GridMaker(field, std::move(*kernels));
+}
+
+GridMaker::GridMaker(const formula::Field& field, formula::ElementKernels kernels)
+    : kernels_(std::move(kernels))
+    , roots_(field, kernels_.array) {
+    if (kernels_.is_least) least_.emplace(field, kernels_.array);
+}
+
+// Elements are known out to a little beyond where they matter: F has its slopes around its roots.
+float GridMaker::least_left_out(const ElementTerms& terms, const formula::Bindings<float>& bindings,
+                                const Region& region, RootFree& root_free) const {
+    constexpr double beyond = 1.5; // times the size where elements matter
+    constexpr int halvings = 10;
+    const float none = formula::Operations<float>::least_of_none();
+    const Interval range = terms.bounds(0, 0);
+    const auto enough = least_->enough(bindings, region, range);
+    if (!enough) return none;
+    const auto size = [&](double key) { return mean_size(terms, {&key, 1}); };
+    const double most = beyond * size(*enough);
+    double low = *enough, high = range.hi;
+    for (int k = 0; k < halvings; ++k) {
+        const double middle = low + 0.5 * (high - low);
+        (size(middle) <= most ? low : high) = middle;
+    }
+    const Interval above(*enough, formula::infinity);
+    if (roots_.exclude(bindings, region, {&above, 1})) {
+        root_free.at_least = *enough;
+        root_free.is_emptiness = true;
+    }
+    // Rounded up, never beyond what there is.
+    return std::min(std::nextafter(float(low), none), none);
 }
 
 ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Region& region,
                             const GridLimits& limits) const {
     const ElementTerms terms(kernels_, bindings, region);
     const std::vector<Interval> units = units_of(terms);
-    RootFree root_free{kernels_.quadric_of,
-                       {},
-                       times(units, [&] { return roots_.least(bindings, region, units); }),
-                       roots_.are_everything(bindings, region)};
-    // How large sums are where little is left out of them.
-    std::vector<double> at_roots = root_free.at_most;
-    if (std::ranges::all_of(at_roots, [](double size) { return size == 0; }))
-        at_roots = times(units, [&] { return roots_.sensitivity(bindings, region, units); });
-    const Tolerances left_out = choose(terms, std::move(at_roots), region);
+    RootFree root_free{.quadric_of = kernels_.quadric_of};
+    Tolerances left_out;
+    if (terms.is_least()) {
+        root_free.at_most = {0};
+        root_free.at_least = formula::infinity;
+        root_free.least = least_left_out(terms, bindings, region, root_free);
+        left_out = {{double(root_free.least)}, {0}};
+    } else {
+        root_free.at_most = times(units, [&] { return roots_.least(bindings, region, units); });
+        root_free.is_emptiness = roots_.are_everything(bindings, region);
+        // How large sums are where little is left out of them.
+        std::vector<double> at_roots = root_free.at_most;
+        if (std::ranges::all_of(at_roots, [](double size) { return size == 0; }))
+            at_roots = times(units, [&] { return roots_.sensitivity(bindings, region, units); });
+        left_out = choose(terms, std::move(at_roots), region);
+    }
     const auto each = std::size_t(terms.quadrics()), sums = std::size_t(terms.sums());
     std::vector<LevelSet> sets(std::size_t(terms.count()) * each);
     std::vector<float> sizes(std::size_t(terms.count()) * sums * ElementTerms::shells);
@@ -122,6 +161,7 @@ ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Regi
     }
     ElementGrid grid = make_grid(region, sets, terms.quadrics(), root_free, limits);
     grid.left_out = left_out.of_sum;
+    if (terms.is_least()) grid.least = root_free.least;
     return grid;
 }
 

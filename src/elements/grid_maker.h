@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "elements/element_grid.h"
+#include "elements/least_at_roots.h"
 #include "elements/sums_at_roots.h"
 #include "elements/tolerance.h"
 #include "formula/element_kernels.h"
@@ -12,11 +13,12 @@ namespace isomotion::elements {
 
 // For one array of a field. Lists leave out elements whose terms are 0 by interval arithmetic, or,
 // of kernels that fade without end, so many of the smallest that they add up to less than
-// part_left_out (tolerance.h) of what the sum is at roots. Where no bound is found, a list holds
-// all elements.
+// part_left_out (tolerance.h) of what the sum is at roots. Of least(array, key), those whose key is
+// so large that no root depends on it. Where no bound is found, a list holds all elements.
 class GridMaker {
 public:
-    // None if the terms of the array's sums are no kernels of a distance (element_kernels.h).
+    // None if the terms of the array's sums, or the key of its least element, are no kernels of a
+    // distance (element_kernels.h).
     static std::optional<GridMaker> of(const formula::Field& field, int array);
 
     ElementGrid make(const formula::Bindings<float>& bindings, const Region& region,
@@ -25,15 +27,17 @@ public:
     int array() const { return kernels_.array; }
 
 private:
-    GridMaker(formula::ElementKernels kernels, SumsAtRoots roots)
-        : kernels_(std::move(kernels))
-        , roots_(std::move(roots)) {}
+    GridMaker(const formula::Field& field, formula::ElementKernels kernels);
 
+    // How large keys are that need not be known, and what that tells of roots.
+    float least_left_out(const ElementTerms& terms, const formula::Bindings<float>& bindings,
+                         const Region& region, RootFree& root_free) const;
     static Tolerances choose(const ElementTerms& terms, std::vector<double> little,
                              const Region& region);
 
     formula::ElementKernels kernels_;
     SumsAtRoots roots_;
+    std::optional<LeastAtRoots> least_;
 };
 
 } // namespace isomotion::elements

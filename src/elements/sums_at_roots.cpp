@@ -80,7 +80,7 @@ SumsAtRoots::SumsAtRoots(const formula::Field& field, int array)
     graph.fold_exactly();
     const auto as_input = [&](formula::Graph& g, const formula::Node& node,
                               formula::NodeId rebuilt) {
-        const bool is_sum = node.op == formula::Op::sum && node.index == array;
+        const bool is_sum = formula::is_over_elements(node.op) && node.index == array;
         return is_sum ? g.input(3 + sums_++) : rebuilt;
     };
     const formula::NodeId root =
@@ -145,10 +145,15 @@ double SumsAtRoots::least(const formula::Bindings<float>& bindings, const Region
     return low;
 }
 
+bool SumsAtRoots::exclude(const formula::Bindings<float>& bindings, const Region& region,
+                          std::span<const Interval> sums) const {
+    Boxes boxes(*this, bindings);
+    return exclude(boxes, region, sums);
+}
+
 bool SumsAtRoots::are_everything(const formula::Bindings<float>& bindings,
                                  const Region& region) const {
-    Boxes boxes(*this, bindings);
-    return exclude(boxes, region, std::vector<Interval>(std::size_t(sums_), Interval(0.0)));
+    return exclude(bindings, region, std::vector<Interval>(std::size_t(sums_), Interval(0.0)));
 }
 
 double SumsAtRoots::sensitivity(const formula::Bindings<float>& bindings, const Region& region,

@@ -2,7 +2,7 @@
 //
 // A root of F = level - S is where S is the level: what is small beside that may be left out of S.
 // Found for any expression of sums, by intervals: F without its sums' terms, with a number for
-// each sum.
+// each sum. The least element's key counts as one.
 #pragma once
 
 #include <array>
@@ -25,6 +25,9 @@ public:
                  std::span<const formula::Interval> units) const;
     // Whether F has no root in the region without elements.
     bool are_everything(const formula::Bindings<float>& bindings, const Region& region) const;
+    // Whether F has no root in the region with these bounds of the sums.
+    bool exclude(const formula::Bindings<float>& bindings, const Region& region,
+                 std::span<const formula::Interval> sums) const;
 
     // Where sums are as small as one likes at roots, as of z - S: how much of them, in their units,
     // moves the roots by as much as they are wide, or is all that a sum is there; the least of it

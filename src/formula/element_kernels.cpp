@@ -87,8 +87,11 @@ std::optional<ElementKernels> element_kernels(const Field& field, int array) {
 
     ElementKernels kernels;
     kernels.array = array;
+    kernels.is_least = graph[sums[0]].op == Op::least;
+    if (kernels.is_least && sums.size() > 1) return std::nullopt;
     std::vector<NodeId> quadrics, terms;
     for (const NodeId sum : sums) {
+        if (graph[sum].op != (kernels.is_least ? Op::least : Op::sum)) return std::nullopt;
         const NodeId term = graph[sum].children[0];
         const std::optional<NodeId> quadric = quadric_of(graph, term);
         if (!quadric) return std::nullopt;

@@ -4,7 +4,8 @@
 // r^2 = (x - cx)^2 + ..., or |G (x - c)|^2 of an anisotropic kernel. In the graph of such a term
 // one polynomial of degree 2 stands between the coordinates and all else. An element then matters
 // inside of a level set of its polynomial, which is an ellipsoid; found so from the formula,
-// whatever its names and however it is written.
+// whatever its names and however it is written. The keys of least(array, key) are looked at in the
+// same way: an element may be the least inside of a level set.
 #pragma once
 
 #include <optional>
@@ -21,6 +22,7 @@ struct ElementKernels {
     static constexpr std::size_t most_sums = 32;
 
     int array = 0;
+    bool is_least = false;       // one `least` in place of sums; its term is the key
     std::vector<int> fields;     // of the array, that the programs read, as inputs
     int quadrics = 0;            // polynomials, those of several sums counted once
     std::vector<int> quadric_of; // of each sum
@@ -34,7 +36,7 @@ struct ElementKernels {
 };
 
 // Of the sums over `array`, if they are not too many, each has such a polynomial, and none holds a
-// sum or is in one.
+// sum or is in one; or of one `least` and no sums.
 std::optional<ElementKernels> element_kernels(const Field& field, int array);
 
 } // namespace isomotion::formula

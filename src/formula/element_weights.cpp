@@ -106,6 +106,15 @@ std::vector<NodeId> terms_over(const Graph& graph, NodeId root, int array) {
     return terms;
 }
 
+// Whether the field asks for the same least element.
+bool holds_least(const Graph& graph, NodeId field, const Node& asked) {
+    return std::ranges::any_of(nodes_below(graph, std::array{field}), [&](NodeId id) {
+        const Node& node = graph[id];
+        return node.op == Op::least && node.index == asked.index &&
+               node.children[0] == asked.children[0];
+    });
+}
+
 } // namespace
 
 std::optional<NodeId> element_weight(const Graph& graph, NodeId field, int array) {
@@ -131,7 +140,8 @@ bool weigh_like_field(const Graph& graph, NodeId field, std::span<const NodeId> 
         of_field.push_back(factors_of(graph, term));
     return std::ranges::all_of(nodes_below(graph, roots), [&](NodeId id) {
         const Node& node = graph[id];
-        if (node.op != Op::sum || node.index != array) return true;
+        if (!is_over_elements(node.op) || node.index != array) return true;
+        if (node.op != Op::sum) return holds_least(graph, field, node);
         const Factors term = factors_of(graph, node.children[0]);
         return std::ranges::any_of(of_field, [&](const Factors& known) {
             return are_alike(term, known, readers) && holds(term, known, readers);

@@ -52,6 +52,7 @@ Field make_field(std::string_view text, Vocabulary vocabulary) {
     Field field;
     field.text = text;
     vocabulary.inputs = coordinate_names;
+    vocabulary.allows_picks = false;
     field.root = parse(text, vocabulary, field.graph);
     derive_programs(field);
     field.packing = packing_of(vocabulary.arrays.size(),

@@ -92,7 +92,7 @@ std::set<NodeId> sums_below(const Graph& graph, NodeId root) {
         stack.pop_back();
         if (!seen.insert(id).second) continue;
         const Node& node = graph[id];
-        if (node.op == Op::sum) found.insert(id);
+        if (is_over_elements(node.op)) found.insert(id);
         for (int k = 0; k < node.arity; ++k) stack.push_back(node.children[std::size_t(k)]);
     }
     return found;
@@ -103,6 +103,7 @@ std::set<NodeId> sums_below(const Graph& graph, NodeId root) {
 std::optional<LinearSum> linear_sum(const Field& field) {
     const std::set<NodeId> sums = sums_below(field.graph, field.root);
     if (field.packing.size() != 1 || sums.size() != 1) return std::nullopt;
+    if (field.graph[*sums.begin()].op != Op::sum) return std::nullopt;
     Graph graph = field.graph;
     const auto parts = Splitter(graph, *sums.begin()).split(field.root);
     if (!parts) return std::nullopt;

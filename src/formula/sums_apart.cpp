@@ -11,15 +11,17 @@ std::vector<NodeId> sums_over(const Graph& graph, std::span<const NodeId> roots,
     std::vector<NodeId> sums;
     for (const NodeId id : nodes_below(graph, roots)) {
         const Node& node = graph[id];
-        if (node.op != Op::sum) continue;
-        const NodeId term = node.children[0];
+        if (!is_over_elements(node.op)) continue;
+        const std::span<const NodeId> terms(node.children.data(), node.arity);
         const bool over_it = node.index == array;
-        const std::uint32_t in_loops = node.arrays | graph[term].arrays, own = 1u << array;
+        const std::uint32_t own = 1u << array;
+        std::uint32_t in_loops = node.arrays;
+        for (const NodeId term : terms) in_loops |= graph[term].arrays;
         const bool is_nested = over_it ? (in_loops & ~own) != 0 : (in_loops & own) != 0;
         if (is_nested) return {};
         if (!over_it) continue;
-        for (const NodeId below : nodes_below(graph, std::array{term})) {
-            if (graph[below].op == Op::sum) return {};
+        for (const NodeId below : nodes_below(graph, terms)) {
+            if (is_over_elements(graph[below].op)) return {};
         }
         sums.push_back(id);
     }
@@ -37,16 +39,20 @@ std::optional<SumsApart> sums_apart(const Graph& graph, std::span<const NodeId> 
                                     int places) {
     SumsApart apart;
     apart.places = places;
-    apart.sums = sums_over(graph, roots, array);
+    const std::vector<NodeId> sums = sums_over(graph, roots, array);
     bool is_summed = false;
     for (const NodeId id : nodes_below(graph, roots)) {
         const Node& node = graph[id];
-        is_summed = is_summed || (node.op == Op::sum && node.index == array);
+        is_summed = is_summed || (is_over_elements(node.op) && node.index == array);
     }
-    if (is_summed && apart.sums.empty()) return std::nullopt;
+    if (is_summed && sums.empty()) return std::nullopt;
 
     std::vector<NodeId> bodies;
-    for (const NodeId sum : apart.sums) bodies.push_back(graph[sum].children[0]);
+    for (const NodeId sum : sums) {
+        const Node& node = graph[sum];
+        apart.sums.push_back({sum, node.op, int(bodies.size())});
+        bodies.insert(bodies.end(), node.children.begin(), node.children.begin() + node.arity);
+    }
     Graph terms;
     terms.fold_exactly();
     const auto of_fields = FieldsAsInputs(apart.fields, array, places);
@@ -56,7 +62,7 @@ std::optional<SumsApart> sums_apart(const Graph& graph, std::span<const NodeId> 
     rest.fold_exactly();
     int next = places;
     const auto as_input = [&](Graph& to, const Node& node, NodeId rebuilt) {
-        const bool is_one = node.op == Op::sum && node.index == array;
+        const bool is_one = is_over_elements(node.op) && node.index == array;
         return is_one ? to.input(next++) : rebuilt;
     };
     apart.rest = schedule(rest, substitute(rest, graph, roots, as_input));

@@ -111,7 +111,7 @@ std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const sc
     }
     if (grid) {
         const std::array<glm::vec4, synthesis::grid_vectors> described{
-            wide(grid->low), wide(grid->cell), wide(grid->across)};
+            wide(grid->low, double(grid->least)), wide(grid->cell), wide(grid->across)};
         const std::size_t begin = (vectors + std::size_t(passes.count_vectors)) * 16;
         std::memcpy(block.data() + begin, described.data(), sizeof described);
     }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "formula/glsl/glsl.h"
 #include "synthesis/shader_text.h"
 
 namespace isomotion::synthesis {
@@ -55,9 +56,12 @@ std::string over_all_elements(const FieldStorage& storage, const std::string& gl
     return fmt::format("int all_count = array_counts[{2}].{3};\n"
                        "vec4 all_texel(int element, int texel) {{ return texelFetch({0}, element * "
                        "{1} + texel); }}\n"
-                       "#define {0}_count all_count\n#define {0}_texel all_texel\n{4}"
-                       "#undef {0}_count\n#undef {0}_texel\n",
-                       array.name, array.texels, a / 4, "xyzw"[a % 4], glsl);
+                       "#define {0}_count all_count\n#define {0}_texel all_texel\n"
+                       "#undef {0}_least\n#define {0}_least {5}\n{4}"
+                       "#undef {0}_count\n#undef {0}_texel\n#undef {0}_least\n"
+                       "#define {0}_least GRID_LEAST\n",
+                       array.name, array.texels, a / 4, "xyzw"[a % 4], glsl,
+                       formula::glsl_least_of_none());
 }
 
 std::string in_cells(FieldFunction function, const std::string& glsl) {

@@ -34,12 +34,13 @@ std::string declarations(const FieldStorage& storage) {
         if (array.has_grid) {
             text += fmt::format("uniform samplerBuffer {0};\n#define GRID_COUNT {0}_count\n"
                                 "vec4 array_grid[{1}] = vec4[{1}](grid_block[0], grid_block[1], "
-                                "grid_block[2]);\n",
+                                "grid_block[2]);\n#define {0}_least GRID_LEAST\n",
                                 array.name, grid_vectors);
             continue;
         }
         text +=
-            fmt::format("int {}_count = array_counts[{}].{};\n", array.name, a / 4, "xyzw"[a % 4]);
+            fmt::format("int {0}_count = array_counts[{1}].{2};\n#define {0}_least {3}\n", array.name,
+                        a / 4, "xyzw"[a % 4], formula::glsl_least_of_none());
         std::string element = "element";
         if (array.has_lists) {
             // Another list than all elements, once entered.

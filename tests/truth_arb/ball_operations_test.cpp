@@ -78,7 +78,9 @@ INSTANTIATE_TEST_SUITE_P(Balls, EveryOperation,
                                          "smoothmin(x, y, z)", "abs(x)^2.5", "abs(x)^y",
                                          "pow(x, 3)", "chebyshev(9, x/2)", "chebyshev(24, x/3)",
                                          "a*x + b*y + c", "sum(blobs, weight*exp(-(x - cx)^2))",
-                                         "sum(blobs, cx*sum(links, px*abs(y - py)))"));
+                                         "sum(blobs, cx*sum(links, px*abs(y - py)))",
+                                         "least(blobs, (x - cx)^2 + (y - cy)^2)",
+                                         "greatest(blobs, cx*x + cy*y, cx - x)"));
 
 // Against intervals, whose ends belong to them.
 TEST(Ball, IsInAnIntervalOrApart) {

@@ -151,9 +151,7 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings, std::span<co
             continue;
         }
         const Lanes<T> to = lanes<Count>(now.result);
-        const Lanes<T> a = lanes<Count>(now.kind == Instruction::Kind::accumulate || now.arity > 0
-                                            ? now.operands[0]
-                                            : now.result);
+        const Lanes<T> a = lanes<Count>(now.arity > 0 ? now.operands[0] : now.result);
         const Lanes<T> b = lanes<Count>(now.arity > 1 ? now.operands[1] : now.result);
         const auto each = [&](auto&& value) {
             for (int lane = 0; lane < Count; ++lane) to.set(lane, value(lane));
@@ -161,12 +159,26 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings, std::span<co
         const auto all = [&](T value) {
             for (int lane = 0; lane < Count; ++lane) to.set(lane, value);
         };
-        if (now.kind == Instruction::Kind::zero) {
-            all(T(0));
+        if (now.kind == Instruction::Kind::begin) {
+            all(now.op == Op::least ? Do::least_of_none() : T(0));
+            if (!keeps_least(now.op)) continue;
+            const Lanes<T> least = lanes<Count>(now.operands[2]);
+            for (int lane = 0; lane < Count; ++lane) least.set(lane, Do::least_of_none());
             continue;
         }
         if (now.kind == Instruction::Kind::accumulate) {
-            each([&](int l) { return Do::add(to[l], a[l]); });
+            if (now.op == Op::sum) {
+                each([&](int l) { return Do::add(to[l], a[l]); });
+            } else if (now.op == Op::least) { // what is no number is passed over
+                each([&](int l) { return Do::min(a[l], to[l]); });
+            } else {
+                const Lanes<T> least = lanes<Count>(now.operands[2]);
+                const T number = T(loops_.back().element + 1);
+                each([&](int l) {
+                    return Do::select(a[l], least[l], now.op == Op::pick ? b[l] : number, to[l]);
+                });
+                for (int l = 0; l < Count; ++l) least.set(l, Do::min(a[l], least[l]));
+            }
             continue;
         }
         switch (now.op) {
@@ -239,6 +251,9 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings, std::span<co
             }
             break;
         case Op::sum:
+        case Op::least:
+        case Op::pick:
+        case Op::which:
             assert(!"turned into a loop");
             break;
         }

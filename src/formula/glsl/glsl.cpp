@@ -10,6 +10,7 @@
 #include "formula/glsl/array_texels.h"
 #include "formula/glsl/kernel_calls.h"
 #include "formula/graph/functions.h"
+#include "formula/graph/operations.h"
 
 namespace isomotion::formula {
 namespace {
@@ -51,8 +52,11 @@ private:
 
     void instruction(const Instruction& now, std::size_t at) {
         switch (now.kind) {
-        case Instruction::Kind::zero:
-            line("float {} = 0.0;", declare(now.result));
+        case Instruction::Kind::begin:
+            line("float {} = {};", declare(now.result),
+                 now.op == Op::least ? least_of_none(now) : "0.0");
+            if (keeps_least(now.op))
+                line("float {} = {};", declare(now.operands[2]), least_of_none(now));
             return;
         case Instruction::Kind::loop_begin:
             line("for (int e{0} = 0; e{0} < array{0}_count; ++e{0}) {{", now.index);
@@ -66,7 +70,7 @@ private:
             line("}}");
             return;
         case Instruction::Kind::accumulate:
-            line("{} += {};", names_[std::size_t(now.result)], operand(now, 0));
+            accumulate(now);
             return;
         case Instruction::Kind::operation:
             break;
@@ -94,6 +98,23 @@ private:
         }
         const std::string value = expression(now);
         line("float {} = {};", declare(now.result), value);
+    }
+
+    static std::string least_of_none(const Instruction& now) {
+        return fmt::format("array{}_least", now.index);
+    }
+
+    // Comparisons pass over what is no number, where min() need not.
+    void accumulate(const Instruction& now) {
+        const std::string result = text_of(now.result);
+        if (now.op == Op::sum) return line("{} += {};", result, operand(now, 0));
+        const std::string key = operand(now, 0);
+        if (now.op == Op::least) return line("{0} = {1} < {0} ? {1} : {0};", result, key);
+        const std::string least = text_of(now.operands[2]);
+        const std::string value =
+            now.op == Op::pick ? operand(now, 1) : fmt::format("float(e{} + 1)", now.index);
+        line("{} = {} < {} ? {} : {};", result, key, least, value, result);
+        line("{0} = {1} < {0} ? {1} : {0};", least, key);
     }
 
     std::string expression(const Instruction& now) const {
@@ -179,6 +200,10 @@ std::string glsl_double_literal(double value) {
     std::string text = fmt::format("{}", value);
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
     return text + "lf";
+}
+
+std::string glsl_least_of_none() {
+    return glsl_literal(double(Operations<float>::least_of_none()));
 }
 
 std::string glsl_parameter(int index) {

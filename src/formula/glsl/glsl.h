@@ -1,8 +1,8 @@
 // Program -> GLSL.
 //
 // The text depends on the graph alone: values come through `parameters[]` (vec4s in a uniform
-// block) and, for arrays, through `vec4 array<k>_texel(int element, int texel)` and
-// `array<k>_count`, which the shader assembly declares. Functions of shaders/math/ are called by
+// block) and, for arrays, through `vec4 array<k>_texel(int element, int texel)`, `array<k>_count`
+// and `array<k>_least`, the least of no elements, which the shader assembly declares. Functions of shaders/math/ are called by
 // their im_ names, see kernel_calls.h.
 #pragma once
 
@@ -30,6 +30,8 @@ std::string emit_glsl(const Program& program, const GlslSignature& signature,
 std::string glsl_literal(double value);
 // A double literal, which reads back to `value`, finite.
 std::string glsl_double_literal(double value);
+// Of array<k>_least, where all elements are there.
+std::string glsl_least_of_none();
 // "parameters[2].y" for index 9.
 std::string glsl_parameter(int index);
 

@@ -125,8 +125,10 @@ private:
 
     void instruction(const Instruction& now, std::size_t at) {
         switch (now.kind) {
-        case Instruction::Kind::zero:
-            define(now.result, fmt::format("{}(0.0)", type_), true);
+        case Instruction::Kind::begin:
+            define(now.result,
+                   now.op == Op::least ? least_of_none(now) : fmt::format("{}(0.0)", type_), true);
+            if (keeps_least(now.op)) define(now.operands[2], least_of_none(now), true);
             return;
         case Instruction::Kind::loop_begin:
             line("for (int e{0} = 0; e{0} < array{0}_count; ++e{0}) {{", now.index);
@@ -139,14 +141,9 @@ private:
             --indent_;
             line("}}");
             return;
-        case Instruction::Kind::accumulate: {
-            Known& sum = known(now.result);
-            sum.not_negative = known(now.operands[0]).not_negative;
-            line("{} = {};", sum.text,
-                 limited(fmt::format("im_add({}, {})", sum.text, interval(now.operands[0])),
-                         sum.not_negative));
+        case Instruction::Kind::accumulate:
+            accumulate(now);
             return;
-        }
         case Instruction::Kind::operation:
             break;
         }
@@ -165,6 +162,32 @@ private:
             return;
         default:
             operation(now);
+        }
+    }
+
+    std::string least_of_none(const Instruction& now) const {
+        return fmt::format("{}(array{}_least, IM_INFINITY)", type_, now.index);
+    }
+
+    void accumulate(const Instruction& now) {
+        Known& result = known(now.result);
+        const Register key = now.operands[0];
+        if (now.op == Op::sum) {
+            result.not_negative = known(key).not_negative;
+            line("{} = {};", result.text,
+                 limited(fmt::format("im_add({}, {})", result.text, interval(key)),
+                         result.not_negative));
+        } else if (now.op == Op::least) {
+            result.not_negative = known(key).not_negative;
+            line("{0} = min({0}, {1});", result.text, interval(key));
+        } else {
+            const std::string& least = known(now.operands[2]).text;
+            const bool picks = now.op == Op::pick;
+            result.not_negative = !picks || known(now.operands[1]).not_negative;
+            const std::string value = picks ? interval(now.operands[1])
+                                            : fmt::format("{}(e{} + 1)", type_, now.index);
+            line("{0} = im_select({1}, {2}, {3}, {0});", result.text, interval(key), least, value);
+            line("{0} = min({0}, {1});", least, interval(key));
         }
     }
 

@@ -13,6 +13,7 @@ namespace {
 
 NodeId unless_without_kink(Graph& g, NodeId id) {
     const Node node = g[id];
+    if (node.op == Op::least || node.op == Op::pick) return unless_one_is_least(g, node);
     if (node.op != Op::min && node.op != Op::max && node.op != Op::select) return g.constant(0);
     // By how the comparison of the first two comes out.
     return unless_one_value(g, g.unary(Op::sign, g.subtract(node.children[0], node.children[1])));
@@ -82,6 +83,7 @@ NodeId unless_continuous(Graph& g, NodeId id) {
         return unless_one_value(g, id);
     if (node.op == Op::select && node.children[2] != node.children[3])
         return unless_without_kink(g, id);
+    if (node.op == Op::pick || node.op == Op::which) return unless_one_is_least(g, node);
     return may_be_unbounded(node.op) ? unless_bounded(g, id) : g.constant(0);
 }
 

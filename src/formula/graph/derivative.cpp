@@ -33,7 +33,10 @@ bool is_never_negative(const Graph& g, NodeId id, int depth = 12) {
     case Op::select:
         return child(2) && child(3);
     case Op::sum:
+    case Op::least:
         return child(0);
+    case Op::pick:
+        return child(1);
     case Op::power: {
         const NodeId exponent = node.children[1];
         const bool is_even = g.is_constant(exponent) && std::fmod(g[exponent].value, 2) == 0;
@@ -94,6 +97,12 @@ private:
             return g_.select(a, b, d(2), d(3));
         case Op::sum:
             return g_.sum(node.index, d(0));
+        case Op::least:
+            return g_.pick(node.index, a, d(0));
+        case Op::pick:
+            return g_.pick(node.index, a, d(1));
+        case Op::which:
+            return jumps(id);
         default:
             break;
         }

@@ -130,7 +130,7 @@ std::size_t Graph::Hash::operator()(const Node& node) const {
 NodeId Graph::intern(Node node) {
     for (int k = 0; k < node.arity; ++k)
         node.arrays |= nodes_[node.children[std::size_t(k)]].arrays;
-    if (node.op == Op::sum) node.arrays &= ~(1u << node.index);
+    if (is_over_elements(node.op)) node.arrays &= ~(1u << node.index);
     if (node.op == Op::element) node.arrays = 1u << node.index;
     const auto [it, inserted] = ids_.try_emplace(node, NodeId(nodes_.size()));
     if (!inserted) return it->second;
@@ -342,9 +342,21 @@ NodeId Graph::sum(int array, NodeId body) {
             return multiply(factor, sum(array, rest));
         }
     }
-    Node node = leaf(Op::sum, array);
+    return over_elements(Op::sum, array, body);
+}
+
+NodeId Graph::over_elements(Op op, int array, NodeId a) {
+    Node node = leaf(op, array);
     node.arity = 1;
-    node.children = {body};
+    node.children = {a};
+    return intern(node);
+}
+
+NodeId Graph::pick(int array, NodeId key, NodeId value) {
+    if (is_constant(value, 0)) return value;
+    Node node = leaf(Op::pick, array);
+    node.arity = 2;
+    node.children = {key, value};
     return intern(node);
 }
 
@@ -402,6 +414,12 @@ std::string_view name(Op op) {
         return "select";
     case Op::sum:
         return "sum";
+    case Op::least:
+        return "least";
+    case Op::pick:
+        return "pick";
+    case Op::which:
+        return "which";
     }
     return "?";
 }

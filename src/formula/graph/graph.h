@@ -42,7 +42,18 @@ enum class Op : std::uint8_t {
     chebyshev, // `second`-th derivative of T_index(a)
     select,    // a < b ? c : d
     sum,       // sum over the elements of array `index` of a
+    least,     // the least a of them; saturation of none
+    pick,      // b of the first element whose a is least; 0 of none
+    which,     // the number of that element, from 1 on; 0 of none: for continuity.h
 };
+
+// Whether it goes through the elements of array `index`.
+constexpr bool is_over_elements(Op op) {
+    return op == Op::sum || op == Op::least || op == Op::pick || op == Op::which;
+}
+
+// Whether it looks for the least element and is not its key.
+constexpr bool keeps_least(Op op) { return op == Op::pick || op == Op::which; }
 
 struct Node {
     Op op = Op::constant;
@@ -83,6 +94,9 @@ public:
     // The `derivative`-th derivative of the Chebyshev polynomial T_degree at a; degree >= 0.
     NodeId chebyshev(int degree, NodeId a, int derivative = 0);
     NodeId sum(int array, NodeId body);
+    NodeId least(int array, NodeId key) { return over_elements(Op::least, array, key); }
+    NodeId pick(int array, NodeId key, NodeId value);
+    NodeId which(int array, NodeId key) { return over_elements(Op::which, array, key); }
     // a^n by repeated squaring; x^2, x^4 and x^6 of one formula share their products.
     NodeId integer_power(NodeId a, int n);
 
@@ -98,6 +112,7 @@ public:
 
 private:
     NodeId intern(Node node);
+    NodeId over_elements(Op op, int array, NodeId a);
     NodeId make(Op op, NodeId a);
     NodeId make(Op op, NodeId a, NodeId b);
     // One order for commutative operations: constants first, then what loops compute once. x*y and

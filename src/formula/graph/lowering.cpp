@@ -63,6 +63,12 @@ NodeId lower_one(Graph& g, const Node& node, const std::array<NodeId, 4>& childr
         return lower_chebyshev(g, node.index, node.second, children[0]);
     case Op::sum:
         return g.sum(node.index, children[0]);
+    case Op::least:
+        return g.least(node.index, children[0]);
+    case Op::pick:
+        return g.pick(node.index, children[0], children[1]);
+    case Op::which:
+        return g.which(node.index, children[0]);
     case Op::select:
         return g.select(children[0], children[1], children[2], children[3]);
     default:

@@ -71,6 +71,7 @@ template<class T> struct Operations {
         return saturate(std::pow(a, b));
     }
     static T select(T a, T b, T then, T otherwise) { return a < b ? then : otherwise; }
+    static T least_of_none() { return saturation(); }
 
 private:
     static T clamp_unit(T a) { return a > 1 ? T(1) : a < -1 ? T(-1) : a; }

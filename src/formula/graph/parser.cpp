@@ -186,13 +186,13 @@ private:
     }
 
     NodeId name(std::string_view word, std::size_t begin) {
-        // Innermost first: fields of the arrays being summed, definitions, then the vocabulary.
-        for (auto it = open_sums_.rbegin(); it != open_sums_.rend(); ++it) {
-            const auto field = names_.field(*it, word);
+        // Innermost first: fields of the arrays being gone through, definitions, then the vocabulary.
+        for (auto it = open_arrays_.rbegin(); it != open_arrays_.rend(); ++it) {
+            const auto field = names_.field(it->array, word);
             if (!field) continue;
-            const auto& fields = vocabulary_.arrays[std::size_t(*it)].fields;
+            const auto& fields = vocabulary_.arrays[std::size_t(it->array)].fields;
             const auto& parameter = fields[std::size_t(*field)].parameter;
-            return parameter ? graph_.parameter(*parameter) : graph_.element(*it, *field);
+            return parameter ? graph_.parameter(*parameter) : graph_.element(it->array, *field);
         }
         if (const auto it = definitions_.find(word); it != definitions_.end()) return it->second;
         if (const auto k = names_.input(word)) return graph_.input(*k);
@@ -202,7 +202,8 @@ private:
     }
 
     NodeId call(std::string_view name, std::size_t begin) {
-        if (name == "sum") return sum(begin);
+        if (name == "sum" || name == "least" || name == "greatest")
+            return over_elements(name, begin);
         if (name == "chebyshev") return chebyshev();
         const std::size_t first_argument = at_;
         const std::vector<NodeId> arguments = argument_list();
@@ -266,7 +267,9 @@ private:
         return graph_.chebyshev(int(n), argument);
     }
 
-    NodeId sum(std::size_t begin) {
+    // sum(array, a), least(array, a), greatest(array, a); of the last two with what is asked of
+    // that element.
+    NodeId over_elements(std::string_view function, std::size_t begin) {
         skip_space();
         const std::size_t place = at_;
         const std::string_view word = peek_name();
@@ -281,22 +284,38 @@ private:
             const std::string near = base::nearest_name(word, known);
             fail(place,
                  known.empty()
-                     ? "sum needs an array, and the scene has none: add [arrays.name]"
-                     : fmt::format("sum(array, expression): there is no array '{}'{}", word,
+                     ? fmt::format("{} needs an array, and the scene has none: add [arrays.name]",
+                                   function)
+                     : fmt::format("{}(array, expression): there is no array '{}'{}", function, word,
                                    near.empty() ? fmt::format("; known: {}", join(known))
                                                 : fmt::format("; did you mean '{}'?", near)));
         }
-        for (const int open : open_sums_) {
-            if (open == array) {
-                fail(begin, fmt::format("a sum over '{}' inside a sum over '{}'", word, word));
+        for (const OpenLoop& open : open_arrays_) {
+            if (open.array == array) {
+                fail(begin, fmt::format("a {} over '{}' inside a {} over '{}'", function, word,
+                                        open.function, word));
             }
         }
-        expect(',', "between the array and the expression of sum");
-        open_sums_.push_back(array);
+        expect(',', fmt::format("between the array and the expression of {}", function));
+        open_arrays_.push_back({array, function});
         const NodeId body = expression();
-        open_sums_.pop_back();
-        expect(')', "to close the sum");
-        return graph_.sum(array, body);
+        skip_space();
+        const std::size_t second = at_;
+        const bool asks = function != "sum" && accept(',');
+        if (asks && !vocabulary_.allows_picks) {
+            fail(second, fmt::format("a formula jumps where what is asked of the {} element does; "
+                                     "that is for colours: here {}(array, expression)",
+                                     function, function));
+        }
+        const NodeId asked = asks ? expression() : body;
+        open_arrays_.pop_back();
+        expect(')', fmt::format("to close the {}", function));
+        if (function == "sum") return graph_.sum(array, body);
+        const bool is_least = function == "least";
+        const NodeId key = is_least ? body : graph_.unary(Op::negate, body);
+        if (asks) return graph_.pick(array, key, asked);
+        const NodeId least = graph_.least(array, key);
+        return is_least ? least : graph_.unary(Op::negate, least);
     }
 
     // A constant that isn't finite has no literal in a shader.
@@ -316,8 +335,8 @@ private:
         // "camera.fov" is a parameter to the animation but no name in a formula.
         std::copy_if(vocabulary_.parameters.begin(), vocabulary_.parameters.end(),
                      std::back_inserter(known), is_identifier);
-        for (const int open : open_sums_) {
-            for (const auto& field : vocabulary_.arrays[std::size_t(open)].fields) {
+        for (const OpenLoop& open : open_arrays_) {
+            for (const auto& field : vocabulary_.arrays[std::size_t(open.array)].fields) {
                 known.push_back(field.name);
             }
         }
@@ -393,7 +412,11 @@ private:
     Graph& graph_;
     std::size_t at_ = 0;
     int depth_ = 0;
-    std::vector<int> open_sums_;
+    struct OpenLoop {
+        int array;
+        std::string_view function;
+    };
+    std::vector<OpenLoop> open_arrays_; // arrays being gone through
     std::map<std::string, NodeId, std::less<>> definitions_;
 };
 

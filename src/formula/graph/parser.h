@@ -8,8 +8,9 @@
 //   primary    = number | name | name '(' arguments ')' | '(' expression ')'
 //
 // Functions are those of functions.h; of chebyshev(n, a) n is a constant integer, and in sum(array,
-// expression) the array's fields are names. Constant: pi. `name = expression;` names a repeated
-// part.
+// expression), least(array, expression) and greatest(array, expression) the array's fields are
+// names; least(array, expression, value) is the value of the element whose expression is least.
+// Constant: pi. `name = expression;` names a repeated part.
 #pragma once
 
 #include <stdexcept>

@@ -25,17 +25,17 @@ public:
     }
 
 private:
-    // What a scope computes once sums of lower levels are known; both in ascending order.
+    // What a scope computes once loops of lower levels are done; both in ascending order.
     struct Level {
-        std::map<int, std::vector<NodeId>> sums; // by array
+        std::map<int, std::vector<NodeId>> loops; // by array: what goes through its elements
         std::vector<NodeId> operations;
     };
 
     // Emits whatever `wanted` needs that can be computed with the arrays of `bound` fixed, in an
-    // order where sums of one level (no sum of this scope feeds another) come together.
+    // order where loops of one level (none of this scope feeds another) come together.
     void emit_scope(std::uint32_t bound, const std::vector<NodeId>& wanted) {
-        for (const auto& [sums, operations] : levels(bound, wanted)) {
-            for (const auto& [array, group] : sums) emit_loop(bound, array, group);
+        for (const auto& [loops, operations] : levels(bound, wanted)) {
+            for (const auto& [array, group] : loops) emit_loop(bound, array, group);
             for (const NodeId id : operations) {
                 emit_operation(id);
                 set_done(id);
@@ -54,12 +54,12 @@ private:
                 if (scope_of_[child] == scope_) level = std::max(level, level_[child]);
             }
             const bool is_ours = belongs(node, bound);
-            if (node.op == Op::sum && is_ours) ++level;
+            if (is_over_elements(node.op) && is_ours) ++level;
             level_[id] = level;
             if (!is_ours) continue;
             if (std::size_t(level) >= levels.size()) levels.resize(std::size_t(level) + 1);
             Level& at = levels[std::size_t(level)];
-            (node.op == Op::sum ? at.sums[node.index] : at.operations).push_back(id);
+            (is_over_elements(node.op) ? at.loops[node.index] : at.operations).push_back(id);
         }
         return levels;
     }
@@ -69,14 +69,22 @@ private:
         trail_.push_back(id);
     }
 
-    void emit_loop(std::uint32_t bound, int array, const std::vector<NodeId>& sums) {
+    void emit_loop(std::uint32_t bound, int array, const std::vector<NodeId>& wanted) {
         std::vector<NodeId> bodies;
-        for (const NodeId id : sums) {
-            Instruction zero;
-            zero.kind = Instruction::Kind::zero;
-            zero.result = registers_[id] = program_.registers++;
-            program_.instructions.push_back(zero);
-            bodies.push_back(graph_[id].children[0]);
+        std::vector<Instruction> accumulates;
+        for (const NodeId id : wanted) {
+            const Node& node = graph_[id];
+            Instruction begin;
+            begin.kind = Instruction::Kind::begin;
+            begin.op = node.op;
+            begin.index = array;
+            begin.result = registers_[id] = program_.registers++;
+            if (keeps_least(node.op)) begin.operands[2] = program_.registers++;
+            program_.instructions.push_back(begin);
+            for (std::size_t k = 0; k < node.arity; ++k) bodies.push_back(node.children[k]);
+            begin.kind = Instruction::Kind::accumulate;
+            begin.arity = node.arity;
+            accumulates.push_back(begin);
         }
         Instruction begin;
         begin.kind = Instruction::Kind::loop_begin;
@@ -84,16 +92,14 @@ private:
         program_.instructions.push_back(begin);
         const std::size_t before = trail_.size();
         emit_scope(bound | 1u << array, bodies);
-        for (const NodeId id : sums) {
-            Instruction accumulate;
-            accumulate.kind = Instruction::Kind::accumulate;
-            accumulate.result = registers_[id];
-            accumulate.operands[0] = registers_[graph_[id].children[0]];
-            program_.instructions.push_back(accumulate);
+        for (std::size_t w = 0; w < wanted.size(); ++w) {
+            for (std::size_t k = 0; k < accumulates[w].arity; ++k)
+                accumulates[w].operands[k] = registers_[graph_[wanted[w]].children[k]];
+            program_.instructions.push_back(accumulates[w]);
         }
         // What a loop computes is gone after it.
         for (; trail_.size() > before; trail_.pop_back()) done_[trail_.back()] = false;
-        for (const NodeId id : sums) set_done(id);
+        for (const NodeId id : wanted) set_done(id);
         Instruction end;
         end.kind = Instruction::Kind::loop_end;
         program_.instructions.push_back(end);
@@ -115,7 +121,7 @@ private:
         program_.instructions.push_back(instruction);
     }
 
-    // Everything not yet done below `wanted`, bodies of sums included, in ascending order.
+    // Everything not yet done below `wanted`, bodies of loops included, in ascending order.
     std::vector<NodeId> reachable(const std::vector<NodeId>& wanted) {
         std::vector<NodeId> stack, found;
         ++scope_;
@@ -178,7 +184,7 @@ Cost cost(const Program& program, std::span<const int> counts) {
             if (instruction.arity > 0) total.operations += repeats.back();
             if (!kernel(instruction.op).empty()) total.functions += repeats.back();
             break;
-        case Instruction::Kind::zero:
+        case Instruction::Kind::begin:
             break;
         }
     }

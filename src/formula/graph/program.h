@@ -2,7 +2,7 @@
 //
 // Both back ends run a Program: the GLSL writer prints one statement an instruction, the CPU
 // evaluator interprets it. What doesn't depend on a loop's element is computed before the loop, and
-// sums over one array that don't need each other's results share one loop.
+// sums, least elements and picks over one array that don't need each other's results share one loop.
 #pragma once
 
 #include <span>
@@ -17,18 +17,19 @@ using Register = int;
 struct Instruction {
     enum class Kind : std::uint8_t {
         operation,  // result = op(operands)
-        zero,       // result = 0: a sum begins
+        begin,      // the result of no elements: 0 of a sum
         loop_begin, // for every element of array `index`, to the matching loop_end
-        accumulate, // result += operands[0]
+        accumulate, // takes in the element's operands
         loop_end,
     };
     Kind kind = Kind::operation;
-    Op op = Op::constant;
+    Op op = Op::constant; // of begin and accumulate: what goes through the elements
     std::uint8_t arity = 0;
     int index = 0;
     int second = 0;
     double value = 0;
     Register result = -1;
+    // operands[2] of pick and which that begin or accumulate: the register of the least key so far.
     std::array<Register, 4> operands{};
 };
 

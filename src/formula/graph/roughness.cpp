@@ -60,6 +60,9 @@ NodeId kink_of(Graph& g, NodeId id) {
     case Op::max:
     case Op::select:
         return unless_one_value(g, g.unary(Op::sign, g.subtract(a, b)));
+    case Op::least:
+    case Op::pick:
+        return unless_one_is_least(g, node);
     case Op::asin:
     case Op::acos: // constant beyond -1 and 1
         return unless_one_value(g,
@@ -102,7 +105,8 @@ Roughness roughness(Graph& g, NodeId root) {
         const Op op = g[id].op;
         const bool is_smoothed = is_0_at_kink(g, g[id]) && is_smooth[id];
         if (!is_smoothed) add(found.kinks, kink_of(g, id));
-        if (op == Op::floor || op == Op::sign || op == Op::random || op == Op::select)
+        if (op == Op::floor || op == Op::sign || op == Op::random || op == Op::select ||
+            op == Op::pick)
             add(found.jumps, unless_continuous(g, id));
         add(found.poles, pole_of(g, id));
     }

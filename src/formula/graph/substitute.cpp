@@ -21,6 +21,12 @@ NodeId rebuild(Graph& to, const Node& node, const std::array<NodeId, 4>& childre
         return to.chebyshev(node.index, children[0], node.second);
     case Op::sum:
         return to.sum(node.index, children[0]);
+    case Op::least:
+        return to.least(node.index, children[0]);
+    case Op::pick:
+        return to.pick(node.index, children[0], children[1]);
+    case Op::which:
+        return to.which(node.index, children[0]);
     default:
         return node.arity == 1 ? to.unary(node.op, children[0])
                                : to.binary(node.op, children[0], children[1]);

@@ -26,6 +26,7 @@ struct Vocabulary {
     std::vector<ArrayName> arrays;
     bool allows_random =
         false; // random(i, k): in animation only, where the CPU evaluates in double
+    bool allows_picks = true; // least(array, a, b), which jumps
 };
 
 // The inputs of a surface's field: position, and for derivatives the ray's direction.

@@ -63,6 +63,7 @@ template<> struct Operations<Interval> {
     static Interval select(Interval a, Interval b, Interval then, Interval otherwise) {
         return a.hi < b.lo ? then : a.lo >= b.hi ? otherwise : hull(then, otherwise);
     }
+    static Interval least_of_none() { return {saturation(), infinity}; }
 };
 
 } // namespace isomotion::formula

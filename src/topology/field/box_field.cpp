@@ -8,42 +8,44 @@
 #include "formula/graph/substitute.h"
 
 namespace isomotion::topology {
-namespace {
-
 using formula::Graph;
 using formula::Interval;
 using formula::Node;
 using formula::NodeId;
 using formula::Op;
 
-// The sums over each array whose sums hold no others.
-std::map<int, std::vector<NodeId>> sums_to_cull(const Graph& graph, std::span<const NodeId> roots) {
-    std::map<int, std::vector<NodeId>> sums;
+std::map<int, BoxField::Loops> BoxField::loops_to_cull(const Graph& graph,
+                                                       std::span<const NodeId> roots) {
+    std::map<int, Loops> loops;
     std::set<int> nested;
     for (const NodeId id : formula::nodes_below(graph, roots)) {
-        if (graph[id].op != Op::sum) continue;
-        sums[graph[id].index].push_back(id);
-        const NodeId body = graph[id].children[0];
-        for (const NodeId below : formula::nodes_below(graph, std::array{body})) {
-            if (graph[below].op == Op::sum) nested.insert(graph[id].index);
+        const Node& node = graph[id];
+        if (!formula::is_over_elements(node.op)) continue;
+        Loops& over = loops[node.index];
+        if (node.op == Op::sum) {
+            over.sums.push_back(id);
+        } else if (std::ranges::find(over.keys, node.children[0]) == over.keys.end()) {
+            over.keys.push_back(node.children[0]);
         }
-        if (graph[id].arrays != 0) nested.insert(graph[id].index);
+        const std::span<const NodeId> bodies(node.children.data(), node.arity);
+        for (const NodeId below : formula::nodes_below(graph, bodies)) {
+            if (formula::is_over_elements(graph[below].op)) nested.insert(node.index);
+        }
+        if (node.arrays != 0) nested.insert(node.index);
     }
-    std::erase_if(sums, [&](const auto& array) { return nested.contains(array.first); });
-    return sums;
+    std::erase_if(loops, [&](const auto& array) { return nested.contains(array.first); });
+    return loops;
 }
-
-} // namespace
 
 BoxField::BoxField(Graph graph, std::span<const NodeId> jet, Inputs inputs, std::size_t rows)
     : inputs_(inputs)
     , rows_(rows) {
     const std::size_t first_order = 1 + inputs.unknowns;
     std::vector<Node> sums;
-    for (const auto& [array, of_array] : sums_to_cull(graph, jet)) {
-        cullings_.push_back(culling(graph, of_array, jet.first(first_order)));
+    for (const auto& [array, loops] : loops_to_cull(graph, jet)) {
+        cullings_.push_back(culling(graph, array, loops, jet.first(first_order)));
         cullings_.back().first_sum = sums.size();
-        for (const NodeId id : of_array) sums.push_back(graph[id]);
+        for (const NodeId id : loops.sums) sums.push_back(graph[id]);
     }
     sums_ = sums.size();
     const auto with_rest = [&](Graph& g, const Node& node, NodeId rebuilt) {
@@ -59,17 +61,19 @@ BoxField::BoxField(Graph graph, std::span<const NodeId> jet, Inputs inputs, std:
     jet_ = formula::schedule(graph, roots);
 }
 
-BoxField::Culling BoxField::culling(Graph& graph, std::span<const NodeId> sums,
+BoxField::Culling BoxField::culling(Graph& graph, int array, const Loops& loops,
                                     std::span<const NodeId> first_order) const {
     Culling made;
-    made.array = graph[sums[0]].index;
+    made.array = array;
+    made.keys = loops.keys.size();
     const std::vector<NodeId> below = formula::nodes_below(graph, first_order);
     std::vector<NodeId> bodies;
-    bodies.reserve(sums.size());
-    for (const NodeId id : sums) {
+    bodies.reserve(loops.sums.size() + loops.keys.size());
+    for (const NodeId id : loops.sums) {
         made.is_first_order.push_back(std::ranges::binary_search(below, id));
         bodies.push_back(graph[id].children[0]);
     }
+    bodies.insert(bodies.end(), loops.keys.begin(), loops.keys.end());
     std::map<int, int> place_of;
     const auto as_input = [&](Graph& g, const Node& node, NodeId rebuilt) {
         if (node.op != Op::element) return rebuilt;
@@ -167,7 +171,7 @@ void BoxEvaluator::run_terms(std::size_t which, const Box& box, const Elements& 
         inputs_[k].assign(std::size_t(columns.count), Interval(inputs_[k][0]));
     for (std::size_t f = 0; f < culling.fields.size(); ++f)
         inputs_[own + f] = columns.fields[std::size_t(culling.fields[f])];
-    run(terms_[which], from, culling.is_first_order.size());
+    run(terms_[which], from, culling.is_first_order.size() + culling.keys);
 }
 
 template<class Size, class Matters>
@@ -179,6 +183,12 @@ Elements BoxEvaluator::cull(const Box& box, const Elements& from, Size&& size, M
         const auto count = std::size_t(columns.count), sums = culling.is_first_order.size();
         if (count <= 1) continue;
         run_terms(which, box, from);
+        std::vector<double> least; // the least is no greater
+        for (std::size_t j = sums; j < sums + culling.keys; ++j) {
+            least.push_back(formula::infinity);
+            for (std::size_t i = 0; i < count; ++i)
+                least.back() = std::min(least.back(), outputs_[j][i].hi);
+        }
         std::vector<double> sizes;
         for (std::size_t j = 0; j < sums; ++j)
             sizes.push_back(size(std::span<const Interval>(outputs_[j]).first(count)));
@@ -187,6 +197,8 @@ Elements BoxEvaluator::cull(const Box& box, const Elements& from, Size&& size, M
             bool is_kept = false;
             for (std::size_t j = 0; j < sums; ++j)
                 is_kept |= matters(outputs_[j][i], sizes[j], culling.is_first_order[j] != 0);
+            for (std::size_t j = 0; j < culling.keys; ++j)
+                is_kept |= outputs_[sums + j][i].lo <= least[j];
             if (!is_kept) {
                 for (std::size_t j = 0; j < sums; ++j) {
                     Interval& rest = kept.rest[culling.first_sum + j];

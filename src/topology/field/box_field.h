@@ -1,9 +1,11 @@
 // F over boxes of n unknowns, with its derivatives, in intervals.
 //
 // A sum is evaluated over those elements alone that matter in a box. What the others add to it is
-// enclosed once, for that box, and holds for all boxes in it (Elements).
+// enclosed once, for that box, and holds for all boxes in it (Elements). What asks for the least
+// element keeps those that may be it somewhere in the box.
 #pragma once
 
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -28,7 +30,7 @@ public:
 
     BoxField() = default;
     // `jet` is that of jet_over_boxes(), with the first `rows` rows of second derivatives.
-    // Elements may be left out of those arrays whose sums hold no other sums.
+    // Elements may be left out of those arrays whose loops hold no others.
     BoxField(formula::Graph graph, std::span<const formula::NodeId> jet, Inputs inputs,
              std::size_t rows);
 
@@ -41,12 +43,18 @@ private:
         int array = 0;             // whose elements are left out
         std::vector<int> fields;   // columns of the array that terms depend on
         formula::Program terms;    // inputs: all of the field's, then fields; one element's part of
-                                   // each sum
+                                   // each sum, then each key that may be the least
         std::size_t first_sum = 0; // position among the sums of all arrays
         std::vector<char> is_first_order; // whether F or its gradient has the sum
+        std::size_t keys = 0;
     };
-
-    Culling culling(formula::Graph& graph, std::span<const formula::NodeId> sums,
+    // Sums over an array, and the keys of what asks for its least element.
+    struct Loops {
+        std::vector<formula::NodeId> sums, keys;
+    };
+    static std::map<int, Loops> loops_to_cull(const formula::Graph& graph,
+                                              std::span<const formula::NodeId> roots);
+    Culling culling(formula::Graph& graph, int array, const Loops& loops,
                     std::span<const formula::NodeId> first_order) const;
 
     Inputs inputs_;
@@ -95,8 +103,8 @@ private:
     void load(const Elements& elements, std::span<const Box> boxes);
     void run(formula::Evaluator<formula::Interval>& program, const Elements& elements,
              std::size_t outputs);
-    // Without the elements of which no term matters: a term of a sum is compared with what `size`
-    // makes of all terms of that sum over the box.
+    // Without the elements of which no term matters and that are the least nowhere: a term of a sum
+    // is compared with what `size` makes of all terms of that sum over the box.
     template<class Size, class Matters>
     Elements cull(const Box& box, const Elements& from, Size&& size, Matters&& matters);
     // The terms of each element over the box are then in the outputs.

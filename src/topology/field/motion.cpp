@@ -56,7 +56,8 @@ void fold_elements(Motion& motion) {
     const std::vector<NodeId> below = formula::nodes_below(g, std::array{motion.field});
     const std::vector<bool> rests = resting(g, below);
     const auto folds = [&](NodeId id) {
-        return rests[id] && std::has_single_bit(g[id].arrays) && g[id].op != Op::sum;
+        return rests[id] && std::has_single_bit(g[id].arrays) &&
+               !formula::is_over_elements(g[id].op);
     };
     std::vector<bool> is_whole(g.size(), false); // folds, and some parent doesn't
     for (const NodeId id : below) {

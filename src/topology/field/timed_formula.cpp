@@ -22,7 +22,8 @@ std::vector<NodeId> timed_parts(const Graph& graph, NodeId root) {
     for (const NodeId id : below) {
         const Node& node = graph[id];
         bool timed = node.op == Op::input ? node.index == clock_input
-                                          : node.op != Op::sum && std::popcount(node.arrays) <= 1;
+                                          : !formula::is_over_elements(node.op) &&
+                                                std::popcount(node.arrays) <= 1;
         for (std::size_t k = 0; k < node.arity; ++k) timed = timed && is_timed[node.children[k]];
         is_timed[id] = timed;
     }

@@ -69,6 +69,13 @@ INSTANTIATE_TEST_SUITE_P(Arithmetic, Rules,
                                          Rule{"x^-3", 0.5, 2}, Rule{"x^30", -1.25, 1.25},
                                          Rule{"a*x+b*y+c"}));
 
+// No two elements are least at one of the points.
+INSTANTIATE_TEST_SUITE_P(LeastElements, Rules,
+                         testing::Values(Rule{"least(blobs, (x-4*cx)^2*y + cy*x)"},
+                                         Rule{"y*greatest(blobs, sin(cx*x) + cy*y)"},
+                                         Rule{"least(blobs, x*(cx + y), cx*x^2*y)"},
+                                         Rule{"least(blobs, x*cx + greatest(links, px*y))"}));
+
 INSTANTIATE_TEST_SUITE_P(
     Functions, Rules,
     testing::Values(Rule{"exp(x*y)", -1, 1}, Rule{"log(x)*y", 0.5, 2}, Rule{"sqrt(x*y)", 0.5, 2},

@@ -9,6 +9,7 @@
 #include "catalogue.h"
 #include "exact.h"
 #include "formula/graph/derivative.h"
+#include "formula/graph/operations.h"
 
 namespace isomotion::formula {
 namespace {
@@ -60,6 +61,21 @@ private:
                 total = total + child(0);
             }
             return total;
+        }
+        case Op::least:
+        case Op::pick: {
+            Exact least(double(Operations<float>::least_of_none()));
+            Exact picked = node.op == Op::least ? least : Exact(0);
+            element_[index] = 0;
+            for (; element_[index] < std::size_t(bindings_.arrays[index].count);
+                 ++element_[index]) {
+                for (NodeId id = 0; id < graph_.size(); ++id)
+                    if (graph_[id].arrays & 1u << node.index) known_[id].reset();
+                if (!(child(0) < least)) continue;
+                least = child(0);
+                picked = child(std::size_t(node.arity - 1));
+            }
+            return picked;
         }
         case Op::chebyshev:
             return chebyshev(node.index, node.second, child(0));
@@ -238,6 +254,8 @@ constexpr std::array kinked{"floor(3*x) + x/2 - y",
                             "abs(abs(abs(x) - 1/2) - y)*z",
                             "min(1, max(0, 3*x - y))^3",
                             "sum(blobs, sqrt((x-cx)^2 + (y-cy)^2)) + sum(links, floor(px*x))",
+                            "least(blobs, (x-cx)^2 + (y-3*cy)^2) - z*greatest(links, px*x - y)",
+                            "min(greatest(blobs, abs(x - cx)*cy), sum(links, least(blobs, px*cx*z)))",
                             "chebyshev(5, x)*chebyshev(3, y) + chebyshev(30, z)",
                             "exp(-x^2)*y/(2 + sin(z)) + tanh(x*z) - log(2 + y)",
                             "(x^2)^0.3 + 2^y - (2 + x)^y",

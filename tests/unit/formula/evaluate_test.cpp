@@ -11,13 +11,14 @@ namespace {
 
 // The whole compiler against plain recursion over the same formula.
 TEST(Evaluate, RandomFormulasMeanWhatTheySay) {
-    int compared = 0, sums = 0;
+    int compared = 0, sums = 0, least = 0;
     for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         FormulaGenerator generator(seed);
         const RandomFormula formula = generator.make(2 + int(seed % 5));
         SCOPED_TRACE(formula.text);
         sums += formula.text.find("sum(") != std::string::npos;
+        least += formula.text.find("least(") != std::string::npos;
         Graph graph;
         const NodeId root = parse(graph, formula.text);
         const Program program = schedule(graph, std::array{root});
@@ -34,6 +35,7 @@ TEST(Evaluate, RandomFormulasMeanWhatTheySay) {
     }
     EXPECT_GT(compared, 5000);
     EXPECT_GT(sums, 300);
+    EXPECT_GT(least, 150);
 }
 
 template<class T> class Blocks : public testing::Test {};
@@ -54,7 +56,8 @@ TYPED_TEST(Blocks, GiveTheBitsOfSinglePoints) {
                              "sin(x)*cos(y)+tan(z)-atan(x*y)+tanh(z)+asin(x)*acos(y)",
                              "x^1.5+abs(y)^m-sinh(z)*cosh(x)",
                              "min(x,y,z)/max(x*y,z)+floor(4*x)+sign(y)+sqrt(z)+log(x)",
-                             "chebyshev(50,x)-z", "7", "y", "sum(blobs, sum(links, cx*px*x))"}) {
+                             "chebyshev(50,x)-z", "7", "y", "sum(blobs, sum(links, cx*px*x))",
+                             "least(blobs, cx*x)*greatest(links, px*y - z)"}) {
         SCOPED_TRACE(text);
         const Field field = make_field(text, test_vocabulary());
         const auto bindings = convert<T>(test_bindings());

@@ -139,7 +139,7 @@ TEST(Schedule, WellFormed) {
         // Every operand is written before it is read.
         std::set<Register> written;
         for (const Instruction& now : program.instructions) {
-            const int reads = now.kind == Kind::accumulate ? 1 : now.arity;
+            const int reads = now.arity;
             for (int k = 0; k < reads; ++k) {
                 EXPECT_TRUE(written.contains(now.operands[std::size_t(k)]));
             }

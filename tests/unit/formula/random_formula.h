@@ -37,7 +37,7 @@ public:
         : random_(seed) {}
 
     RandomFormula make(int depth) {
-        const int choice = depth == 0 ? random_.below(3) : 3 + random_.below(10);
+        const int choice = depth == 0 ? random_.below(3) : 3 + random_.below(11);
         switch (choice) {
         case 0:
         case 1:
@@ -67,8 +67,10 @@ public:
             return unary(fmt::format("({{}})^{}", n), depth,
                          [n](double a) { return std::pow(a, n); });
         }
-        default:
+        case 12:
             return sum(depth);
+        default:
+            return least(depth);
         }
     }
 
@@ -122,6 +124,24 @@ private:
                         total = m.keep(total + value(m));
                     }
                     return total;
+                }};
+    }
+
+    RandomFormula least(int depth) {
+        const auto array = std::size_t(random_.below(2));
+        if (open_[array]) return leaf();
+        open_[array] = true;
+        auto key = make(depth - 1);
+        open_[array] = false;
+        // Of no elements it would be too large for what is compared.
+        return {fmt::format("min(9, least({}, {}))", array == 0 ? "blobs" : "links", key.text),
+                [array, value = key.value](Meaning& m) {
+                    double least = 9;
+                    for (int i = 0; i < m.bindings.arrays[array].count; ++i) {
+                        m.element[array] = i;
+                        least = std::min(least, value(m));
+                    }
+                    return m.keep(least);
                 }};
     }
 

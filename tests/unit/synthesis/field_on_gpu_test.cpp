@@ -213,8 +213,8 @@ TEST(FieldOnGpuTable, NamesEveryOperation) {
         }
     }
     // These need an array, or are for animation only.
-    seen.insert({Op::element, Op::sum, Op::random});
-    for (int op = 0; op <= int(Op::sum); ++op) {
+    seen.insert({Op::element, Op::sum, Op::least, Op::pick, Op::which, Op::random});
+    for (int op = 0; op <= int(Op::which); ++op) {
         EXPECT_TRUE(seen.contains(Op(op))) << formula::name(Op(op));
     }
 }
@@ -283,6 +283,10 @@ TEST_P(FieldOnGpu, SumsAgree) {
         "sum(links, py*sum(blobs, cos(cx + px*x)) + sum(blobs, r)*x)",
         // One sum needs the result of another.
         "q = sum(blobs, weight*x + r); sum(blobs, cos(q + cx*y)) + sum(links, q*px*z)",
+        // Slopes are those of the element that is least.
+        "least(blobs, sqrt(" + ball + ") - 0.3*s) - 0.2", "greatest(blobs, cx*x + cy*y + cz*z) - a",
+        "min(least(blobs, " + ball + "), sum(links, px*x)) + least(links, abs(x - px)*py)",
+        "least(blobs, r + greatest(links, (x - cx*px)^2 - y)) - sum(blobs, cx*greatest(links, y*py))",
         "sum(blobs, 1) - sum(links, 2)*x", "sum(blobs, min(cx, x)) + m*sum(links, max(py, y))"};
     for (const std::string& text : texts) {
         expect_agreement(with_arrays(text, 7, 4), random);
@@ -292,9 +296,9 @@ TEST_P(FieldOnGpu, SumsAgree) {
 
 TEST_P(FieldOnGpu, SumsOfOneAndOfNoElementsAgree) {
     for (const auto& [blobs, links] : {std::pair(1, 1), {0, 3}, {3, 0}, {0, 0}}) {
-        expect_agreement(with_arrays("sum(blobs, weight*sum(links, px*x) + s*y) - sum(links, py*z)",
-                                     blobs, links),
-                         random);
+        for (const char* text : {"sum(blobs, weight*sum(links, px*x) + s*y) - sum(links, py*z)",
+                                 "min(x, least(blobs, y + cx)) - max(z, greatest(links, px*x))"})
+            expect_agreement(with_arrays(text, blobs, links), random);
         if (HasFatalFailure()) return;
     }
 }

@@ -46,14 +46,29 @@ private:
                 continue;
             }
             Range& to = registers_[std::size_t(now.result)];
-            if (now.kind == Instruction::Kind::zero) {
-                to = {};
+            if (now.kind == Instruction::Kind::begin) {
+                const Range none{ranges::saturation, ranges::saturation, false};
+                to = now.op == Op::least ? none : Range{};
+                if (now.op == Op::pick) registers_[std::size_t(now.operands[2])] = none;
             } else if (now.kind == Instruction::Kind::accumulate) {
-                to = ranges::add(to, operand(now, 0));
+                accumulate(now, to);
             } else {
                 to = now.arity == 0 ? leaf(now) : operation(now);
             }
             note(now, ranges::size(to), to.nan);
+        }
+    }
+
+    void accumulate(const Instruction& now, Range& to) {
+        const Range& key = operand(now, 0);
+        if (now.op == Op::sum) {
+            to = ranges::add(to, key);
+        } else if (now.op == Op::least) {
+            to = ranges::min(key, to);
+        } else {
+            Range& least = registers_[std::size_t(now.operands[2])];
+            to = ranges::select(key, least, operand(now, 1), to);
+            least = ranges::min(key, least);
         }
     }
 

@@ -1,0 +1,127 @@
+#include "elements/least_at_roots.h"
+
+#include <algorithm>
+#include <array>
+
+#include "formula/evaluate/evaluate.h"
+#include "formula/graph/derivative.h"
+#include "formula/graph/substitute.h"
+
+namespace isomotion::elements {
+namespace {
+
+using formula::Interval;
+
+constexpr int least_input = 3;
+constexpr int halvings = 14;        // of the range
+constexpr std::size_t most = 4096; // boxes for one number
+
+formula::Bindings<Interval> without_array(const formula::Bindings<float>& bindings,
+                                          std::size_t array) {
+    formula::Bindings<float> others = bindings;
+    others.arrays[array] = {};
+    return formula::convert<Interval>(others);
+}
+
+} // namespace
+
+LeastAtRoots::LeastAtRoots(const formula::Field& field, int array)
+    : array_(std::size_t(array)) {
+    formula::Graph graph;
+    graph.fold_exactly();
+    const auto as_input = [&](formula::Graph& g, const formula::Node& node,
+                              formula::NodeId rebuilt) {
+        const bool is_least = formula::is_over_elements(node.op) && node.index == array;
+        return is_least ? g.input(least_input) : rebuilt;
+    };
+    const formula::NodeId root =
+        formula::substitute(graph, field.graph, std::array{field.root}, as_input)[0];
+    for (const formula::NodeId id : formula::nodes_below(graph, std::array{root})) {
+        const formula::Node& node = graph[id];
+        const bool is_place = node.op == formula::Op::input && node.index < least_input;
+        depends_on_place_ = depends_on_place_ || is_place;
+    }
+    const formula::NodeId zero = graph.constant(0), one = graph.constant(1);
+    const formula::NodeId slope = formula::differentiate_inputs(
+        graph, root, {zero, zero, zero, one}, formula::Slopes::generalized);
+    program_ = formula::schedule(graph, std::array{root, slope});
+}
+
+// Divides the region until each box tells.
+class LeastAtRoots::Search {
+public:
+    Search(const LeastAtRoots& of, const formula::Bindings<float>& bindings, const Region& region)
+        : bindings_(without_array(bindings, of.array_))
+        , program_(of.program_)
+        , divides_(of.depends_on_place_) {
+        for (int k = 0; k < 3; ++k) region_[std::size_t(k)] = {region.low[k], region.high[k]};
+    }
+
+    // Whether no root in the region changes with L above `from`.
+    bool is_enough(double from) {
+        std::vector<Box> open{region_};
+        std::size_t asked = 0;
+        while (!open.empty()) {
+            asked += open.size();
+            if (asked > most) return false;
+            std::vector<Box> rest;
+            for (const Box& box : undecided(open, from)) {
+                if (!divides_) return false;
+                halve(box, rest);
+            }
+            open = std::move(rest);
+        }
+        return true;
+    }
+
+private:
+    using Box = std::array<Interval, 3>;
+
+    // Those where F may be 0 and may change with L.
+    std::vector<Box> undecided(const std::vector<Box>& boxes, double from) {
+        std::array<std::vector<Interval>, 4> inputs;
+        for (const Box& box : boxes) {
+            for (std::size_t k = 0; k < 3; ++k) inputs[k].push_back(box[k]);
+            inputs[least_input].emplace_back(from, formula::infinity);
+        }
+        std::vector<Interval> values(boxes.size()), slopes(boxes.size());
+        const std::vector<std::span<const Interval>> in(inputs.begin(), inputs.end());
+        program_.points(bindings_, in, std::array{std::span(values), std::span(slopes)});
+        std::vector<Box> left;
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            if (formula::contains(values[k], 0.0) && slopes[k] != Interval(0, 0))
+                left.push_back(boxes[k]);
+        }
+        return left;
+    }
+
+    static void halve(const Box& box, std::vector<Box>& to) {
+        std::size_t axis = 0;
+        for (std::size_t k = 1; k < 3; ++k) {
+            if (formula::width(box[k]) > formula::width(box[axis])) axis = k;
+        }
+        Box low = box, high = box;
+        low[axis].hi = high[axis].lo = formula::mid(box[axis]);
+        to.push_back(low);
+        to.push_back(high);
+    }
+
+    formula::Bindings<Interval> bindings_;
+    formula::Evaluator<Interval> program_;
+    Box region_;
+    bool divides_;
+};
+
+std::optional<double> LeastAtRoots::enough(const formula::Bindings<float>& bindings,
+                                           const Region& region, const Interval& range) const {
+    Search search(*this, bindings, region);
+    double low = range.lo, high = range.hi;
+    if (!(high - low < formula::infinity) || !search.is_enough(high)) return std::nullopt;
+    for (int k = 0; k < halvings; ++k) {
+        const double middle = low + 0.5 * (high - low);
+        (search.is_enough(middle) ? high : low) = middle;
+    }
+    return high;
+}
+
+} // namespace isomotion::elements
