@@ -98,18 +98,19 @@ float GridMaker::least_left_out(const ElementTerms& terms, const formula::Bindin
     if (!enough) return none;
     const auto size = [&](double key) { return mean_size(terms, {&key, 1}); };
     const double most = beyond * size(*enough);
-    double low = *enough, high = range.hi;
-    for (int k = 0; k < halvings; ++k) {
-        const double middle = low + 0.5 * (high - low);
-        (size(middle) <= most ? low : high) = middle;
+    double low = *enough - range.lo, high = range.hi - range.lo;
+    for (int k = 0; k < halvings && low < high; ++k) {
+        const double middle = std::sqrt(low * high);
+        (size(range.lo + middle) <= most ? low : high) = middle;
     }
+    const double least = range.lo + low;
     const Interval above(*enough, formula::infinity);
     if (roots_.exclude(bindings, region, {&above, 1})) {
         root_free.at_least = *enough;
         root_free.is_emptiness = true;
     }
     // Rounded up, never beyond what there is.
-    return std::min(std::nextafter(float(low), none), none);
+    return std::min(std::nextafter(float(least), none), none);
 }
 
 ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Region& region,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "formula/evaluate/evaluate.h"
 #include "formula/graph/derivative.h"
@@ -13,8 +14,9 @@ namespace {
 using formula::Interval;
 
 constexpr int least_input = 3;
-constexpr int halvings = 14;        // of the range
-constexpr std::size_t most = 4096; // boxes for one number
+constexpr double smallest = 0x1p-40; // part of the range
+constexpr int halvings = 14;         // of the logarithm of that part
+constexpr std::size_t most = 4096;   // boxes for one number
 
 formula::Bindings<Interval> without_array(const formula::Bindings<float>& bindings,
                                           std::size_t array) {
@@ -115,13 +117,14 @@ private:
 std::optional<double> LeastAtRoots::enough(const formula::Bindings<float>& bindings,
                                            const Region& region, const Interval& range) const {
     Search search(*this, bindings, region);
-    double low = range.lo, high = range.hi;
-    if (!(high - low < formula::infinity) || !search.is_enough(high)) return std::nullopt;
+    const double span = range.hi - range.lo;
+    if (!(span < formula::infinity) || !search.is_enough(range.hi)) return std::nullopt;
+    double low = smallest, high = 1;
     for (int k = 0; k < halvings; ++k) {
-        const double middle = low + 0.5 * (high - low);
-        (search.is_enough(middle) ? high : low) = middle;
+        const double middle = std::sqrt(low * high);
+        (search.is_enough(range.lo + middle * span) ? high : low) = middle;
     }
-    return high;
+    return range.lo + high * span;
 }
 
 } // namespace isomotion::elements

@@ -133,6 +133,15 @@ std::optional<NodeId> element_weight(const Graph& graph, NodeId field, int array
     return weight;
 }
 
+std::optional<NodeId> least_key(const Graph& graph, NodeId field, int array) {
+    for (const NodeId id : nodes_below(graph, std::array{field})) {
+        const Node& node = graph[id];
+        if (node.op == Op::least && node.index == array && node.arrays == 0)
+            return node.children[0];
+    }
+    return std::nullopt;
+}
+
 bool weigh_like_field(const Graph& graph, NodeId field, std::span<const NodeId> roots, int array) {
     const Readers readers(graph);
     std::vector<Factors> of_field;

@@ -84,18 +84,22 @@ std::optional<Paint> make_mean_color(const Vocabulary& surface, const Field& fie
     Paint paint = begin_paint(field);
     Graph& g = paint.graph;
     const std::optional<NodeId> term = element_weight(g, paint.field, array);
-    if (!term) return std::nullopt;
+    const std::optional<NodeId> key = least_key(g, paint.field, array);
+    if (!term && !key) return std::nullopt;
     const ArrayName& names = surface.arrays[std::size_t(array)];
-    const NodeId weight = g.unary(Op::abs, *term), all = g.sum(array, weight);
-    paint.text = "the elements' mean of";
+    const auto mean_of = [&](NodeId value, NodeId own) {
+        const NodeId factor = g.constant(unit);
+        if (!term) return g.multiply(factor, g.pick(array, *key, value));
+        const NodeId weight = g.unary(Op::abs, *term), all = g.sum(array, weight);
+        const NodeId sum = g.sum(array, g.multiply(weight, value));
+        return g.select(g.constant(0), all, g.multiply(factor, g.divide(sum, all)), own);
+    };
+    paint.text = term ? "the elements' mean of" : "of the least element";
     for (std::size_t k = 0; k < fields.size(); ++k) {
         const int part = fields[k];
         const FieldName& name = names.fields[std::size_t(part)];
         const NodeId value = name.parameter ? g.parameter(*name.parameter) : g.element(array, part);
-        const NodeId sum = g.sum(array, g.multiply(weight, value));
-        const NodeId mean = g.multiply(g.constant(unit), g.divide(sum, all));
-        const NodeId own = g.input(int(paint_names.size() + k));
-        paint.roots.push_back(g.select(g.constant(0), all, mean, own));
+        paint.roots.push_back(mean_of(value, g.input(int(paint_names.size() + k))));
         paint.text += fmt::format(" {}.{}", names.name, name.name);
     }
     return finish(std::move(paint), field);

@@ -42,8 +42,8 @@ using ColorTexts = std::array<std::optional<std::string>, 3>;
 Paint make_color(const ColorTexts& texts, const Vocabulary& surface, const Field& field);
 
 // The mean over an array's elements of three of its fields times `unit`, weighted by the size of
-// their terms: see element_weights.h. Where all are 0 it is the material's own colour. None if F has
-// no sum over the array.
+// their terms, or those of the least element: see element_weights.h. Where all are 0 it is the
+// material's own colour. None if F does not go through the array.
 std::optional<Paint> make_mean_color(const Vocabulary& surface, const Field& field, int array,
                                      const std::array<int, 3>& fields, double unit);
 

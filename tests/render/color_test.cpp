@@ -1,6 +1,8 @@
 // Colours by place, pixel by pixel, against closed forms in double on the CPU.
 #include "render/material_colors.h"
 
+#include <random>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -76,6 +78,49 @@ double gauss(double square) { return std::exp(2 - 2 * square); }
 double hat(double square) { return std::pow(std::max(0.0, 1 - square / 1.44), 3); }
 
 const glm::dvec3 red(1, 0, 0), blue(0, 0, 1);
+
+// Whether it is asked for or the arrays' own; beside all elements, and of many by place.
+TEST_P(ColoredPictures, OfTheLeastElementAreItsOwn) {
+    std::mt19937 draw(11);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (const int count : {3, 40, 700}) {
+        std::vector<Element> elements;
+        for (int k = 0; k < count; ++k) {
+            const glm::dvec3 at(unit(draw), unit(draw), unit(draw));
+            elements.push_back({4.0 * at - 2.0, {unit(draw), unit(draw), unit(draw)}});
+        }
+        const double radius = 0.9 / std::cbrt(count);
+        const std::string key = fmt::format("sqrt({}) - {}", distance, radius);
+        const std::string asked = fmt::format(
+            "[material]\ncolor = [\"least(p, {0}, r)\", \"least(p, {0}, g)\", "
+            "\"least(p, {0}, b)\"]\n",
+            key);
+        for (const std::string& more : {std::string(), asked}) {
+            const auto scene =
+                scene_of(scene_text(fmt::format("least(p, {})", key), elements, more));
+            const Picture picture = render::draw(*context, scene);
+            int close = 0; // to another one
+            expect_colors(picture, 300, [&](const Pixel& pixel) {
+                double least = 1e30, next = 1e30;
+                glm::dvec3 color(0);
+                for (const Element& e : elements) {
+                    const double away = glm::distance(pixel.position, e.centre);
+                    if (away < least) {
+                        next = least;
+                        least = away;
+                        color = e.color;
+                    } else {
+                        next = std::min(next, away);
+                    }
+                }
+                if (next - least > 1e-4) return color;
+                ++close;
+                return pixel.color;
+            });
+            EXPECT_LT(close, 20);
+        }
+    }
+}
 
 TEST_P(ColoredPictures, TwoBlobsThatMergeShowTheMeanOfTheirColours) {
     for (const double apart : {1.6, 0.9, 0.4}) {

@@ -32,7 +32,7 @@ elevation = 20
 [output]
 size = [49, 31]
 {})toml",
-                                formula, count, formula.find("w*") != formula.npos ? weights : "",
+                                formula, count, formula.find('w') != formula.npos ? weights : "",
                                 more));
 }
 
@@ -79,6 +79,9 @@ TEST_P(Grid, IsThePictureOfAllElements) {
              "z - 0.3 + sum(p, max(0, 1 - 25*" + d + ")^3)",
              "sum(p, w*max(0, 1 - 20*" + d + ")^2)/(1 + sum(p, max(0, 1 - 16*" + d + ")^3)) - 0.2",
              "max(0.3 - sum(p, max(0, 1 - 25*" + d + ")^3), 0.2*y - x)",
+             "least(p, sqrt(" + d + ") - 0.12*w)",
+             "min(least(p, sqrt(" + d + ") - 0.12), z + 0.6)",
+             "0.4 - greatest(p, exp(-120*" + d + "))",
          }) {
         const Difference found = beside_all_elements(*context, elements(formula, 600));
         EXPECT_GT(found.hits, 250) << formula;

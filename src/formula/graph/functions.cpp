@@ -51,8 +51,8 @@ constexpr std::array table{
     Function{"pow", "a, b", 2, false, nullptr, nullptr},
     Function{"chebyshev", "n, a", 2, false, nullptr, nullptr},
     Function{"sum", "array, expression", 2, false, nullptr, nullptr},
-    Function{"least", "array, expression, value", 2, false, nullptr, nullptr},
-    Function{"greatest", "array, expression, value", 2, false, nullptr, nullptr},
+    Function{"least", "array, expression", 2, false, nullptr, nullptr},
+    Function{"greatest", "array, expression", 2, false, nullptr, nullptr},
     // In animations alone.
     Function{"random", "i, k", 2, false, folded<Op::random>, nullptr},
 };

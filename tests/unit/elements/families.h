@@ -73,6 +73,28 @@ inline constexpr Family families[] = {
      true},
 };
 
+// Of the least element, of many bodies joined.
+inline constexpr Family least_families[] = {
+    {"balls", "least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2) - 0.4*r)", true},
+    {"squares", "least(p, (x-cx)^2 + (y-cy)^2 + (z-cz)^2 - (0.4*r)^2)", true},
+    {"moving", "least(p, sqrt((x-cx-dx*s)^2 + (y-cy+dx*s)^2 + (z-cz)^2) - 0.4*r)", true},
+    {"ellipsoids",
+     "least(p, sqrt((gxx*(x-cx) + gxy*(y-cy) + gxz*(z-cz))^2"
+     " + (gxy*(x-cx) + gyy*(y-cy) + gyz*(z-cz))^2"
+     " + (gxz*(x-cx) + gyz*(y-cy) + gzz*(z-cz))^2) - 0.3)",
+     true},
+    {"kernels", "0.5 - greatest(p, w*exp(-a*((x-cx)^2 + (y-cy)^2 + (z-cz)^2)))", true},
+    {"shells", "abs(least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2) - 0.4*r)) - 0.05*h", true},
+    {"wavy", "least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2) - 0.4*r) + 0.05*h*sin(20*x)", true},
+    {"a floor", "min(least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2) - 0.4*r), z + 0.5)", true},
+    {"a soft floor",
+     "smoothmin(least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2) - 0.4*r), z + 0.5, 0.2*h)", true},
+    {"cut", "max(least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2) - 0.4*r), 0.3*y - x)", true},
+    {"holes", "max(x^2 + y^2 + z^2 - 0.8, -least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2) - 0.4*r))",
+     true},
+    {"rods", "least(p, sqrt((x-cx)^2 + (y-cy)^2) - 0.2*r)", true},
+};
+
 // `spacing`: about a kernel's width, of elements in the ball of radius 1.
 inline formula::Bindings<float> drawn_elements(std::mt19937& draw, int count, double spacing) {
     std::uniform_real_distribution<double> unit(-1, 1);

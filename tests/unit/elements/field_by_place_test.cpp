@@ -42,7 +42,7 @@ TEST_P(Boxes, HoldValuesAndSlopesOfAllElements) {
         // What is left out differs from place to place, and counts as if it were the same.
         double left_out = 0;
         for (const double most : frame.grid().left_out) left_out += most;
-        int bounded = 0;
+        int bounded = 0, slopes = 0;
         for (int k = 0; k < 300; ++k) {
             const double size = std::exp2(std::uniform_real_distribution<double>(-14, -2)(draw_));
             const Point a = place(0.26);
@@ -58,6 +58,7 @@ TEST_P(Boxes, HoldValuesAndSlopesOfAllElements) {
             for (std::size_t i = 0; i < 6; ++i) from[i] = {&box[i], 1};
             directional.points(from, std::array{std::span(&told[0], 1), std::span(&told[1], 1)});
             bounded += told[0] != Interval::entire();
+            slopes += told[1] != Interval::entire();
             const auto at = [&](double t) {
                 return evaluator.value(all, {a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]});
             };
@@ -81,6 +82,7 @@ TEST_P(Boxes, HoldValuesAndSlopesOfAllElements) {
             EXPECT_LE(change, size * told[1].hi + slack);
         }
         EXPECT_GT(bounded, std::string(GetParam().name) == "ratio" ? 10 : 150);
+        EXPECT_GT(slopes, 10);
     }
 }
 
@@ -119,6 +121,7 @@ TEST_P(ExactBoxes, AreAsNarrowAsFromAllElements) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, Boxes, testing::ValuesIn(families));
+INSTANTIATE_TEST_SUITE_P(LeastFamilies, Boxes, testing::ValuesIn(least_families));
 
 std::vector<Family> exact_families() {
     std::vector<Family> exact;

@@ -78,8 +78,67 @@ TEST_P(Families, SumsOverListsAreTheSums) {
 
 INSTANTIATE_TEST_SUITE_P(All, Families, testing::ValuesIn(families));
 
+class LeastFamilies : public testing::TestWithParam<Family> {};
+
+// Lists hold the least element wherever a root depends on it.
+TEST_P(LeastFamilies, RootsAreThoseOfAllElements) {
+    const unsigned seed = 20261127;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 draw(seed);
+    const std::string formula = GetParam().formula, name = GetParam().name;
+    const auto field = formula::make_field(formula, family_vocabulary());
+    // The key's sign in F, and the least alone.
+    const auto begin = formula.find(name == "kernels" ? "greatest(" : "least(");
+    const auto end = [&] {
+        int depth = 0;
+        for (std::size_t k = begin; k < formula.size(); ++k) {
+            depth += formula[k] == '(' ? 1 : formula[k] == ')' ? -1 : 0;
+            if (formula[k] == ')' && depth == 0) return k + 1;
+        }
+        return formula.size();
+    }();
+    const auto least = formula::make_field((name == "kernels" ? "-" : "") +
+                                               formula.substr(begin, end - begin),
+                                           family_vocabulary());
+    const auto maker = GridMaker::of(field, 0);
+    ASSERT_TRUE(maker);
+    for (const int count : {0, 1, 2, 75, 700}) {
+        const double spacing = count > 0 ? 0.8 / std::cbrt(count) : 1.0;
+        const auto values = drawn_elements(draw, count, spacing);
+        const ElementGrid grid = maker->make(values, ball, {.threads = 2});
+        const auto all = formula::convert<double>(values);
+        formula::FieldEvaluator<double> evaluator(field), of_least(least);
+        std::uniform_real_distribution<double> place(-1.1, 1.1);
+        double listed = 0;
+        int inside = 0;
+        for (int k = 0; k < 1000; ++k) {
+            const std::array p{place(draw), place(draw), place(draw)};
+            const auto list = grid.list(grid.at(grid.place({p[0], p[1], p[2]})));
+            listed += double(list.size());
+            const auto near = only(all, list);
+            const double limit = double(grid.least);
+            EXPECT_EQ(std::min(of_least.value(near, p), limit),
+                      std::min(of_least.value(all, p), limit))
+                << count << " at " << testing::PrintToString(p);
+            const double whole = evaluator.value(all, p), part = evaluator.value(near, p);
+            inside += whole < 0;
+            EXPECT_EQ(part < 0, whole < 0) << count << " at " << testing::PrintToString(p);
+        }
+        if (count == 700) {
+            EXPECT_LT(listed / 1000, 200) << "lists are much shorter than all";
+            EXPECT_GT(inside, 20);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LeastFamilies, testing::ValuesIn(least_families));
+
+class AllFamilies : public testing::TestWithParam<Family> {};
+INSTANTIATE_TEST_SUITE_P(Sums, AllFamilies, testing::ValuesIn(families));
+INSTANTIATE_TEST_SUITE_P(Least, AllFamilies, testing::ValuesIn(least_families));
+
 // F has one sign at all places of a free cell, or no value.
-TEST_P(Families, FreeCellsHaveNoRoot) {
+TEST_P(AllFamilies, FreeCellsHaveNoRoot) {
     const unsigned seed = 20261125;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 draw(seed);
@@ -110,18 +169,39 @@ TEST_P(Families, FreeCellsHaveNoRoot) {
     EXPECT_GT(free, 100);
 }
 
-TEST(GridMaker, IsEqualForAnyNumberOfThreads) {
+TEST_P(AllFamilies, GridsAreEqualForAnyNumberOfThreads) {
     std::mt19937 draw(3);
-    for (const Family& family : families) {
-        const auto maker =
-            GridMaker::of(formula::make_field(family.formula, family_vocabulary()), 0);
-        const auto values = drawn_elements(draw, 3000, 0.06);
-        const ElementGrid one = maker->make(values, ball, {.threads = 1});
-        const ElementGrid three = maker->make(values, ball, {.threads = 3});
-        EXPECT_EQ(one.cells, three.cells) << family.name;
-        EXPECT_EQ(one.listed, three.listed) << family.name;
-        EXPECT_EQ(one.left_out, three.left_out) << family.name;
-    }
+    const auto maker =
+        GridMaker::of(formula::make_field(GetParam().formula, family_vocabulary()), 0);
+    const auto values = drawn_elements(draw, 3000, 0.06);
+    const ElementGrid one = maker->make(values, ball, {.threads = 1});
+    const ElementGrid three = maker->make(values, ball, {.threads = 3});
+    EXPECT_EQ(one.cells, three.cells);
+    EXPECT_EQ(one.listed, three.listed);
+    EXPECT_EQ(one.left_out, three.left_out);
+    EXPECT_EQ(one.least, three.least);
+}
+
+// What no grid is made of: its elements are all looked at.
+TEST(GridMaker, IsOfOneLeastAndNoSums) {
+    const auto may = [](const char* formula) {
+        return GridMaker::of(formula::make_field(formula, family_vocabulary()), 0).has_value();
+    };
+    EXPECT_TRUE(may("least(p, (x-cx)^2 + y^2 + z^2) - 1"));
+    EXPECT_FALSE(may("least(p, (x-cx)^2 + y^2 + z^2) - least(p, (y-cy)^2 + x^2 + z^2)"));
+    EXPECT_FALSE(may("least(p, (x-cx)^2 + y^2 + z^2) - sum(p, exp(-(y-cy)^2 - x^2 - z^2))"));
+    EXPECT_FALSE(may("least(p, sin(x*cx)*sin(y*cy))"));
+}
+
+// 1/L grows towards 0 for ever, so what is far counts: lists hold all.
+TEST(GridMaker, LeavesOutNothingWhereRootsDependOnTheLeastAnywhere) {
+    std::mt19937 draw(6);
+    const auto field = formula::make_field(
+        "z*least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2)) - 0.2", family_vocabulary());
+    const auto values = drawn_elements(draw, 100, 0.1);
+    const ElementGrid grid = GridMaker::of(field, 0)->make(values, ball, {});
+    EXPECT_EQ(grid.longest, 100u);
+    EXPECT_EQ(grid.least, formula::Operations<float>::least_of_none());
 }
 
 TEST(GridMaker, ListsKeepWithinTheirLimit) {
