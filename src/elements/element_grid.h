@@ -77,8 +77,8 @@ struct RootFree {
     std::vector<double> at_most{};   // F has no root where each sum is at most this; 0: unknown
     // Of a `least`: F has no root where it is at least this; infinite: unknown.
     std::optional<double> at_least{};
-    float least = 0; // as of the grid
-    bool is_emptiness = false;       // F has no root where there is no element
+    float least = 0;           // as of the grid
+    bool is_emptiness = false; // F has no root where there is no element
     // Else: what looks for roots cell by cell, with bounds of the sums there.
     const SumsAtRoots* roots = nullptr;
     const formula::Bindings<float>* bindings = nullptr;

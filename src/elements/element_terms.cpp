@@ -282,9 +282,8 @@ void ElementTerms::sizes(std::span<const LevelSet> sets, int first, int last,
                 for (int sum = 0; sum < all; ++sum) {
                     constexpr float infinite = std::numeric_limits<float>::infinity();
                     const Interval& term = lanes.term(sum, l);
-                    const double size =
-                        is_least() ? std::clamp(term.lo, -1e38, 1e38)
-                                   : std::min(magnitude(term), 1e38);
+                    const double size = is_least() ? std::clamp(term.lo, -1e38, 1e38)
+                                                   : std::min(magnitude(term), 1e38);
                     number(begin + l, sum, shell) =
                         std::nextafter(float(size), is_least() ? -infinite : infinite);
                 }

@@ -54,7 +54,7 @@ private:
     Region region_;
     int count_ = 0;
     std::vector<Quadric> quadrics_;
-    std::vector<Quadric> hulls_; // the ranges of all elements' together, for each quadric
+    std::vector<Quadric> hulls_;         // the ranges of all elements' together, for each quadric
     std::vector<Interval> field_ranges_; // of all elements, in the order of the kernels' fields
     formula::Bindings<Interval> parameters_;
     bool alike_ = false; // all elements have the same terms of their quadrics

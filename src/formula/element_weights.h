@@ -13,10 +13,10 @@
 
 namespace isomotion::formula {
 
-// The term of the sums over the array below `field` that weighs its elements: the first sum's, or of
-// those that differ from it by factors of the place alone or of the element alone the one with the
-// fewest factors. So it is the weight of a ratio of sums, wherever that stands. None without such a
-// sum.
+// The term of the sums over the array below `field` that weighs its elements: the first sum's, or
+// of those that differ from it by factors of the place alone or of the element alone the one with
+// the fewest factors. So it is the weight of a ratio of sums, wherever that stands. None without
+// such a sum.
 std::optional<NodeId> element_weight(const Graph& graph, NodeId field, int array);
 
 // The key of the first `least` over the array below `field`, for those of which no sum tells more.

@@ -14,10 +14,10 @@
 namespace isomotion::formula {
 
 struct SumsApart {
-    int places = 0;           // inputs of the whole program
-    std::vector<int> fields;  // of the array, that terms read
-    Program terms;            // inputs: those of the whole, then fields -> the terms of each sum
-    Program rest;             // inputs: those of the whole, then sums -> the outputs of the whole
+    int places = 0;          // inputs of the whole program
+    std::vector<int> fields; // of the array, that terms read
+    Program terms;           // inputs: those of the whole, then fields -> the terms of each sum
+    Program rest;            // inputs: those of the whole, then sums -> the outputs of the whole
     struct Sum {
         NodeId node; // in the graph that it was taken from; ascending
         Op op;

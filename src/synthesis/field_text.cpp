@@ -38,9 +38,8 @@ std::string declarations(const FieldStorage& storage) {
                                 array.name, grid_vectors);
             continue;
         }
-        text +=
-            fmt::format("int {0}_count = array_counts[{1}].{2};\n#define {0}_least {3}\n", array.name,
-                        a / 4, "xyzw"[a % 4], formula::glsl_least_of_none());
+        text += fmt::format("int {0}_count = array_counts[{1}].{2};\n#define {0}_least {3}\n",
+                            array.name, a / 4, "xyzw"[a % 4], formula::glsl_least_of_none());
         std::string element = "element";
         if (array.has_lists) {
             // Another list than all elements, once entered.

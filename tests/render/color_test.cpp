@@ -91,10 +91,10 @@ TEST_P(ColoredPictures, OfTheLeastElementAreItsOwn) {
         }
         const double radius = 0.9 / std::cbrt(count);
         const std::string key = fmt::format("sqrt({}) - {}", distance, radius);
-        const std::string asked = fmt::format(
-            "[material]\ncolor = [\"least(p, {0}, r)\", \"least(p, {0}, g)\", "
-            "\"least(p, {0}, b)\"]\n",
-            key);
+        const std::string asked =
+            fmt::format("[material]\ncolor = [\"least(p, {0}, r)\", \"least(p, {0}, g)\", "
+                        "\"least(p, {0}, b)\"]\n",
+                        key);
         for (const std::string& more : {std::string(), asked}) {
             const auto scene =
                 scene_of(scene_text(fmt::format("least(p, {})", key), elements, more));

@@ -2,8 +2,8 @@
 //
 // The text depends on the graph alone: values come through `parameters[]` (vec4s in a uniform
 // block) and, for arrays, through `vec4 array<k>_texel(int element, int texel)`, `array<k>_count`
-// and `array<k>_least`, the least of no elements, which the shader assembly declares. Functions of shaders/math/ are called by
-// their im_ names, see kernel_calls.h.
+// and `array<k>_least`, the least of no elements, which the shader assembly declares. Functions of
+// shaders/math/ are called by their im_ names, see kernel_calls.h.
 #pragma once
 
 #include <string>

@@ -184,8 +184,8 @@ private:
             const std::string& least = known(now.operands[2]).text;
             const bool picks = now.op == Op::pick;
             result.not_negative = !picks || known(now.operands[1]).not_negative;
-            const std::string value = picks ? interval(now.operands[1])
-                                            : fmt::format("{}(e{} + 1)", type_, now.index);
+            const std::string value =
+                picks ? interval(now.operands[1]) : fmt::format("{}(e{} + 1)", type_, now.index);
             line("{0} = im_select({1}, {2}, {3}, {0});", result.text, interval(key), least, value);
             line("{0} = min({0}, {1});", least, interval(key));
         }

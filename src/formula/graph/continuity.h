@@ -31,8 +31,8 @@ NodeId jumps(Graph& graph, NodeId root);
 NodeId gaps(Graph& graph, NodeId root);
 NodeId with_gaps(Graph& graph, NodeId root);
 
-// ... over boxes without a kink of min, max, select and least. Slopes over a box hold across these, but
-// slopes of those slopes don't. Nothing need be added for jumps, where slopes of slopes are the
+// ... over boxes without a kink of min, max, select and least. Slopes over a box hold across these,
+// but slopes of those slopes don't. Nothing need be added for jumps, where slopes of slopes are the
 // entire line as slopes are, nor at the ends of sqrt, asin and acos, where they are quotients 0/0.
 NodeId kinks(Graph& graph, NodeId root);
 

@@ -186,7 +186,8 @@ private:
     }
 
     NodeId name(std::string_view word, std::size_t begin) {
-        // Innermost first: fields of the arrays being gone through, definitions, then the vocabulary.
+        // Innermost first: fields of the arrays being gone through, definitions, then the
+        // vocabulary.
         for (auto it = open_arrays_.rbegin(); it != open_arrays_.rend(); ++it) {
             const auto field = names_.field(it->array, word);
             if (!field) continue;
@@ -286,7 +287,8 @@ private:
                  known.empty()
                      ? fmt::format("{} needs an array, and the scene has none: add [arrays.name]",
                                    function)
-                     : fmt::format("{}(array, expression): there is no array '{}'{}", function, word,
+                     : fmt::format("{}(array, expression): there is no array '{}'{}", function,
+                                   word,
                                    near.empty() ? fmt::format("; known: {}", join(known))
                                                 : fmt::format("; did you mean '{}'?", near)));
         }

@@ -2,7 +2,8 @@
 //
 // Both back ends run a Program: the GLSL writer prints one statement an instruction, the CPU
 // evaluator interprets it. What doesn't depend on a loop's element is computed before the loop, and
-// sums, least elements and picks over one array that don't need each other's results share one loop.
+// sums, least elements and picks over one array that don't need each other's results share one
+// loop.
 #pragma once
 
 #include <span>

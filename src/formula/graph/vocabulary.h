@@ -25,7 +25,7 @@ struct Vocabulary {
     std::vector<std::string> parameters;
     std::vector<ArrayName> arrays;
     bool allows_random =
-        false; // random(i, k): in animation only, where the CPU evaluates in double
+        false;                // random(i, k): in animation only, where the CPU evaluates in double
     bool allows_picks = true; // least(array, a, b), which jumps
 };
 

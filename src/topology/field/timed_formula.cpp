@@ -21,9 +21,9 @@ std::vector<NodeId> timed_parts(const Graph& graph, NodeId root) {
     std::vector<bool> is_timed(graph.size(), false), is_largest(graph.size(), false);
     for (const NodeId id : below) {
         const Node& node = graph[id];
-        bool timed = node.op == Op::input ? node.index == clock_input
-                                          : !formula::is_over_elements(node.op) &&
-                                                std::popcount(node.arrays) <= 1;
+        bool timed = node.op == Op::input
+                         ? node.index == clock_input
+                         : !formula::is_over_elements(node.op) && std::popcount(node.arrays) <= 1;
         for (std::size_t k = 0; k < node.arity; ++k) timed = timed && is_timed[node.children[k]];
         is_timed[id] = timed;
     }

@@ -97,9 +97,8 @@ TEST_P(LeastFamilies, RootsAreThoseOfAllElements) {
         }
         return formula.size();
     }();
-    const auto least = formula::make_field((name == "kernels" ? "-" : "") +
-                                               formula.substr(begin, end - begin),
-                                           family_vocabulary());
+    const auto least = formula::make_field(
+        (name == "kernels" ? "-" : "") + formula.substr(begin, end - begin), family_vocabulary());
     const auto maker = GridMaker::of(field, 0);
     ASSERT_TRUE(maker);
     for (const int count : {0, 1, 2, 75, 700}) {
@@ -196,8 +195,8 @@ TEST(GridMaker, IsOfOneLeastAndNoSums) {
 // 1/L grows towards 0 for ever, so what is far counts: lists hold all.
 TEST(GridMaker, LeavesOutNothingWhereRootsDependOnTheLeastAnywhere) {
     std::mt19937 draw(6);
-    const auto field = formula::make_field(
-        "z*least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2)) - 0.2", family_vocabulary());
+    const auto field = formula::make_field("z*least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2)) - 0.2",
+                                           family_vocabulary());
     const auto values = drawn_elements(draw, 100, 0.1);
     const ElementGrid grid = GridMaker::of(field, 0)->make(values, ball, {});
     EXPECT_EQ(grid.longest, 100u);

@@ -243,23 +243,24 @@ TEST(Enclosure, HoldsSlopesThatAreNoDoubles) {
                       Exact(0.1) * apply(Op::power, Exact(1e100), tenth)));
 }
 
-constexpr std::array kinked{"floor(3*x) + x/2 - y",
-                            "sign(x*y - z) + z",
-                            "floor(sin(9*x)*2)*y - sign(z)",
-                            "sqrt(x^2 + y^2 - 1/4) - z",
-                            "sqrt(1 - x^2 - y^2 - z^2) + x",
-                            "asin(2*x) - acos(y*z*3) + y",
-                            "min(x, y, z) + max(x^2, y)",
-                            "abs(x)^0.5 + abs(y)^1.5 - abs(z - x)",
-                            "abs(abs(abs(x) - 1/2) - y)*z",
-                            "min(1, max(0, 3*x - y))^3",
-                            "sum(blobs, sqrt((x-cx)^2 + (y-cy)^2)) + sum(links, floor(px*x))",
-                            "least(blobs, (x-cx)^2 + (y-3*cy)^2) - z*greatest(links, px*x - y)",
-                            "min(greatest(blobs, abs(x - cx)*cy), sum(links, least(blobs, px*cx*z)))",
-                            "chebyshev(5, x)*chebyshev(3, y) + chebyshev(30, z)",
-                            "exp(-x^2)*y/(2 + sin(z)) + tanh(x*z) - log(2 + y)",
-                            "(x^2)^0.3 + 2^y - (2 + x)^y",
-                            "cosh(x)*sinh(y) - tan(z/2) + atan(5*x)"};
+constexpr std::array kinked{
+    "floor(3*x) + x/2 - y",
+    "sign(x*y - z) + z",
+    "floor(sin(9*x)*2)*y - sign(z)",
+    "sqrt(x^2 + y^2 - 1/4) - z",
+    "sqrt(1 - x^2 - y^2 - z^2) + x",
+    "asin(2*x) - acos(y*z*3) + y",
+    "min(x, y, z) + max(x^2, y)",
+    "abs(x)^0.5 + abs(y)^1.5 - abs(z - x)",
+    "abs(abs(abs(x) - 1/2) - y)*z",
+    "min(1, max(0, 3*x - y))^3",
+    "sum(blobs, sqrt((x-cx)^2 + (y-cy)^2)) + sum(links, floor(px*x))",
+    "least(blobs, (x-cx)^2 + (y-3*cy)^2) - z*greatest(links, px*x - y)",
+    "min(greatest(blobs, abs(x - cx)*cy), sum(links, least(blobs, px*cx*z)))",
+    "chebyshev(5, x)*chebyshev(3, y) + chebyshev(30, z)",
+    "exp(-x^2)*y/(2 + sin(z)) + tanh(x*z) - log(2 + y)",
+    "(x^2)^0.3 + 2^y - (2 + x)^y",
+    "cosh(x)*sinh(y) - tan(z/2) + atan(5*x)"};
 
 // Divided differences of any two points, not only derivatives: across kinks and jumps too.
 TEST(Enclosure, HoldsDividedDifferences) {

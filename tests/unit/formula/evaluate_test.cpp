@@ -52,12 +52,12 @@ template<class T> auto bits(T value) {
 
 TYPED_TEST(Blocks, GiveTheBitsOfSinglePoints) {
     using T = TypeParam;
-    for (const auto* text : {"sum(blobs, weight*exp(-s*((x-cx)^2+(y-cy)^2+(z-cz)^2))) - a",
-                             "sin(x)*cos(y)+tan(z)-atan(x*y)+tanh(z)+asin(x)*acos(y)",
-                             "x^1.5+abs(y)^m-sinh(z)*cosh(x)",
-                             "min(x,y,z)/max(x*y,z)+floor(4*x)+sign(y)+sqrt(z)+log(x)",
-                             "chebyshev(50,x)-z", "7", "y", "sum(blobs, sum(links, cx*px*x))",
-                             "least(blobs, cx*x)*greatest(links, px*y - z)"}) {
+    for (const auto* text :
+         {"sum(blobs, weight*exp(-s*((x-cx)^2+(y-cy)^2+(z-cz)^2))) - a",
+          "sin(x)*cos(y)+tan(z)-atan(x*y)+tanh(z)+asin(x)*acos(y)",
+          "x^1.5+abs(y)^m-sinh(z)*cosh(x)",
+          "min(x,y,z)/max(x*y,z)+floor(4*x)+sign(y)+sqrt(z)+log(x)", "chebyshev(50,x)-z", "7", "y",
+          "sum(blobs, sum(links, cx*px*x))", "least(blobs, cx*x)*greatest(links, px*y - z)"}) {
         SCOPED_TRACE(text);
         const Field field = make_field(text, test_vocabulary());
         const auto bindings = convert<T>(test_bindings());

@@ -98,21 +98,21 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Sums, Mistakes,
-    testing::Values(Mistake{"sum(blob, 1)", "no array 'blob'; did you mean 'blobs'?", 5},
-                    Mistake{"sum(stars, 1)", "no array 'stars'; known: blobs, links", 5},
-                    Mistake{"sum(blobs)", "expected ',' between the array and the expression", 10},
-                    Mistake{"sum(blobs, 1", "expected ')' to close the sum", 13},
-                    Mistake{"sum(blobs, 1, 2)", "expected ')' to close the sum", 13},
-                    Mistake{"sum(blobs, sum(links, sum(blobs, 1)))",
-                            "a sum over 'blobs' inside a sum over 'blobs'", 23},
-                    Mistake{"sum(blobs, least(blobs, 1))",
-                            "a least over 'blobs' inside a sum over 'blobs'", 12},
-                    Mistake{"least(blob, 1)", "least(array, expression): there is no array 'blob'",
-                            7},
-                    Mistake{"greatest(blobs)",
-                            "expected ',' between the array and the expression of greatest", 15},
-                    Mistake{"least(blobs, 1, 2, 3)", "expected ')' to close the least", 18},
-                    Mistake{"least(blobs, 1) + cx", "has a value only inside sum(blobs, ...)", 19}));
+    testing::Values(
+        Mistake{"sum(blob, 1)", "no array 'blob'; did you mean 'blobs'?", 5},
+        Mistake{"sum(stars, 1)", "no array 'stars'; known: blobs, links", 5},
+        Mistake{"sum(blobs)", "expected ',' between the array and the expression", 10},
+        Mistake{"sum(blobs, 1", "expected ')' to close the sum", 13},
+        Mistake{"sum(blobs, 1, 2)", "expected ')' to close the sum", 13},
+        Mistake{"sum(blobs, sum(links, sum(blobs, 1)))",
+                "a sum over 'blobs' inside a sum over 'blobs'", 23},
+        Mistake{"sum(blobs, least(blobs, 1))", "a least over 'blobs' inside a sum over 'blobs'",
+                12},
+        Mistake{"least(blob, 1)", "least(array, expression): there is no array 'blob'", 7},
+        Mistake{"greatest(blobs)", "expected ',' between the array and the expression of greatest",
+                15},
+        Mistake{"least(blobs, 1, 2, 3)", "expected ')' to close the least", 18},
+        Mistake{"least(blobs, 1) + cx", "has a value only inside sum(blobs, ...)", 19}));
 
 // What has no value, or none a shader could hold.
 INSTANTIATE_TEST_SUITE_P(

@@ -8,8 +8,8 @@
 #include "animation/element_samples.h"
 #include "base/fingerprint.h"
 #include "particle_writers.h"
-#include "scene/particles/file_frames.h"
 #include "scene/limits.h"
+#include "scene/particles/file_frames.h"
 #include "scene/source_print.h"
 #include "testing.h"
 

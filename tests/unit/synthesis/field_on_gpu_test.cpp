@@ -286,7 +286,8 @@ TEST_P(FieldOnGpu, SumsAgree) {
         // Slopes are those of the element that is least.
         "least(blobs, sqrt(" + ball + ") - 0.3*s) - 0.2", "greatest(blobs, cx*x + cy*y + cz*z) - a",
         "min(least(blobs, " + ball + "), sum(links, px*x)) + least(links, abs(x - px)*py)",
-        "least(blobs, r + greatest(links, (x - cx*px)^2 - y)) - sum(blobs, cx*greatest(links, y*py))",
+        "least(blobs, r + greatest(links, sin(x - cx*px)*cy)) - sum(blobs, cx*greatest(links, "
+        "sin(y*py)))",
         "sum(blobs, 1) - sum(links, 2)*x", "sum(blobs, min(cx, x)) + m*sum(links, max(py, y))"};
     for (const std::string& text : texts) {
         expect_agreement(with_arrays(text, 7, 4), random);
@@ -296,8 +297,9 @@ TEST_P(FieldOnGpu, SumsAgree) {
 
 TEST_P(FieldOnGpu, SumsOfOneAndOfNoElementsAgree) {
     for (const auto& [blobs, links] : {std::pair(1, 1), {0, 3}, {3, 0}, {0, 0}}) {
-        for (const char* text : {"sum(blobs, weight*sum(links, px*x) + s*y) - sum(links, py*z)",
-                                 "min(x, least(blobs, y + cx)) - max(z, greatest(links, px*x))"})
+        for (const char* text :
+             {"sum(blobs, weight*sum(links, px*x) + s*y) - sum(links, py*z)",
+              "min(x, least(blobs, cos(y) + cx)) - max(cos(z), greatest(links, px*sin(x)))"})
             expect_agreement(with_arrays(text, blobs, links), random);
         if (HasFatalFailure()) return;
     }

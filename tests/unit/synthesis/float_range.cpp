@@ -47,9 +47,8 @@ private:
             }
             Range& to = registers_[std::size_t(now.result)];
             if (now.kind == Instruction::Kind::begin) {
-                const Range none{ranges::saturation, ranges::saturation, false};
-                to = now.op == Op::least ? none : Range{};
-                if (now.op == Op::pick) registers_[std::size_t(now.operands[2])] = none;
+                begin(now, to);
+                continue;
             } else if (now.kind == Instruction::Kind::accumulate) {
                 accumulate(now, to);
             } else {
@@ -59,8 +58,18 @@ private:
         }
     }
 
+    // What is the least of none counts as cut off only where it stays or keys are beyond it.
+    void begin(const Instruction& now, Range& to) {
+        const Range none{ranges::saturation, ranges::saturation, false};
+        to = now.op == Op::least ? none : Range{};
+        if (formula::keeps_least(now.op)) registers_[std::size_t(now.operands[2])] = none;
+        const bool is_empty = bindings_.arrays[std::size_t(now.index)].count == 0;
+        saturated_ = saturated_ || (now.op == Op::least && is_empty);
+    }
+
     void accumulate(const Instruction& now, Range& to) {
         const Range& key = operand(now, 0);
+        if (now.op != Op::sum) note(now, ranges::size(key), key.nan);
         if (now.op == Op::sum) {
             to = ranges::add(to, key);
         } else if (now.op == Op::least) {
