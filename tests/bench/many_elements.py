@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Draws sums over more and more elements, which shrink so that the picture keeps its grain.
+"""Draws sums over more and more elements, and the least of them, which shrink so that the picture keeps its grain.
 
     tests/bench/many_elements.py build/release/isomotion [--counts 75,1000,10000,100000] [--size 512]
-                                 [--frames 6] [--kinds gaussians,wyvill,anisotropic]
+                                 [--frames 6] [--kinds gaussians,wyvill,anisotropic,balls]
 
 Prints a table: the mean time of a frame, sorting the elements and compiling once included, and that
 over the time of the fewest elements; evaluations a ray; the most memory so far. Ratios within one run
@@ -24,6 +24,7 @@ KINDS = {
     "anisotropic": "level - sum(p, w*max(0, 1 - (gxx*(x-cx) + gxy*(y-cy) + gxz*(z-cz))^2"
                    " - (gxy*(x-cx) + gyy*(y-cy) + gyz*(z-cz))^2"
                    " - (gxz*(x-cx) + gyz*(y-cy) + gzz*(z-cz))^2)^3)",
+    "balls": f"least(p, sqrt({DISTANCE}) - level*h)",
 }
 
 
@@ -54,7 +55,7 @@ def write_scene(folder, kind, count, frames):
     parameters = ["level = 0.35"]
     if kind == "gaussians":
         parameters.append(f"a = {62 / grain ** 2:.7g}")
-    if kind == "wyvill":
+    if kind in ("wyvill", "balls"):
         parameters.append(f"h = {width:.7g}")
     scene = folder / f"{kind}{count}.toml"
     scene.write_text(f"""title = "{count} {kind}"

@@ -23,6 +23,9 @@ const std::vector<Moving> moving_surfaces{
      "m = { keys = [[0, 2.2], [0.4, 3], [1, 5]], ease = \"cubic\" }"},
     {"max(min(x*y + c, z), x^2 + y^2 + z^2 - 1)", "{ box = [[-1, -1, \"-c\"], [1, 1, \"1 + c\"]] }",
      "c = \"0.3 + t\""},
+    {"least(blobs, (x - cx)^2 + (y - cy)^2 + w*z^2) + 0.1*greatest(blobs, sin(x + cx)*w) - T",
+     "{ sphere = 2 }", "T = \"0.5 + t/10\"",
+     "[arrays.blobs]\ncount = 9\ncx = \"cos(i + t)\"\ncy = \"sin(i*1.7)*w\"\nw = \"1 + i*t/20\""},
     {"chebyshev(8, x) + chebyshev(8, y)*c + sqrt(x^2 + z^2 + 0.01)", "{ sphere = 1.1 }",
      "c = \"tanh(t) + atan(t)\""},
 };

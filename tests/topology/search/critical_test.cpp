@@ -222,15 +222,27 @@ TEST(Events, AreNotDisturbedByWhatMovesElsewhere) {
 
 TEST(Events, AtACreaseAreUnresolved) {
     // Two balls joined by min touch where F has a kink: no gradient is 0 there, nor a Hessian.
-    const Moving balls{"min((x - d)^2, (x + d)^2) + y^2 + z^2 - 1", "{ sphere = 4 }",
-                       "d = \"2 - t\""};
-    const Timeline timeline = events_of(balls, 0, 1.5, Side::negative, {.smallest = 1e-4});
-    EXPECT_FALSE(timeline.is_proved);
-    EXPECT_TRUE(timeline.events.empty()) << described(timeline);
-    ASSERT_FALSE(timeline.unresolved.empty());
-    EXPECT_TRUE(std::any_of(timeline.unresolved.begin(), timeline.unresolved.end(),
-                            [](const Unresolved& place) { return contains(place.time, 1.0); }))
-        << described(timeline);
+    const std::string pair = "[arrays.balls]\ncount = 2\nside = \"2*i - 1\"";
+    for (const Moving& balls :
+         {Moving{"min((x - d)^2, (x + d)^2) + y^2 + z^2 - 1", "{ sphere = 4 }", "d = \"2 - t\""},
+          Moving{"least(balls, (x - side*d)^2) + y^2 + z^2 - 1", "{ sphere = 4 }", "d = \"2 - t\"",
+                 pair}}) {
+        const Timeline timeline = events_of(balls, 0, 1.5, Side::negative, {.smallest = 1e-4});
+        EXPECT_FALSE(timeline.is_proved);
+        EXPECT_TRUE(timeline.events.empty()) << described(timeline);
+        ASSERT_FALSE(timeline.unresolved.empty());
+        EXPECT_TRUE(std::any_of(timeline.unresolved.begin(), timeline.unresolved.end(),
+                                [](const Unresolved& place) { return contains(place.time, 1.0); }))
+            << described(timeline);
+    }
+}
+
+TEST(Events, OfTheLeastElementAreThoseOfEach) {
+    const Moving balls{"least(balls, (x - cx)^2 + y^2 + z^2 + from) - T", "{ sphere = 4 }",
+                       "T = \"t/2\"",
+                       "[arrays.balls]\ncount = 3\ncx = [-2, 0.25, 2]\nfrom = [0.1, 0.3, 0.2]"};
+    expect_events(events_of(balls, 0, 1),
+                  {{0.2, 1, 0, true}, {0.4, 1, 0, true}, {0.6, 1, 0, true}});
 }
 
 TEST(Events, AtStepsOfTheMotionAreInDoubt) {
