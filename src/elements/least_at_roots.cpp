@@ -17,12 +17,36 @@ constexpr int least_input = 3;
 constexpr double smallest = 0x1p-40; // part of the range
 constexpr int halvings = 14;         // of the logarithm of that part
 constexpr std::size_t most = 4096;   // boxes for one number
+constexpr std::size_t most_parts = 16;
 
 formula::Bindings<Interval> without_array(const formula::Bindings<float>& bindings,
                                           std::size_t array) {
     formula::Bindings<float> others = bindings;
     others.arrays[array] = {};
     return formula::convert<Interval>(others);
+}
+
+// F, then the parts whose signs are all that its sign depends on, if they are few.
+std::vector<formula::NodeId> with_parts(const formula::Graph& graph, formula::NodeId root) {
+    std::vector<formula::NodeId> open{root}, found{root};
+    while (!open.empty()) {
+        const formula::Node& node = graph[open.back()];
+        const formula::NodeId id = open.back();
+        open.pop_back();
+        switch (node.op) {
+        case formula::Op::min:
+        case formula::Op::max:
+        case formula::Op::multiply:
+        case formula::Op::negate:
+        case formula::Op::abs:
+            open.insert(open.end(), node.children.begin(), node.children.begin() + node.arity);
+            break;
+        default:
+            if (std::ranges::find(found, id) == found.end()) found.push_back(id);
+        }
+        if (found.size() + open.size() > most_parts) return {root};
+    }
+    return found;
 }
 
 } // namespace
@@ -44,9 +68,13 @@ LeastAtRoots::LeastAtRoots(const formula::Field& field, int array)
         depends_on_place_ = depends_on_place_ || is_place;
     }
     const formula::NodeId zero = graph.constant(0), one = graph.constant(1);
-    const formula::NodeId slope = formula::differentiate_inputs(
-        graph, root, {zero, zero, zero, one}, formula::Slopes::generalized);
-    program_ = formula::schedule(graph, std::array{root, slope});
+    std::vector<formula::NodeId> outputs;
+    for (const formula::NodeId part : with_parts(graph, root)) {
+        outputs.push_back(part);
+        outputs.push_back(formula::differentiate_inputs(graph, part, {zero, zero, zero, one},
+                                                        formula::Slopes::generalized));
+    }
+    program_ = formula::schedule(graph, outputs);
 }
 
 // Divides the region until each box tells.
@@ -55,6 +83,7 @@ public:
     Search(const LeastAtRoots& of, const formula::Bindings<float>& bindings, const Region& region)
         : bindings_(without_array(bindings, of.array_))
         , program_(of.program_)
+        , outputs_(of.program_.outputs.size())
         , divides_(of.depends_on_place_) {
         for (int k = 0; k < 3; ++k) region_[std::size_t(k)] = {region.low[k], region.high[k]};
     }
@@ -79,20 +108,26 @@ public:
 private:
     using Box = std::array<Interval, 3>;
 
-    // Those where F may be 0 and may change with L.
+    // Those where F may be 0 and may change with L, and so may one of the parts.
     std::vector<Box> undecided(const std::vector<Box>& boxes, double from) {
         std::array<std::vector<Interval>, 4> inputs;
         for (const Box& box : boxes) {
             for (std::size_t k = 0; k < 3; ++k) inputs[k].push_back(box[k]);
             inputs[least_input].emplace_back(from, formula::infinity);
         }
-        std::vector<Interval> values(boxes.size()), slopes(boxes.size());
+        std::vector<std::vector<Interval>> told(outputs_, std::vector<Interval>(boxes.size()));
         const std::vector<std::span<const Interval>> in(inputs.begin(), inputs.end());
-        program_.points(bindings_, in, std::array{std::span(values), std::span(slopes)});
+        program_.points(bindings_, in, std::vector<std::span<Interval>>(told.begin(), told.end()));
         std::vector<Box> left;
         for (std::size_t k = 0; k < boxes.size(); ++k) {
-            if (formula::contains(values[k], 0.0) && slopes[k] != Interval(0, 0))
-                left.push_back(boxes[k]);
+            const auto changes = [&](std::size_t output) {
+                return formula::contains(told[output][k], 0.0) &&
+                       told[output + 1][k] != Interval(0, 0);
+            };
+            bool may_change = outputs_ == 2;
+            for (std::size_t output = 2; output < outputs_; output += 2)
+                may_change = may_change || changes(output);
+            if (may_change && changes(0)) left.push_back(boxes[k]);
         }
         return left;
     }
@@ -110,6 +145,7 @@ private:
 
     formula::Bindings<Interval> bindings_;
     formula::Evaluator<Interval> program_;
+    std::size_t outputs_;
     Box region_;
     bool divides_;
 };

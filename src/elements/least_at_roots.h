@@ -28,7 +28,9 @@ private:
 
     std::size_t array_;
     bool depends_on_place_ = false;
-    formula::Program program_; // inputs: x y z L -> F, dF/dL
+    // Inputs: x y z L -> F and dF/dL, then the same of each part whose signs tell F's: of a and b
+    // where F is min(a, b), max(a, b) or a*b.
+    formula::Program program_;
 };
 
 } // namespace isomotion::elements

@@ -106,13 +106,21 @@ std::vector<NodeId> terms_over(const Graph& graph, NodeId root, int array) {
     return terms;
 }
 
-// Whether the field asks for the same least element.
+// Whether the field asks for the same least element, and reads the place in no other way: then its
+// roots are where the least is a number, and all that are less there are known.
 bool holds_least(const Graph& graph, NodeId field, const Node& asked) {
-    return std::ranges::any_of(nodes_below(graph, std::array{field}), [&](NodeId id) {
+    std::vector<bool> reads(std::size_t(field) + 1, false);
+    bool asks = false;
+    for (const NodeId id : nodes_below(graph, std::array{field})) {
         const Node& node = graph[id];
-        return node.op == Op::least && node.index == asked.index &&
-               node.children[0] == asked.children[0];
-    });
+        const bool is_same = node.op == Op::least && node.index == asked.index &&
+                             node.children[0] == asked.children[0];
+        asks = asks || is_same;
+        bool any = node.op == Op::input;
+        for (std::size_t k = 0; k < node.arity; ++k) any = any || reads[node.children[k]];
+        reads[id] = any && !is_same;
+    }
+    return asks && !reads[field];
 }
 
 } // namespace

@@ -24,7 +24,7 @@ std::optional<NodeId> least_key(const Graph& graph, NodeId field, int array);
 
 // Whether the terms of all sums over the array below `roots` are terms of sums of the field times
 // further factors, each of the place alone or of the element alone; and whatever asks for the least
-// element does so by a key that the field does, too.
+// element does so by a key that the field reads the place through, and through nothing else.
 bool weigh_like_field(const Graph& graph, NodeId field, std::span<const NodeId> roots, int array);
 
 } // namespace isomotion::formula

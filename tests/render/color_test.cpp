@@ -122,6 +122,21 @@ TEST_P(ColoredPictures, OfTheLeastElementAreItsOwn) {
     }
 }
 
+// Where a root is not the least element's, the element that is least there may be far away.
+TEST_P(ColoredPictures, OfTheLeastElementAlsoFarFromIt) {
+    std::vector<Element> elements;
+    for (int k = 0; k < 700; ++k) {
+        const bool is_left = k % 2 == 0;
+        elements.push_back({{is_left ? -1.6 : 1.6, 0.002 * k, 1}, is_left ? red : blue});
+    }
+    const auto scene = scene_of(
+        scene_text(fmt::format("min(least(p, sqrt({}) - 0.1), z + 1)", distance), elements, ""));
+    const Picture picture = render::draw(*context, scene);
+    expect_colors(picture, 300, [&](const Pixel& pixel) {
+        return std::abs(pixel.position.x) < 1e-3 ? pixel.color : pixel.position.x < 0 ? red : blue;
+    });
+}
+
 TEST_P(ColoredPictures, TwoBlobsThatMergeShowTheMeanOfTheirColours) {
     for (const double apart : {1.6, 0.9, 0.4}) {
         const std::vector<Element> two{{{-apart, 0, 0}, red}, {{apart, 0.1, 0}, blue}};

@@ -64,6 +64,11 @@ TEST(WithoutValue, IsCertainWhereNoPointHasOne) {
              Case{"y - sum(blobs, cx*max(0, x)^3)/sum(blobs, max(0, x)^3)", below, true},
              Case{"y - sum(blobs, cx*max(0, x)^3)/sum(blobs, max(0, x)^3)", across, false},
              Case{"y - sum(blobs, cx + max(0, x)^3)/sum(blobs, max(0, x)^3)", below, false},
+             // The first element has a weight.
+             Case{"y - sum(blobs, max(0, cx - x)^3*y)/sum(blobs, max(0, cx - x)^3)",
+                  {0, 0.1},
+                  false},
+             Case{"y - sum(blobs, max(0, cx - x)^3*y)/sum(blobs, max(0, cx - x)^3)", above, true},
              // What chooses, cuts or compares may have a value all the same.
              Case{"min(y, log(x))", below, false},
              Case{"max(y, log(x))", below, false},
