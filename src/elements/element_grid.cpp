@@ -72,12 +72,12 @@ glm::ivec3 fitting(const Region& region, std::span<const LevelSet> sets, double 
 
 ElementGrid make_grid(const Region& region, std::span<const LevelSet> sets, int each,
                       const RootFree& root_free, const GridLimits& limits) {
-    const double elements = double(sets.size() / std::size_t(each));
+    const std::size_t elements = sets.size() / std::size_t(each);
     const glm::bvec3 is_flat = flat_axes(sets);
     ElementGrid grid;
     grid.low = region.low;
     grid.across =
-        fitting(region, sets, std::max(fewest_cells, cells_an_element * elements), is_flat, limits);
+        fitting(region, sets, std::max(fewest_cells, cells_an_element * double(elements)), is_flat, limits);
     grid.cell = Placing(region, grid.across).cell();
     const glm::dvec3 across(grid.across);
     grid.cells.resize(std::size_t(across.x * across.y * across.z));

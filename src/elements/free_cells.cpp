@@ -13,7 +13,7 @@ constexpr double most_layered = 1 << 20;
 // The distances of cells on a chessboard to the nearest one where `is` is false, 0 there, in two
 // passes over all cells (Rosenfeld & Pfaltz 1968). Outside of the grid all is as it should be.
 std::vector<std::uint32_t> distances(const glm::ivec3& across, const std::vector<bool>& is) {
-    const auto [nx, ny, nz] = std::array{across.x, across.y, across.z};
+    const int nx = across.x, ny = across.y, nz = across.z;
     constexpr std::uint32_t far = Cell::most_free;
     std::vector<std::uint32_t> steps(is.size());
     for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = is[k] ? far : 0;

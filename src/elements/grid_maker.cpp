@@ -54,6 +54,7 @@ std::vector<double> times(const std::vector<Interval>& units, auto&& multiple) {
         std::ranges::all_of(units, [](const Interval& u) { return u.hi > 0 && u.hi < 1e300; });
     const double factor = are_finite ? multiple() : 0.0;
     std::vector<double> sizes;
+    sizes.reserve(units.size());
     for (const Interval& unit : units) sizes.push_back(factor > 0 ? factor * unit.hi : 0);
     return sizes;
 }
@@ -67,7 +68,7 @@ Tolerances GridMaker::choose(const ElementTerms& terms, std::vector<double> litt
     constexpr double support_at_most = 1.5; // times the size where little is left out
     const std::vector<double> nothing(std::size_t(terms.sums()), 0.0);
     const double size_of_support = mean_size(terms, nothing);
-    const Tolerances exact{nothing, nothing};
+    Tolerances exact{nothing, nothing};
     for (double& size : little) size *= part_left_out;
     if (std::ranges::all_of(little, [](double a) { return a == 0; })) return exact;
     if (size_of_support <= support_at_most * mean_size(terms, little)) return exact;

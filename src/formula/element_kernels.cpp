@@ -107,6 +107,7 @@ std::optional<ElementKernels> element_kernels(const Field& field, int array) {
     coefficients = substitute(graph, graph, coefficients, FieldsAsInputs(kernels.fields, array, 0));
 
     std::vector<Node> replaced;
+    replaced.reserve(quadrics.size());
     for (const NodeId quadric : quadrics) replaced.push_back(graph[quadric]);
     terms = substitute(graph, graph, terms, [&](Graph& g, const Node& node, NodeId rebuilt) {
         const auto at = std::find(replaced.begin(), replaced.end(), node);
