@@ -110,8 +110,9 @@ float GridMaker::least_left_out(const ElementTerms& terms, const formula::Bindin
         root_free.at_least = *enough;
         root_free.is_emptiness = true;
     }
-    // Rounded up, never beyond what there is.
-    return std::min(std::nextafter(float(least), none), none);
+    // Rounded up, within what there is.
+    return std::min(std::nextafter(float(std::clamp(least, -double(none), double(none))), none),
+                    none);
 }
 
 ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Region& region,

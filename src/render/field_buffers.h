@@ -10,6 +10,22 @@
 
 namespace isomotion::render {
 
+// Which elements of an array matter where (elements/element_grid.h).
+struct GridBuffers {
+    gpu::IntegerBuffer cells{gpu::IntegerBuffer::Texel::two};
+    gpu::IntegerBuffer listed{gpu::IntegerBuffer::Texel::one};
+
+    void update(const elements::ElementGrid& grid) {
+        static_assert(sizeof(elements::Cell) == 2 * sizeof(std::uint32_t));
+        cells.update({&grid.cells.front().packed, 2 * grid.cells.size()});
+        listed.update(grid.listed);
+    }
+    void bind(PassTable& table) const {
+        table.bind("cells_texture", cells);
+        table.bind("listed_texture", listed);
+    }
+};
+
 class FieldBuffers {
 public:
     // `listed`: places for elements of lists behind each array that has lists.
@@ -39,24 +55,8 @@ public:
     const ArrayBuffer* listed() const { return has_lists_ ? &arrays_[0] : nullptr; }
 
 private:
-    // Which elements of an array matter where (elements/element_grid.h).
-    struct Grid {
-        gpu::IntegerBuffer cells{gpu::IntegerBuffer::Texel::two};
-        gpu::IntegerBuffer listed{gpu::IntegerBuffer::Texel::one};
-
-        void update(const elements::ElementGrid& grid) {
-            static_assert(sizeof(elements::Cell) == 2 * sizeof(std::uint32_t));
-            cells.update({&grid.cells.front().packed, 2 * grid.cells.size()});
-            listed.update(grid.listed);
-        }
-        void bind(PassTable& table) const {
-            table.bind("cells_texture", cells);
-            table.bind("listed_texture", listed);
-        }
-    };
-
     gpu::UniformBuffer parameters_;
-    std::optional<Grid> grid_;
+    std::optional<GridBuffers> grid_;
     std::vector<ArrayBuffer> arrays_;
     bool has_lists_;
 };
