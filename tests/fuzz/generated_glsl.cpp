@@ -34,10 +34,11 @@ const std::set<std::string>& generated_words() {
         "p", "d", "x", "y", "z", "w", "dx", "dy", "dz", "gx", "gy", "gz", "rest", "factor",
         "element", "texel", "xy", "yx", "n", "curvature", "evaluations", "paint_time",
         // registers, results of kernels, elements, loops, storage
-        "v#", "w#", "a#_#", "e#", "array#_texel", "array#_count", "parameters",
+        "v#", "w#", "a#_#", "e#", "array#_texel", "array#_count", "array#_least", "parameters",
         // what is made
-        "field", "field_directional", "field_gradient", "field_interval", "field_directional_interval",
-        "field_gradient_interval", "rest_and_factor_interval", "term_interval"};
+        "field", "field_directional", "field_gradient", "field_interval",
+        "field_directional_interval", "field_gradient_interval", "rest_and_factor_interval",
+        "term_interval"};
     return words;
 }
 
