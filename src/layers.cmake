@@ -1,7 +1,7 @@
 # With CMAKE_UNITY_BUILD, which the preset release sets, a build from nothing takes the least time: the headers
-# that most sources include are parsed once, and a dozen sources are compiled as one in the folders that
-# ISOMOTION_JOINED names. In others, sources have names in common in their unnamed namespaces. Without it, the
-# sources that changed are compiled alone, and one that forgets an include shows.
+# that most sources include are parsed once, and a dozen sources of a folder are compiled as one, save those
+# that have names in common in their unnamed namespaces (isomotion_alone). Without it, the sources that changed
+# are compiled alone, and one that forgets an include shows.
 if(NOT EXISTS ${CMAKE_BINARY_DIR}/precompiled.cpp)
   file(WRITE ${CMAKE_BINARY_DIR}/precompiled.cpp "")
 endif()
@@ -46,13 +46,15 @@ function(isomotion_library folder)
     target_precompile_headers(${target} REUSE_FROM isomotion_precompiled)
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE 12)
-  if(NOT folder IN_LIST ISOMOTION_JOINED)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
-  endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${view}>)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${LIBRARY_LINKS} PRIVATE ${LIBRARY_PRIVATE_LINKS})
   foreach(link isomotion_flags ${LIBRARY_BUILD_LINKS})
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:${link}>)
   endforeach()
+endfunction()
+
+# isomotion_alone(<source> ...): these are not compiled together with others.
+function(isomotion_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

@@ -14,9 +14,7 @@ namespace {
 using formula::Interval;
 
 constexpr int least_input = 3;
-constexpr double smallest = 0x1p-40; // part of the range
-constexpr int halvings = 14;         // of the logarithm of that part
-constexpr std::size_t most = 4096;   // boxes for one number
+constexpr std::size_t most = 4096; // boxes for one number
 constexpr std::size_t most_parts = 16;
 
 formula::Bindings<Interval> without_array(const formula::Bindings<float>& bindings,
@@ -155,8 +153,8 @@ std::optional<double> LeastAtRoots::enough(const formula::Bindings<float>& bindi
     Search search(*this, bindings, region);
     const double span = range.hi - range.lo;
     if (!(span < formula::infinity) || !search.is_enough(range.hi)) return std::nullopt;
-    double low = smallest, high = 1;
-    for (int k = 0; k < halvings; ++k) {
+    double low = 0x1p-40, high = 1; // parts of the range
+    for (int k = 0; k < 14; ++k) {
         const double middle = std::sqrt(low * high);
         (search.is_enough(range.lo + middle * span) ? high : low) = middle;
     }

@@ -15,10 +15,9 @@ namespace {
 
 using formula::Interval;
 
-constexpr int split = 4;                               // parts of the region along each axis
-constexpr double smallest = 0x1p-40, largest = 0x1p40; // of sums, in their units
-constexpr int halvings = 14;                           // of the logarithm between these
-constexpr int sampled = 96;                            // places
+constexpr int split = 4; // parts of the region along each axis
+constexpr double smallest_sum = 0x1p-40, largest_sum = 0x1p40; // of sums, in their units
+constexpr int sampled = 96;                                    // places
 
 // All but the elements of one array, whose sums are inputs.
 formula::Bindings<float> without(const formula::Bindings<float>& bindings, std::size_t array) {
@@ -51,7 +50,7 @@ public:
     // The least multiple at which F is 0, where its sign changes between powers of two.
     std::optional<double> root(const glm::dvec3& p) {
         double low = 0, at_low = value(p, 0);
-        for (double high = smallest; high <= largest; high *= 2) {
+        for (double high = smallest_sum; high <= largest_sum; high *= 2) {
             const double at_high = value(p, high);
             if (at_low * at_high < 0) {
                 for (int k = 0; k < 40; ++k) {
@@ -136,9 +135,9 @@ double SumsAtRoots::least(const formula::Bindings<float>& bindings, const Region
         for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = {s * units[k].lo, s * units[k].hi};
         return exclude(boxes, region, sums);
     };
-    double low = smallest, high = largest;
+    double low = smallest_sum, high = largest_sum;
     if (!excludes(low)) return 0;
-    for (int k = 0; k < halvings; ++k) {
+    for (int k = 0; k < 14; ++k) {
         const double middle = std::sqrt(low * high);
         (excludes(middle) ? low : high) = middle;
     }

@@ -21,7 +21,7 @@ scene::SceneAt seen_from(const scene::LightAt& light, const scene::SceneAt& now)
     return view;
 }
 
-glm::vec4 wide(const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v, w)); }
+glm::vec4 row(const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v, w)); }
 
 double square(const glm::dvec3& v) { return glm::dot(v, v); }
 
@@ -29,12 +29,12 @@ double square(const glm::dvec3& v) { return glm::dot(v, v); }
 std::array<glm::vec4, 4> to_light(const scene::SceneAt& view, int pixels) {
     const scene::Rays rays = scene::rays(view, pixels, pixels);
     const double half = 0.5 * pixels, rounding = beam_range(view, pixels, pixels, {}, 1).w;
-    const glm::vec4 across = wide(half / square(rays.right) * rays.right, half);
+    const glm::vec4 across = row(half / square(rays.right) * rays.right, half);
     // Farther away rounding would take a place for its neighbour block's.
     constexpr double radii = 16;
-    return {
-        across, wide(half / square(rays.up) * rays.up, radii * half / length(glm::dvec3(across))),
-        wide(rays.axis / square(rays.axis), glm::length(rays.axis)), wide(rays.origin, rounding)};
+    return {across,
+            row(half / square(rays.up) * rays.up, radii * half / length(glm::dvec3(across))),
+            row(rays.axis / square(rays.axis), glm::length(rays.axis)), row(rays.origin, rounding)};
 }
 
 } // namespace

@@ -4,7 +4,7 @@ namespace isomotion::topology {
 namespace {
 
 // Twelve times the unit roundoff: what is rotated below this part of the matrix is 0 already.
-constexpr double negligible = 0x1p-49;
+constexpr double rotated_away = 0x1p-49;
 
 struct Invariants {
     double trace, minors, determinant;
@@ -64,7 +64,7 @@ SpacePoint least_direction(SpaceMatrix a, const std::array<bool, 3>& free) {
         bool is_diagonal = true;
         for (std::size_t p = 0; p < 3; ++p) {
             for (std::size_t q = p + 1; q < 3; ++q) {
-                if (!free[p] || !free[q] || std::abs(a[p][q]) <= negligible * size) continue;
+                if (!free[p] || !free[q] || std::abs(a[p][q]) <= rotated_away * size) continue;
                 is_diagonal = false;
                 const double angle = 0.5 * std::atan2(2 * a[p][q], a[q][q] - a[p][p]);
                 const double c = std::cos(angle), s = std::sin(angle);

@@ -13,8 +13,6 @@ namespace {
 using formula::Interval;
 using IntervalJet = Jet<Interval>;
 
-bool holds_zero(const Interval& a) { return a.lo <= 0 && 0 <= a.hi; }
-
 // A box is divided into this many tasks, whatever the number of threads.
 constexpr std::size_t tasks_at_least = 64;
 // Boxes this much smaller than the one whose elements they share get elements of their own, so
@@ -166,9 +164,9 @@ private:
     }
 
     bool may_be_critical(const IntervalJet& jet) const {
-        if (!holds_zero(jet.value)) return false;
+        if (!contains(jet.value, 0.0)) return false;
         for (std::size_t k = 0; k < d_; ++k) {
-            if (!holds_zero(jet.gradient[k])) return false;
+            if (!contains(jet.gradient[k], 0.0)) return false;
         }
         return true;
     }
@@ -190,7 +188,7 @@ private:
         enclosures_.gradients(elements, wave, jets_);
         for (std::size_t b = 0; b < wave.size(); ++b) {
             const Box& box = wave[b];
-            if (!holds_zero(jets_[b].value)) {
+            if (!contains(jets_[b].value, 0.0)) {
                 is_done(Test::value);
             } else if (!may_be_critical(jets_[b])) {
                 is_done(Test::gradient);
@@ -260,9 +258,9 @@ private:
             Interval gradient = at_m.gradient[i];
             for (std::size_t j = 0; j < n_; ++j) gradient = gradient + jet.hessian[i][j] * off[j];
             jet.gradient[i] = intersect(jet.gradient[i], gradient);
-            if (is_empty(jet.gradient[i]) || !holds_zero(jet.gradient[i])) return false;
+            if (is_empty(jet.gradient[i]) || !contains(jet.gradient[i], 0.0)) return false;
         }
-        if (!holds_zero(mean_value(box, at_point(m), at_m.value, jet.gradient))) return false;
+        if (!contains(mean_value(box, at_point(m), at_m.value, jet.gradient), 0.0)) return false;
         // In space to second order.
         Interval second = at_m.value + jet.gradient[d_] * off[d_];
         for (std::size_t i = 0; i < d_; ++i) {
@@ -270,7 +268,7 @@ private:
             for (std::size_t j = 0; j < i; ++j) gradient = gradient + jet.hessian[i][j] * off[j];
             second = second + gradient * off[i];
         }
-        return holds_zero(second);
+        return contains(second, 0.0);
     }
 
     void settle(Box box, IntervalJet jet, const IntervalJet& at_m) {

@@ -7,8 +7,6 @@ namespace {
 
 using formula::Interval;
 
-bool holds_zero(const Interval& a) { return a.lo <= 0 && 0 <= a.hi; }
-
 void divide(const Box& box, const Box& domain, std::vector<Box>& halves) {
     std::size_t side = 0;
     double widest = 0;
@@ -42,10 +40,10 @@ std::vector<Box> on_the_sphere(const MovingField& inside, std::size_t most,
             for (std::size_t k = first; k < std::min(first + together, boxes.size()); ++k)
                 divide(boxes[k], inside.domain(), halves);
             std::erase_if(halves,
-                          [&](const Box& box) { return !holds_zero(enclosures.reach(box)); });
+                          [&](const Box& box) { return !contains(enclosures.reach(box), 0.0); });
             enclosures.values(enclosures.all(), halves, values);
             for (std::size_t k = 0; k < halves.size(); ++k) {
-                if (holds_zero(values[k])) kept.push_back(halves[k]);
+                if (contains(values[k], 0.0)) kept.push_back(halves[k]);
             }
         }
         boxes = std::move(kept);
