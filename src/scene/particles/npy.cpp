@@ -156,13 +156,13 @@ private:
     bool has_shape_ = false;
 };
 
-struct Encoding {
+struct Stored {
     std::optional<Scalar> scalar; // none of what is skipped
     std::size_t size = 0;
     bool is_big = false;
 };
 
-Encoding kind_of(const Dictionary& header, const Field& field) {
+Stored kind_of(const Dictionary& header, const Field& field) {
     const std::string_view type = field.type;
     std::size_t size = 0;
     const char* end = type.data() + type.size();
@@ -218,13 +218,13 @@ ParticleTable read_npy(const Bytes& bytes, const ParticleRequest& request) {
     std::vector<std::string> names;
     struct Place {
         std::size_t byte;
-        Encoding kind;
+        Stored kind;
     };
     std::vector<Place> places;
     std::size_t stride = 0;
     if (header.has_records) {
         for (const Field& field : header.fields) {
-            const Encoding kind = kind_of(header, field);
+            const Stored kind = kind_of(header, field);
             if (kind.scalar) {
                 if (names.size() + field.count > std::size_t(limits::fields))
                     header.fail(fmt::format("has more than {} columns", limits::fields));
@@ -236,7 +236,7 @@ ParticleTable read_npy(const Bytes& bytes, const ParticleRequest& request) {
         }
         table.format = "NPY, records";
     } else {
-        const Encoding kind = kind_of(header, header.fields[0]);
+        const Stored kind = kind_of(header, header.fields[0]);
         const std::size_t columns = header.shape[1];
         if (!kind.scalar) header.fail("holds texts, not numbers");
         if (columns == 0 || columns > std::size_t(limits::fields))
