@@ -9,6 +9,8 @@ uniform usamplerBuffer listed_texture; // elements
 #define GRID_ACROSS ivec3(array_grid[2].xyz)
 // No element that a list leaves out is less.
 #define GRID_LEAST array_grid[0].w
+// Elements of the longest list.
+#define GRID_LONGEST array_grid[1].w
 
 int GRID_COUNT = 0, grid_first = 0;
 // Elements of all cells that were entered: what loops went through.

@@ -1,5 +1,5 @@
-// Bounds over a box: the hull of those over its parts in each cell. A box in more cells than most
-// has none.
+// Bounds over a box of numbers REAL: the hull of those over its parts in each cell. A box in more
+// cells than most has none.
 const int most_cells_of_box = 12;
 
 struct CellRange {
@@ -16,25 +16,31 @@ bool are_empty(ivec3 first, ivec3 last) {
     return (cell.x & 0xfffffu) == 0u && max(reach.x, max(reach.y, reach.z)) <= around;
 }
 
-CellRange cells_of_box(vec2 x, vec2 y, vec2 z) {
+CellRange cells_of_box(REAL2 rx, REAL2 ry, REAL2 rz) {
+    vec2 x = vec2(rx), y = vec2(ry), z = vec2(rz);
     // Where rounding may take an end for one of the next cell's, that cell counts.
     vec3 slack = GRID_CELL * 6.1e-5 + 2.4e-7 * (abs(vec3(x.x, y.x, z.x)) + abs(vec3(x.y, y.y, z.y)));
     ivec3 first = cell_of(vec3(x.x, y.x, z.x) - slack), last = cell_of(vec3(x.y, y.y, z.y) + slack);
     ivec3 n = last - first + 1;
     if (are_empty(first, last)) return CellRange(first, first, false, true);
     bool bounded = all(lessThan(n, ivec3(most_cells_of_box + 1)));
-    return CellRange(first, last, !bounded || n.x * n.y * n.z > most_cells_of_box, false);
+    int cells = bounded ? n.x * n.y * n.z : most_cells_of_box + 1;
+    bool too_many = cells > most_cells_of_box;
+#ifdef COUNTS_ELEMENTS
+    too_many = too_many || float(cells) * GRID_LONGEST > most_elements_of_box;
+#endif
+    return CellRange(first, last, too_many, false);
 }
 
 // The part of a box's side in a cell and a little around it; what lies outside of the grid belongs
 // to its outermost cells.
-vec2 side_in_cell(vec2 side, int k, float low, float cell, int across) {
-    float slack = cell * 6.1e-5 + 2.4e-7 * (abs(side.x) + abs(side.y));
-    float begin = low + float(k) * cell - slack, end = low + float(k + 1) * cell + slack;
-    return vec2(k > 0 ? max(side.x, begin) : side.x, k < across - 1 ? min(side.y, end) : side.y);
+REAL2 side_in_cell(REAL2 side, int k, float low, float cell, int across) {
+    float slack = cell * 6.1e-5 + 2.4e-7 * float(abs(side.x) + abs(side.y));
+    REAL begin = low + float(k) * cell - slack, end = low + float(k + 1) * cell + slack;
+    return REAL2(k > 0 ? max(side.x, begin) : side.x, k < across - 1 ? min(side.y, end) : side.y);
 }
 
-void box_in_cell(CellRange range, ivec3 place, inout vec2 x, inout vec2 y, inout vec2 z) {
+void box_in_cell(CellRange range, ivec3 place, inout REAL2 x, inout REAL2 y, inout REAL2 z) {
     if (range.is_empty) return;
     x = side_in_cell(x, place.x, GRID_LOW.x, GRID_CELL.x, GRID_ACROSS.x);
     y = side_in_cell(y, place.y, GRID_LOW.y, GRID_CELL.y, GRID_ACROSS.y);
@@ -55,13 +61,13 @@ ivec3 next_cell(CellRange range, ivec3 place) {
     return place;
 }
 
-vec2 hull_of(vec2 a, vec2 b) {
-    return vec2(min(a.x, b.x), max(a.y, b.y));
+REAL2 hull_of(REAL2 a, REAL2 b) {
+    return REAL2(min(a.x, b.x), max(a.y, b.y));
 }
 
-vec4 hull_of(vec4 a, vec4 b) {
-    return vec4(hull_of(a.xy, b.xy), hull_of(a.zw, b.zw));
+REAL4 hull_of(REAL4 a, REAL4 b) {
+    return REAL4(hull_of(a.xy, b.xy), hull_of(a.zw, b.zw));
 }
 
-const vec2 no_numbers = vec2(IM_LARGEST, -IM_LARGEST);
-const vec2 all_numbers = vec2(-IM_LARGEST, IM_LARGEST);
+#define NO_NUMBERS REAL2(IM_LARGEST, -IM_LARGEST)
+#define ALL_NUMBERS REAL2(-IM_LARGEST, IM_LARGEST)

@@ -47,7 +47,7 @@ void main() {
     float value = 0.0; // F at `settled` is at least so far from 0, on this side; 0: unknown
     bool below = false, open = low < high && hits + misses > 0, monotone = false, at_roots = false;
     float slope = 0.0;
-    for (int k = 0; k < block_pieces && open; ++k) {
+    for (int k = 0; k < block_pieces && open && HAS_ELEMENTS_LEFT; ++k) {
         float end = at_roots ? high : min(settled + piece, high);
         // All of it: where one ray enters the bounds, another's value is already told.
         box_around(way, settled, end, x, y, z);
@@ -63,7 +63,7 @@ void main() {
         open = !at_roots;
         if (!at_roots) {
             below = natural ? f.y < 0.0 : below;
-            value = !is_free ? value : !inside ? 0.0 : natural ? max(f.x, -f.y) : kept;
+            value = !is_free ? value : !inside ? 0.0 : natural ? max(f.x, -f.y) : KEPT_BY_SLOPES;
             settled = is_free ? end : settled;
             piece = k == 0 ? longest : is_free ? 2.0 * h : 0.4 * h;
             // No shorter piece could bring the box in.

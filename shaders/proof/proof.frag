@@ -15,6 +15,6 @@ void main() {
     do {
         s = prove_piece(s, ray, hit);
         turns -= 1;
-    } while (turns > 0 && s.outcome == PROOF_UNFINISHED);
+    } while (turns > 0 && s.outcome == PROOF_UNFINISHED && HAS_ELEMENTS_LEFT);
     proof = packed_proof(s);
 }

@@ -57,7 +57,7 @@ FieldByPlace::Frame::Rest FieldByPlace::Frame::rest(const formula::SumsApart::Su
     const std::vector<formula::NodeId>& own = programs().sums_of_field;
     const auto at = std::ranges::find(own, sum.node);
     if (at == own.end() || grid_.left_out.empty()) return {0.0, 0.0};
-    const double most = grid_.left_out[std::size_t(at - own.begin())];
+    const double most = 2 * grid_.left_out[std::size_t(at - own.begin())];
     return {{-most, most}, 0.0};
 }
 

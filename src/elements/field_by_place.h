@@ -4,7 +4,8 @@
 // out of what may be the least element are some whose keys are not less than a number. All
 // that is said of values holds for each such number. So does what is said of slopes, taken as if
 // the number were the same along the box: where a slope has one sign for each of them, values
-// between two places lie between those at the two.
+// between two places lie between those at the two. The list at a place lacks what that of a box
+// around it has, which is no more than what it leaves out: so sums begin with twice the bounds.
 #pragma once
 
 #include <optional>

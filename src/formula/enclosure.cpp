@@ -61,6 +61,11 @@ EnclosurePrograms enclosure_programs(const Field& field) {
             e.may_lack_values()};
 }
 
+// Enclosures add nodes to a copy of the field's graph, whose own keep their numbers.
+std::vector<NodeId> own_sums(const Field& field, int array) {
+    return sums_over(field.graph, std::array{field.root}, array);
+}
+
 std::optional<EnclosuresApart> enclosures_apart(const Field& field, int array) {
     const Enclosed e(field);
     constexpr int place = 3, place_and_direction = 6;
@@ -72,12 +77,8 @@ std::optional<EnclosuresApart> enclosures_apart(const Field& field, int array) {
     auto gradient = apart(e.gradient, place);
     auto jumps = apart(std::array{e.is_root, e.none}, place);
     if (!value || !directional || !gradient || !jumps) return std::nullopt;
-    return EnclosuresApart{std::move(*value),
-                           std::move(*directional),
-                           std::move(*gradient),
-                           std::move(*jumps),
-                           sums_over(e.graph, std::array{field.root}, array),
-                           e.may_lack_values()};
+    return EnclosuresApart{std::move(*value), std::move(*directional), std::move(*gradient),
+                           std::move(*jumps), own_sums(field, array),  e.may_lack_values()};
 }
 
 Program value_enclosure(const Field& field) {

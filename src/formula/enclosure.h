@@ -46,6 +46,10 @@ struct EnclosuresApart {
     bool may_lack_values = false;
 };
 
+// The sums over an array that F itself has, as programs of its enclosures name them
+// (Instruction::second of begin).
+std::vector<NodeId> own_sums(const Field& field, int array);
+
 // None if a sum over the array holds another sum or lies in one.
 std::optional<EnclosuresApart> enclosures_apart(const Field& field, int array);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "render/doubles.h"
+#include "render/scene_plan.h"
 #include "synthesis/proof_text.h"
 
 namespace isomotion::render {
@@ -16,9 +17,7 @@ using synthesis::ProofBounds, synthesis::Role;
 
 formula::Cost cost_of_piece(const synthesis::Passes& passes, const scene::Scene& scene,
                             const std::vector<synthesis::FieldFunction>& samples) {
-    std::vector<int> counts;
-    for (const auto& array : passes.arrays) counts.push_back(array.capacity);
-    return synthesis::cost(*scene.surface.field, samples, counts);
+    return synthesis::cost(*scene.surface.field, samples, elements_by_place(passes));
 }
 
 bool fits_a_shader(const formula::Cost& piece) {
@@ -44,6 +43,19 @@ int pieces_of_draw(const formula::Cost& piece, double rays) {
     const double by_loops = loop_iterations_per_pass / (1 + piece.iterations);
     const double by_work = operations_per_draw / (rays * (piece.operations + 100));
     return int(std::clamp(std::min(by_work, by_loops), 1.0, double(Proofs::most_pieces)));
+}
+
+// What a piece, and what a pass before its last piece, may go through of elements found by place.
+struct ElementLimits {
+    double of_box, of_pass;
+};
+
+ElementLimits element_limits(const synthesis::Passes& passes, const scene::Scene& scene,
+                             const std::vector<synthesis::FieldFunction>& samples) {
+    const std::vector<int> once(passes.arrays.size(), 1);
+    const double loops =
+        std::max(1.0, synthesis::cost(*scene.surface.field, samples, once).iterations);
+    return {0.35 * loop_iterations_per_pass / loops, 0.5 * loop_iterations_per_pass / loops};
 }
 
 int blocks_across(int pixels) {
@@ -110,18 +122,28 @@ void Proofs::upload(PassTable& table, const ProofRays& rays) {
     const gpu::Program& blocks = table.program(Role::block_proof);
     blocks.set("beam", rays.beam);
     blocks.set("block_pieces", block_pieces_);
-    const auto set = [&](Role role, const RayThickness& thickness) {
+    const bool by_place = synthesis::array_with_grid(passes_).has_value();
+    const auto set = [&](Role role, const RayThickness& thickness, ProofBounds bounds) {
         const gpu::Program& program = table.program(role);
+        if (by_place) {
+            const ElementLimits limits =
+                element_limits(passes_, scene_, samples_of(scene_, bounds));
+            program.set("most_elements_of_box", float(limits.of_box));
+            program.set("most_elements_of_pass", float(limits.of_pass));
+        }
         program.set("tube", thickness.tube);
         program.set("shortest_piece", thickness.shortest_piece);
         program.set("most_pieces", most_pieces);
     };
     for (const Role role : {Role::block_proof, Role::first_proof, Role::proof}) {
-        set(role, rays.of_floats);
+        set(role, rays.of_floats,
+            role == Role::proof ? ProofBounds::natural : ProofBounds::by_gradient);
     }
     if (!closer_ || !*closer_) return;
     const Role role = (*closer_)->role;
-    set(role, role == Role::double_proof ? rays.of_doubles : rays.of_floats);
+    const bool in_doubles = role == Role::double_proof;
+    set(role, in_doubles ? rays.of_doubles : rays.of_floats,
+        in_doubles ? ProofBounds::in_doubles : ProofBounds::by_gradient);
 }
 
 void Proofs::draw_and_keep(PassTable& table, const gpu::Program& program,
@@ -145,7 +167,8 @@ void Proofs::prove_rays(PassTable& table, const Pieces& by, Start start, std::ui
                         const gpu::Rectangle& tile) {
     const gpu::Program& program = table.program(by.role);
     // No more rays have something to prove than in the draw before. A ray that had all its pieces
-    // has nothing.
+    // has nothing. Where elements are found by place a pass may end after any piece.
+    const bool by_place = synthesis::array_with_grid(passes_).has_value();
     for (int left = most_pieces; left > 0 && rays > 0; start = Start::go_on) {
         table.bind("proof_texture", kept_.texture(0));
         mask_.remove(going_on_, [&] { table.draw(table.program(Role::proof_unmask), tile); });
@@ -153,7 +176,7 @@ void Proofs::prove_rays(PassTable& table, const Pieces& by, Start start, std::ui
         program.set("pieces_per_pass", pieces);
         program.set("start", int(start));
         draw_and_keep(table, program, tile);
-        left -= pieces;
+        left -= by_place ? 1 : pieces;
         if (left > 0) rays = drawn_.passed();
     }
 }

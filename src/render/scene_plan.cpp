@@ -93,13 +93,9 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
 MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& passes, int width,
                         int height, int max_texture_size, const std::optional<MarchPlan>& wanted) {
     const std::vector<int> counts = capacities(passes);
-    std::vector<int> usual = counts;
+    std::vector<int> usual = elements_by_place(passes);
     if (synthesis::has_lists(passes)) usual[0] = std::min(usual[0], usual_list);
     const auto by_place = synthesis::array_with_grid(passes);
-    if (by_place) {
-        int& elements = usual[std::size_t(*by_place)];
-        elements = std::min(elements, usual_list_of_a_cell);
-    }
     formula::Cost cost = synthesis::cost(*scene.surface.field, passes.samples, usual);
     expect_shadeable(scene, passes, by_place ? usual : counts);
     cost.iterations = std::max(cost.iterations, shade_iterations(scene, passes, usual));
@@ -151,6 +147,15 @@ float budget_of_elements(const scene::Scene& scene, const synthesis::Passes& pas
 }
 
 } // namespace
+
+std::vector<int> elements_by_place(const synthesis::Passes& passes) {
+    std::vector<int> counts = capacities(passes);
+    if (const auto by_place = synthesis::array_with_grid(passes)) {
+        int& elements = counts[std::size_t(*by_place)];
+        elements = std::min(elements, usual_list_of_a_cell);
+    }
+    return counts;
+}
 
 ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Passes& passes, int width,
                      int height, int max_texture_size, const std::optional<MarchPlan>& wanted) {

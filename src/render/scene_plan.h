@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "render/march_plan.h"
 #include "scene/scene.h"
@@ -16,6 +17,10 @@ struct ScenePlan {
     std::uint32_t most_elements_at_a_place = 0; // that are found by place
     float element_budget = 0; // that the evaluations of one draw may go through, all together
 };
+
+// Elements of each array that an evaluation is reckoned to go through, in the list of a cell where
+// they are found by place.
+std::vector<int> elements_by_place(const synthesis::Passes& passes);
 
 // `wanted`: instead of the march plan made from the formula's cost. Throws std::length_error for a
 // sum too long for a shader and for a formula that no draw can hold.

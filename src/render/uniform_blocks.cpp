@@ -12,6 +12,11 @@ namespace {
 
 glm::vec4 wide(const glm::dvec3& v, double w = 0) { return glm::vec4(glm::dvec4(v, w)); }
 
+float not_below(double x) {
+    const auto near = float(x);
+    return double(near) < x ? std::nextafter(near, HUGE_VALF) : near;
+}
+
 double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
@@ -110,10 +115,14 @@ std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const sc
         std::memcpy(block.data() + vectors * 16 + a * 4, &count, 4);
     }
     if (grid) {
-        const std::array<glm::vec4, synthesis::grid_vectors> described{
-            wide(grid->low, double(grid->least)), wide(grid->cell), wide(grid->across)};
+        std::vector<glm::vec4> described{wide(grid->low, double(grid->least)),
+                                         wide(grid->cell, grid->longest), wide(grid->across)};
+        described.resize(std::size_t(synthesis::grid_vectors(passes)));
+        for (std::size_t k = 0; k < grid->left_out.size(); ++k)
+            described[synthesis::grid_vectors_of_place + k / 4][int(k % 4)] =
+                not_below(grid->left_out[k]);
         const std::size_t begin = (vectors + std::size_t(passes.count_vectors)) * 16;
-        std::memcpy(block.data() + begin, described.data(), sizeof described);
+        std::memcpy(block.data() + begin, described.data(), described.size() * sizeof(glm::vec4));
     }
     return block;
 }

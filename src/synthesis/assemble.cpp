@@ -21,11 +21,11 @@ namespace {
 constexpr int most_by_lists = 500;
 
 // The array with the most elements, if its sums' terms are kernels of a distance and looking for
-// them pays. Proofs look at all elements; so does a scene that calls beams off, and the paper's
-// methods, as far as a shader can.
+// them pays. A scene that calls beams off looks at all elements, and so do the paper's methods, as
+// far as a shader can.
 std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<const int> counts) {
     constexpr int fewest = 64, most_in_a_shader = 20'000;
-    if (scene.isolation.certify || counts.empty()) return std::nullopt;
+    if (counts.empty()) return std::nullopt;
     const int array = int(std::ranges::max_element(counts) - counts.begin());
     const int count = counts[std::size_t(array)];
     const bool looks_at_all = scene.isolation.beam == false;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "synthesis/field_text.h"
 
@@ -19,8 +20,8 @@ std::string entering_cells(std::string glsl);
 std::string over_all_elements(const FieldStorage& storage, const std::string& glsl);
 // A field's function: of a place as above; of a box by another name, for one cell.
 std::string in_cells(FieldFunction function, const std::string& glsl);
-// And the function that takes the box's parts in all cells.
-void add_hull_over_cells(ShaderText& text, FieldFunction function);
+// And the functions that take the box's parts in all cells.
+void add_hulls_over_cells(ShaderText& text, const std::vector<FieldFunction>& functions);
 
 // Rays pass cells without roots.
 void add_way_past_free_cells(ShaderText& text);

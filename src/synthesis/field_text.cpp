@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "formula/glsl/glsl_interval.h"
 #include "synthesis/cells_text.h"
 #include "synthesis/shader_files.h"
 #include "synthesis/shader_text.h"
@@ -20,7 +19,7 @@ std::string declarations(const FieldStorage& storage) {
         text += fmt::format("    ivec4 array_counts[{}];\n", storage.count_vectors);
     }
     const std::optional<int> by_place = array_with_grid(storage);
-    if (by_place) text += fmt::format("    vec4 grid_block[{}];\n", grid_vectors);
+    if (by_place) text += fmt::format("    vec4 grid_block[{}];\n", grid_vectors(storage));
     text += "};\n";
     // Copies: software renderers read a block again at every use, in every turn of a loop.
     std::string copies;
@@ -35,7 +34,7 @@ std::string declarations(const FieldStorage& storage) {
             text += fmt::format("uniform samplerBuffer {0};\n#define GRID_COUNT {0}_count\n"
                                 "vec4 array_grid[{1}] = vec4[{1}](grid_block[0], grid_block[1], "
                                 "grid_block[2]);\n#define {0}_least GRID_LEAST\n",
-                                array.name, grid_vectors);
+                                array.name, grid_vectors_of_place);
             continue;
         }
         text += fmt::format("int {0}_count = array_counts[{1}].{2};\n#define {0}_least {3}\n",
@@ -81,8 +80,11 @@ bool is_on_intervals(FieldFunction function) { return function >= FieldFunction:
 // The instructions behind functions. Those on intervals are derived once, where they are asked for.
 class FieldPrograms {
 public:
-    explicit FieldPrograms(const formula::Field& field)
-        : field_(field) {}
+    explicit FieldPrograms(const formula::Field& field, formula::IntervalNumbers numbers = {})
+        : numbers(numbers)
+        , field_(field) {}
+
+    const formula::IntervalNumbers numbers;
 
     const formula::EnclosurePrograms& enclosures() {
         if (!enclosures_) enclosures_ = formula::enclosure_programs(field_);
@@ -123,8 +125,8 @@ struct FunctionParts {
     bool on_intervals = false;
 };
 
-FunctionParts parts_of(const formula::Field& field, FieldPrograms& all, FieldFunction function,
-                       formula::Numbers numbers = formula::Numbers::floats) {
+FunctionParts parts_of(const formula::Field& field, FieldPrograms& all, FieldFunction function) {
+    const formula::IntervalNumbers& numbers = all.numbers;
     using formula::interval_kernels_used, formula::kernels_used;
     switch (function) {
     case FieldFunction::value:
@@ -161,6 +163,20 @@ FunctionParts parts_of(const formula::Field& field, FieldPrograms& all, FieldFun
     }
 }
 
+// What lists leave out, of each own sum: so many times the grid's bound, as intervals.
+std::string declared_rest(const FieldStorage& storage) {
+    const auto a = array_with_grid(storage);
+    if (!a) return "";
+    const ArrayStorage& array = storage.arrays[std::size_t(*a)];
+    std::string list;
+    for (int k = 0; k < array.sums; ++k) {
+        list += fmt::format("{}bounds_of_rest(grid_block[{}].{})", k > 0 ? ", " : "",
+                            grid_vectors_of_place + k / 4, "xyzw"[k % 4]);
+    }
+    if (array.sums == 0) return "";
+    return fmt::format("vec2 {0}_rest[{1}] = vec2[{1}]({2});\n", array.name, array.sums, list);
+}
+
 } // namespace
 
 std::optional<int> array_with_grid(const FieldStorage& storage) {
@@ -170,8 +186,13 @@ std::optional<int> array_with_grid(const FieldStorage& storage) {
     return std::nullopt;
 }
 
+int grid_vectors(const FieldStorage& storage) {
+    const auto array = array_with_grid(storage);
+    return array ? grid_vectors_of_place + (storage.arrays[std::size_t(*array)].sums + 3) / 4 : 0;
+}
+
 int FieldStorage::vectors() const {
-    return parameter_vectors + count_vectors + (array_with_grid(*this) ? grid_vectors : 0);
+    return parameter_vectors + count_vectors + grid_vectors(*this);
 }
 
 bool has_lists(const FieldStorage& storage) {
@@ -190,6 +211,7 @@ FieldStorage field_storage(const formula::Field& field, int parameters, std::spa
         const std::size_t bytes = std::size_t(array.capacity) * std::size_t(array.texels) * 16;
         array.has_lists = finding.by_lists;
         array.has_grid = finding.by_place == int(a);
+        if (array.has_grid) array.sums = int(formula::own_sums(field, int(a)).size());
         array.kind =
             !array.has_lists && !array.has_grid && bytes <= ArrayStorage::uniform_block_bytes
                 ? ArrayStorage::Kind::uniform_block
@@ -246,28 +268,37 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
                        : function.sums_all ? over_all_elements(storage, function.glsl)
                                            : entering_cells(function.glsl));
     }
-    if (by_place && on_intervals) {
-        text.file("elements/cells_of_box.glsl");
-        for (const FieldFunction function : functions) add_hull_over_cells(text, function);
-    }
+    if (by_place && on_intervals) add_hulls_over_cells(text, functions);
 }
 
-void add_field_on_doubles(ShaderText& text, const formula::Field& field,
-                          const FieldStorage& storage,
-                          const std::vector<FieldFunction>& functions) {
+void add_enclosures(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
+                    const std::vector<FieldFunction>& functions, formula::Numbers numbers) {
+    const std::optional<int> by_place = array_with_grid(storage);
+    formula::ListedArray listed;
+    if (by_place) listed = {*by_place, formula::own_sums(field, *by_place)};
+    FieldPrograms programs(field, {numbers, by_place ? &listed : nullptr});
     std::set<std::string> kernels;
     std::string generated;
-    FieldPrograms programs(field);
     for (const FieldFunction function : functions) {
-        FunctionParts parts = parts_of(field, programs, function, formula::Numbers::doubles);
+        FunctionParts parts = parts_of(field, programs, function);
         kernels.merge(parts.kernels);
-        generated += parts.glsl;
+        generated += by_place ? in_cells(function, parts.glsl) : parts.glsl;
     }
-    const DoubleIntervalFiles files = double_interval_files(kernels);
-    for (const auto& file : files.for_floats) text.file(file);
-    for (const auto& file : files.for_doubles) text.file_again(file);
+    if (numbers == formula::Numbers::floats) {
+        for (const auto& file : interval_files(kernels)) text.file(file);
+    } else {
+        const DoubleIntervalFiles files = double_interval_files(kernels);
+        for (const auto& file : files.for_floats) text.file(file);
+        for (const auto& file : files.for_doubles) text.file_again(file);
+    }
     text.generated("generated: parameters of the surface", declarations(storage));
+    if (by_place) {
+        add_cells(text, storage);
+        text.file("elements/rest.glsl");
+        text.generated("generated: what lists leave out", declared_rest(storage));
+    }
     text.generated("generated from: " + as_comment(field.text), generated);
+    if (by_place) add_hulls_over_cells(text, functions);
 }
 
 } // namespace isomotion::synthesis

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "formula/field.h"
+#include "formula/glsl/glsl_interval.h"
 
 namespace isomotion::synthesis {
 
@@ -27,8 +28,10 @@ struct ArrayStorage {
     int capacity = 0; // elements
     // Lists of those that matter in a beam follow the elements in their texture buffer.
     bool has_lists = false;
-    // A grid over the bounds tells which of them matter where (elements/element_grid.h).
+    // A grid over the bounds tells which of them matter where (elements/element_grid.h). F has so
+    // many sums over the array.
     bool has_grid = false;
+    int sums = 0;
 };
 
 // How the values that a field's names stand for reach the shader.
@@ -44,8 +47,10 @@ struct FieldStorage {
 bool has_lists(const FieldStorage& storage);
 // The array whose elements are found by place, if there is one.
 std::optional<int> array_with_grid(const FieldStorage& storage);
-// vec4s of the block Parameters that describe the grid, behind the counts.
-inline constexpr int grid_vectors = 3;
+// vec4s of the block Parameters that describe the grid, behind the counts; with what its lists
+// leave out of each sum, four to a vector.
+int grid_vectors(const FieldStorage& storage);
+inline constexpr int grid_vectors_of_place = 3;
 
 // How the elements of a field's arrays are found.
 struct Finding {
@@ -88,9 +93,11 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
                const std::vector<FieldFunction>& functions,
                const std::vector<GeneratedFunction>& beside = {}, bool beside_on_intervals = false);
 
-// Of functions on intervals, those on doubles, which take GLSL 4.00. From there on REAL is double
-// in shaders/interval/.
-void add_field_on_doubles(ShaderText& text, const formula::Field& field,
-                          const FieldStorage& storage, const std::vector<FieldFunction>& functions);
+// The field's functions on intervals, of all elements also where lists leave some out: what is said
+// of F holds for each number within the bounds of what is left out (elements/field_by_place.h).
+// Those on doubles take GLSL 4.00: from there on REAL is double in shaders/interval/.
+void add_enclosures(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
+                    const std::vector<FieldFunction>& functions,
+                    formula::Numbers numbers = formula::Numbers::floats);
 
 } // namespace isomotion::synthesis

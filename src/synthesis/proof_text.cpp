@@ -17,6 +17,11 @@ void add_ended_ray(ShaderText& text, const scene::Scene& scene) {
     text.file("proof/ending.glsl");
 }
 
+void add_by_place(ShaderText& text, const Passes& passes) {
+    if (array_with_grid(passes)) text.define("GRID", 1);
+    text.file("proof/by_place.glsl");
+}
+
 // In doubles, where rounding no longer hides it, and where there are such bounds.
 bool takes_hessian(const formula::Field& field, ProofBounds bounds) {
     return bounds == ProofBounds::in_doubles && formula::hessian_program(field);
@@ -45,7 +50,8 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes) {
     text.define("RAYS", proved_block * proved_block);
     text.define("SQUARES_APART", beam_square);
     text.file("march/beam_place.glsl");
-    add_field(text, *scene.surface.field, passes, block_proof_samples());
+    add_enclosures(text, *scene.surface.field, passes, block_proof_samples());
+    add_by_place(text, passes);
     text.file("frame.glsl");
     text.file("march/verdict.glsl");
     text.file("proof/ending.glsl");
@@ -57,8 +63,8 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes) {
 
 Pass first_proof(const scene::Scene& scene, const Passes& passes) {
     ShaderText text;
-    add_field(text, *scene.surface.field, passes,
-              {FieldFunction::value_interval, FieldFunction::gradient_interval});
+    add_enclosures(text, *scene.surface.field, passes,
+                   {FieldFunction::value_interval, FieldFunction::gradient_interval});
     add_proof(text, scene, passes, ProofBounds::by_gradient);
     text.file("proof/begin.frag");
     return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile);
@@ -67,12 +73,11 @@ Pass first_proof(const scene::Scene& scene, const Passes& passes) {
 Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) {
     const formula::Field& field = *scene.surface.field;
     ShaderText text;
-    if (bounds == ProofBounds::in_doubles) {
-        text.version(400);
-        add_field_on_doubles(text, field, passes, proof_samples(field, bounds));
-    } else {
-        add_field(text, field, passes, proof_samples(field, bounds));
-    }
+    const bool in_doubles = bounds == ProofBounds::in_doubles;
+    if (in_doubles) text.version(400);
+    add_enclosures(text, field, passes, proof_samples(field, bounds),
+                   in_doubles ? formula::Numbers::doubles : formula::Numbers::floats);
+    add_by_place(text, passes);
     add_proof(text, scene, passes, bounds);
     text.file("proof/directional.glsl");
     text.file(takes_hessian(field, bounds) ? "proof/bounds_by_hessian.glsl"

@@ -93,11 +93,12 @@ float chebyshev_at_one(int n, int k) {
 class Writer {
 public:
     Writer(const Program& program, const IntervalSignature& signature, const ArrayPacking& packing,
-           Numbers numbers)
+           const IntervalNumbers& numbers)
         : program_(program)
         , signature_(signature)
         , packing_(packing)
-        , doubles_(numbers == Numbers::doubles)
+        , doubles_(numbers.numbers == Numbers::doubles)
+        , listed_(numbers.listed)
         , type_(doubles_ ? "dvec2" : "vec2")
         , known_(std::size_t(program.registers)) {}
 
@@ -126,9 +127,7 @@ private:
     void instruction(const Instruction& now, std::size_t at) {
         switch (now.kind) {
         case Instruction::Kind::begin:
-            define(now.result,
-                   now.op == Op::least ? least_of_none(now) : fmt::format("{}(0.0)", type_), true);
-            if (keeps_least(now.op)) define(now.operands[2], least_of_none(now), true);
+            begin(now);
             return;
         case Instruction::Kind::loop_begin:
             line("for (int e{0} = 0; e{0} < array{0}_count; ++e{0}) {{", now.index);
@@ -165,15 +164,33 @@ private:
         }
     }
 
+    bool is_listed(const Instruction& now) const { return listed_ && listed_->array == now.index; }
+
     std::string least_of_none(const Instruction& now) const {
+        // That of all elements is put in its place, where it is more than this.
+        if (is_listed(now)) return fmt::format("{}(array{}_least)", type_, now.index);
         return fmt::format("{}(array{}_least, IM_INFINITY)", type_, now.index);
+    }
+
+    void begin(const Instruction& now) {
+        if (keeps_least(now.op)) define(now.operands[2], least_of_none(now), true);
+        if (now.op == Op::least) return define(now.result, least_of_none(now), true);
+        if (now.op == Op::sum && is_listed(now)) {
+            const auto own = std::ranges::find(listed_->sums, NodeId(now.second));
+            if (own != listed_->sums.end()) {
+                const auto which = own - listed_->sums.begin();
+                return define(now.result,
+                              fmt::format("{}(array{}_rest[{}])", type_, now.index, which), false);
+            }
+        }
+        define(now.result, fmt::format("{}(0.0)", type_), true);
     }
 
     void accumulate(const Instruction& now) {
         Known& result = known(now.result);
         const Register key = now.operands[0];
         if (now.op == Op::sum) {
-            result.not_negative = known(key).not_negative;
+            result.not_negative = result.not_negative && known(key).not_negative;
             line("{} = {};", result.text,
                  limited(fmt::format("im_add({}, {})", result.text, interval(key)),
                          result.not_negative));
@@ -308,6 +325,7 @@ private:
     const IntervalSignature& signature_;
     const ArrayPacking& packing_;
     const bool doubles_;
+    const ListedArray* listed_;
     const std::string_view type_; // of intervals
     std::vector<Known> known_;
     std::string text_;
@@ -317,7 +335,7 @@ private:
 } // namespace
 
 std::string emit_interval_glsl(const Program& program, const IntervalSignature& signature,
-                               const ArrayPacking& packing, Numbers numbers) {
+                               const ArrayPacking& packing, const IntervalNumbers& numbers) {
     return Writer(program, signature, packing, numbers).write();
 }
 
@@ -332,7 +350,7 @@ std::set<std::string> interval_kernels_used(const Program& program) {
 }
 
 std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
-                                Numbers numbers) {
+                                const IntervalNumbers& numbers) {
     return emit_interval_glsl(
         programs.value,
         {"vec2 field_interval(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec2", {}}, packing,
@@ -340,7 +358,7 @@ std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPa
 }
 
 std::string glsl_directional_interval(const EnclosurePrograms& programs,
-                                      const ArrayPacking& packing, Numbers numbers) {
+                                      const ArrayPacking& packing, const IntervalNumbers& numbers) {
     return emit_interval_glsl(
         programs.directional,
         {"vec4 field_directional_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz)",
@@ -351,7 +369,7 @@ std::string glsl_directional_interval(const EnclosurePrograms& programs,
 }
 
 std::string glsl_gradient_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
-                                   Numbers numbers) {
+                                   const IntervalNumbers& numbers) {
     return emit_interval_glsl(programs.gradient,
                               {"void field_gradient_interval(vec2 x, vec2 y, vec2 z, out vec2 gx, "
                                "out vec2 gy, out vec2 gz)",
@@ -362,21 +380,21 @@ std::string glsl_gradient_interval(const EnclosurePrograms& programs, const Arra
 }
 
 std::string glsl_rough(const EnclosurePrograms& programs, const ArrayPacking& packing,
-                       Numbers numbers) {
+                       const IntervalNumbers& numbers) {
     return emit_interval_glsl(
         programs.rough, {"vec4 field_rough(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec4", {}},
         packing, numbers);
 }
 
 std::string glsl_breaks(const EnclosurePrograms& programs, const ArrayPacking& packing,
-                        Numbers numbers) {
+                        const IntervalNumbers& numbers) {
     return emit_interval_glsl(
         programs.breaks, {"vec4 field_breaks(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec4", {}},
         packing, numbers);
 }
 
 std::string glsl_hessian_interval(const Program& bend, const ArrayPacking& packing,
-                                  Numbers numbers) {
+                                  const IntervalNumbers& numbers) {
     return emit_interval_glsl(bend,
                               {"void field_hessian_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 "
                                "dy, vec2 dz, out vec2 f, "

@@ -18,6 +18,22 @@ namespace isomotion::formula {
 
 enum class Numbers { floats, doubles }; // that the ends of intervals are
 
+// An array of whose elements lists hold those that matter, and F's own sums over it: nodes of the
+// field's graph. The k-th of them begins with `array<n>_rest[k]`, a vec2, in place of 0; the least
+// of no listed element is `array<n>_least`.
+struct ListedArray {
+    int array = 0;
+    std::vector<NodeId> sums;
+};
+
+struct IntervalNumbers {
+    IntervalNumbers(Numbers ends = Numbers::floats, const ListedArray* listed_array = nullptr)
+        : numbers(ends)
+        , listed(listed_array) {}
+    Numbers numbers;
+    const ListedArray* listed;
+};
+
 struct IntervalSignature {
     std::string head;                 // "vec4 field_directional_interval(vec2 x, ...)"
     std::vector<std::string> inputs;  // what input k, a vec2, is called
@@ -26,7 +42,7 @@ struct IntervalSignature {
 };
 
 std::string emit_interval_glsl(const Program& program, const IntervalSignature& signature,
-                               const ArrayPacking& packing, Numbers numbers = Numbers::floats);
+                               const ArrayPacking& packing, const IntervalNumbers& numbers = {});
 
 // The operations ("divide", "pow", "chebyshev", ...) a program needs files of shaders/interval/
 // for, other than arithmetic.glsl.
@@ -36,27 +52,27 @@ std::set<std::string> interval_kernels_used(const Program& program);
 
 // vec2 field_interval(vec2 x, vec2 y, vec2 z)
 std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
-                                Numbers numbers = Numbers::floats);
+                                const IntervalNumbers& numbers = {});
 // vec4 field_directional_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz): F, dF/dt
 std::string glsl_directional_interval(const EnclosurePrograms& programs,
                                       const ArrayPacking& packing,
-                                      Numbers numbers = Numbers::floats);
+                                      const IntervalNumbers& numbers = {});
 // void field_gradient_interval(vec2 x, vec2 y, vec2 z, out vec2 gx, out vec2 gy, out vec2 gz)
 std::string glsl_gradient_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
-                                   Numbers numbers = Numbers::floats);
+                                   const IntervalNumbers& numbers = {});
 
 // vec4 field_rough(vec2 x, vec2 y, vec2 z): EnclosurePrograms::rough
 std::string glsl_rough(const EnclosurePrograms& programs, const ArrayPacking& packing,
-                       Numbers numbers = Numbers::floats);
+                       const IntervalNumbers& numbers = {});
 
 // vec4 field_breaks(vec2 x, vec2 y, vec2 z): EnclosurePrograms::breaks
 std::string glsl_breaks(const EnclosurePrograms& programs, const ArrayPacking& packing,
-                        Numbers numbers = Numbers::floats);
+                        const IntervalNumbers& numbers = {});
 
 // void field_hessian_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz, out vec2 f,
 //                          out vec2 slope, out vec2 bx, out vec2 by, out vec2 bz):
 //                          hessian_program()
 std::string glsl_hessian_interval(const Program& bend, const ArrayPacking& packing,
-                                  Numbers numbers);
+                                  const IntervalNumbers& numbers);
 
 } // namespace isomotion::formula

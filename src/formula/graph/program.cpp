@@ -78,6 +78,7 @@ private:
             begin.kind = Instruction::Kind::begin;
             begin.op = node.op;
             begin.index = array;
+            begin.second = int(id);
             begin.result = registers_[id] = program_.registers++;
             if (keeps_least(node.op)) begin.operands[2] = program_.registers++;
             program_.instructions.push_back(begin);

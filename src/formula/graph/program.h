@@ -27,7 +27,7 @@ struct Instruction {
     Op op = Op::constant; // of begin and accumulate: what goes through the elements
     std::uint8_t arity = 0;
     int index = 0;
-    int second = 0;
+    int second = 0; // of begin: its node in the graph
     double value = 0;
     Register result = -1;
     // operands[2] of pick and which that begin or accumulate: the register of the least key so far.

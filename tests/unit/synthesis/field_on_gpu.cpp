@@ -248,9 +248,10 @@ double take(const float* from) {
 std::string double_bounds_shader(const formula::Field& field, const FieldStorage& storage) {
     ShaderText text;
     text.version(400);
-    add_field_on_doubles(text, field, storage,
-                         {FieldFunction::value_interval, FieldFunction::directional_interval,
-                          FieldFunction::gradient_interval});
+    add_enclosures(text, field, storage,
+                   {FieldFunction::value_interval, FieldFunction::directional_interval,
+                    FieldFunction::gradient_interval},
+                   formula::Numbers::doubles);
     text.generated("a box a pixel", R"(
 uniform sampler2D boxes;
 uniform int wanted;
