@@ -106,10 +106,11 @@ double Auditor::operations_at_a_point() const {
 
 Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& aim, int width,
                        int height, std::span<const render::Ending> endings,
-                       const std::function<bool()>& stop) {
+                       const std::function<bool()>& stop,
+                       std::shared_ptr<const elements::ElementGrid> grid) {
     const auto begin = std::chrono::steady_clock::now();
     const truth::Tubes tubes(now, width, height, aim);
-    const truth::EnclosedField::Frame field = field_.at(now, 1);
+    const truth::EnclosedField::Frame field = field_.at(now, 1, std::move(grid));
     truth::RootFinder finder = field.finder(budget);
     Findings found;
     for (std::size_t first = 0; first < endings.size() && !(stop && stop());

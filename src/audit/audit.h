@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,9 +46,11 @@ public:
     explicit Auditor(const scene::Scene& scene); // which outlives it
 
     // Of a picture of frame `frame` of the given size and aim. Where it is to stop, of fewer rays.
+    // `grid`: of the scene's elements then, if the picture was drawn by one.
     Findings hold(int frame, const scene::SceneAt& now, const scene::Aim& aim, int width,
                   int height, std::span<const render::Ending> endings,
-                  const std::function<bool()>& stop = {});
+                  const std::function<bool()>& stop = {},
+                  std::shared_ptr<const elements::ElementGrid> grid = nullptr);
 
     // Of the formula; of elements that are found by place about as many as matter at one.
     double operations_at_a_point() const;

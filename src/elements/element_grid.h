@@ -40,6 +40,7 @@ struct Cell {
 };
 
 struct ElementGrid {
+    int array = 0;              // of the field's
     glm::dvec3 low{0}, cell{1}; // the corner and a cell's sides
     glm::ivec3 across{1};       // cells
     std::vector<Cell> cells;    // x fastest, then y

@@ -35,11 +35,15 @@ std::optional<FieldByPlace> FieldByPlace::of(const formula::Field& field,
 }
 
 FieldByPlace::Frame FieldByPlace::at(const formula::Bindings<float>& bindings, const Region& region,
-                                     int threads) const {
+                                     int threads, std::shared_ptr<const ElementGrid> made) const {
     const auto array = std::size_t(grid_maker_.array());
     Frame frame;
     frame.of_ = this;
-    frame.grid_ = grid_maker_.make(bindings, region, {.threads = threads});
+    if (!made || made->array != grid_maker_.array()) {
+        made = std::make_shared<const ElementGrid>(
+            grid_maker_.make(bindings, region, {.threads = threads}));
+    }
+    frame.grid_ = std::move(made);
     frame.region_ = region;
     frame.elements_ = bindings.arrays[array].count;
     frame.columns_ = bindings.arrays[array].fields;
@@ -51,13 +55,13 @@ FieldByPlace::Frame FieldByPlace::at(const formula::Bindings<float>& bindings, c
 
 FieldByPlace::Frame::Rest FieldByPlace::Frame::rest(const formula::SumsApart::Sum& sum) const {
     if (sum.op != formula::Op::sum) {
-        const Interval least(double(grid_.least), formula::infinity);
+        const Interval least(double(grid_->least), formula::infinity);
         return {sum.op == formula::Op::least ? least : Interval::entire(), least};
     }
     const std::vector<formula::NodeId>& own = programs().sums_of_field;
     const auto at = std::ranges::find(own, sum.node);
-    if (at == own.end() || grid_.left_out.empty()) return {0.0, 0.0};
-    const double most = 2 * grid_.left_out[std::size_t(at - own.begin())];
+    if (at == own.end() || grid_->left_out.empty()) return {0.0, 0.0};
+    const double most = 2 * grid_->left_out[std::size_t(at - own.begin())];
     return {{-most, most}, 0.0};
 }
 

@@ -8,6 +8,7 @@
 // around it has, which is no more than what it leaves out: so sums begin with twice the bounds.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,7 +31,7 @@ public:
     class Frame {
     public:
         const formula::EnclosuresApart& programs() const { return of_->programs_; }
-        const ElementGrid& grid() const { return grid_; }
+        const ElementGrid& grid() const { return *grid_; }
         const Region& region() const { return region_; }
         int elements() const { return elements_; }
         // A field of the array, one number an element.
@@ -47,14 +48,17 @@ public:
     private:
         friend class FieldByPlace;
         const FieldByPlace* of_ = nullptr;
-        ElementGrid grid_;
+        std::shared_ptr<const ElementGrid> grid_;
         Region region_;
         int elements_ = 0;
         std::vector<std::vector<float>> columns_;
         formula::Bindings<Interval> others_; // parameters, and arrays of which there is no grid
     };
     int array() const { return grid_maker_.array(); }
-    Frame at(const formula::Bindings<float>& bindings, const Region& region, int threads) const;
+    // `made`: a grid of these bindings over this region that is there already; null, or one of
+    // another array, if there is none.
+    Frame at(const formula::Bindings<float>& bindings, const Region& region, int threads,
+             std::shared_ptr<const ElementGrid> made = nullptr) const;
 
 private:
     FieldByPlace(GridMaker grid_maker, formula::EnclosuresApart programs)

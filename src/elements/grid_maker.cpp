@@ -163,6 +163,7 @@ ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Regi
         root_free.bindings = &bindings;
     }
     ElementGrid grid = make_grid(region, sets, terms.quadrics(), root_free, limits);
+    grid.array = array();
     grid.left_out = left_out.of_sum;
     if (terms.is_least()) grid.least = root_free.least;
     return grid;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "render/light_beams.h"
+#include "scene/near_elements.h"
 #include "synthesis/effect.h"
 
 namespace isomotion::render {
@@ -61,12 +62,10 @@ void add_places(base::Fingerprint& print, const scene::SceneAt& at) {
     }
 }
 
-// The grid covers the bounds, and what rounding takes for them.
 elements::ElementGrid grid_of(const elements::GridMaker& maker, const scene::SceneAt& at,
                               const InputLayout& layout) {
-    const glm::dvec3 margin(0x1p-12 * at.bounds.radius);
-    elements::ElementGrid grid = maker.make(
-        at.bindings, {at.bounds.min - margin, at.bounds.max + margin}, layout.grid_limits);
+    elements::ElementGrid grid =
+        maker.make(at.bindings, scene::region_of_elements(at.bounds), layout.grid_limits);
     if (grid.longest > layout.most_elements_at_a_place) {
         throw std::length_error(fmt::format(
             "{} elements of an array matter at one place; a shader can sum {}: smaller kernels, "
@@ -89,6 +88,11 @@ FieldInputs field_inputs(const scene::Scene& scene, const scene::SceneAt& at,
 }
 
 } // namespace
+
+std::shared_ptr<const elements::ElementGrid> grid(const PictureInputs& inputs) {
+    if (!inputs.field->grid) return nullptr;
+    return {inputs.field, &*inputs.field->grid};
+}
 
 ViewInputs view_inputs(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
                        const scene::Aim& aim, const synthesis::Passes& passes,

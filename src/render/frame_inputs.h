@@ -73,6 +73,9 @@ struct PictureInputs {
     void add_to(base::Fingerprint& print) const;
 };
 
+// Of the elements that the picture's field finds by place; null if it looks at all.
+std::shared_ptr<const elements::ElementGrid> grid(const PictureInputs& inputs);
+
 struct FrameInputs {
     animation::Values values;            // of the animation, at the frame's time
     scene::SceneAt now;                  // the scene with these

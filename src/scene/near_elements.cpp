@@ -4,6 +4,11 @@
 #include <thread>
 
 namespace isomotion::scene {
+
+elements::Region region_of_elements(const BoundsAt& bounds) {
+    const glm::dvec3 margin(0x1p-12 * bounds.radius);
+    return {bounds.min - margin, bounds.max + margin};
+}
 namespace {
 
 constexpr int fewest_to_find = 200; // elements, so that finding them pays

@@ -8,6 +8,10 @@
 
 namespace isomotion::scene {
 
+// What a grid of elements covers: the bounds, and what rounding takes for them; truth's tubes are
+// wider by less.
+elements::Region region_of_elements(const BoundsAt& bounds);
+
 // Finds the array whose elements are worth finding by place, once for all times.
 class ElementFinder {
 public:

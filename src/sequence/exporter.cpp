@@ -60,8 +60,9 @@ void check_options(const scene::Scene& scene, const ExportOptions& options, imag
 struct PendingFrame {
     int frame = 0;
     animation::Values values;
-    std::shared_ptr<const scene::SceneAt> now; // of an audited one
-    scene::Aim aim;                            // of its first picture
+    std::shared_ptr<const scene::SceneAt> now;         // of an audited one
+    std::shared_ptr<const elements::ElementGrid> grid; // its elements then, if found by place
+    scene::Aim aim;                                    // of its first picture
     image::Metadata metadata;
     std::string fingerprint; // of its file
     bool draws = true;       // not what the frame before it shows
@@ -77,12 +78,13 @@ public:
 
     // None where no ray was asked for.
     std::optional<AuditCounts> hold(int frame, const scene::SceneAt& now, const scene::Aim& aim,
+                                    std::shared_ptr<const elements::ElementGrid> grid,
                                     std::span<const render::Ending> endings,
                                     const std::function<bool()>& stop) {
         if (endings.empty()) return std::nullopt;
         const scene::Output& output = scene_.output;
-        const audit::Findings found =
-            auditor_.hold(frame, now, aim, output.width, output.height, endings, stop);
+        const audit::Findings found = auditor_.hold(frame, now, aim, output.width, output.height,
+                                                    endings, stop, std::move(grid));
         const std::lock_guard lock(mutex_);
         all_.add(found);
         seconds_a_ray_ = auditor_.seconds_a_ray();
@@ -189,12 +191,14 @@ private:
     void add(int frame) {
         render::FrameInputs inputs = renderer_.prepare(scene_, frame);
         const std::string& pixels = inputs.fingerprint;
-        PendingFrame next{frame, inputs.values, {}, {}, {}, {}};
+        PendingFrame next{frame, inputs.values, {}, {}, {}, {}, {}};
         next.aim = inputs.pictures.front().aim;
         inputs.pictures.front().endings_of = audit::pixels_of_frame(
             scene_.output.width, scene_.output.height, rays_to_audit(), frame);
-        if (!inputs.pictures.front().endings_of.empty())
+        if (!inputs.pictures.front().endings_of.empty()) {
             next.now = std::make_shared<const scene::SceneAt>(inputs.now);
+            next.grid = render::grid(inputs.pictures.front());
+        }
         next.metadata = frame_metadata(scene_, inputs.now, next.values, frame, format_);
         next.fingerprint =
             file_fingerprint(pixels, sequence_.provenance.renderer, format_, next.metadata);
@@ -272,8 +276,8 @@ private:
         std::function<std::optional<AuditCounts>()> audit = [] { return std::nullopt; };
         if (pending.draws && pending.now) {
             audit = [this, frame = pending.frame, now = std::move(pending.now), aim = pending.aim,
-                     endings = picture_drawn_->endings] {
-                return auditing_.hold(frame, *now, aim, endings, watcher_.stop);
+                     grid = std::move(pending.grid), endings = picture_drawn_->endings] {
+                return auditing_.hold(frame, *now, aim, grid, endings, watcher_.stop);
             };
         }
         if (!manifest_) {

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <vector>
 
+#include "scene/near_elements.h"
+
 namespace isomotion::truth {
 
 EnclosedField::EnclosedField(const scene::Scene& scene)
     : field_(*scene.surface.field)
     , programs_(formula::enclosure_programs(field_)) {}
 
-EnclosedField::Frame EnclosedField::at(const scene::SceneAt& now, int threads) {
+EnclosedField::Frame EnclosedField::at(const scene::SceneAt& now, int threads,
+                                       std::shared_ptr<const elements::ElementGrid> made) {
     std::vector<int> counts;
     for (const auto& array : now.bindings.arrays) counts.push_back(array.count);
     const bool are_many = !counts.empty() && std::ranges::max(counts) > elements::FieldByPlace::few;
@@ -19,10 +22,8 @@ EnclosedField::Frame EnclosedField::at(const scene::SceneAt& now, int threads) {
     }
     Frame frame(programs_, now);
     if (are_many && by_place_) {
-        // Tubes are wider than the bounds by far less.
-        const glm::dvec3 margin(0x1p-12 * now.bounds.radius);
-        frame.by_place_ = by_place_->at(
-            now.bindings, {now.bounds.min - margin, now.bounds.max + margin}, threads);
+        frame.by_place_ = by_place_->at(now.bindings, scene::region_of_elements(now.bounds),
+                                        threads, std::move(made));
     }
     return frame;
 }

@@ -1,6 +1,7 @@
 // A scene's field as truth asks for it: over boxes, at one frame after the other.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "elements/field_by_place.h"
@@ -30,8 +31,10 @@ public:
         const scene::SceneAt& now_;
         std::optional<elements::FieldByPlace::Frame> by_place_; // of many elements
     };
-    // `now` and this outlive the frame.
-    Frame at(const scene::SceneAt& now, int threads);
+    // `now` and this outlive the frame. `made`: a grid of the scene's elements then, as
+    // region_of_elements() has it, to take in place of making one.
+    Frame at(const scene::SceneAt& now, int threads,
+             std::shared_ptr<const elements::ElementGrid> made = nullptr);
 
 private:
     const formula::Field& field_;

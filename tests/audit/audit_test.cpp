@@ -78,10 +78,12 @@ protected:
         inputs.pictures.front().endings_of = pixels_of_frame(width, height, rays, 1);
         now = inputs.now;
         aim = inputs.pictures.front().aim;
+        grid = render::grid(inputs.pictures.front());
         return render::expose(renderer, inputs);
     }
     scene::SceneAt now;
     scene::Aim aim;
+    std::shared_ptr<const elements::ElementGrid> grid;
 };
 ISOMOTION_ON_EVERY_BACKEND(Audits);
 
@@ -134,6 +136,33 @@ TEST_P(Audits, OfPicturesOfSeveralSamples) {
     const render::Picture picture = with_endings(scene, 1500);
     EXPECT_EQ(picture.endings.size(), 1500u);
     EXPECT_EQ(Auditor(scene).hold(1, now, aim, 90, 70, picture.endings).wrong, 0);
+}
+
+// The picture's grid of elements serves the audit as one that it makes itself.
+TEST_P(Audits, ByThePicturesOwnGrid) {
+    const scene::Scene scene = render::scene_of(R"toml(
+[surface]
+formula = "0.3 - sum(p, exp(-120*((x-cx)^2 + (y-cy)^2 + (z-cz)^2)))"
+bounds = { sphere = 1.4 }
+[arrays.p]
+count = 700
+cx = "1.8*random(i, 0) - 0.9"
+cy = "1.8*random(i, 1) - 0.9"
+cz = "1.8*random(i, 2) - 0.9"
+[output]
+size = [90, 70]
+)toml");
+    const render::Picture picture = with_endings(scene, 600);
+    ASSERT_TRUE(grid);
+    const Findings own = Auditor(scene).hold(1, now, aim, 90, 70, picture.endings);
+    const Findings given = Auditor(scene).hold(1, now, aim, 90, 70, picture.endings, {}, grid);
+    EXPECT_EQ(given.rays, own.rays);
+    EXPECT_EQ(given.undecided, own.undecided);
+    EXPECT_EQ(given.wrong, 0);
+    // A grid that lists no element: the picture would be found wrong.
+    auto empty = std::make_shared<elements::ElementGrid>(*grid);
+    for (elements::Cell& cell : empty->cells) cell.packed = 0;
+    EXPECT_GT(Auditor(scene).hold(1, now, aim, 90, 70, picture.endings, {}, empty).wrong, 50);
 }
 
 TEST_P(Audits, ChangeNoPixel) {
