@@ -47,9 +47,7 @@ public:
     // Bounds of a sum in a cell; what lists leave out is not in it.
     Interval sum(std::size_t cell, std::size_t sum, std::uint32_t elements) const {
         if (is_least()) return {double(bounds_[cell]), formula::infinity};
-        const double most = bound(cell, sum, elements);
-        const Interval& signs = root_free_.signs[sum];
-        return {signs.lo * most, signs.hi * most};
+        return root_free_.signs[sum] * Interval(0.0, bound(cell, sum, elements));
     }
     // At least what is listed of a sum is in size.
     double bound(std::size_t cell, std::size_t sum, std::uint32_t elements) const {

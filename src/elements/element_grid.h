@@ -83,7 +83,8 @@ struct RootFree {
     // Else: what looks for roots cell by cell, with bounds of the sums there.
     const SumsAtRoots* roots = nullptr;
     const formula::Bindings<float>* bindings = nullptr;
-    std::vector<Interval> left_out{}, signs{}; // of each sum; signs of its terms, in [-1, 1]
+    // Of each sum: what lists leave out of it, and the signs of its terms, in [-1, 1].
+    std::vector<Interval> left_out{}, signs{};
 };
 
 // `sets`: `each` level sets of the first element, then of the next. Lists hold elements in

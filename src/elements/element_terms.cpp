@@ -23,6 +23,19 @@ Interval whole_range(const Quadric& q) {
     return q.is_definite ? oriented(q, q.least, q.most) : Interval::entire();
 }
 
+// What a quadric can be in that shell of a level set and beyond.
+Interval beyond(const Quadric& q, const LevelSet& set, int shell) {
+    if (!q.is_definite) return Interval::entire();
+    double from = q.least;
+    if (set.kind == LevelSet::Kind::bounded) {
+        constexpr double rounding = 1e-5; // of a set's end
+        const double end = set.least + (1 - rounding) * set.rise;
+        const double part = double(shell * shell) / (ElementTerms::shells * ElementTerms::shells);
+        from = q.least + part * (end - q.least);
+    }
+    return oriented(q, std::min(from, q.most), q.most);
+}
+
 double level_at(const Quadric& q, double part) {
     return std::min(q.least + part * (q.most - q.least), q.most);
 }
@@ -155,8 +168,9 @@ ElementTerms::ElementTerms(const formula::ElementKernels& kernels,
         hulls_.push_back(all);
     }
     for (std::size_t f = 0; f < kernels_.fields.size() && count_ > 0; ++f) {
-        const auto [low, high] = std::ranges::minmax(column(f));
-        field_ranges_.emplace_back(low, high);
+        Interval range{double(column(f)[0])};
+        for (const float value : column(f)) range = formula::hull(range, Interval(double(value)));
+        field_ranges_.push_back(range);
     }
     alike_ = count_ > 0 && has_equal_terms();
 }
@@ -252,6 +266,15 @@ void ElementTerms::level_sets(std::span<const double> tolerance, int first, int 
     }
 }
 
+// As a float that bounds it: of a key from below.
+float ElementTerms::size_of(const Interval& term) const {
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    constexpr double largest = 1e38;
+    const double size = is_least() ? std::min(term.lo, largest) : magnitude(term);
+    const float end = is_least() ? -infinite : infinite;
+    return std::abs(size) <= largest ? std::nextafter(float(size), end) : end;
+}
+
 void ElementTerms::sizes(std::span<const LevelSet> sets, int first, int last,
                          std::span<float> found) const {
     Lanes lanes(*this);
@@ -263,29 +286,21 @@ void ElementTerms::sizes(std::span<const LevelSet> sets, int first, int last,
         const int count = std::min(block, last - begin);
         lanes.set_elements(begin, count);
         for (int shell = 0; shell < shells; ++shell) {
-            const double part = double(shell * shell) / (shells * shells);
-            for (int l = 0; l < count; ++l) {
-                for (int k = 0; k < kinds; ++k) {
-                    // The ranges of all hold for each.
-                    const Quadric& q = alike_ ? hulls_[std::size_t(k)] : quadric(begin + l, k);
-                    const LevelSet& set = sets[std::size_t((begin + l - first) * kinds + k)];
-                    const bool is_bounded = set.kind == LevelSet::Kind::bounded;
-                    const double end = set.least + set.rise;
-                    const double from = is_bounded ? q.least + part * (end - q.least) : q.least;
-                    lanes.set_quadric(k, l,
-                                      q.is_definite ? oriented(q, std::min(from, q.most), q.most)
-                                                    : Interval::entire());
+            // A place is known to be so far out by the sum's own quadric alone.
+            for (int k = 0; k < kinds; ++k) {
+                for (int l = 0; l < count; ++l) {
+                    for (int j = 0; j < kinds; ++j) {
+                        // The ranges of all hold for each.
+                        const Quadric& q = alike_ ? hulls_[std::size_t(j)] : quadric(begin + l, j);
+                        const LevelSet& set = sets[std::size_t((begin + l - first) * kinds + j)];
+                        lanes.set_quadric(j, l, j == k ? beyond(q, set, shell) : whole_range(q));
+                    }
                 }
-            }
-            lanes.run(count);
-            for (int l = 0; l < count; ++l) {
+                lanes.run(count);
                 for (int sum = 0; sum < all; ++sum) {
-                    constexpr float infinite = std::numeric_limits<float>::infinity();
-                    const Interval& term = lanes.term(sum, l);
-                    const double size = is_least() ? std::clamp(term.lo, -1e38, 1e38)
-                                                   : std::min(magnitude(term), 1e38);
-                    number(begin + l, sum, shell) =
-                        std::nextafter(float(size), is_least() ? -infinite : infinite);
+                    if (kernels_.quadric_of[std::size_t(sum)] != k) continue;
+                    for (int l = 0; l < count; ++l)
+                        number(begin + l, sum, shell) = size_of(lanes.term(sum, l));
                 }
             }
         }

@@ -21,6 +21,7 @@ public:
     bool is_least() const { return kernels_.is_least; }
     int sums() const { return kernels_.sums(); }
     int quadrics() const { return kernels_.quadrics; }
+    int quadric_of(int sum) const { return kernels_.quadric_of[std::size_t(sum)]; }
     const Quadric& quadric(int element, int k) const {
         return quadrics_[std::size_t(element) * std::size_t(kernels_.quadrics) + std::size_t(k)];
     }
@@ -45,6 +46,7 @@ private:
     class Lanes;
     bool keeps(const Interval& term, double tolerance) const;
 
+    float size_of(const Interval& term) const;
     void read_quadrics();
     bool has_equal_terms() const;
     std::span<const float> column(std::size_t input) const;

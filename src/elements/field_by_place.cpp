@@ -91,7 +91,10 @@ bool BoxesByPlace::look_up(const Interval& x, const Interval& y, const Interval&
     if (std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z) > most_cells)
         return false;
     found_.clear();
-    ++turn_;
+    if (++turn_ == 0) { // numbers begin anew
+        std::ranges::fill(seen_, 0);
+        turn_ = 1;
+    }
     const bool is_alone = cells == glm::ivec3(1);
     for (int k = first.z; k <= last.z; ++k) {
         for (int j = first.y; j <= last.y; ++j) {

@@ -145,7 +145,10 @@ void find_free_cells(ElementGrid& grid, const Region& region, const CellSums& su
                      const RootFree& root_free, const glm::bvec3& is_flat,
                      const GridLimits& limits) {
     const Columns columns{grid.across, is_flat};
-    const bool looks = root_free.roots != nullptr;
+    constexpr double most_terms = 3e6; // to sum; drawing a frame takes as many for a few rays
+    const bool looks = root_free.roots && root_free.roots->terms_of_others(*root_free.bindings) *
+                                                  double(grid.cells.size()) <=
+                                              most_terms;
     if (looks && glm::any(is_flat)) add_layers(grid, columns, region, limits.across);
     std::vector<std::uint8_t> is_free;
     const auto across = std::size_t(grid.across.x);

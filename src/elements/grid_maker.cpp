@@ -13,29 +13,35 @@ namespace {
 
 constexpr int together = 1024; // elements that one thread takes at a time
 
-// The middle of each element, for counting how crowded they are; only of definite quadrics.
-std::vector<glm::dvec3> middles_of(const ElementTerms& terms) {
-    std::vector<glm::dvec3> middles;
-    middles.reserve(std::size_t(terms.count()));
-    for (int e = 0; e < terms.count(); ++e) middles.push_back(terms.quadric(e, 0).centre);
-    return middles;
-}
-
-// The mean size of the level sets of some elements evenly out of all; infinite if one is unbounded.
-double mean_size(const ElementTerms& terms, std::span<const double> tolerance) {
-    constexpr int asked = 8;
+// The sizes of the level sets of some elements evenly out of all; infinite of one without bounds.
+std::vector<double> some_sizes(const ElementTerms& terms, std::span<const double> tolerance) {
+    constexpr int asked = 16;
     std::vector<LevelSet> sets(std::size_t(terms.quadrics()));
-    double sum = 0;
+    std::vector<double> sizes;
     for (int k = 0; k < std::min(asked, terms.count()); ++k) {
         const int element = int(std::int64_t(k) * terms.count() / asked);
         terms.level_sets(tolerance, element, element + 1, sets);
+        double sum = 0;
         for (const LevelSet& set : sets) {
             if (set.kind == LevelSet::Kind::unbounded)
-                return std::numeric_limits<double>::infinity();
+                sum = std::numeric_limits<double>::infinity();
             for (int axis = 0; axis < 3; ++axis) sum += set.is_flat[axis] ? 0 : set.half[axis];
         }
+        sizes.push_back(sum);
     }
-    return sum;
+    return sizes;
+}
+
+// How many times as large they are by one tolerance as by another, in the mean: each counts as
+// much as any other, however large.
+double times_as_large(std::span<const double> by_one, std::span<const double> by_other) {
+    double sum = 0, count = 0;
+    for (std::size_t k = 0; k < by_one.size(); ++k) {
+        if (by_other[k] == 0 && by_one[k] == 0) continue;
+        sum += std::isinf(by_other[k]) ? 1 : by_one[k] / by_other[k];
+        count += 1;
+    }
+    return count > 0 ? sum / count : 1;
 }
 
 // What the largest term of each sum can be; from 0 on where none is negative.
@@ -61,19 +67,18 @@ std::vector<double> times(const std::vector<Interval>& units, auto&& multiple) {
 
 } // namespace
 
-// Leaves nothing out where terms are 0 beyond a support. (Those of kernels that fade without end
-// are 0 far outside, where doubles can't tell them from it.)
+// Leaves nothing out where terms are 0 beyond a support.
 Tolerances GridMaker::choose(const ElementTerms& terms, std::vector<double> little,
                              const Region& region) {
     constexpr double support_at_most = 1.5; // times the size where little is left out
     const std::vector<double> nothing(std::size_t(terms.sums()), 0.0);
-    const double size_of_support = mean_size(terms, nothing);
     Tolerances exact{nothing, nothing};
     for (double& size : little) size *= part_left_out;
     if (std::ranges::all_of(little, [](double a) { return a == 0; })) return exact;
-    if (size_of_support <= support_at_most * mean_size(terms, little)) return exact;
+    if (times_as_large(some_sizes(terms, nothing), some_sizes(terms, little)) <= support_at_most)
+        return exact;
     const double widest = glm::length(region.high - region.low);
-    return tolerances(terms, middles_of(terms), little, widest);
+    return tolerances(terms, little, widest);
 }
 
 std::optional<GridMaker> GridMaker::of(const formula::Field& field, int array) {
@@ -97,12 +102,14 @@ float GridMaker::least_left_out(const ElementTerms& terms, const formula::Bindin
     const Interval range = terms.bounds(0, 0);
     const auto enough = least_->enough(bindings, region, range);
     if (!enough) return none;
-    const auto size = [&](double key) { return mean_size(terms, {&key, 1}); };
-    const double most = beyond * size(*enough);
+    const std::vector<double> enough_sizes = some_sizes(terms, {&*enough, 1});
+    const auto grown = [&](double key) {
+        return times_as_large(some_sizes(terms, {&key, 1}), enough_sizes);
+    };
     double low = *enough - range.lo, high = range.hi - range.lo;
     for (int k = 0; k < halvings && low < high; ++k) {
         const double middle = std::sqrt(low * high);
-        (size(range.lo + middle) <= most ? low : high) = middle;
+        (grown(range.lo + middle) <= beyond ? low : high) = middle;
     }
     const double least = range.lo + low;
     const Interval above(*enough, formula::infinity);
@@ -126,14 +133,19 @@ ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Regi
         root_free.at_least = formula::infinity;
         root_free.least = least_left_out(terms, bindings, region, root_free);
         left_out = {{double(root_free.least)}, {0}};
+        root_free.left_out = {Interval(0.0)};
     } else {
         root_free.at_most = times(units, [&] { return roots_.least(bindings, region, units); });
-        root_free.is_emptiness = roots_.are_everything(bindings, region);
         // How large sums are where little is left out of them.
         std::vector<double> at_roots = root_free.at_most;
         if (std::ranges::all_of(at_roots, [](double size) { return size == 0; }))
             at_roots = times(units, [&] { return roots_.sensitivity(bindings, region, units); });
         left_out = choose(terms, std::move(at_roots), region);
+        for (std::size_t k = 0; k < units.size(); ++k) {
+            root_free.signs.emplace_back(units[k].lo < 0 ? -1.0 : 0.0, 1.0);
+            root_free.left_out.push_back(root_free.signs[k] * Interval(0.0, left_out.of_sum[k]));
+        }
+        root_free.is_emptiness = roots_.exclude(bindings, region, root_free.left_out);
     }
     const auto each = std::size_t(terms.quadrics()), sums = std::size_t(terms.sums());
     std::vector<LevelSet> sets(std::size_t(terms.count()) * each);
@@ -153,11 +165,7 @@ ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Regi
         };
     });
     root_free.sizes = sizes;
-    for (std::size_t k = 0; k < sums; ++k) {
-        root_free.at_most[k] -= left_out.of_sum[k];
-        root_free.left_out.emplace_back(-left_out.of_sum[k], left_out.of_sum[k]);
-        root_free.signs.emplace_back(units[k].lo < 0 ? -1.0 : 0.0, 1.0);
-    }
+    for (std::size_t k = 0; k < sums; ++k) root_free.at_most[k] -= left_out.of_sum[k];
     if (roots_.depend_on_place()) {
         root_free.roots = &roots_;
         root_free.bindings = &bindings;

@@ -87,7 +87,8 @@ public:
             // than half of the cell's diagonal.
             const glm::dvec3 off = of_.low_ + (glm::dvec3(place) + 0.5) * of_.cell_ - set_->centre;
             const double square = glm::dot(off, set_->form * off);
-            if (square <= farthest_) return std::max(std::sqrt(square) - half_cell_, 0.0);
+            if (square <= farthest_)
+                return std::max(std::sqrt(std::max(square, 0.0)) - half_cell_, 0.0);
             // The outermost cells hold all that is beyond them.
             return is_on_border(place) ? 1 : none;
         }

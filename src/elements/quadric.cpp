@@ -28,8 +28,8 @@ Quadric Quadric::from(const std::array<double, 10>& q, const Region& region) {
     made.is_flat = {h.xx == 0 && h.xy == 0 && h.xz == 0 && slope.x == 0,
                     h.yy == 0 && h.xy == 0 && h.yz == 0 && slope.y == 0,
                     h.zz == 0 && h.xz == 0 && h.yz == 0 && slope.z == 0};
+    if (glm::all(made.is_flat) || !h.filled(made.is_flat, h.trace()).is_positive()) return made;
     const Symmetric filled = h.filled(made.is_flat);
-    if (glm::all(made.is_flat) || !filled.is_positive()) return made;
     const Symmetric inverse = filled.inverse();
     made.centre = -(inverse * slope);
     made.width = glm::length(region.high - region.low);

@@ -27,14 +27,18 @@ struct Symmetric {
     double determinant() const {
         return xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
     }
-    // False where a number is none.
-    bool is_positive() const { return xx > 0 && xx * yy - xy * xy > 0 && determinant() > 0; }
-    // With 1 for what is flat along an axis.
-    Symmetric filled(const glm::bvec3& is_flat) const {
+    // As far as doubles can tell: no eigenvalue may be 0 but for their rounding, and the inverse is
+    // right to some 1e-7. False where a number is none.
+    bool is_positive() const {
+        const double third = trace() / 3;
+        return xx > 0 && xx * yy - xy * xy > 0 && determinant() > 1e-9 * third * third * third;
+    }
+    // With that for what is flat along an axis.
+    Symmetric filled(const glm::bvec3& is_flat, double flat = 1) const {
         Symmetric all = *this;
-        if (is_flat.x) all.xx = 1;
-        if (is_flat.y) all.yy = 1;
-        if (is_flat.z) all.zz = 1;
+        if (is_flat.x) all.xx = flat;
+        if (is_flat.y) all.yy = flat;
+        if (is_flat.z) all.zz = flat;
         return all;
     }
     bool is_round() const { return xy == 0 && xz == 0 && yz == 0 && xx == yy && yy == zz; }

@@ -150,9 +150,10 @@ bool SumsAtRoots::exclude(const formula::Bindings<float>& bindings, const Region
     return exclude(boxes, region, sums);
 }
 
-bool SumsAtRoots::are_everything(const formula::Bindings<float>& bindings,
-                                 const Region& region) const {
-    return exclude(bindings, region, std::vector<Interval>(std::size_t(sums_), Interval(0.0)));
+double SumsAtRoots::terms_of_others(const formula::Bindings<float>& bindings) const {
+    std::vector<int> counts;
+    for (const auto& array : bindings.arrays) counts.push_back(array.count);
+    return formula::cost(field_, counts).iterations;
 }
 
 double SumsAtRoots::sensitivity(const formula::Bindings<float>& bindings, const Region& region,

@@ -23,8 +23,6 @@ public:
     // units; 0 if there is none.
     double least(const formula::Bindings<float>& bindings, const Region& region,
                  std::span<const formula::Interval> units) const;
-    // Whether F has no root in the region without elements.
-    bool are_everything(const formula::Bindings<float>& bindings, const Region& region) const;
     // Whether F has no root in the region with these bounds of the sums.
     bool exclude(const formula::Bindings<float>& bindings, const Region& region,
                  std::span<const formula::Interval> sums) const;
@@ -37,6 +35,8 @@ public:
 
     // Whether F reads the place other than through these sums.
     bool depend_on_place() const { return depend_on_place_; }
+    // How many terms F sums besides, of other arrays, each time that it is asked for.
+    double terms_of_others(const formula::Bindings<float>& bindings) const;
 
     // Looks for roots in boxes, where sums have bounds. One a thread.
     class Boxes {

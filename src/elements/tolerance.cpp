@@ -30,31 +30,50 @@ double sum_of(std::span<const Shell> shells_outwards, double tolerance) {
     return sum;
 }
 
+std::vector<glm::dvec3> middles_of(const ElementTerms& terms, int quadric) {
+    std::vector<glm::dvec3> middles;
+    middles.reserve(std::size_t(terms.count()));
+    for (int e = 0; e < terms.count(); ++e) middles.push_back(terms.quadric(e, quadric).centre);
+    return middles;
+}
+
+// At most so many middles are nearer to any place than the second distance, the third, and on; and
+// their number.
+std::vector<double> counts_within(std::span<const glm::dvec3> middles,
+                                  std::span<const double> distances) {
+    const Crowding crowding(middles);
+    std::vector<double> counts;
+    for (const double distance : distances.subspan(1))
+        counts.push_back(crowding.most_within(distance));
+    counts.push_back(double(middles.size()));
+    return counts;
+}
+
 } // namespace
 
-Tolerances tolerances(const ElementTerms& terms, std::span<const glm::dvec3> middles,
-                      std::span<const double> allowed, double widest) {
-    const Crowding crowding(middles);
-    std::vector<double> distances{0}, counts;
+Tolerances tolerances(const ElementTerms& terms, std::span<const double> allowed, double widest) {
+    std::vector<double> distances{0};
     for (int k = shells - 1; k >= 0; --k) {
         double d = widest;
         for (int turn = 0; turn < k; ++turn) d *= narrower;
         distances.push_back(d);
     }
-    for (std::size_t k = 1; k < distances.size(); ++k)
-        counts.push_back(crowding.most_within(distances[k]));
-    counts.push_back(double(middles.size()));
+    // Of each quadric, about whose middles its sums' terms are known.
+    std::vector<std::vector<double>> counts_of;
+    for (int k = 0; k < terms.quadrics(); ++k)
+        counts_of.push_back(counts_within(middles_of(terms, k), distances));
 
     Tolerances found;
     for (int sum = 0; sum < terms.sums(); ++sum) {
         const double wanted = allowed[std::size_t(sum)];
+        const std::vector<double>& counts = counts_of[std::size_t(terms.quadric_of(sum))];
         std::vector<Shell> outwards;
         double before = magnitude(terms.bounds(sum, 0));
         for (std::size_t k = 0; k < distances.size(); ++k) {
             before = std::min(before, magnitude(terms.bounds(sum, distances[k])));
             outwards.push_back({counts[k], before});
         }
-        const double safe = wanted / std::max(1.0, double(middles.size()));
+        const double safe = wanted / std::max(1, terms.count());
         double tolerance = wanted / 8;
         for (int turn = 0; turn < turns && sum_of(outwards, tolerance) > wanted; ++turn)
             tolerance *= 0.9 * wanted / sum_of(outwards, tolerance);

@@ -18,8 +18,7 @@ struct Tolerances {
 };
 
 // `allowed` of each sum. Elements are counted where they stand: those far away have terms far below
-// the tolerance. `middles`: of the elements.
-Tolerances tolerances(const ElementTerms& terms, std::span<const glm::dvec3> middles,
-                      std::span<const double> allowed, double widest);
+// the tolerance. All quadrics have middles.
+Tolerances tolerances(const ElementTerms& terms, std::span<const double> allowed, double widest);
 
 } // namespace isomotion::elements

@@ -90,6 +90,30 @@ TEST_P(Grid, IsThePictureOfAllElements) {
     }
 }
 
+// Terms without a bound, terms of two distances, and quadrics that are flat but for rounding.
+TEST_P(Grid, IsThePictureOfAllElementsWhereTermsAreHardToBound) {
+    const std::string d = distance;
+    const std::string rod = "(" + d + " - (0.6*(x-cx) + 0.64*(y-cy) + 0.48*(z-cz))^2)";
+    for (const std::string& formula : std::vector<std::string>{
+             "sum(p, 0.0005/sqrt(" + d + ")) - 0.25 - 0.1*z",
+             "sum(p, 0.000001/" + d + "^2) - 1 - 0.2*z",
+             "0.1 + 0.001*z - sum(p, exp(-500*" + d +
+                 ")*max(0, 1 - ((x-cx-0.1)^2 + (y-cy)^2 + (z-cz)^2)/0.0144))"
+                 " + 0.0001*sum(p, exp(-500*" +
+                 d + "))",
+             "sum(p, max(0, 1 - " + rod + "/0.0064)^2) - 1.5",
+             "exp(-30*(z+1)) - sum(p, exp(-100*" + d + "))",
+         }) {
+        scene::Scene scene = elements(formula, 600);
+        scene.output.width = 25;
+        scene.output.height = 17;
+        const Difference found = beside_all_elements(*context, scene);
+        EXPECT_GT(found.hits, 10) << formula;
+        EXPECT_LE(found.other_verdict, 2) << formula;
+        EXPECT_LT(found.farthest, 1e-3) << formula;
+    }
+}
+
 TEST_P(Grid, ShadowsMirrorsAndOcclusionSeeIt) {
     const std::string formula = std::string("0.3 - sum(p, w*max(0, 1 - 25*") + distance + ")^3)";
     const std::string effects = R"toml([[lights]]

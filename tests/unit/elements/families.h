@@ -31,7 +31,8 @@ inline formula::Vocabulary family_vocabulary() {
 struct Family {
     const char* name;
     const char* formula;
-    bool exact; // its lists leave nothing out
+    bool exact;             // its lists leave nothing out
+    bool lists_all = false; // all elements matter everywhere, as far as is known
 };
 
 inline constexpr Family families[] = {
@@ -63,6 +64,24 @@ inline constexpr Family families[] = {
      " sqrt((x-0.3)^2 + y^2) - 0.15)",
      true},
     {"bumps", "z - level - 0.2*sum(p, w*exp(-a*((x-cx)^2 + (y-cy)^2 + (z-cz)^2)))", false},
+    // Terms without a bound.
+    {"poles", "sum(p, 0.03*h*h/sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2)) - 2*level - 0.1*z", true,
+     true},
+    // A term of two distances, and sums of distances from different middles.
+    {"pairs",
+     "level + 0.1*z - sum(p, exp(-a*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))"
+     "*max(0, 1 - ((x-cx-0.1)^2 + (y-cy)^2 + (z-cz)^2)/h^2))"
+     " + 0.01*sum(p, exp(-a*((x-cx)^2 + (y-cy)^2 + (z-cz)^2)))",
+     false},
+    {"apart",
+     "level - sum(p, exp(-a*((x-cx)^2 + (y-cy)^2 + (z-cz)^2)))"
+     " - 0.001*sum(p, exp(-2*((x-0.02*cx)^2 + (y-0.02*cy)^2 + (z-0.02*cz)^2)))",
+     false, true},
+    // Kernels of a distance from a line that is along no axis: flat but for rounding.
+    {"tilted rods",
+     "3 - sum(p, max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2"
+     " - (gxx*(x-cx) + gxy*(y-cy) + gxz*(z-cz))^2/(gxx^2 + gxy^2 + gxz^2))/h^2)^2)",
+     true, true},
     // Kernels of a distance from a line, and from a plane.
     {"terrain", "z - 0.1*sum(p, w*exp(-a*((x-cx)^2 + (y-cy)^2)))", false},
     {"columns", "level - sum(p, max(0, 1 - ((x-cx)^2 + (z-cz)^2)/h^2)^3)", true},

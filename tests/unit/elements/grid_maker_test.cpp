@@ -70,7 +70,7 @@ TEST_P(Families, SumsOverListsAreTheSums) {
                     << count << " at " << testing::PrintToString(p);
             }
         }
-        if (count == 700) {
+        if (count == 700 && !GetParam().lists_all) {
             EXPECT_LT(listed / 300, 200) << "lists are much shorter than all";
         }
     }
@@ -123,7 +123,7 @@ TEST_P(LeastFamilies, RootsAreThoseOfAllElements) {
             inside += whole < 0;
             EXPECT_EQ(part < 0, whole < 0) << count << " at " << testing::PrintToString(p);
         }
-        if (count == 700) {
+        if (count == 700 && !GetParam().lists_all) {
             EXPECT_LT(listed / 1000, 200) << "lists are much shorter than all";
             EXPECT_GT(inside, 20);
         }
@@ -165,7 +165,9 @@ TEST_P(AllFamilies, FreeCellsHaveNoRoot) {
         }
         EXPECT_EQ(std::min(above, below), 0) << testing::PrintToString(place);
     }
-    EXPECT_GT(free, 100);
+    if (!GetParam().lists_all) {
+        EXPECT_GT(free, 100);
+    }
 }
 
 TEST_P(AllFamilies, GridsAreEqualForAnyNumberOfThreads) {
