@@ -17,7 +17,7 @@ using formula::Interval;
 
 constexpr int split = 4; // parts of the region along each axis
 constexpr double smallest_sum = 0x1p-40, largest_sum = 0x1p40; // of sums, in their units
-constexpr int sampled = 96;                                    // places
+constexpr int sampled = 96, fewest_sampled = 8;                // places
 
 // All but the elements of one array, whose sums are inputs.
 formula::Bindings<float> without(const formula::Bindings<float>& bindings, std::size_t array) {
@@ -40,6 +40,20 @@ public:
         , bindings_(std::move(bindings))
         , units_(units) {}
 
+    // By each of these multiples, together.
+    std::vector<double> values(const glm::dvec3& p, std::span<const double> sums) {
+        std::vector<std::vector<double>> inputs;
+        for (int k = 0; k < 3; ++k) inputs.emplace_back(sums.size(), p[k]);
+        for (const Interval& unit : units_) {
+            inputs.emplace_back();
+            for (const double s : sums) inputs.back().push_back(s * unit.hi);
+        }
+        std::vector<double> f(sums.size());
+        const std::vector<std::span<const double>> from(inputs.begin(), inputs.end());
+        const std::array<std::span<double>, 1> to{f};
+        evaluator_.points(bindings_, from, to);
+        return f;
+    }
     double value(const glm::dvec3& p, double sums) {
         std::vector<double> inputs{p.x, p.y, p.z};
         for (const Interval& unit : units_) inputs.push_back(sums * unit.hi);
@@ -49,18 +63,17 @@ public:
     }
     // The least multiple at which F is 0, where its sign changes between powers of two.
     std::optional<double> root(const glm::dvec3& p) {
-        double low = 0, at_low = value(p, 0);
-        for (double high = smallest_sum; high <= largest_sum; high *= 2) {
-            const double at_high = value(p, high);
-            if (at_low * at_high < 0) {
-                for (int k = 0; k < 40; ++k) {
-                    const double middle = 0.5 * (low + high);
-                    (value(p, middle) * at_high > 0 ? high : low) = middle;
-                }
-                return high;
+        std::vector<double> sums{0};
+        for (double s = smallest_sum; s <= largest_sum; s *= 2) sums.push_back(s);
+        const std::vector<double> f = values(p, sums);
+        for (std::size_t k = 1; k < sums.size(); ++k) {
+            if (!(f[k - 1] * f[k] < 0)) continue;
+            double low = sums[k - 1], high = sums[k];
+            for (int turn = 0; turn < 40; ++turn) {
+                const double middle = 0.5 * (low + high);
+                (value(p, middle) * f[k] > 0 ? high : low) = middle;
             }
-            low = high;
-            at_low = at_high;
+            return high;
         }
         return std::nullopt;
     }
@@ -163,7 +176,10 @@ double SumsAtRoots::sensitivity(const formula::Bindings<float>& bindings, const 
     const glm::dvec3 sides = region.high - region.low;
     constexpr double near = 0x1p-10; // of the sides
     double least = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < sampled; ++k) {
+    constexpr double most_terms = 1e5; // of other arrays, at all places together
+    const int places = int(std::clamp(most_terms / (1 + terms_of_others(bindings)),
+                                      double(fewest_sampled), double(sampled)));
+    for (int k = 0; k < places; ++k) {
         // Places that fill the region evenly: Roberts's sequence (2018).
         const glm::dvec3 part =
             glm::fract(0.5 + double(k) * glm::dvec3(0.8191725134, 0.6710436067, 0.5497004779));
