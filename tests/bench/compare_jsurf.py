@@ -96,9 +96,9 @@ def jsurf_command(shown, size, picture):
     return ["jsurf-alggeo", "-q", "0", "-s", str(size), "-o", str(picture), str(shown)]
 
 
-def hits(picture):
-    """Rows of booleans: what is drawn, on nothing or on magenta."""
-    return [[pixel[3:] != (0,) and pixel[:3] != (255, 0, 255) for pixel in row]
+def hits(picture, background=(255, 0, 255)):
+    """Rows of booleans: what is drawn, on nothing or on magenta or another colour."""
+    return [[pixel[3:] != (0,) and pixel[:3] != background for pixel in row]
             for row in read_png(picture)]
 
 

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
-"""Draws particles with isomotion, POV-Ray's blob and VTK, the same ones from the same file.
+"""Draws particles with isomotion, POV-Ray's blob, VTK and OpenVDB, the same ones from the same file.
 
     tests/bench/particle_peers.py build/release/isomotion -o FOLDER [--counts 1000,10000,100000]
                                   [--size 512] [--repeat 3] [--vtk-python /usr/bin/python3]
 
 The particles fill a ball and shrink as they become more. POV-Ray sums the same kernels, (1 - r^2/h^2)^2,
 and so has the same surface. VTK splats Gaussians into a volume of 256^3, from which flying edges make
-triangles; beside it isomotion draws the same sums without a volume. Needs Debian's povray,
-python3-vtk9 and xvfb; what is not installed is left out, and says so.
+triangles; beside it isomotion draws the same sums without a volume. OpenVDB makes a level set of balls
+around the particles, by particles_to_vdb.cpp, with three voxels a radius and no wider than VTK's, which
+vdb_render draws; isomotion draws the same balls exactly. Needs Debian's povray, python3-vtk9, xvfb,
+libopenvdb-dev and libopenvdb-tools; what is not installed is left out, and says so.
 
 Whole processes are timed, from the file to the picture, all programs in turn, and the median is told.
 `differ` counts the pixels that a program has otherwise than isomotion with the same kernel, and how
@@ -95,10 +97,10 @@ def write_particles(file, count):
     file.write_text("\n".join(["cx,cy,cz", *rows]) + "\n")
 
 
-def write_scene(file, particles, term, values):
+def write_scene(file, particles, formula, values):
     parameters = "\n".join(f"{name} = {value:.9g}" for name, value in values.items())
     file.write_text(f"""[surface]
-formula = "{LEVEL} - sum(p, {term})"
+formula = "{formula}"
 bounds = {{ sphere = 1.2 }}
 [parameters]
 {parameters}
@@ -117,16 +119,18 @@ color = [0, 1, 0]
 def programs(count, folder, arguments):
     """Name, command and picture of each, and the name of the one that has the same kernel."""
     grain = (75 / count) ** (1 / 3)
-    h, a = 0.3 * grain, 62 / grain**2
+    h, a, r = 0.3 * grain, 62 / grain**2, 0.1 * grain
     particles = folder / f"particles{count}.csv"
     write_particles(particles, count)
     size = arguments.size
     made = []
-    for kernel, term, values in [("(1-r^2/h^2)^2", f"max(0, 1 - {DISTANCE}/h^2)^2", {"h": h}),
-                                 ("Gaussians", f"exp(-a*{DISTANCE})", {"a": a})]:
-        name = "kernels" if "h" in values else "gaussians"
+    for kernel, formula, values in [
+            ("(1-r^2/h^2)^2", f"{LEVEL} - sum(p, max(0, 1 - {DISTANCE}/h^2)^2)", {"h": h}),
+            ("Gaussians", f"{LEVEL} - sum(p, exp(-a*{DISTANCE}))", {"a": a}),
+            ("balls", f"least(p, sqrt({DISTANCE}) - r)", {"r": r})]:
+        name = {"h": "kernels", "a": "gaussians", "r": "balls"}[next(iter(values))]
         scene, picture = folder / f"{name}{count}.toml", folder / f"isomotion-{name}{count}.png"
-        write_scene(scene, particles, term, values)
+        write_scene(scene, particles, formula, values)
         made.append((f"isomotion, {kernel}", [arguments.isomotion, "render", scene, "--size", f"{size}x{size}",
                                               "--audit", "off", "--quiet", "-o", picture], picture, None))
     if shutil.which("povray"):
@@ -148,7 +152,29 @@ def programs(count, folder, arguments):
                      picture, "isomotion, Gaussians"))
     else:
         print("python3-vtk9 or xvfb is not installed", file=sys.stderr)
+    if made_of_balls := level_set_maker(folder):
+        volume, picture = folder / f"balls{count}.vdb", folder / f"openvdb{count}.png"
+        eye = ",".join(map(str, EYE))
+        made.append(("OpenVDB, level set of balls",
+                     ["sh", "-ec", f"'{made_of_balls}' '{particles}' {r:.9g} {min(r / 3, 2.4 / 256):.9g} '{volume}'; "
+                      f"vdb_render '{volume}' '{picture}' -res {size}x{size} -fov {FIELD} "
+                      f"-translate {eye} -lookat 0,0,0 -up 0,0,1 -shader normal"],
+                     picture, "isomotion, balls"))
+    else:
+        print("libopenvdb-dev or libopenvdb-tools is not installed", file=sys.stderr)
     return made
+
+
+def level_set_maker(folder):
+    """particles_to_vdb, compiled once; none without OpenVDB."""
+    program = folder / "particles_to_vdb"
+    if not shutil.which("vdb_render"):
+        return None
+    if not program.exists():
+        source = pathlib.Path(__file__).with_name("particles_to_vdb.cpp")
+        subprocess.run(["c++", "-std=c++17", "-O2", source, "-o", program, "-lopenvdb", "-ltbb", "-lImath"],
+                       capture_output=True)
+    return program if program.exists() else None
 
 
 def took(command):
@@ -177,7 +203,8 @@ def main():
             for name, command, picture, _ in made:
                 picture.unlink(missing_ok=True)
                 times[name].append(took(command))
-        masks = {name: hits(picture) for name, _, picture, _ in made}
+        masks = {name: hits(picture, (0, 0, 0) if name.startswith("OpenVDB") else (255, 0, 255))
+                 for name, _, picture, _ in made}
         for name, _, _, same in made:
             differ, off = differences(masks[same], masks[name]) if same else ("", "")
             print(f"| {count} | {name} | {statistics.median(times[name]):.2f} | {differ} | {off} |", flush=True)
