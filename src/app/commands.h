@@ -23,6 +23,7 @@ enum ExitCode {
     exit_usage = 2,         // a wrong command line or scene
     exit_incomplete = 2,    // of a check: neither passed nor failed
     exit_machine = 3,       // no GL, disk full, unwritable
+    exit_open = 4,          // a timeline that was to be proved is not complete
     exit_interrupted = 130, // Ctrl-C, as shells count it
 };
 

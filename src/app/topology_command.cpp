@@ -26,6 +26,7 @@
 #include "topology/timeline/representative_frames.h"
 #include "topology/timeline/summary.h"
 #include "topology/timeline/timeline_file.h"
+#include "topology/timeline/words.h"
 
 namespace isomotion::app {
 namespace fs = std::filesystem;
@@ -189,6 +190,13 @@ int judged(const TopologyArguments& arguments, const topology::Expectation& expe
     return exit_incomplete;
 }
 
+// Without a check: whether all was proved that was asked for.
+int whole_or_open(const TopologyArguments& arguments, const topology::TimelineRecord& record) {
+    const bool was_to_be_proved = parse_certify(arguments.certify) == topology::Certify::full;
+    const bool is_complete = topology::gaps(record.timeline, record.header.fps).empty();
+    return was_to_be_proved && !is_complete ? exit_open : exit_done;
+}
+
 int topology_of(const TopologyArguments& arguments) {
     // What can be known to fail is told before minutes of searching.
     check_extension("-o", arguments.output, ".json");
@@ -208,7 +216,8 @@ int topology_of(const TopologyArguments& arguments) {
     const bool is_whole = !stop.asked();
     if (!arguments.quiet) print_result("{}", topology::summary(record));
     // Judged first: no file that fails to be written keeps the judgement back.
-    const int code = expectation ? judged(arguments, *expectation, record) : exit_done;
+    const int code =
+        expectation ? judged(arguments, *expectation, record) : whole_or_open(arguments, record);
     write_files(arguments, record, stop);
     if (is_whole) return code;
     message("interrupted; what was written is what was known\n");
@@ -227,7 +236,7 @@ void add_topology(CLI::App& app, Action& chosen) {
                         "1-10: from frame 1 to frame 10 with all time between (default: all)");
     command->add_option("--certify", a.certify,
                         "off: sample; fast: prove events found from seeds, others may be missing; "
-                        "full: prove all that can be "
+                        "full: prove all that can be, exit code 4 if something stays open "
                         "(default)");
     command->add_option("--grid", a.grid,
                         "vertices along each side of the grid that off and fast take signs on "

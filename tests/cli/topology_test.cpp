@@ -90,6 +90,31 @@ TEST_F(Topology, WithoutADriverThePlotHasNoPictures) {
     EXPECT_THAT(bytes("s.svg"), Not(HasSubstr("<image")));
 }
 
+// Without a check an incomplete timeline has an exit code of its own, and says what to change.
+TEST_F(Topology, WhatStaysOpenHasAnExitCodeAndAdvice) {
+    write("two.toml", R"toml(
+[time]
+frames = 21
+fps = 20
+[surface]
+formula = "min((x - d)^2 + y^2 + z^2 - 0.25, (x + d)^2 + y^2 + z^2 - 0.25)"
+bounds = { box = [[-2, -2, -2], [2, 2, 2]] }
+[parameters]
+d = "0.8 - 0.6*t"
+)toml");
+    const Ending full = run({"topology", "two.toml"});
+    EXPECT_EQ(full.code, 4) << full;
+    EXPECT_THAT(full.out, HasSubstr("INCOMPLETE"));
+    EXPECT_THAT(full.out, HasSubstr("\ntry: write smoothmin(a, b, k) for min(a, b)"));
+    EXPECT_EQ(run({"topology", "two.toml", "--quiet"}).code, 4);
+    // Nothing was to be proved.
+    EXPECT_EQ(run({"topology", "two.toml", "--certify", "off"}).code, 0);
+    // Beside the moment all is.
+    const Ending before = run({"topology", "two.toml", "--frames", "1-10"});
+    EXPECT_EQ(before.code, 0) << before;
+    EXPECT_THAT(before.out, HasSubstr("complete, all proved"));
+}
+
 TEST_F(Topology, QuietSaysNothing) {
     const Ending ending = topology({"--frames", "1-3", "--certify", "off", "--quiet"});
     EXPECT_EQ(ending.code, 0) << ending;

@@ -15,6 +15,9 @@ constexpr double rests_after = 0.15;
 // A picture that takes longer is not waited for: what is newer may have it given up.
 constexpr double longest_wait = 0.1;
 
+// What is shown at rest grows towards the whole picture if that takes longer, seconds.
+constexpr double grows_from = 0.25;
+
 // Rays of a picture at rest.
 constexpr int most_audited = 16'384;
 
@@ -37,6 +40,7 @@ void FrameScheduler::post(const Session& session, double scale, int samples, boo
                           double now) {
     came_ = false;
     posted_ = now;
+    scale_ = scale;
     Request request;
     request.number = ++number_;
     request.scene = session.shared_scene();
@@ -64,6 +68,12 @@ void FrameScheduler::post(const Session& session, double scale, int samples, boo
     thread_.draw(std::move(request));
 }
 
+// Of a picture at rest, after one of the last request's. What grows costs a third more in all.
+double FrameScheduler::next_scale(int samples) const {
+    const double whole = 1e-3 * samples * resolution_.model.at(1);
+    return whole > grows_from ? std::min(2 * scale_, 1.0) : 1;
+}
+
 bool FrameScheduler::holds_back(double now) const {
     return !hand_rests_ && subject_ && !came_ && !whole_ && now - posted_ < longest_wait;
 }
@@ -87,8 +97,9 @@ void FrameScheduler::ask(Session& session, std::int64_t frame, glm::ivec2 size, 
     }
     const bool rests = hand_rests && now - changed_ >= rests_after;
     if (whole_ || !came_ || !rests) return;
-    whole_ = true;
-    post(session, 1, session.samples(), true, now);
+    const double next = next_scale(session.samples());
+    whole_ = next == 1;
+    post(session, next, whole_ ? session.samples() : 1, true, now);
 }
 
 void FrameScheduler::learn(const Shown& shown, double display) {

@@ -28,9 +28,9 @@ public:
 
     // Requests what `session` shows at `frame` in a picture of `size`, unless that is requested
     // already: as large as keeps `rate` pictures a second and, once nothing has changed for a
-    // moment, whole. `hand_rests`: no mouse button is held. While one is, changes wait for the
-    // picture in flight and are merged into the next request.
-    // Throws scene::SceneError where a value leaves its range at this frame.
+    // moment, whole; where that takes long, in steps of twice the width and height. `hand_rests`:
+    // no mouse button is held. While one is, changes wait for the picture in flight and are merged
+    // into the next request. Throws scene::SceneError where a value leaves its range at this frame.
     void ask(Session& session, std::int64_t frame, glm::ivec2 size, double now, bool hand_rests);
     // A picture came, or was given up. It takes `display` seconds to get to the screen.
     void learn(const Shown& shown, double display);
@@ -55,6 +55,7 @@ private:
         bool operator==(const Subject&) const = default;
     };
 
+    double next_scale(int samples) const;
     void post(const Session& session, double scale, int samples, bool may_be_dropped, double now);
     bool holds_back(double now) const;
 
@@ -64,6 +65,7 @@ private:
     std::optional<Subject> wanted_;  // what it should be
     std::uint64_t number_ = 0;       // of the last request
     std::uint64_t begin_ = 1;        // of this scene's first request
+    double scale_ = 1;               // of the last request
     bool whole_ = false, came_ = false, hand_rests_ = true;
     double changed_ = 0, posted_ = 0;
     std::optional<std::chrono::steady_clock::time_point>

@@ -3,11 +3,14 @@
 // A draw at scale s of the window's width and height is taken to cost a + b s^2 milliseconds. Both
 // are fitted to the draws since the cost last changed, by least squares of relative errors. From
 // that follows the largest scale within the budget of 1000 / fps. Scales come from a short ladder,
-// and three rules keep them still:
+// and four rules keep them still:
 //   * down only after two draws in a row over the budget, so that a hiccup of the machine changes
 //     nothing and a heavier scene is answered at its second picture (the very first draw at once);
 //   * up only when the model promises room to spare, `patience` times in a row;
-//   * a rise that had to be taken back doubles the patience.
+//   * a rise that had to be taken back doubles the patience;
+//   * once settled, no change within two seconds of the one before, unless the cost has changed or
+//   a
+//     draw takes half as long again as it may.
 // Pure: the state is a value, the clock is the caller's. Leave out draws that compile.
 #pragma once
 
@@ -46,6 +49,8 @@ struct ResolutionController {
     int roomy = 0;     // draws in a row that leave room for a larger picture
     int patience = 6;  // so many of them make it larger
     int steady = 0;    // draws since the scale changed
+    double held = 0;   // milliseconds that they took
+    int settling = 0;  // draws since the cost last changed
     bool rose = false; // when it did
 
     double scale() const { return scale_of(rung); }

@@ -1,24 +1,27 @@
 #include "topology/search/critical.h"
-#include "topology/search/comoving_fit.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "formula/graph/roughness.h"
 #include "topology/field/monotone_track.h"
 #include "topology/field/motion.h"
 #include "topology/field/moving_field.h"
+#include "topology/search/comoving_fit.h"
 #include "topology/search/krawczyk.h"
 #include "topology/search/morse.h"
 #include "topology/search/search.h"
 #include "topology/search/seeded.h"
 #include "topology/search/sphere.h"
+#include "topology/timeline/advice.h"
 
 namespace isomotion::topology {
 namespace {
 
 using formula::Interval;
+namespace why = unresolved;
 
 int sign_of(const Interval& a) { return a.lo > 0 ? 1 : a.hi < 0 ? -1 : 0; }
 
@@ -34,7 +37,7 @@ public:
         Enclosures enclosures(field);
         for (const CriticalPoint& point : found.points) add(field, enclosures, point);
         for (const Box& box : found.unresolved) {
-            unresolved(field, box, "a critical point may be degenerate, or there may be several");
+            unresolved(field, box, may_have_kink(field, box) ? why::kink : why::degenerate);
         }
     }
 
@@ -42,7 +45,7 @@ public:
         constexpr std::size_t most = 4096;
         const std::vector<Box> boxes =
             merged(on_the_sphere(field, most, stopped), field.domain(), 1e-6);
-        for (const Box& box : boxes) unresolved(field, box, "the surface may reach the sphere");
+        for (const Box& box : boxes) unresolved(field, box, why::reaches_sphere);
     }
 
 private:
@@ -69,6 +72,21 @@ private:
         return value;
     }
 
+    bool may_have_kink(const MovingField& field, const Box& box) {
+        if (!rough_) {
+            formula::Graph graph = motion_.graph;
+            const formula::NodeId rough =
+                formula::anywhere(graph, formula::roughness(graph, motion_.field));
+            rough_.emplace(formula::schedule(graph, std::array{rough}));
+        }
+        const std::array<Interval, 3> at = place(field, box);
+        const std::array<Interval, 4> inputs{at[0], at[1], at[2],
+                                             box[std::size_t(field.dimension())]};
+        Interval value;
+        rough_->point(formula::convert<Interval>(motion_.bindings), inputs, {&value, 1});
+        return value != Interval(0.0);
+    }
+
     std::vector<MonotoneTrack::Time> times(Interval clock) const {
         if (track_) return track_->times(clock);
         const bool is_inside = motion_.clock.lo < clock.lo && clock.hi < motion_.clock.hi;
@@ -90,7 +108,7 @@ private:
         case Enclosures::Place::outside:
             return;
         case Enclosures::Place::unknown:
-            return unresolved(field, point.where, "a critical point is on the edge of the bounds");
+            return unresolved(field, point.where, why::on_edge);
         case Enclosures::Place::inside:
             break;
         }
@@ -99,29 +117,26 @@ private:
         const int by_clock = sign_of(point.jet.gradient[d]);
         const auto index = negative_eigenvalues(point.jet.hessian, int(d));
         if (by_clock == 0 || !index) {
-            return unresolved(field, point.where, "the index of a critical point is not certain");
+            return unresolved(field, point.where, why::index);
         }
         // A face matters where F rises inwards: there the solid has a side of its own on it.
         bool changes_solid = true;
         for (const Interval& inward : enclosures.inward(point.where)) {
             if (sign_of(inward) == 0) {
-                return unresolved(field, point.where,
-                                  "the surface touches an edge of the bounds from both sides");
+                return unresolved(field, point.where, why::touches_edge);
             }
             changes_solid &= inward.lo > 0;
         }
         for (const MonotoneTrack::Time& time : times(clock)) {
             const std::array<Interval, 3> where = place(field, point.where);
             if (time.direction == 0) {
-                timeline_.unresolved.push_back(
-                    {time.at,
-                     where,
-                     !track_ ? "the surface is singular where the motion changes its rule or ends"
-                     : rests(time.at)
-                         ? "the surface rests, or nearly, where it is singular"
-                         : "the motion turns, rests or ends where the surface is singular",
-                     {},
-                     {}});
+                timeline_.unresolved.push_back({time.at,
+                                                where,
+                                                !track_          ? why::rule_changes
+                                                : rests(time.at) ? why::rests
+                                                                 : why::turns,
+                                                {},
+                                                {}});
                 continue;
             }
             Event event;
@@ -145,6 +160,7 @@ private:
     const Motion& motion_;
     const MonotoneTrack* track_;
     Timeline& timeline_;
+    std::optional<formula::Evaluator<Interval>> rough_; // once it was asked for
 };
 
 std::vector<Stratum> strata(const Motion& motion) {
@@ -166,12 +182,10 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range,
     timeline.doubts = all.doubts;
     if (how.seeds > 0) timeline.doubts.emplace_back("found from seeds: events may be missing");
     for (const double jump : all.jumps) {
-        timeline.unresolved.push_back(
-            {Interval(jump), {}, "the surface jumps from one shape to another", {}, {}});
+        timeline.unresolved.push_back({Interval(jump), {}, why::jumps, {}, {}});
     }
     for (const Interval& time : all.collapses) {
-        timeline.unresolved.push_back(
-            {time, {}, "the bounds may be empty or turned inside out", {}, {}});
+        timeline.unresolved.push_back({time, {}, why::no_bounds, {}, {}});
     }
     const auto is_stopped = [&] { return how.stopped && how.stopped(); };
     double done = 0;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "topology/timeline/advice.h"
 #include "topology/timeline/words.h"
 
 namespace isomotion::topology {
@@ -74,6 +75,7 @@ std::string summary(const TimelineRecord& record) {
     if (reasons.empty()) return text + "\ncomplete, all proved\n";
     text += "\nINCOMPLETE\n";
     for (const std::string& reason : reasons) text += fmt::format("    {}\n", reason);
+    for (const std::string& words : advice(timeline)) text += fmt::format("try: {}\n", words);
     return text;
 }
 

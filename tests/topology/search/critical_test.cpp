@@ -4,6 +4,7 @@
 #include "topology/field/moving_field.h"
 #include "topology/moving.h"
 #include "topology/search/comoving_fit.h"
+#include "topology/timeline/advice.h"
 
 namespace isomotion::topology {
 namespace {
@@ -33,6 +34,27 @@ TEST(Events, OfAClosingTorusIsATunnelThatCloses) {
     const Moving torus{"(sqrt(x^2 + y^2 + e^2) - R)^2 + z^2 - r^2", "{ sphere = 3 }",
                        "e = 0.25\nR = 1\nr = \"0.3 + t/2\""};
     expect_events(events_of(torus, 0, 1.2), {{0.9, 1, 2, true}});
+}
+
+// Where the formula has a kink no critical point is looked for by derivatives, and that is said.
+TEST(Events, AtKinksAreUnresolvedAndSaySo) {
+    for (const char* kinked :
+         {"min((x - s)^2 + y^2 + z^2 - 0.25, (x + s)^2 + y^2 + z^2 - 0.25)",
+          "(sqrt(x^2 + y^2) - 1.1 + s)^2 + z^2 - 0.09", "abs(x) + y^2 + z^2 + s - 0.6"}) {
+        SCOPED_TRACE(kinked);
+        const Moving moving{kinked, "{ box = [[-2, -2, -2], [2, 2, 2]] }", "s = \"0.8 - t\""};
+        const Timeline found = events_of(moving, 0, 0.7);
+        EXPECT_FALSE(found.is_proved);
+        ASSERT_FALSE(found.unresolved.empty());
+        for (const Unresolved& place : found.unresolved) EXPECT_EQ(place.why, unresolved::kink);
+    }
+    // A degenerate point of a smooth surface is another thing.
+    const Moving smooth{"x^4 + y^2 + z^2 - T", "{ box = [[-2, -2, -2], [2, 2, 2]] }",
+                        "T = \"t - 0.5\""};
+    const Timeline found = events_of(smooth, 0, 1);
+    ASSERT_FALSE(found.unresolved.empty());
+    for (const Unresolved& place : found.unresolved)
+        EXPECT_EQ(place.why, unresolved::degenerate);
 }
 
 TEST(Events, OfACassiniOfRevolutionIsASplit) {

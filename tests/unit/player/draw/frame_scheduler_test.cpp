@@ -110,6 +110,30 @@ TEST_F(FrameSchedulers, AHandThatRestsHasTheLastChangeAskedForAndThenTheWholePic
     EXPECT_FALSE(scheduler->next_change()) << "what rests is not woken";
 }
 
+// Told that the machine is slow, as if each picture took so many seconds for its part of the whole.
+TEST_F(FrameSchedulers, WhatTakesLongGrowsAtRest) {
+    double now = 0;
+    std::vector<double> scales;
+    for (int k = 0; k < 12 && !scheduler->at_rest(); ++k) {
+        ask(now, true);
+        Shown shown = come();
+        while (shown.samples < shown.asked) shown = come();
+        scales.push_back(shown.scale);
+        shown.compiled = false;
+        shown.took = std::chrono::duration<double>(2 * shown.scale * shown.scale);
+        scheduler->learn(shown, 0);
+        if (k == 0) turn(); // the first picture, of full size, told what one costs
+        now += 1;
+    }
+    ASSERT_TRUE(scheduler->at_rest());
+    ASSERT_GE(scales.size(), 4u);
+    EXPECT_EQ(scales[0], 1);
+    EXPECT_LT(scales[1], 0.2) << "30 a second";
+    for (std::size_t k = 2; k < scales.size(); ++k)
+        EXPECT_EQ(scales[k], std::min(1.0, 2 * scales[k - 1]));
+    EXPECT_EQ(scales.back(), 1);
+}
+
 TEST_F(FrameSchedulers, AWholePictureOnItsWayIsNotWaitedForByAHand) {
     ask(0, true);
     scheduler->learn(come(), 0);

@@ -98,6 +98,30 @@ TEST(ResolutionController, HoldsStillOnAMachineThatIsNeverTheSame) {
     }
 }
 
+// Two seconds apart at least, however noisy, but for draws that take half as long again.
+TEST(ResolutionController, ChangesSeldomOnceItHasSettled) {
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        const Machine mean = machine(random.in(0, 15), std::exp(random.in(0, 6.5)));
+        const double noise = random.in(0, 0.25);
+        const Machine noisy = [&](double scale) {
+            return mean(scale) * random.in(1 - noise, 1 + noise);
+        };
+        Simulation run;
+        run.draw(noisy, 60);
+        double since = 1e9;
+        for (int k = 0; k < 900; ++k) {
+            const int before = run.controller.rung;
+            run.draw(noisy, 1);
+            since += run.times.back();
+            if (run.controller.rung == before) continue;
+            EXPECT_TRUE(since >= 1999 || run.times.back() >= 1.5 * budget) << k << ": " << since;
+            since = 0;
+        }
+    }
+}
+
 // Real costs don't follow the model: tiles, caches, powers other than two.
 TEST(ResolutionController, DoesNotOscillateWhereTheModelIsWrong) {
     for (const double power : {0.5, 1.0, 1.5, 3.0}) {

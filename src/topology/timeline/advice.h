@@ -1,0 +1,35 @@
+// What a person can change so that more of a timeline is settled.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "topology/timeline/event.h"
+
+namespace isomotion::topology {
+
+// Reasons why a search leaves a place unresolved: Unresolved::why.
+namespace unresolved {
+inline constexpr const char degenerate[] =
+    "a critical point may be degenerate, or there may be several";
+inline constexpr const char kink[] =
+    "the formula has a kink (min, max, abs, sqrt at 0 or the like) where the surface may change";
+inline constexpr const char on_edge[] = "a critical point is on the edge of the bounds";
+inline constexpr const char index[] = "the index of a critical point is not certain";
+inline constexpr const char touches_edge[] =
+    "the surface touches an edge of the bounds from both sides";
+inline constexpr const char reaches_sphere[] = "the surface may reach the sphere";
+inline constexpr const char rule_changes[] =
+    "the surface is singular where the motion changes its rule or ends";
+inline constexpr const char rests[] = "the surface rests, or nearly, where it is singular";
+inline constexpr const char turns[] =
+    "the motion turns, rests or ends where the surface is singular";
+inline constexpr const char jumps[] = "the surface jumps from one shape to another";
+inline constexpr const char no_bounds[] = "the bounds may be empty or turned inside out";
+} // namespace unresolved
+
+// A sentence for each kind of reason that the timeline has, what is most often the cause first;
+// empty for one that is complete.
+std::vector<std::string> advice(const Timeline& timeline);
+
+} // namespace isomotion::topology
