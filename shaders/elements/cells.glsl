@@ -13,8 +13,9 @@ uniform usamplerBuffer listed_texture; // elements
 #define GRID_LONGEST array_grid[1].w
 
 int GRID_COUNT = 0, grid_first = 0;
-// Elements of all cells that were entered: what loops went through.
-int grid_entered = 0;
+// Elements of all cells that were entered, and terms of other arrays meanwhile: what loops went
+// through.
+int grid_entered = 0, grid_others = 0;
 
 // Of a place outside of the grid, the nearest one in it.
 ivec3 cell_of(vec3 p) {
@@ -31,6 +32,7 @@ void enter_cell(ivec3 place) {
     GRID_COUNT = int(cell.x & 0xfffffu);
     grid_first = int(cell.y);
     grid_entered += GRID_COUNT;
+    grid_others += GRID_OTHERS;
 }
 
 int listed_element(int k) {

@@ -1,5 +1,5 @@
 // Bounds over a box of numbers REAL: the hull of those over its parts in each cell. A box in more
-// cells than most has none.
+// cells than most, or of more elements, has none.
 const int most_cells_of_box = 12;
 
 struct CellRange {
@@ -25,10 +25,8 @@ CellRange cells_of_box(REAL2 rx, REAL2 ry, REAL2 rz) {
     if (are_empty(first, last)) return CellRange(first, first, false, true);
     bool bounded = all(lessThan(n, ivec3(most_cells_of_box + 1)));
     int cells = bounded ? n.x * n.y * n.z : most_cells_of_box + 1;
-    bool too_many = cells > most_cells_of_box;
-#ifdef COUNTS_ELEMENTS
-    too_many = too_many || float(cells) * GRID_LONGEST > most_elements_of_box;
-#endif
+    float turns = float(cells) * (GRID_LONGEST + float(GRID_OTHERS));
+    bool too_many = cells > most_cells_of_box || turns > float(MOST_ELEMENTS);
     return CellRange(first, last, too_many, false);
 }
 

@@ -6,9 +6,3 @@
 // from there to the ends of two boxes, over at most 12 cells each (cells_of_box.glsl), and aside by
 // what rounding makes of the ray.
 vec2 bounds_of_rest(float bound) { return 64.0 * vec2(-bound, bound); }
-
-// Loops end, unasked, where a shader has gone through too many elements. So no box has more than
-// these, and no pass goes on after those.
-#define COUNTS_ELEMENTS
-uniform float most_elements_of_box;
-uniform float most_elements_of_pass;

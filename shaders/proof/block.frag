@@ -47,7 +47,7 @@ void main() {
     float value = 0.0; // F at `settled` is at least so far from 0, on this side; 0: unknown
     bool below = false, open = low < high && hits + misses > 0, monotone = false, at_roots = false;
     float slope = 0.0;
-    for (int k = 0; k < block_pieces && open && HAS_ELEMENTS_LEFT; ++k) {
+    for (int k = 0; k < block_pieces && open; ++k) {
         float end = at_roots ? high : min(settled + piece, high);
         // All of it: where one ray enters the bounds, another's value is already told.
         box_around(way, settled, end, x, y, z);
@@ -71,6 +71,7 @@ void main() {
             at_roots = stuck && all_hit;
             open = settled < high && (!stuck || all_hit);
         }
+        open = open && HAS_ELEMENTS_LEFT;
     }
     bool missed = all_miss && settled >= high;
     block_proof = vec4(settled, high, missed ? -1.0 : monotone ? slope : 0.0, 0.0);

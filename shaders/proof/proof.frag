@@ -14,7 +14,7 @@ void main() {
     int turns = pieces_per_pass;
     do {
         s = prove_piece(s, ray, hit);
-        turns -= 1;
-    } while (turns > 0 && s.outcome == PROOF_UNFINISHED && HAS_ELEMENTS_LEFT);
+        turns = HAS_ELEMENTS_LEFT ? turns - 1 : 0;
+    } while (turns > 0 && s.outcome == PROOF_UNFINISHED);
     proof = packed_proof(s);
 }

@@ -157,6 +157,13 @@ int show(const ShowArguments& arguments) {
                  size > largest ? fmt::format("; more than {:.0f} are not compiled", largest) : "");
     const scene::Sight sight = scene::sight(scene, scene::at(scene, values));
     if (scene.surface.jumps_are_walls) print_result("jumps     are walls\n");
+    if (const auto& found = scene.surface.found_bounds) {
+        const scene::BoundsAt bounds = scene::at(scene, values).bounds;
+        print_result("bounds    found: a ball of radius {:g} about ({:g}, {:g}, {:g}), {}\n",
+                     bounds.radius, bounds.centre.x, bounds.centre.y, bounds.centre.z,
+                     *found ? "which holds the surface"
+                            : "as the surface goes on beyond 10 units, or there is none");
+    }
     if (sight.values) print_result("nothing   {}\n", scene::why_nothing_is_seen(sight));
     if (sight.cut > 0)
         print_result("bounds    cut the surface open: {:.2g} % of their faces are behind it\n",

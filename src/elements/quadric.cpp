@@ -44,7 +44,8 @@ Quadric Quadric::from(const std::array<double, 10>& q, const Region& region) {
                 1e-9 * (std::abs(value) + std::abs(fall));
     // The least eigenvalue is at least that of 1 over the inverse's trace.
     const double flat = double(made.is_flat.x) + double(made.is_flat.y) + double(made.is_flat.z);
-    made.flattest = h.is_round() ? 0.5 * h.xx : 0.5 / (inverse.trace() - flat);
+    const double sharp = h.filled(made.is_flat, h.trace()).inverse().trace() - flat / h.trace();
+    made.flattest = h.is_round() ? 0.5 * h.xx : 0.5 / sharp;
     made.is_definite = std::isfinite(made.most) && made.flattest > 0 && made.most > made.least;
     return made;
 }

@@ -53,6 +53,7 @@ Field make_field(std::string_view text, Vocabulary vocabulary) {
     field.text = text;
     vocabulary.inputs = coordinate_names;
     vocabulary.allows_picks = false;
+    vocabulary.allows_equation = true;
     field.root = parse(text, vocabulary, field.graph);
     derive_programs(field);
     field.packing = packing_of(vocabulary.arrays.size(),

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "formula/graph/program.h"
+#include "synthesis/loop_limit.h"
 
 namespace isomotion::render {
 
@@ -16,8 +17,7 @@ struct MarchPlan {
     int evaluations_per_pass = 0;
 };
 
-// Loop iterations a shader may do in all; below the driver's 65535 by what the march itself loops.
-inline constexpr double loop_iterations_per_pass = 60'000;
+using synthesis::loop_iterations_per_pass;
 // Arithmetic operations in one draw: about a second on two cores of a software renderer.
 inline constexpr double operations_per_draw = 1e10;
 

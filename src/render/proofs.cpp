@@ -17,7 +17,13 @@ using synthesis::ProofBounds, synthesis::Role;
 
 formula::Cost cost_of_piece(const synthesis::Passes& passes, const scene::Scene& scene,
                             const std::vector<synthesis::FieldFunction>& samples) {
-    return synthesis::cost(*scene.surface.field, samples, elements_by_place(passes));
+    std::vector<int> counts = elements_by_place(passes);
+    if (const auto array = synthesis::array_with_grid(passes)) {
+        constexpr int cells = 4; // that a piece meets
+        int& elements = counts[std::size_t(*array)];
+        elements = std::min(cells * elements, passes.arrays[std::size_t(*array)].capacity);
+    }
+    return synthesis::cost(*scene.surface.field, samples, counts);
 }
 
 bool fits_a_shader(const formula::Cost& piece) {
@@ -34,8 +40,9 @@ formula::Cost cost_that_fits(const formula::Cost& piece) {
     return piece;
 }
 
-std::vector<synthesis::FieldFunction> samples_of(const scene::Scene& scene, ProofBounds bounds) {
-    return synthesis::proof_samples(*scene.surface.field, bounds);
+std::vector<synthesis::FieldFunction>
+samples_of(const scene::Scene& scene, const synthesis::Passes& passes, ProofBounds bounds) {
+    return synthesis::proof_samples(*scene.surface.field, passes, bounds);
 }
 
 // That one draw may bound on each of so many rays.
@@ -43,19 +50,6 @@ int pieces_of_draw(const formula::Cost& piece, double rays) {
     const double by_loops = loop_iterations_per_pass / (1 + piece.iterations);
     const double by_work = operations_per_draw / (rays * (piece.operations + 100));
     return int(std::clamp(std::min(by_work, by_loops), 1.0, double(Proofs::most_pieces)));
-}
-
-// What a piece, and what a pass before its last piece, may go through of elements found by place.
-struct ElementLimits {
-    double of_box, of_pass;
-};
-
-ElementLimits element_limits(const synthesis::Passes& passes, const scene::Scene& scene,
-                             const std::vector<synthesis::FieldFunction>& samples) {
-    const std::vector<int> once(passes.arrays.size(), 1);
-    const double loops =
-        std::max(1.0, synthesis::cost(*scene.surface.field, samples, once).iterations);
-    return {0.35 * loop_iterations_per_pass / loops, 0.5 * loop_iterations_per_pass / loops};
 }
 
 int blocks_across(int pixels) {
@@ -105,8 +99,8 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const
           most_pieces_of_block,
           pieces_of_draw(cost_of_piece(passes, scene, synthesis::block_proof_samples()),
                          double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
-    , natural_{Role::proof, cost_that_fits(cost_of_piece(passes, scene,
-                                                         samples_of(scene, ProofBounds::natural)))}
+    , natural_{Role::proof, cost_that_fits(cost_of_piece(
+                                passes, scene, samples_of(scene, passes, ProofBounds::natural)))}
     , ending_(attachment_of(passes, synthesis::Channel::ending))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
@@ -122,28 +116,18 @@ void Proofs::upload(PassTable& table, const ProofRays& rays) {
     const gpu::Program& blocks = table.program(Role::block_proof);
     blocks.set("beam", rays.beam);
     blocks.set("block_pieces", block_pieces_);
-    const bool by_place = synthesis::array_with_grid(passes_).has_value();
-    const auto set = [&](Role role, const RayThickness& thickness, ProofBounds bounds) {
+    const auto set = [&](Role role, const RayThickness& thickness) {
         const gpu::Program& program = table.program(role);
-        if (by_place) {
-            const ElementLimits limits =
-                element_limits(passes_, scene_, samples_of(scene_, bounds));
-            program.set("most_elements_of_box", float(limits.of_box));
-            program.set("most_elements_of_pass", float(limits.of_pass));
-        }
         program.set("tube", thickness.tube);
         program.set("shortest_piece", thickness.shortest_piece);
         program.set("most_pieces", most_pieces);
     };
     for (const Role role : {Role::block_proof, Role::first_proof, Role::proof}) {
-        set(role, rays.of_floats,
-            role == Role::proof ? ProofBounds::natural : ProofBounds::by_gradient);
+        set(role, rays.of_floats);
     }
     if (!closer_ || !*closer_) return;
     const Role role = (*closer_)->role;
-    const bool in_doubles = role == Role::double_proof;
-    set(role, in_doubles ? rays.of_doubles : rays.of_floats,
-        in_doubles ? ProofBounds::in_doubles : ProofBounds::by_gradient);
+    set(role, role == Role::double_proof ? rays.of_doubles : rays.of_floats);
 }
 
 void Proofs::draw_and_keep(PassTable& table, const gpu::Program& program,
@@ -185,7 +169,8 @@ const std::optional<Proofs::Pieces>& Proofs::closer(const PassTable& table) {
     if (!closer_) {
         const bool in_doubles = may_take_doubles_ && can_trust_doubles(table.spare_unit());
         const auto bounds = in_doubles ? ProofBounds::in_doubles : ProofBounds::by_gradient;
-        const formula::Cost piece = cost_of_piece(passes_, scene_, samples_of(scene_, bounds));
+        const formula::Cost piece =
+            cost_of_piece(passes_, scene_, samples_of(scene_, passes_, bounds));
         closer_.emplace();
         if (fits_a_shader(piece)) {
             *closer_ = Pieces{in_doubles ? Role::double_proof : Role::sharp_proof, piece};

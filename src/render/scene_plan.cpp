@@ -17,6 +17,9 @@ constexpr int usual_list = 16;
 // And one of a cell of a grid.
 constexpr int usual_list_of_a_cell = 32;
 
+// Of the loops of a draw, for what is gone through beside lists.
+constexpr double part_of_others = 0.2;
+
 constexpr int largest_tile = 2048;
 
 std::vector<int> capacities(const synthesis::Passes& passes) {
@@ -90,6 +93,19 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
     expect_drawable(formula::cost(field.gradient, counts).operations);
 }
 
+// Of an evaluation where elements are found by place: what it goes through beside its lists, in
+// each of the cells that a box meets.
+double turns_beside_lists(const scene::Scene& scene, const synthesis::Passes& passes,
+                          std::size_t array) {
+    constexpr int most_cells = 12; // shaders/elements/cells_of_box.glsl
+    std::vector<int> others = capacities(passes);
+    others[array] = 0;
+    const bool over_boxes = std::ranges::any_of(passes.samples, synthesis::is_on_intervals);
+    const double turns =
+        1 + synthesis::cost(*scene.surface.field, passes.samples, others).iterations;
+    return over_boxes ? most_cells * turns : turns;
+}
+
 MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& passes, int width,
                         int height, int max_texture_size, const std::optional<MarchPlan>& wanted) {
     const std::vector<int> counts = capacities(passes);
@@ -108,6 +124,12 @@ MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& pass
         (1 + cost.iterations);
     if (passes.has(synthesis::Role::fused) && with_shade >= 1) {
         chosen.evaluations_per_pass = std::min(chosen.evaluations_per_pass, int(with_shade));
+    }
+    if (by_place) {
+        const double fitting_others = part_of_others * loop_iterations_per_pass /
+                                      turns_beside_lists(scene, passes, std::size_t(*by_place));
+        chosen.evaluations_per_pass =
+            int(std::clamp(fitting_others, 1.0, double(chosen.evaluations_per_pass)));
     }
     if (passes.degree > 0) {
         chosen.evaluations_per_pass = evaluations_with_polynomial(passes.degree, cost.iterations,
@@ -143,7 +165,7 @@ float budget_of_elements(const scene::Scene& scene, const synthesis::Passes& pas
     const auto once = std::vector<int>(passes.arrays.size(), 1);
     const double loops =
         std::max(1.0, synthesis::cost(*scene.surface.field, passes.samples, once).iterations);
-    return float(0.8 * loop_iterations_per_pass / loops);
+    return float((1 - part_of_others) * loop_iterations_per_pass / loops);
 }
 
 } // namespace

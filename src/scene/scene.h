@@ -58,6 +58,7 @@ struct Surface {
     formula::Smoothness smoothness; // within the bounds, over all frames
     bool jumps_are_walls = false;   // where F jumps across 0, and not only where F is 0
     Bounds bounds;
+    std::optional<bool> found_bounds; // of bounds that no file gives: whether about the surface
     Placement placement;
 };
 

@@ -1,6 +1,7 @@
 #include "synthesis/assemble.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <span>
 
@@ -20,6 +21,20 @@ namespace {
 // From so many elements on a grid finds those that matter faster than beams do.
 constexpr int most_by_lists = 500;
 
+// Whether rays ask for bounds of F over pieces of them.
+bool goes_by_bounds(const scene::Scene& scene) {
+    switch (scene.isolation.method) {
+    case scene::Method::interval:
+    case scene::Method::affine:
+    case scene::Method::sphere:
+        return true;
+    case scene::Method::hermite:
+        return !scene.surface.smoothness.is_smooth();
+    default:
+        return false;
+    }
+}
+
 // The array with the most elements, if its sums' terms are kernels of a distance and looking for
 // them pays. A scene that calls beams off looks at all elements, and so do the paper's methods, as
 // far as a shader can.
@@ -30,6 +45,11 @@ std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<c
     const int count = counts[std::size_t(array)];
     const bool looks_at_all = scene.isolation.beam == false;
     const bool is_hermite = scene.isolation.method == scene::Method::hermite;
+    // Bounds over a box take all other arrays in each of its cells.
+    constexpr int most_of_others = 2000;
+    const int others = std::accumulate(counts.begin(), counts.end(), 0) - count;
+    const bool takes_boxes = scene.isolation.certify || goes_by_bounds(scene);
+    if (others > most_of_others && takes_boxes) return std::nullopt;
     const int from = looks_at_all ? most_in_a_shader : is_hermite ? fewest : most_by_lists;
     if (count <= from || !formula::element_kernels(*scene.surface.field, array))
         return std::nullopt;

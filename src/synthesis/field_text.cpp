@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "synthesis/cells_text.h"
+#include "synthesis/loop_limit.h"
 #include "synthesis/shader_files.h"
 #include "synthesis/shader_text.h"
 
@@ -74,8 +75,6 @@ std::string as_comment(std::string formula) {
         ' ');
     return formula;
 }
-
-bool is_on_intervals(FieldFunction function) { return function >= FieldFunction::value_interval; }
 
 // The instructions behind functions. Those on intervals are derived once, where they are asked for.
 class FieldPrograms {
@@ -161,6 +160,27 @@ FunctionParts parts_of(const formula::Field& field, FieldPrograms& all, FieldFun
         return {interval_kernels_used(programs.gradient),
                 formula::glsl_gradient_interval(programs, field.packing, numbers), true};
     }
+}
+
+// What cells count by: loops of a shader end, unasked, after some 65,000 turns in all. One
+// evaluation in a cell takes its elements and GRID_OTHERS turns more. No box has more than
+// MOST_ELEMENTS: with the functions of a piece (four) that is a third of the turns there are. Nor
+// does a pass go on after as many: eight neighbours, each in cells of its own, share its loops.
+void define_grid_limits(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
+                        const std::vector<FieldFunction>& functions) {
+    const auto array = array_with_grid(storage);
+    if (!array) return;
+    std::vector<int> others, once(storage.arrays.size(), 0);
+    for (const ArrayStorage& each : storage.arrays) others.push_back(each.capacity);
+    others[std::size_t(*array)] = 0;
+    once[std::size_t(*array)] = 1;
+    double turns = 1, loops = 1;
+    for (const FieldFunction function : functions) {
+        turns = std::max(turns, 1 + cost(field, {function}, others).iterations);
+        loops = std::max(loops, cost(field, {function}, once).iterations);
+    }
+    text.define("GRID_OTHERS", int(std::min(turns, 1e6)));
+    text.define("MOST_ELEMENTS", int(0.075 * loop_iterations_per_pass / loops));
 }
 
 // What lists leave out, of each own sum: so many times the grid's bound, as intervals.
@@ -258,6 +278,7 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
         for (const auto& kernel : interval_files(interval_kernels)) text.file(kernel);
     }
     text.generated("generated: parameters of the surface", declarations(storage));
+    define_grid_limits(text, field, storage, functions);
     if (by_place) add_cells(text, storage);
     if (!functions.empty()) {
         text.generated("generated from: " + as_comment(field.text), generated);
@@ -292,6 +313,7 @@ void add_enclosures(ShaderText& text, const formula::Field& field, const FieldSt
         for (const auto& file : files.for_doubles) text.file_again(file);
     }
     text.generated("generated: parameters of the surface", declarations(storage));
+    define_grid_limits(text, field, storage, functions);
     if (by_place) {
         add_cells(text, storage);
         text.file("elements/rest.glsl");

@@ -75,6 +75,11 @@ enum class FieldFunction {
     breaks
 };
 
+// Whether it takes boxes.
+constexpr bool is_on_intervals(FieldFunction function) {
+    return function >= FieldFunction::value_interval;
+}
+
 // What one call of each takes. An operation on intervals is counted as so many on numbers.
 inline constexpr double interval_operations = 12;
 formula::Cost cost(const formula::Field& field, const std::vector<FieldFunction>& functions,

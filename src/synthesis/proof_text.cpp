@@ -22,9 +22,12 @@ void add_by_place(ShaderText& text, const Passes& passes) {
     text.file("proof/by_place.glsl");
 }
 
-// In doubles, where rounding no longer hides it, and where there are such bounds.
-bool takes_hessian(const formula::Field& field, ProofBounds bounds) {
-    return bounds == ProofBounds::in_doubles && formula::hessian_program(field);
+// In doubles, where rounding no longer hides it, and where there are such bounds. Not where
+// elements are found by place: slopes of two lists differ by those of what either leaves out, which
+// have no bound.
+bool takes_hessian(const formula::Field& field, const FieldStorage& storage, ProofBounds bounds) {
+    return bounds == ProofBounds::in_doubles && !array_with_grid(storage) &&
+           formula::hessian_program(field);
 }
 
 // What its proof begins with: the part it is of, the boxes around it, what F can be in one.
@@ -75,13 +78,13 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
     ShaderText text;
     const bool in_doubles = bounds == ProofBounds::in_doubles;
     if (in_doubles) text.version(400);
-    add_enclosures(text, field, passes, proof_samples(field, bounds),
+    add_enclosures(text, field, passes, proof_samples(field, passes, bounds),
                    in_doubles ? formula::Numbers::doubles : formula::Numbers::floats);
     add_by_place(text, passes);
     add_proof(text, scene, passes, bounds);
     text.file("proof/directional.glsl");
-    text.file(takes_hessian(field, bounds) ? "proof/bounds_by_hessian.glsl"
-                                           : "proof/bounds_over_box.glsl");
+    text.file(takes_hessian(field, passes, bounds) ? "proof/bounds_by_hessian.glsl"
+                                                   : "proof/bounds_over_box.glsl");
     text.file("proof/prove.glsl");
     text.file("proof/proof.frag");
     switch (bounds) {
@@ -122,10 +125,11 @@ Pass proof_copy() {
 
 std::vector<FieldFunction> block_proof_samples() { return {FieldFunction::directional_interval}; }
 
-std::vector<FieldFunction> proof_samples(const formula::Field& field, ProofBounds bounds) {
+std::vector<FieldFunction> proof_samples(const formula::Field& field, const FieldStorage& storage,
+                                         ProofBounds bounds) {
     std::vector samples{FieldFunction::value_interval, FieldFunction::directional_interval};
     if (bounds != ProofBounds::natural) samples.push_back(FieldFunction::gradient_interval);
-    if (takes_hessian(field, bounds)) samples.push_back(FieldFunction::hessian_interval);
+    if (takes_hessian(field, storage, bounds)) samples.push_back(FieldFunction::hessian_interval);
     return samples;
 }
 

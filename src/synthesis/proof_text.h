@@ -17,7 +17,8 @@ inline constexpr int proved_block = 4;
 
 // What proofs ask of the field: those of blocks, and a piece of those of single rays.
 std::vector<FieldFunction> block_proof_samples();
-std::vector<FieldFunction> proof_samples(const formula::Field& field, ProofBounds bounds);
+std::vector<FieldFunction> proof_samples(const formula::Field& field, const FieldStorage& storage,
+                                         ProofBounds bounds);
 
 // All passes of proofs; the beams of `passes` must be there.
 std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes);

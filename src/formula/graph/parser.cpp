@@ -7,6 +7,8 @@
 #include <iterator>
 #include <map>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -44,8 +46,14 @@ public:
         }
         while (parse_definition()) {
         }
-        const NodeId root = expression();
+        NodeId root = expression();
         skip_space();
+        const std::size_t place = at_;
+        if (vocabulary_.allows_equation && accept('=')) {
+            root = checked(graph_.subtract(root, expression()), place, out_of_range);
+            skip_space();
+            if (peek() == '=') fail(at_, "a formula has one '=' at most");
+        }
         if (at_ < text_.size()) fail_unexpected();
         return root;
     }
@@ -59,15 +67,12 @@ private:
         if (word.empty()) return false;
         at_ += word.size();
         skip_space();
-        if (peek() != '=') {
+        const bool is_equation = vocabulary_.allows_equation && text_.find(';', at_) == text_.npos;
+        if (peek() != '=' || is_equation) {
             at_ = begin;
             return false;
         }
-        if (is_reserved(word)) {
-            fail(begin, fmt::format("'{}' already has a meaning (a formula is the left side of "
-                                    "F = 0, written without '= 0')",
-                                    word));
-        }
+        if (is_reserved(word)) fail(begin, fmt::format("'{}' already has a meaning", word));
         if (word.size() > limits::name_bytes) {
             fail(begin, fmt::format("a name of {} characters; at most {} are read", word.size(),
                                     limits::name_bytes));
@@ -76,9 +81,7 @@ private:
         const NodeId value = expression();
         skip_space();
         if (peek() != ';') {
-            fail(at_, fmt::format("expected ';' after the definition of '{}' (a formula is the "
-                                  "left side of F = 0, written without '= 0')",
-                                  word));
+            fail(at_, fmt::format("expected ';' after the definition of '{}'", word));
         }
         ++at_;
         definitions_[std::string(word)] = value;
@@ -93,7 +96,7 @@ private:
             const std::size_t place = at_;
             if (accept('+')) {
                 left = checked(graph_.add(left, term()), place, out_of_range);
-            } else if (accept('-')) {
+            } else if (accept('-') || accept(minus_sign)) {
                 left = checked(graph_.subtract(left, term()), place, out_of_range);
             } else {
                 return left;
@@ -103,20 +106,34 @@ private:
 
     NodeId term() {
         NodeId left = factor();
+        bool is_quotient = false; // so far
         while (true) {
             skip_space();
             const std::size_t place = at_;
-            if (accept('*')) {
+            if (accept('*') || accept("·") || accept("⋅") || accept("×")) {
                 if (peek() == '*') fail(at_ - 1, "powers are written with '^'");
                 left = checked(graph_.multiply(left, factor()), place, out_of_range);
+                is_quotient = false;
             } else if (accept('/')) {
                 const NodeId right = factor();
                 if (graph_.is_constant(right, 0)) fail(place, "division by zero");
                 left = graph_.divide(left, right);
+                is_quotient = true;
+            } else if (begins_factor()) {
+                if (is_quotient) {
+                    fail(place, "expected an operator after a quotient: write a/(b*c), or (a/b)*c");
+                }
+                left = checked(graph_.multiply(left, power()), place, out_of_range);
             } else {
                 return left;
             }
         }
+    }
+
+    // Of a product without a sign: 2x, (x+1)(y+1), a sin(x). Within bars the next one closes.
+    bool begins_factor() const {
+        return is_name_start(peek()) || peek() == '(' || text_.substr(at_).starts_with("π") ||
+               (peek() == '|' && open_bars_ == 0);
     }
 
     NodeId factor() {
@@ -127,17 +144,56 @@ private:
                                   limits::formula_nodes));
         }
         skip_space();
-        if (accept('-')) return graph_.unary(Op::negate, factor());
+        if (accept('-') || accept(minus_sign)) return graph_.unary(Op::negate, factor());
         if (accept('+')) return factor();
         return power();
     }
 
     NodeId power() {
-        const NodeId base = primary();
+        NodeId base = primary();
+        const std::size_t raised = at_;
+        if (const auto exponent = superscript())
+            base = raise(base, graph_.constant(*exponent), raised);
         skip_space();
         const std::size_t place = at_;
         if (!accept('^')) return base;
-        return raise(base, factor(), place);
+        if (!accept('{')) return raise(base, factor(), place);
+        const NodeId exponent = inside('}', "to close the exponent");
+        return raise(base, exponent, place);
+    }
+
+    // A whole number of raised digits, as in x² and x⁻¹⁰.
+    std::optional<int> superscript() {
+        constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴",
+                                                          "⁵", "⁶", "⁷", "⁸", "⁹"};
+        constexpr int most = 1'000'000;
+        const std::size_t begin = at_;
+        const bool is_negative = accept("⁻");
+        std::optional<int> number;
+        const auto next_digit = [&] {
+            return std::ranges::find_if(digits, [&](std::string_view d) { return accept(d); });
+        };
+        for (auto digit = next_digit(); digit != digits.end(); digit = next_digit())
+            number = std::min(10 * number.value_or(0) + int(digit - digits.begin()), most);
+        if (is_negative && !number) fail(begin, "expected raised digits after the raised minus");
+        return number ? std::optional(is_negative ? -*number : *number) : std::nullopt;
+    }
+
+    // Up to a closing character; bars that are open outside are not closed in here.
+    NodeId inside(char closing, std::string_view why) {
+        const int outside = std::exchange(open_bars_, 0);
+        const NodeId value = expression();
+        expect(closing, why);
+        open_bars_ = outside;
+        return value;
+    }
+
+    NodeId absolute_value() {
+        ++open_bars_;
+        const NodeId value = expression();
+        expect('|', "to close the absolute value");
+        --open_bars_;
+        return graph_.unary(Op::abs, value);
     }
 
     NodeId raise(NodeId base, NodeId exponent, std::size_t place) {
@@ -153,22 +209,19 @@ private:
         skip_space();
         const std::size_t begin = at_;
         if (at_ == text_.size()) fail(at_, "the formula ends where a value is expected");
-        if (accept('(')) {
-            const NodeId inside = expression();
-            expect(')', "to close the parenthesis");
-            return inside;
-        }
+        if (accept('(')) return inside(')', "to close the parenthesis");
+        if (accept('|')) return absolute_value();
+        if (accept("π")) return graph_.constant(std::numbers::pi);
         if (std::isdigit(static_cast<unsigned char>(peek())) || peek() == '.') return number();
         if (peek() == ')') fail(at_, "expected a value before ')'");
         const std::string_view word = peek_name();
         if (word.empty()) fail_unexpected();
         at_ += word.size();
+        if (const auto value = named(word)) return *value;
         skip_space();
-        if (peek() == '(') {
-            ++at_;
-            return call(word, begin);
-        }
-        return name(word, begin);
+        if (accept('(')) return call(word, begin);
+        if (find_function(word)) fail_without_parentheses(word, begin);
+        fail_unknown(word, begin);
     }
 
     NodeId number() {
@@ -178,14 +231,10 @@ private:
         if (error == std::errc::result_out_of_range) fail(at_, "this number is out of range");
         if (error != std::errc{}) fail(at_, "this is not a number");
         at_ += std::size_t(end - first);
-        if (is_name_start(peek())) {
-            fail(at_, fmt::format("expected an operator: write '{}*{}'",
-                                  std::string_view(first, std::size_t(end - first)), peek_name()));
-        }
         return graph_.constant(value);
     }
 
-    NodeId name(std::string_view word, std::size_t begin) {
+    std::optional<NodeId> named(std::string_view word) {
         // Innermost first: fields of the arrays being gone through, definitions, then the
         // vocabulary.
         for (auto it = open_arrays_.rbegin(); it != open_arrays_.rend(); ++it) {
@@ -199,10 +248,31 @@ private:
         if (const auto k = names_.input(word)) return graph_.input(*k);
         if (const auto k = names_.parameter(word)) return graph_.parameter(*k);
         if (word == "pi") return graph_.constant(std::numbers::pi);
-        fail_unknown(word, begin);
+        return std::nullopt;
     }
 
-    NodeId call(std::string_view name, std::size_t begin) {
+    NodeId call(std::string_view called, std::size_t begin) {
+        const int outside = std::exchange(open_bars_, 0);
+        const NodeId value = called_by(plain_name(called), begin);
+        open_bars_ = outside;
+        return value;
+    }
+
+    // Other names of functions.
+    static std::string_view plain_name(std::string_view name) {
+        constexpr std::array<std::array<std::string_view, 2>, 4> others{
+            {{"ln", "log"}, {"arcsin", "asin"}, {"arccos", "acos"}, {"arctan", "atan"}}};
+        for (const auto& [other, plain] : others) {
+            if (name == other) return plain;
+        }
+        return name;
+    }
+
+    NodeId called_by(std::string_view name, std::size_t begin) {
+        if (name == "atan2") {
+            fail(begin, "there is no atan2, which jumps by a turn: write "
+                        "2*atan(y/(sqrt(x^2 + y^2) + x)) for atan2(y, x)");
+        }
         if (name == "sum" || name == "least" || name == "greatest")
             return over_elements(name, begin);
         if (name == "chebyshev") return chebyshev();
@@ -332,6 +402,14 @@ private:
         return fmt::format("{}", fmt::join(words, ", "));
     }
 
+    [[noreturn]] void fail_without_parentheses(std::string_view name, std::size_t begin) const {
+        const Function* function = find_function(name);
+        const std::string call =
+            fmt::format("{}({})", name, function ? function->arguments : "...");
+        fail(begin, peek() == '^' ? fmt::format("the power of a function: write '{}^...'", call)
+                                  : fmt::format("{} needs parentheses: write '{}'", name, call));
+    }
+
     [[noreturn]] void fail_unknown(std::string_view word, std::size_t begin) const {
         std::vector<std::string> known = vocabulary_.inputs;
         // "camera.fov" is a parameter to the animation but no name in a formula.
@@ -361,11 +439,10 @@ private:
 
     [[noreturn]] void fail_unexpected() const {
         if (at_ == text_.size()) fail(at_, "the formula ends too early");
-        if (peek() == '=') {
-            fail(at_, "unexpected '=': a formula is the left side of F = 0, written without '= 0'");
-        }
-        const std::string_view word = peek_name();
-        if (!word.empty()) fail(at_, fmt::format("expected an operator before '{}'", word));
+        if (peek() == '=')
+            fail(at_, "unexpected '=': an expression has a value, and equals nothing");
+        if (std::isdigit(static_cast<unsigned char>(peek())) || peek() == '|')
+            fail(at_, fmt::format("expected an operator before '{}'", peek()));
         if (peek() == ')') fail(at_, "this ')' closes nothing");
         std::size_t length = 1; // a whole UTF-8 character
         while (at_ + length < text_.size() && continues_character(text_[at_ + length])) ++length;
@@ -398,6 +475,12 @@ private:
         return text_.substr(at_, end - at_);
     }
     void skip_space() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
+    static constexpr std::string_view minus_sign = "−";
+    bool accept(std::string_view characters) {
+        if (!text_.substr(at_).starts_with(characters)) return false;
+        at_ += characters.size();
+        return true;
+    }
     bool accept(char c) {
         if (peek() != c) return false;
         ++at_;
@@ -414,6 +497,7 @@ private:
     Graph& graph_;
     std::size_t at_ = 0;
     int depth_ = 0;
+    int open_bars_ = 0; // absolute values that wait for their closing bar
     struct OpenLoop {
         int array;
         std::string_view function;

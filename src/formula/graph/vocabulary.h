@@ -27,6 +27,7 @@ struct Vocabulary {
     bool allows_random =
         false;                // random(i, k): in animation only, where the CPU evaluates in double
     bool allows_picks = true; // least(array, a, b), which jumps
+    bool allows_equation = false; // left = right, which is left - right
 };
 
 // The inputs of a surface's field: position, and for derivatives the ray's direction.

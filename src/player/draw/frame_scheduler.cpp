@@ -75,7 +75,7 @@ double FrameScheduler::next_scale(int samples) const {
 }
 
 bool FrameScheduler::holds_back(double now) const {
-    return !hand_rests_ && subject_ && !came_ && !whole_ && now - posted_ < longest_wait;
+    return !hand_rests_ && subject_ && !came_ && !whole_ && !grows_ && now - posted_ < longest_wait;
 }
 
 void FrameScheduler::ask(Session& session, std::int64_t frame, glm::ivec2 size, double now,
@@ -91,7 +91,7 @@ void FrameScheduler::ask(Session& session, std::int64_t frame, glm::ivec2 size, 
     if (subject_ != wanted) {
         if (holds_back(now)) return;
         subject_ = wanted;
-        whole_ = false;
+        whole_ = grows_ = false;
         post(session, resolution_.scale(), 1, false, now);
         return;
     }
@@ -99,6 +99,7 @@ void FrameScheduler::ask(Session& session, std::int64_t frame, glm::ivec2 size, 
     if (whole_ || !came_ || !rests) return;
     const double next = next_scale(session.samples());
     whole_ = next == 1;
+    grows_ = true;
     post(session, next, whole_ ? session.samples() : 1, true, now);
 }
 

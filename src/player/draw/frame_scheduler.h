@@ -66,6 +66,7 @@ private:
     std::uint64_t number_ = 0;       // of the last request
     std::uint64_t begin_ = 1;        // of this scene's first request
     double scale_ = 1;               // of the last request
+    bool grows_ = false;             // it is larger than what keeps up
     bool whole_ = false, came_ = false, hand_rests_ = true;
     double changed_ = 0, posted_ = 0;
     std::optional<std::chrono::steady_clock::time_point>

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cmath>
 #include <numeric>
+#include <regex>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "base/nearest_name.h"
 #include "base/printable.h"
 #include "scene/data_folder.h"
+#include "scene/found_bounds.h"
 #include "scene/limits.h"
 #include "scene/method_domain.h"
 #include "scene/reading/camera.h"
@@ -301,14 +303,25 @@ void rescale(Scene& scene, SurfaceParts& parts, const SceneAt& first) {
              loss.example));
 }
 
-// `within`: where files may lie that the scene names.
-Scene read_scene(std::string_view text, const fs::path& file,
-                 const std::vector<Override>& overrides, const base::Confines& within) {
+// A scene's document tells whether bounds have to be found.
+bool lacks_bounds(toml::table& root) {
+    const toml::table* surface = root["surface"].as_table();
+    return surface && surface->contains("formula") && !surface->contains("use") &&
+           !surface->contains("bounds");
+}
+
+void put_bounds(toml::table& root, const FoundBounds& found) {
+    toml::array centre{found.centre.x, found.centre.y, found.centre.z};
+    toml::table ball{{"sphere", found.radius}};
+    if (found.centre != glm::dvec3(0)) ball.insert("centre", centre);
+    root["surface"].as_table()->insert_or_assign("bounds", ball);
+}
+
+// Of a document with all that was set. `is_for_bounds`: no more than find_bounds() asks for.
+Scene read_document_scene(toml::table& root, const fs::path& file, const base::Confines& within,
+                          bool is_for_bounds) {
     Scene scene;
     scene.file = file;
-    toml::table root = parse_document(text, file);
-    for (const Override& setting : overrides) override_key(root, setting);
-
     Section document(root, "");
     scene.title = read_title(document, scene.file);
     TrackTable tracks;
@@ -345,6 +358,7 @@ Scene read_scene(std::string_view text, const fs::path& file,
     // Settings are chosen once, at the first frame: every frame is marched alike.
     check_work(scene, *parts, tracks);
     const SceneAt first = at(scene, scene.timeline.values(1));
+    if (is_for_bounds) return scene;
     Isolation& isolation = scene.isolation;
     scene.surface.smoothness = smoothness(*scene.surface.field, regions(scene, first));
     if (!given.step) isolation.step = first.bounds.radius / 100;
@@ -366,6 +380,56 @@ Scene read_scene(std::string_view text, const fs::path& file,
     return scene;
 }
 
+// `within`: where files may lie that the scene names.
+Scene read_scene(toml::table root, const fs::path& file, const std::vector<Override>& overrides,
+                 const base::Confines& within) {
+    for (const Override& setting : overrides) override_key(root, setting);
+    if (!lacks_bounds(root)) return read_document_scene(root, file, within, false);
+    toml::table trial = root;
+    put_bounds(trial, {glm::dvec3(0), FoundBounds::reach});
+    const Scene boundless = read_document_scene(trial, file, within, true);
+    const SceneAt first = at(boundless, boundless.timeline.values(1));
+    const FoundBounds found = find_bounds(*boundless.surface.field, regions(boundless, first));
+    put_bounds(root, found);
+    Scene scene = read_document_scene(root, file, within, false);
+    scene.surface.found_bounds = found.is_about_surface;
+    return scene;
+}
+
+bool is_formula(const std::string& name) {
+    return name.find_first_of("=^*+()|") != name.npos && fs::path(name).extension() != ".toml";
+}
+
+// A scene of a formula alone. Where it names t it moves: formulas know the time by a parameter.
+toml::table scene_of_formula(const std::string& formula) {
+    const std::string timed = std::regex_replace(formula, std::regex(R"(\bt\b)"), "time");
+    toml::table root{{"title", formula}, {"surface", toml::table{{"formula", timed}}}};
+    if (timed != formula) {
+        root.insert("parameters", toml::table{{"time", "t"}});
+        root.insert("time", toml::table{{"frames", 120}, {"fps", 30}});
+    }
+    return root;
+}
+
+// Its mistakes are in no file and in no --set.
+Scene load_formula(const std::string& formula, const std::vector<Override>& overrides,
+                   Reach reach) {
+    try {
+        return read_scene(scene_of_formula(formula), "formula.toml", overrides,
+                          confines(base::open_folder(fs::path()), reach));
+    } catch (const SceneError& error) {
+        constexpr std::string_view place = "--set: surface.formula: ";
+        const std::string_view words = error.what();
+        if (!words.starts_with(place)) throw;
+        throw SceneError(std::string(words.substr(place.size())));
+    }
+}
+
+bool is_there(const std::string& name) {
+    std::error_code error;
+    return fs::status(name, error).type() != fs::file_type::not_found;
+}
+
 } // namespace
 
 std::string title(const fs::path& file) {
@@ -375,6 +439,7 @@ std::string title(const fs::path& file) {
 }
 
 Scene load(const std::string& name, const std::vector<Override>& overrides, Reach reach) {
+    if (is_formula(name) && !is_there(name)) return load_formula(name, overrides, reach);
     const fs::path file = locate(name);
     // The scene and what it may name lie in one folder, wherever that folder's name leads later.
     const base::FileDescriptor folder = base::open_folder(file.parent_path());
@@ -382,13 +447,13 @@ Scene load(const std::string& name, const std::vector<Override>& overrides, Reac
         throw SceneError(fmt::format("{}: its folder cannot be opened: {}", file.string(),
                                      std::generic_category().message(errno)));
     }
-    return read_scene(base::file_text(folder, file, limits::scene_bytes), file, overrides,
-                      confines(folder, reach));
+    const std::string text = base::file_text(folder, file, limits::scene_bytes);
+    return read_scene(parse_document(text, file), file, overrides, confines(folder, reach));
 }
 
 Scene load_text(std::string_view text, const fs::path& file, const std::vector<Override>& overrides,
                 Reach reach) {
-    return read_scene(text, file, overrides,
+    return read_scene(parse_document(text, file), file, overrides,
                       confines(base::open_folder(file.parent_path()), reach));
 }
 

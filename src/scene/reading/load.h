@@ -17,7 +17,8 @@ namespace isomotion::scene {
 // the scene's.
 using Override = std::string;
 
-// `scene` is a path to a .toml file or the name of an animation of the gallery. Throws SceneError.
+// `scene` is a path to a .toml file, the name of an animation of the gallery, or a formula:
+// "x^2 + y^2 + z^2 = 1 + 0.3*sin(9*x + t)", which moves if it names t. Throws SceneError.
 Scene load(const std::string& scene, const std::vector<Override>& overrides = {},
            Reach reach = Reach::own_folder);
 

@@ -76,14 +76,15 @@ private:
         if (!rough_) {
             formula::Graph graph = motion_.graph;
             const formula::NodeId rough =
-                formula::anywhere(graph, formula::roughness(graph, motion_.field));
-            rough_.emplace(formula::schedule(graph, std::array{rough}));
+                formula::anywhere(graph, {formula::roughness(graph, motion_.field).kinks, {}, {}});
+            rough_ = formula::schedule(graph, std::array{rough});
         }
         const std::array<Interval, 3> at = place(field, box);
         const std::array<Interval, 4> inputs{at[0], at[1], at[2],
                                              box[std::size_t(field.dimension())]};
         Interval value;
-        rough_->point(formula::convert<Interval>(motion_.bindings), inputs, {&value, 1});
+        formula::Evaluator<Interval>(*rough_).point(formula::convert<Interval>(motion_.bindings),
+                                                    inputs, {&value, 1});
         return value != Interval(0.0);
     }
 
@@ -160,7 +161,7 @@ private:
     const Motion& motion_;
     const MonotoneTrack* track_;
     Timeline& timeline_;
-    std::optional<formula::Evaluator<Interval>> rough_; // once it was asked for
+    std::optional<formula::Program> rough_; // once it was asked for
 };
 
 std::vector<Stratum> strata(const Motion& motion) {

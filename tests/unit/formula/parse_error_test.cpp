@@ -48,10 +48,22 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"min(x,)", "expected a value before ')'", 7},
                     Mistake{"x + * y", "unexpected '*'", 5},
                     Mistake{"x ** 2", "powers are written with '^'", 3},
-                    Mistake{"x y", "expected an operator before 'y'", 3},
-                    Mistake{"2x", "expected an operator: write '2*x'", 2},
-                    Mistake{"1.5e", "expected an operator: write '1.5*e'", 4},
-                    Mistake{"2(x)", "unexpected '('", 2}, Mistake{"x $ y", "unexpected '$'", 3},
+                    Mistake{"x 2", "expected an operator before '2'", 3},
+                    Mistake{"(x)2", "expected an operator before '2'", 4},
+                    Mistake{"1.5e", "unknown name 'e'", 4},
+                    Mistake{"1/2x", "after a quotient: write a/(b*c), or (a/b)*c", 4},
+                    Mistake{"x/2(y)", "after a quotient", 4},
+                    Mistake{"sin x", "sin needs parentheses: write 'sin(a)'", 1},
+                    Mistake{"sin^2(x)", "the power of a function: write 'sin(a)^...'", 1},
+                    Mistake{"2 sum", "sum needs parentheses", 3},
+                    Mistake{"atan2(y, x)", "there is no atan2", 1},
+                    Mistake{"|x", "expected '|' to close the absolute value", 3},
+                    Mistake{"|x)", "expected '|' to close the absolute value", 3},
+                    Mistake{"(|x)|", "expected '|' to close the absolute value", 4},
+                    Mistake{"x^{2", "expected '}' to close the exponent", 5},
+                    Mistake{"x⁻", "expected raised digits after the raised minus", 2},
+                    Mistake{"0⁻¹", "division by zero: 0 to a negative power", 2},
+                    Mistake{"x $ y", "unexpected '$'", 3},
                     Mistake{"x^", "the formula ends where a value is expected", 3},
                     Mistake{"x;", "unexpected ';'", 2}));
 
@@ -61,9 +73,12 @@ INSTANTIATE_TEST_SUITE_P(Numbers, Mistakes,
                                          Mistake{"1.2.3", "unexpected '.'", 4}));
 
 INSTANTIATE_TEST_SUITE_P(Equations, Mistakes,
-                         testing::Values(Mistake{"x^2 = 1", "without '= 0'", 5},
-                                         Mistake{"q = 2",
-                                                 "expected ';' after the definition of 'q'", 6},
+                         testing::Values(Mistake{"x^2 = 1 = y", "one '=' at most", 9},
+                                         Mistake{"x = = y", "unexpected '='", 5},
+                                         Mistake{"x =", "ends where a value is expected", 4},
+                                         Mistake{"= x", "unexpected '='", 1},
+                                         Mistake{"q = 2", "unknown name 'q'", 1},
+                                         Mistake{"q = 2 x; r = 2 ; q = r = 1", "one '='", 24},
                                          Mistake{"pi = 3; x", "'pi' already has a meaning", 1},
                                          Mistake{"y = 3; x", "'y' already has a meaning", 1},
                                          Mistake{" max = 3; x", "'max' already has a meaning", 2},
@@ -135,6 +150,13 @@ TEST(ParseErrorPlace, NoArrays) {
     EXPECT_THAT(error_of("sum(blobs, 1)", v).message(), HasSubstr("the scene has none"));
 }
 
+TEST(ParseErrorPlace, AnExpressionIsNoEquation) {
+    Vocabulary v;
+    v.inputs = {"t"};
+    EXPECT_THAT(error_of("t = 1", v).message(), HasSubstr("expected ';' after the definition"));
+    EXPECT_THAT(error_of("2 + t = 1", v).message(), HasSubstr("unexpected '='"));
+}
+
 TEST(ParseErrorPlace, LinesAndColumns) {
     const ParseError error = error_of("q = x + y;\n\n  q*q - foo\n + 1");
     EXPECT_EQ(error.line(), 3);
@@ -150,8 +172,8 @@ TEST(ParseErrorPlace, TheEndOfAFormulaOfLines) {
 }
 
 TEST(ParseErrorPlace, AWholeCharacterIsShown) {
-    const ParseError error = error_of("x − y"); // a minus sign as typesetters know it
-    EXPECT_EQ(error.message(), "unexpected '−'");
+    const ParseError error = error_of("x ± y");
+    EXPECT_EQ(error.message(), "unexpected '±'");
     EXPECT_EQ(error.column(), 3);
     EXPECT_EQ(error_of("\xff").message(), "unexpected '\xff'");
     EXPECT_EQ(error_of(std::string("x\0", 2)).column(), 2);

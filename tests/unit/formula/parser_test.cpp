@@ -35,6 +35,31 @@ INSTANTIATE_TEST_SUITE_P(
                     Reading{"-x*y", -x* y}, Reading{"x*-y^2", -x* y* y}, Reading{"x^2^0", x},
                     Reading{"-2^-2", -0.25}));
 
+INSTANTIATE_TEST_SUITE_P(
+    AsOnPaper, Grammar,
+    testing::Values(
+        Reading{"2x", 2 * x}, Reading{"2 x y", 2 * x* y}, Reading{"(x+1)(y+1)", (x + 1) * (y + 1)},
+        Reading{"x(y+1)", x*(y + 1)}, Reading{"2x^2 y", 2 * x* x* y}, Reading{"-2x^2", -2 * x* x},
+        Reading{"2^3x", 8 * x}, Reading{"a sin(x)b", a* std::sin(x) * b},
+        Reading{"x - 2y", x - 2 * y}, Reading{"x*2y/4", x * 2 * y / 4},
+        Reading{"3 pi", 3 * std::numbers::pi}, Reading{"2π", 2 * std::numbers::pi},
+        Reading{"x² + y³", x* x + y* y* y}, Reading{"x⁻¹", 1 / x},
+        Reading{"2^x²", std::pow(2, x* x)}, Reading{"x¹⁰", std::pow(x, 10)},
+        Reading{"x²y²", x* x* y* y}, Reading{"(x+y)²", (x + y) * (x + y)}, Reading{"-x²", -x* x},
+        Reading{"sin(x)²", std::sin(x) * std::sin(x)}, Reading{"x^{2+1}", x* x* x},
+        Reading{"x^{2}y", x* x* y}, Reading{"|y|", -y}, Reading{"2|y|", -2 * y},
+        Reading{"|y|x", -y* x}, Reading{"|x - 2*|y| - 3|", std::abs(x - 2 * std::abs(y) - 3)},
+        Reading{"|(|y| - 1)(x)|", std::abs((std::abs(y) - 1) * x)},
+        Reading{"|max(|y|, 0.1)|^2", y* y}, Reading{"x − y·z", x - y* z}, Reading{"−x × y", -x* y},
+        Reading{"ln(z)", std::log(z)}, Reading{"arctan(x)", std::atan(x)}));
+
+INSTANTIATE_TEST_SUITE_P(Equations, Grammar,
+                         testing::Values(Reading{"x^2 = 1", x* x - 1}, Reading{"x = y", x - y},
+                                         Reading{"x^2 + y^2 = 1 - z^2", x* x + y* y + z* z - 1},
+                                         Reading{"a = x", a - x},
+                                         Reading{"u = 2x; u = y", 2 * x - y}, Reading{"x = 0", x},
+                                         Reading{"0 = x", -x}));
+
 INSTANTIATE_TEST_SUITE_P(Numbers, Grammar,
                          testing::Values(Reading{"1e3", 1000}, Reading{"1E+3", 1000},
                                          Reading{"25e-2", 0.25}, Reading{".5", 0.5},

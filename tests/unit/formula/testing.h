@@ -23,6 +23,7 @@ inline Vocabulary test_vocabulary() {
     v.arrays = {
         {"blobs", {{"cx", {}}, {"cy", {}}, {"cz", {}}, {"weight", {}}, {"r", {}}, {"s", {}}}},
         {"links", {{"px", {}}, {"py", {}}, {"width", 4}}}};
+    v.allows_equation = true;
     return v;
 }
 

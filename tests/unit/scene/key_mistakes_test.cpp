@@ -79,8 +79,6 @@ TEST_F(KeyMistakes, WhatIsMissing) {
         {ball_with(6, ""),
          "scene.toml:5: surface: needs formula = \"...\", or use = \"name\" of the "
          "catalogue"},
-        {ball_with(7, ""), "scene.toml:5: surface.bounds: is missing; give { sphere = radius } or "
-                           "{ box = [[x0, y0, z0], [x1, y1, z1]] }"},
         {ball_with(7, "bounds = { centre = [0, 0, 0] }"),
          "scene.toml:7: surface.bounds: needs one of sphere = radius and box = [[..], [..]]"},
         {ball_and("[[lights]]\ncolor = [1, 1, 1]"),

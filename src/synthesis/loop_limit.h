@@ -1,0 +1,10 @@
+// How long the loops of a shader may be.
+#pragma once
+
+namespace isomotion::synthesis {
+
+// Loop iterations a shader may do in all; below the driver's 65535, which ends loops silently, by
+// what the march itself loops.
+inline constexpr double loop_iterations_per_pass = 60'000;
+
+} // namespace isomotion::synthesis

@@ -1,0 +1,81 @@
+// Bounds of scenes that give none hold the surface and little else.
+#include <gmock/gmock.h>
+
+#include "scene/reading/load.h"
+#include "scene/scene_at.h"
+
+namespace isomotion::scene {
+namespace {
+
+using testing::HasSubstr;
+
+struct Body {
+    const char* formula;
+    glm::dvec3 centre;
+    double radius; // of the smallest ball about it
+};
+
+void PrintTo(const Body& body, std::ostream* out) { *out << body.formula; }
+
+class FoundBounds : public testing::TestWithParam<Body> {};
+
+TEST_P(FoundBounds, HoldTheSurfaceAndLittleElse) {
+    const auto& [formula, centre, radius] = GetParam();
+    const Scene scene = load(formula);
+    ASSERT_EQ(scene.surface.found_bounds, std::optional(true));
+    const BoundsAt bounds = at(scene, scene.timeline.values(1)).bounds;
+    EXPECT_GE(bounds.radius, radius + glm::length(bounds.centre - centre));
+    EXPECT_LE(bounds.radius, 1.35 * radius);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bodies, FoundBounds,
+    testing::Values(Body{"x^2 + y^2 + z^2 = 1", {}, 1}, Body{"x² + y² + z² = 0.0001", {}, 0.01},
+                    Body{"(x-3)^2 + (y+2)^2 + z^2 = 4", {3, -2, 0}, 2},
+                    Body{"x^2/81 + y^2 + z^2 = 1", {}, 9}, Body{"x^40 + y^40 + z^40 = 1", {}, 1.7},
+                    Body{"|x| + |y| + |z| = 1", {}, 1},
+                    Body{"max(|x|, |y|, |z|) = 1", {}, 1.7320508},
+                    Body{"(sqrt(x^2 + y^2) - 1)^2 + z^2 = 0.04", {}, 1.2},
+                    Body{"min((x-2)^2 + y^2 + z^2, (x+2)^2 + y^2 + z^2) = 0.01", {}, 2.1}));
+
+TEST(FoundBoundsOf, WhatGoesOnIsABallThatIsSaid) {
+    for (const char* formula : {"z = sin(x)", "x^2 + y^2 = 1", "x^2 + y^2 + z^2 = -1", "1/x = 0",
+                                "x^2 + y^2 + z^2 = 101", "log(x) = y"}) {
+        const Scene scene = load(formula);
+        EXPECT_EQ(scene.surface.found_bounds, std::optional(false)) << formula;
+        EXPECT_EQ(at(scene, scene.timeline.values(1)).bounds.radius, 3) << formula;
+    }
+}
+
+TEST(FoundBoundsOf, WhatMovesAreOfAllFrames) {
+    const Scene scene = load("(x - 4*sin(t))^2 + y^2 + z^2 = 0.25");
+    EXPECT_EQ(scene.timeline.frames, 120);
+    for (const int frame : {1, 48, 120}) {
+        const SceneAt now = at(scene, scene.timeline.values(frame));
+        const double x = 4 * std::sin((frame - 1) / 30.0);
+        EXPECT_GE(now.bounds.radius, glm::length(now.bounds.centre - glm::dvec3(x, 0, 0)) + 0.5);
+        EXPECT_LE(now.bounds.radius, 6);
+    }
+}
+
+TEST(FoundBoundsOf, AFormulaIsASceneWithParametersThatAreSet) {
+    const Scene scene = load("x^2 + y^2 + z^2 = a", {"a=4"});
+    EXPECT_NEAR(at(scene, scene.timeline.values(1)).bounds.radius, 2.1, 0.1);
+    EXPECT_EQ(scene.title, "x^2 + y^2 + z^2 = a");
+    EXPECT_EQ(load("x^2 + y^2 + z^2 = 4", {"surface.bounds={sphere=7}"}).surface.found_bounds,
+              std::nullopt);
+    const auto mistake = [](const char* formula) -> std::string {
+        try {
+            load(formula);
+        } catch (const SceneError& error) {
+            return error.what();
+        }
+        return "nothing is wrong";
+    };
+    EXPECT_EQ(mistake("x^2 = b"), "unknown name 'b'; known: x, y, z, pi\n    x^2 = b\n          ^");
+    EXPECT_THAT(mistake("blobby57"), HasSubstr("did you mean 'blobby75'"));
+    EXPECT_THAT(mistake("(none).toml"), HasSubstr("no such file"));
+}
+
+} // namespace
+} // namespace isomotion::scene
