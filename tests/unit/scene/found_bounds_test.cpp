@@ -60,7 +60,7 @@ TEST(FoundBoundsOf, WhatMovesAreOfAllFrames) {
 
 TEST(FoundBoundsOf, AFormulaIsASceneWithParametersThatAreSet) {
     const Scene scene = load("x^2 + y^2 + z^2 = a", {"a=4"});
-    EXPECT_NEAR(at(scene, scene.timeline.values(1)).bounds.radius, 2.1, 0.1);
+    EXPECT_NEAR(at(scene, scene.timeline.values(1)).bounds.radius, 2.15, 0.15);
     EXPECT_EQ(scene.title, "x^2 + y^2 + z^2 = a");
     EXPECT_EQ(load("x^2 + y^2 + z^2 = 4", {"surface.bounds={sphere=7}"}).surface.found_bounds,
               std::nullopt);
