@@ -16,6 +16,7 @@ Exit status: 0 all are caught, 1 some are not or the list doesn't fit, 2 wrong u
 
 import argparse
 import dataclasses
+import os
 import pathlib
 import re
 import shutil
@@ -144,7 +145,8 @@ def run_tests(folder, target, filter_):
     command = [binary_of(folder, target), f"--gtest_filter={filter_}"]
     try:
         done = subprocess.run(command, capture_output=True, text=True, errors="replace",
-                              timeout=MOST_SECONDS)
+                              timeout=MOST_SECONDS,
+                              env=os.environ | {"ISOMOTION_DATA": str(folder / "sources")})
     except subprocess.TimeoutExpired:
         return "hangs"
     if done.returncode != 0:
