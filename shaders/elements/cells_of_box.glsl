@@ -1,6 +1,5 @@
 // Bounds over a box of numbers REAL: the hull of those over its parts in each cell. A box in more
-// cells than most, or of more elements, has none.
-const int most_cells_of_box = 12;
+// cells than MOST_CELLS, or of more elements than MOST_ELEMENTS, has none.
 
 struct CellRange {
     ivec3 first, last;
@@ -23,10 +22,10 @@ CellRange cells_of_box(REAL2 rx, REAL2 ry, REAL2 rz) {
     ivec3 first = cell_of(vec3(x.x, y.x, z.x) - slack), last = cell_of(vec3(x.y, y.y, z.y) + slack);
     ivec3 n = last - first + 1;
     if (are_empty(first, last)) return CellRange(first, first, false, true);
-    bool bounded = all(lessThan(n, ivec3(most_cells_of_box + 1)));
-    int cells = bounded ? n.x * n.y * n.z : most_cells_of_box + 1;
+    bool bounded = all(lessThan(n, ivec3(MOST_CELLS + 1)));
+    int cells = bounded ? n.x * n.y * n.z : MOST_CELLS + 1;
     float turns = float(cells) * (GRID_LONGEST + float(GRID_OTHERS));
-    bool too_many = cells > most_cells_of_box || turns > float(MOST_ELEMENTS);
+    bool too_many = cells > MOST_CELLS || turns > float(MOST_ELEMENTS);
     return CellRange(first, last, too_many, false);
 }
 

@@ -161,7 +161,7 @@ int show(const ShowArguments& arguments) {
         const scene::BoundsAt bounds = scene::at(scene, values).bounds;
         print_result("bounds    found: a ball of radius {:g} about ({:g}, {:g}, {:g}), {}\n",
                      bounds.radius, bounds.centre.x, bounds.centre.y, bounds.centre.z,
-                     *found ? "which holds the surface"
+                     *found ? "which holds the surface at all frames"
                             : "as the surface goes on beyond 10 units, or there is none");
     }
     if (sight.values) print_result("nothing   {}\n", scene::why_nothing_is_seen(sight));
@@ -180,7 +180,9 @@ int show(const ShowArguments& arguments) {
 void add_show(CLI::App& app, Action& chosen) {
     const auto arguments = std::make_shared<ShowArguments>();
     CLI::App* command = app.add_subcommand("show", "what a scene is at a frame, and its shader");
-    command->add_option("scene", arguments->scene, "a scene file or the name of an animation")
+    command
+        ->add_option("scene", arguments->scene,
+                     "a scene file, the name of an animation, or a formula")
         ->required();
     command->add_option("--frame", arguments->frame, "frame number, from 1")
         ->check(CLI::Range(1, 10'000'000));

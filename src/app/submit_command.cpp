@@ -67,7 +67,7 @@ public:
         frames_ = exporter.options().frames;
         job_.program = fs::read_symlink("/proc/self/exe");
         job_.folder = fs::current_path();
-        job_.scene = fs::absolute(exporter.scene().file);
+        job_.scene = scene::word_of(exporter.scene());
         job_.output = fs::absolute(exporter.options().output);
         if (!render.movie.empty()) job_.movie = fs::absolute(render.movie);
         job_.options = words_of(arguments.picture);

@@ -231,7 +231,8 @@ void add_topology(CLI::App& app, Action& chosen) {
     TopologyArguments& a = *arguments;
     CLI::App* command = app.add_subcommand(
         "topology", "when parts of the surface merge, split, open and close; proved, and checked");
-    command->add_option("scene", a.scene, "a scene file or the name of an animation")->required();
+    command->add_option("scene", a.scene, "a scene file, the name of an animation, or a formula")
+        ->required();
     command->add_option("--frames", a.frames,
                         "1-10: from frame 1 to frame 10 with all time between (default: all)");
     command->add_option("--certify", a.certify,

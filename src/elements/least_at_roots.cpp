@@ -153,8 +153,9 @@ std::optional<double> LeastAtRoots::enough(const formula::Bindings<float>& bindi
     Search search(*this, bindings, region);
     const double span = range.hi - range.lo;
     if (!(span < formula::infinity) || !search.is_enough(range.hi)) return std::nullopt;
-    double low = 0x1p-40, high = 1; // parts of the range
-    for (int k = 0; k < 14; ++k) {
+    constexpr int halvings = 14; // of the logarithm of a part of the range
+    double low = 0x1p-40, high = 1;
+    for (int k = 0; k < halvings; ++k) {
         const double middle = std::sqrt(low * high);
         (search.is_enough(range.lo + middle * span) ? high : low) = middle;
     }

@@ -28,8 +28,9 @@ Quadric Quadric::from(const std::array<double, 10>& q, const Region& region) {
     made.is_flat = {h.xx == 0 && h.xy == 0 && h.xz == 0 && slope.x == 0,
                     h.yy == 0 && h.xy == 0 && h.yz == 0 && slope.y == 0,
                     h.zz == 0 && h.xz == 0 && h.yz == 0 && slope.z == 0};
-    if (glm::all(made.is_flat) || !h.filled(made.is_flat, h.trace()).is_positive()) return made;
-    const Symmetric filled = h.filled(made.is_flat);
+    const double trace = h.trace();
+    const Symmetric filled = h.filled(made.is_flat, trace);
+    if (glm::all(made.is_flat) || !filled.is_positive()) return made;
     const Symmetric inverse = filled.inverse();
     made.centre = -(inverse * slope);
     made.width = glm::length(region.high - region.low);
@@ -40,12 +41,11 @@ Quadric Quadric::from(const std::array<double, 10>& q, const Region& region) {
     const double value = made.sign * q[0], fall = 0.5 * glm::dot(slope, made.centre);
     made.least = value + fall - 1e-12 * (std::abs(value) + std::abs(fall));
     const double reach = margin * wider * region.farthest(made.centre);
-    made.most = made.least + 0.5 * made.hessian.trace() * reach * reach +
-                1e-9 * (std::abs(value) + std::abs(fall));
+    made.most =
+        made.least + 0.5 * trace * reach * reach + 1e-9 * (std::abs(value) + std::abs(fall));
     // The least eigenvalue is at least that of 1 over the inverse's trace.
     const double flat = double(made.is_flat.x) + double(made.is_flat.y) + double(made.is_flat.z);
-    const double sharp = h.filled(made.is_flat, h.trace()).inverse().trace() - flat / h.trace();
-    made.flattest = h.is_round() ? 0.5 * h.xx : 0.5 / sharp;
+    made.flattest = h.is_round() ? 0.5 * h.xx : 0.5 / (inverse.trace() - flat / trace);
     made.is_definite = std::isfinite(made.most) && made.flattest > 0 && made.most > made.least;
     return made;
 }

@@ -148,9 +148,10 @@ double SumsAtRoots::least(const formula::Bindings<float>& bindings, const Region
         for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = {s * units[k].lo, s * units[k].hi};
         return exclude(boxes, region, sums);
     };
+    constexpr int halvings = 14; // of the logarithm between these
     double low = smallest_sum, high = largest_sum;
     if (!excludes(low)) return 0;
-    for (int k = 0; k < 14; ++k) {
+    for (int k = 0; k < halvings; ++k) {
         const double middle = std::sqrt(low * high);
         (excludes(middle) ? low : high) = middle;
     }

@@ -97,7 +97,7 @@ public:
 
 private:
     std::optional<WindowPlace> place(const LiveScene* scene) const {
-        if (scene) return memory_.recall(scene->file()).window;
+        if (scene) return memory_.recall(scene::word_of(scene->session.scene())).window;
         return std::nullopt;
     }
 
@@ -129,10 +129,11 @@ private:
         Session& session = scene_->session;
         if (!session.look().camera) {
             Look look = session.look();
-            look.camera = memory_.recall(scene_->file()).camera;
+            look.camera = memory_.recall(scene::word_of(session.scene())).camera;
             session.set(look);
         }
-        memory_.add_opened(std::filesystem::absolute(scene_->file()));
+        if (session.scene().formula.empty())
+            memory_.add_opened(std::filesystem::absolute(scene_->file()));
         scheduler_.begin_scene();
         gallery_.close();
         notices_.load_error.clear();
@@ -160,7 +161,8 @@ private:
 
     void remember() const {
         if (!scene_) return;
-        memory_.remember(scene_->file(), {window_.place(), scene_->session.look().camera});
+        memory_.remember(scene::word_of(scene_->session.scene()),
+                         {window_.place(), scene_->session.look().camera});
     }
 
     // Whether the scene's picture is visible: else none is requested.

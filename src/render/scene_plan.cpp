@@ -97,13 +97,12 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
 // each of the cells that a box meets.
 double turns_beside_lists(const scene::Scene& scene, const synthesis::Passes& passes,
                           std::size_t array) {
-    constexpr int most_cells = 12; // shaders/elements/cells_of_box.glsl
     std::vector<int> others = capacities(passes);
     others[array] = 0;
     const bool over_boxes = std::ranges::any_of(passes.samples, synthesis::is_on_intervals);
     const double turns =
         1 + synthesis::cost(*scene.surface.field, passes.samples, others).iterations;
-    return over_boxes ? most_cells * turns : turns;
+    return over_boxes ? synthesis::most_cells_of_box * turns : turns;
 }
 
 MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& passes, int width,

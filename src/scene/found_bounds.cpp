@@ -8,6 +8,8 @@
 
 #include "formula/enclosure.h"
 #include "formula/interval/interval_operations.h"
+#include "scene/error.h"
+#include "scene/scene_at.h"
 
 namespace isomotion::scene {
 namespace {
@@ -22,20 +24,65 @@ Box hull(const Box& a, const Box& b) { return {glm::min(a.low, b.low), glm::max(
 
 constexpr Box everywhere{glm::dvec3(-FoundBounds::reach), glm::dvec3(FoundBounds::reach)};
 
-// Operations on intervals, of all regions together; and boxes that are looked at in turn.
-constexpr double most_evaluated = 1e8;
-constexpr std::size_t most_boxes = 20'000;
+// Operations on intervals, of all groups of frames together; operations of the frames' values; and
+// boxes that are looked at in turn.
+constexpr double most_evaluated = 1e8, most_of_frames = 3e7;
+constexpr std::size_t most_boxes = 80'000;
+constexpr int groups = 16;
 
-// The parts of a box in which F may be 0 at one region's values.
+using Values = formula::Bindings<Interval>;
+
+bool has_same_counts(const Values& a, const Values& b) {
+    return std::ranges::equal(a.arrays, b.arrays, {}, &formula::ArrayColumns<Interval>::count,
+                              &formula::ArrayColumns<Interval>::count);
+}
+
+void cover(std::vector<Interval>& all, const std::vector<Interval>& more) {
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = formula::hull(all[k], more[k]);
+}
+
+void cover(Values& all, const Values& more) {
+    cover(all.parameters, more.parameters);
+    for (std::size_t a = 0; a < all.arrays.size(); ++a) {
+        for (std::size_t f = 0; f < all.arrays[a].fields.size(); ++f)
+            cover(all.arrays[a].fields[f], more.arrays[a].fields[f]);
+    }
+}
+
+// What names stand for at all frames, neighbours together; none if that takes long.
+std::optional<std::vector<Values>> values_of_frames(const Scene& scene) {
+    const animation::Animation& animation = scene.timeline.animation;
+    double each = 100;
+    for (std::size_t a = 0; a < animation.arrays().size(); ++a) each += animation.operations(a);
+    if (each * scene.timeline.frames > most_of_frames) return std::nullopt;
+    const int together = (scene.timeline.frames + groups - 1) / groups;
+    std::vector<Values> all;
+    for (int frame = 1; frame <= scene.timeline.frames; ++frame) {
+        Values now;
+        try {
+            now = formula::convert<Interval>(at(scene, scene.timeline.values(frame)).bindings);
+        } catch (const SceneError&) { // said where the frame is drawn
+            continue;
+        }
+        const bool is_next = all.empty() || (frame - 1) % together == 0;
+        if (is_next || !has_same_counts(all.back(), now)) {
+            all.push_back(std::move(now));
+        } else {
+            cover(all.back(), now);
+        }
+    }
+    return all;
+}
+
+// The parts of a box in which F may be 0 at some values.
 class Cover {
 public:
-    Cover(const formula::Program& program, const formula::Bindings<Interval>& bindings,
-          double operations)
+    Cover(const formula::Program& program, const Values& values, double operations)
         : evaluator_(program)
-        , bindings_(bindings)
+        , values_(values)
         , left_(operations) {
         std::vector<int> counts;
-        for (const auto& array : bindings.arrays) counts.push_back(array.count);
+        for (const auto& array : values.arrays) counts.push_back(array.count);
         each_ = 1 + formula::cost(program, counts).operations;
     }
 
@@ -43,13 +90,19 @@ public:
     std::vector<Box> of(const Box& whole, int levels) {
         std::vector<Box> boxes{whole};
         for (int level = 0; level < levels && !boxes.empty(); ++level) {
+            if (8 * boxes.size() > most_boxes) break;
             const double work = each_ * 8 * double(boxes.size());
-            if (work > left_ || 8 * boxes.size() > 4 * most_boxes) break;
+            if (work > left_) {
+                was_cut_short_ = true;
+                break;
+            }
             left_ -= work;
             boxes = kept(eighths(boxes));
         }
         return boxes;
     }
+    // Whether there was more work than is allowed.
+    bool was_cut_short() const { return was_cut_short_; }
 
 private:
     static std::vector<Box> eighths(const std::vector<Box>& boxes) {
@@ -74,7 +127,7 @@ private:
         std::vector<Interval> values(boxes.size());
         const std::array<std::span<const Interval>, 3> from{inputs[0], inputs[1], inputs[2]};
         const std::array<std::span<Interval>, 1> to{values};
-        evaluator_.points(bindings_, from, to);
+        evaluator_.points(values_, from, to);
         std::vector<Box> found;
         for (std::size_t k = 0; k < boxes.size(); ++k) {
             if (contains(values[k], 0.0)) found.push_back(boxes[k]);
@@ -83,8 +136,9 @@ private:
     }
 
     formula::Evaluator<Interval> evaluator_;
-    const formula::Bindings<Interval>& bindings_;
+    const Values& values_;
     double each_ = 1, left_;
+    bool was_cut_short_ = false;
 };
 
 bool reaches_out(const Box& box) {
@@ -92,12 +146,16 @@ bool reaches_out(const Box& box) {
            glm::any(glm::greaterThanEqual(box.high, everywhere.high));
 }
 
-// Closer about what is small, a few times.
-std::vector<Box> cover(const formula::Program& program, const formula::Region& region,
-                       double operations) {
+// Closer about what is small, a few times. None where work ended before boxes kept off the reach.
+std::optional<std::vector<Box>> boxes_of(const formula::Program& program, const Values& values,
+                                         double operations) {
     constexpr int levels = 6, turns = 6;
-    Cover covering(program, region.bindings, operations);
+    Cover covering(program, values, operations);
     std::vector<Box> boxes = covering.of(everywhere, levels);
+    if (std::ranges::any_of(boxes, reaches_out)) {
+        if (covering.was_cut_short()) return std::nullopt;
+        return boxes;
+    }
     Box whole = everywhere;
     for (int turn = 1; turn < turns && !boxes.empty(); ++turn) {
         Box about = boxes.front();
@@ -118,18 +176,18 @@ double rounded_up(double radius) {
 
 } // namespace
 
-FoundBounds find_bounds(const formula::Field& field, std::span<const formula::Region> regions) {
-    const formula::Program program = formula::value_enclosure(field);
+std::optional<FoundBounds> find_bounds(const Scene& scene) {
+    const formula::Program program = formula::value_enclosure(*scene.surface.field);
+    const auto values = values_of_frames(scene);
+    if (!values) return std::nullopt;
     std::vector<Box> all;
-    for (const formula::Region& region : regions) {
-        const std::vector<Box> boxes =
-            cover(program, region, most_evaluated / double(regions.size()));
-        for (const Box& box : boxes) {
-            if (reaches_out(box)) return {};
-        }
-        all.insert(all.end(), boxes.begin(), boxes.end());
+    for (const Values& some : *values) {
+        const auto boxes = boxes_of(program, some, most_evaluated / double(values->size()));
+        if (!boxes) return std::nullopt;
+        if (std::ranges::any_of(*boxes, reaches_out)) return FoundBounds{};
+        all.insert(all.end(), boxes->begin(), boxes->end());
     }
-    if (all.empty()) return {};
+    if (all.empty()) return FoundBounds{};
     Box about = all.front();
     for (const Box& box : all) about = hull(about, box);
     FoundBounds found;

@@ -1,11 +1,11 @@
 // Bounds for a scene that gives none: a ball about the surface, found by intervals.
 #pragma once
 
-#include <span>
+#include <optional>
 
 #include <glm/glm.hpp>
 
-#include "formula/smoothness.h"
+#include "scene/scene.h"
 
 namespace isomotion::scene {
 
@@ -17,11 +17,11 @@ struct FoundBounds {
 
     glm::dvec3 centre{0};
     double radius = otherwise;
-    bool is_about_surface = false; // else it goes on beyond, or there may be none
+    bool is_about_surface = false; // at all frames; else it goes on beyond, or there may be none
 };
 
-// About the surface in all regions, whose boxes don't count. What their bindings leave out, the
-// ways of elements between frames, may lead out of it.
-FoundBounds find_bounds(const formula::Field& field, std::span<const formula::Region> regions);
+// Of a scene whose own bounds don't count. None if looking would take long: many elements or
+// frames.
+std::optional<FoundBounds> find_bounds(const Scene& scene);
 
 } // namespace isomotion::scene

@@ -207,7 +207,8 @@ struct Output {
 };
 
 struct Scene {
-    std::filesystem::path file;
+    std::filesystem::path file; // of a formula alone, one that is not there
+    std::string formula;        // if that is all the scene was loaded by
     std::string title;
     animation::Timeline timeline;
     Surface surface;
@@ -221,5 +222,8 @@ struct Scene {
     std::optional<Environment> environment;
     Output output;
 };
+
+// What loads the scene again, from any folder: its formula, or its file's whole path.
+std::string word_of(const Scene& scene);
 
 } // namespace isomotion::scene

@@ -45,11 +45,13 @@ std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<c
     const int count = counts[std::size_t(array)];
     const bool looks_at_all = scene.isolation.beam == false;
     const bool is_hermite = scene.isolation.method == scene::Method::hermite;
-    // Bounds over a box take all other arrays in each of its cells.
-    constexpr int most_of_others = 2000;
+    // Bounds over a box take all other arrays in each of its cells, of which a draw has
+    // MOST_ELEMENTS at most (field_text.cpp): proofs come to boxes of two cells, marches by bounds
+    // need some eight.
+    constexpr int most_of_others = 2000, most_by_bounds = 500;
     const int others = std::accumulate(counts.begin(), counts.end(), 0) - count;
-    const bool takes_boxes = scene.isolation.certify || goes_by_bounds(scene);
-    if (others > most_of_others && takes_boxes) return std::nullopt;
+    if (others > most_of_others && scene.isolation.certify) return std::nullopt;
+    if (others > most_by_bounds && goes_by_bounds(scene)) return std::nullopt;
     const int from = looks_at_all ? most_in_a_shader : is_hermite ? fewest : most_by_lists;
     if (count <= from || !formula::element_kernels(*scene.surface.field, array))
         return std::nullopt;

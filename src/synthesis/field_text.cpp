@@ -179,6 +179,7 @@ void define_grid_limits(ShaderText& text, const formula::Field& field, const Fie
         turns = std::max(turns, 1 + cost(field, {function}, others).iterations);
         loops = std::max(loops, cost(field, {function}, once).iterations);
     }
+    text.define("MOST_CELLS", most_cells_of_box);
     text.define("GRID_OTHERS", int(std::min(turns, 1e6)));
     text.define("MOST_ELEMENTS", int(0.075 * loop_iterations_per_pass / loops));
 }

@@ -7,4 +7,7 @@ namespace isomotion::synthesis {
 // what the march itself loops.
 inline constexpr double loop_iterations_per_pass = 60'000;
 
+// Cells of a grid of elements that a box may meet and have bounds.
+inline constexpr int most_cells_of_box = 12;
+
 } // namespace isomotion::synthesis

@@ -24,6 +24,21 @@ protected:
     }
 };
 
+// Processes of their own load it again by its words.
+TEST_F(Sequence, AFormulaIsRenderedAndSubmitted) {
+    const std::string formula = "x^2 + y^2 + z^2 = 1 + 0.3*sin(9*x + t)";
+    const Ending rendered = render({formula, "--frames", "1-3", "-o", "a.####.png"});
+    EXPECT_EQ(rendered.code, 0) << rendered;
+    write("formula.toml", "[surface]\nformula = \"x\"\n"); // is another scene
+    const Ending submitted = run({"submit", formula, "--frames", "1-3", "--size", "16x16",
+                                  "--workers", "2", "-o", "b.####.png"});
+    EXPECT_EQ(submitted.code, 0) << submitted;
+    EXPECT_TRUE(std::filesystem::exists(*this / "b.0003.png"));
+    EXPECT_NE(bytes("a.0001.png"), bytes("a.0003.png")) << "it moves";
+    const Ending shown = run({"show", formula});
+    EXPECT_THAT(shown.out, HasSubstr("which holds the surface at all frames"));
+}
+
 TEST_F(Sequence, MovieHasEveryFrame) {
     if (program("ffmpeg").empty()) GTEST_SKIP() << "ffmpeg is not installed";
     for (const std::string movie : {"m/a.mp4", "m/a.webm", "m/a.gif"}) {

@@ -8,8 +8,7 @@
 //     nothing and a heavier scene is answered at its second picture (the very first draw at once);
 //   * up only when the model promises room to spare, `patience` times in a row;
 //   * a rise that had to be taken back doubles the patience;
-//   * once settled, no change within two seconds of the one before, unless the cost has changed or
-//   a
+//   * once settled, no change within two seconds of the last, unless the cost has changed or a
 //     draw takes half as long again as it may.
 // Pure: the state is a value, the clock is the caller's. Leave out draws that compile.
 #pragma once

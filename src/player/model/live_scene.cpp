@@ -10,9 +10,18 @@ namespace isomotion::player {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+bool is_there(const std::string& file) {
+    std::error_code ignored;
+    return fs::exists(file, ignored);
+}
+
+} // namespace
+
 LiveScene::LiveScene(const std::string& scene, std::vector<scene::Override> overrides,
                      scene::Reach reach)
-    : scene_files_(files_named(fs::exists(scene) ? fs::path(scene) : scene::animation_file(scene)))
+    : scene_files_(files_named(is_there(scene) ? fs::path(scene) : scene::animation_file(scene)))
     , session(scene::load(scene, overrides, reach))
     , overrides_(std::move(overrides))
     , reach_(reach)
@@ -24,7 +33,8 @@ LiveScene::LiveScene(const std::string& scene, std::vector<scene::Override> over
 
 fs::path LiveScene::timeline_file() const {
     const fs::path cache = cache_folder();
-    if (overrides_.empty() || cache.empty()) return timeline_path(session.scene());
+    const bool has_file = session.scene().formula.empty();
+    if ((overrides_.empty() && has_file) || cache.empty()) return timeline_path(session.scene());
     return cache / "timelines" / (topology::fingerprint(session.scene()) + ".timeline.json");
 }
 
@@ -46,7 +56,7 @@ LiveScene::News LiveScene::look(double now) {
         // Also what the text names now: were it what makes the scene fail, it would mend it.
         scene_files_.watch(files_of(session.scene()));
         try {
-            session.reload(scene::load(file().string(), overrides_, reach_), now);
+            session.reload(scene::load(scene::word_of(session.scene()), overrides_, reach_), now);
             news.scene = true;
             scene_files_.watch(files_of(session.scene()));
             timeline_.watch({timeline_file()});

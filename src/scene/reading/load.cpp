@@ -388,11 +388,15 @@ Scene read_scene(toml::table root, const fs::path& file, const std::vector<Overr
     toml::table trial = root;
     put_bounds(trial, {glm::dvec3(0), FoundBounds::reach});
     const Scene boundless = read_document_scene(trial, file, within, true);
-    const SceneAt first = at(boundless, boundless.timeline.values(1));
-    const FoundBounds found = find_bounds(*boundless.surface.field, regions(boundless, first));
-    put_bounds(root, found);
+    const std::optional<FoundBounds> found = find_bounds(boundless);
+    if (!found) {
+        fail(*root["surface"].as_table(), "surface.bounds",
+             "is missing, and looking for the surface of so many elements or frames would take "
+             "long; give { sphere = radius } or { box = [[x0, y0, z0], [x1, y1, z1]] }");
+    }
+    put_bounds(root, *found);
     Scene scene = read_document_scene(root, file, within, false);
-    scene.surface.found_bounds = found.is_about_surface;
+    scene.surface.found_bounds = found->is_about_surface;
     return scene;
 }
 
@@ -415,8 +419,10 @@ toml::table scene_of_formula(const std::string& formula) {
 Scene load_formula(const std::string& formula, const std::vector<Override>& overrides,
                    Reach reach) {
     try {
-        return read_scene(scene_of_formula(formula), "formula.toml", overrides,
-                          confines(base::open_folder(fs::path()), reach));
+        Scene scene = read_scene(scene_of_formula(formula), "formula.toml", overrides,
+                                 confines(base::open_folder(fs::path()), reach));
+        scene.formula = formula;
+        return scene;
     } catch (const SceneError& error) {
         constexpr std::string_view place = "--set: surface.formula: ";
         const std::string_view words = error.what();
@@ -427,7 +433,8 @@ Scene load_formula(const std::string& formula, const std::vector<Override>& over
 
 bool is_there(const std::string& name) {
     std::error_code error;
-    return fs::status(name, error).type() != fs::file_type::not_found;
+    const fs::file_type type = fs::status(name, error).type();
+    return type != fs::file_type::not_found && type != fs::file_type::none; // too long for a file
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // Bounds of scenes that give none hold the surface and little else.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "scene/reading/load.h"
@@ -56,6 +57,63 @@ TEST(FoundBoundsOf, WhatMovesAreOfAllFrames) {
         EXPECT_GE(now.bounds.radius, glm::length(now.bounds.centre - glm::dvec3(x, 0, 0)) + 0.5);
         EXPECT_LE(now.bounds.radius, 6);
     }
+}
+
+// Faster than any few frames tell.
+TEST(FoundBoundsOf, WhatSwingsFastAreOfAllFrames) {
+    const Scene scene = load("(x - 2*sin(47*t))^2 + (y - 2*cos(31*t))^2 + z^2 = 0.25");
+    for (int frame = 1; frame <= 120; ++frame) {
+        const SceneAt now = at(scene, scene.timeline.values(frame));
+        const double t = (frame - 1) / 30.0;
+        const glm::dvec3 middle(2 * std::sin(47 * t), 2 * std::cos(31 * t), 0);
+        EXPECT_GE(now.bounds.radius, glm::length(now.bounds.centre - middle) + 0.5) << frame;
+    }
+}
+
+TEST(FoundBoundsOf, ElementsHoldThemOrAreTooMany) {
+    const auto scene = [](int count) {
+        return load_text(fmt::format(R"toml([surface]
+formula = "least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2) - 0.2)"
+[time]
+frames = 30
+fps = 30
+[arrays.p]
+count = {}
+cx = "2*sin(7*t + i)"
+cy = "2*random(i, 0) - 1"
+cz = "2*random(i, 1) - 1"
+)toml",
+                                     count),
+                         "scene.toml");
+    };
+    const Scene few = scene(20);
+    EXPECT_EQ(few.surface.found_bounds, std::optional(true));
+    for (int frame = 1; frame <= 30; ++frame) {
+        const SceneAt now = at(few, few.timeline.values(frame));
+        const auto& p = now.bindings.arrays[0];
+        for (std::size_t e = 0; e < 20; ++e) {
+            const glm::dvec3 middle(p.fields[0][e], p.fields[1][e], p.fields[2][e]);
+            EXPECT_GE(now.bounds.radius, glm::length(now.bounds.centre - middle) + 0.2) << frame;
+        }
+    }
+    try {
+        scene(100'000);
+        FAIL() << "no mistake";
+    } catch (const SceneError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("surface.bounds: is missing, and looking for"));
+    }
+}
+
+TEST(WordOf, LoadsTheSceneAgain) {
+    const Scene formula = load("x^2 + y^2 + z^2 = 1 + 0.1*sin(t)");
+    EXPECT_EQ(word_of(formula), "x^2 + y^2 + z^2 = 1 + 0.1*sin(t)");
+    EXPECT_EQ(load(word_of(formula)).title, formula.title);
+    // Longer than any file's name.
+    const std::string often = std::string("x^2") + std::string(600, ' ') + "+ y^2 + z^2 = 1";
+    EXPECT_EQ(word_of(load(often)), often);
+    const Scene file = load("torus");
+    EXPECT_TRUE(std::filesystem::path(word_of(file)).is_absolute());
+    EXPECT_EQ(load(word_of(file)).title, file.title);
 }
 
 TEST(FoundBoundsOf, AFormulaIsASceneWithParametersThatAreSet) {
