@@ -87,6 +87,12 @@ set(text "")
 # add_entry(<name> <suite> <filter> <labels> <environment> [property value ...])
 function(add_entry name suite filter labels environment)
   string(JOIN " " more ${ARGN})
+  # The limit ends what hangs. It leaves room for a machine with other work on it: the longest exhaustive
+  # entries take five minutes alone.
+  set(limit 600)
+  if(labels MATCHES "exhaustive")
+    set(limit 1800)
+  endif()
   if(suite IN_LIST UNCACHED)
     list(APPEND environment "MESA_SHADER_CACHE_DISABLE=true")
   else()
@@ -95,7 +101,7 @@ function(add_entry name suite filter labels environment)
   string(APPEND text
     "add_test([=[${name}]=] [=[${BINARY}]=] [=[--gtest_filter=${filter}]=])\n"
     "set_tests_properties([=[${name}]=] PROPERTIES WORKING_DIRECTORY [=[${FOLDER}]=]\n"
-    "  LABELS [=[${labels}]=] TIMEOUT 600 SKIP_RETURN_CODE 77 FIXTURES_REQUIRED shader_cache ${more}\n"
+    "  LABELS [=[${labels}]=] TIMEOUT ${limit} SKIP_RETURN_CODE 77 FIXTURES_REQUIRED shader_cache ${more}\n"
     "  ENVIRONMENT [=[${environment}]=]\n"
     "  ENVIRONMENT_MODIFICATION [=[LSAN_OPTIONS=set:suppressions=${LSAN}]=])\n")
   set(text "${text}" PARENT_SCOPE)

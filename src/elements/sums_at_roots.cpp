@@ -43,6 +43,7 @@ public:
     // By each of these multiples, together.
     std::vector<double> values(const glm::dvec3& p, std::span<const double> sums) {
         std::vector<std::vector<double>> inputs;
+        inputs.reserve(3 + units_.size());
         for (int k = 0; k < 3; ++k) inputs.emplace_back(sums.size(), p[k]);
         for (const Interval& unit : units_) {
             inputs.emplace_back();
