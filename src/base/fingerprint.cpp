@@ -1,5 +1,8 @@
 #include "base/fingerprint.h"
 
+#include <algorithm>
+#include <cstring>
+
 #include <fmt/format.h>
 
 namespace isomotion::base {
@@ -23,6 +26,16 @@ Fingerprint& Fingerprint::append(std::span<const std::byte> piece) {
 
 Fingerprint& Fingerprint::add(std::span<const std::byte> bytes) {
     return begin(bytes.size()).append(bytes);
+}
+
+Fingerprint& Fingerprint::add_words(std::span<const std::byte> bytes) {
+    begin(bytes.size());
+    for (; !bytes.empty(); bytes = bytes.subspan(std::min(bytes.size(), sizeof(std::uint64_t)))) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes.data(), std::min(bytes.size(), sizeof word));
+        hash_ = (hash_ ^ word) * prime;
+    }
+    return *this;
 }
 
 Fingerprint& Fingerprint::add(std::string_view text) {

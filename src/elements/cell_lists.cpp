@@ -1,6 +1,7 @@
 #include "elements/cell_lists.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -24,53 +25,78 @@ int CellLists::first_layer(std::size_t part) const {
     return int(part * std::size_t(grid_.across.z) / std::size_t(parts_));
 }
 
-// Calls found(element, cell, set, root) for all sets in ascending order that meet a cell, and with
-// `once` for the first set of an element alone.
-template<class Found>
-void CellLists::for_each_entry(std::size_t part, bool once, Found&& found) const {
-    const std::size_t layer = std::size_t(grid_.across.x) * std::size_t(grid_.across.y);
+// Calls at(set, y, z) for all sets in ascending order and all rows of their blocks in the part.
+template<class At> void CellLists::for_each_row(std::size_t part, At&& at) const {
     const int begin = first_layer(part), end = first_layer(part + 1);
-    std::vector<std::uint32_t> last(once && each_ > 1 ? layer * std::size_t(end - begin) : 0, ~0u);
-    Placing::Meeting meets(placing_);
-    for (std::size_t k = 0; k < sets_.size(); ++k) {
-        const auto element = std::uint32_t(k / each_);
+    for (std::size_t k = 0; k < blocks_.size(); ++k) {
         const auto& [low, high] = blocks_[k];
-        if (high.z < begin || low.z >= end) continue;
-        meets.take(sets_[k], blocks_[k]);
-        for (int z = std::max(low.z, begin); z <= std::min(high.z, end - 1); ++z) {
-            for (int y = low.y; y <= high.y; ++y) {
-                const std::size_t row =
-                    std::size_t(z * grid_.across.y + y) * std::size_t(grid_.across.x);
-                for (int x = low.x; x <= high.x; ++x) {
-                    const std::size_t cell = row + std::size_t(x);
-                    const double root = meets({x, y, z});
-                    if (root > 1) continue;
-                    if (!last.empty()) {
-                        std::uint32_t& seen = last[cell - std::size_t(begin) * layer];
-                        if (seen == element) continue;
-                        seen = element;
-                    }
-                    found(element, cell, int(k % each_), root);
-                }
-            }
-        }
+        for (int z = std::max(low.z, begin); z <= std::min(high.z, end - 1); ++z)
+            for (int y = low.y; y <= high.y; ++y) at(k, y, z);
     }
 }
 
+// Calls found(set, run, cell) for all rows in which a set meets cells, of which the run's first is
+// that cell of the grid.
+template<class Found>
+void CellLists::for_each_run(std::size_t part, std::span<const Run> runs, Found&& found) const {
+    auto next = runs.begin();
+    for_each_row(part, [&](std::size_t k, int y, int z) {
+        const Run run = *next++;
+        if (run.is_empty()) return;
+        const int cell = (z * grid_.across.y + y) * grid_.across.x + run.first;
+        found(k, run, std::size_t(cell));
+    });
+}
+
+// The runs of all rows of the part, in their order; and the sums.
+std::vector<CellLists::Run> CellLists::meet(std::size_t part, CellSums& sums) const {
+    std::vector<Run> runs;
+    Placing::Meeting meets(placing_);
+    std::size_t taken = sets_.size();
+    for_each_row(part, [&](std::size_t k, int y, int z) {
+        if (k != taken) meets.take(sets_[k], blocks_[k]);
+        taken = k;
+        const auto [first, last] = meets.row(y, z);
+        runs.push_back(first <= last ? Run{std::uint8_t(first), std::uint8_t(last)} : Run{});
+        if (first > last) return;
+        const int cell = (z * grid_.across.y + y) * grid_.across.x + first;
+        sums.add(std::uint32_t(k / each_), int(k % each_), meets.roots(first, last),
+                 std::size_t(cell));
+    });
+    return runs;
+}
+
+// Which cells an element was found in by one of its sets, in a part of the grid.
+class CellLists::Seen {
+public:
+    Seen(const CellLists& of, std::size_t part) {
+        if (of.each_ == 1) return;
+        const std::size_t layer = std::size_t(of.grid_.across.x) * std::size_t(of.grid_.across.y);
+        begin_ = std::size_t(of.first_layer(part)) * layer;
+        last_.assign(std::size_t(of.first_layer(part + 1)) * layer - begin_, ~0u);
+    }
+    bool is_first(std::uint32_t element, std::size_t cell) {
+        if (last_.empty()) return true;
+        return std::exchange(last_[cell - begin_], element) != element;
+    }
+
+private:
+    std::size_t begin_ = 0;
+    std::vector<std::uint32_t> last_; // element of each cell; empty where elements have one set
+};
+
 void CellLists::fill(CellSums& sums) {
     const base::SharedLoop over_parts{std::size_t(parts_), threads_};
+    std::vector<std::vector<Run>> runs(over_parts.count);
     base::share(over_parts, [&] {
         return [&](std::size_t part) {
-            for_each_entry(part, true,
-                           [&](std::uint32_t element, std::size_t cell, int set, double root) {
-                               ++grid_.cells[cell].packed;
-                               if (each_ == 1) sums.add(element, set, root, cell);
-                           });
-            if (each_ == 1) return;
-            for_each_entry(part, false,
-                           [&](std::uint32_t element, std::size_t cell, int set, double root) {
-                               sums.add(element, set, root, cell);
-                           });
+            runs[part] = meet(part, sums);
+            Seen seen(*this, part);
+            for_each_run(part, runs[part], [&](std::size_t k, Run run, std::size_t cell) {
+                const auto element = std::uint32_t(k / each_);
+                for (const std::size_t end = cell + run.cells(); cell < end; ++cell)
+                    grid_.cells[cell].packed += seen.is_first(element, cell) ? 1 : 0;
+            });
         };
     });
     std::uint32_t begin = 0;
@@ -89,8 +115,12 @@ void CellLists::fill(CellSums& sums) {
     for (const Cell& cell : grid_.cells) next.push_back(cell.first);
     base::share(over_parts, [&] {
         return [&](std::size_t part) {
-            for_each_entry(part, true, [&](std::uint32_t element, std::size_t cell, int, double) {
-                grid_.listed[next[cell]++] = element;
+            Seen seen(*this, part);
+            for_each_run(part, runs[part], [&](std::size_t k, Run run, std::size_t cell) {
+                const auto element = std::uint32_t(k / each_);
+                for (const std::size_t end = cell + run.cells(); cell < end; ++cell) {
+                    if (seen.is_first(element, cell)) grid_.listed[next[cell]++] = element;
+                }
             });
         };
     });

@@ -23,16 +23,19 @@ public:
 
     bool is_least() const { return root_free_.at_least.has_value(); }
 
-    // An element's set of quadric k, whose form's root is at least that in the cell.
-    void add(std::uint32_t element, int k, double root, std::size_t cell) {
+    // An element's set of quadric k, whose form's roots are at least those in a run of cells.
+    void add(std::uint32_t element, int k, std::span<const double> roots, std::size_t first) {
         constexpr int shells = ElementTerms::shells;
         for (std::size_t sum = 0; sum < sums_; ++sum) {
             if (root_free_.quadric_of[sum] != k) continue;
-            const int shell = std::min(int(root * shells), shells - 1);
-            const float size =
-                root_free_.sizes[(element * sums_ + sum) * shells + std::size_t(shell)];
-            float& bound = bounds_[cell * sums_ + sum];
-            bound = is_least() ? std::min(bound, size) : bound + size;
+            const std::span<const float> sizes =
+                root_free_.sizes.subspan((element * sums_ + sum) * shells, shells);
+            float* bound = &bounds_[first * sums_ + sum];
+            for (const double root : roots) {
+                const float size = sizes[std::size_t(std::min(int(root * shells), shells - 1))];
+                *bound = is_least() ? std::min(*bound, size) : *bound + size;
+                bound += sums_;
+            }
         }
     }
     bool are_free(std::size_t cell, std::uint32_t elements) const {
@@ -75,7 +78,19 @@ public:
     void fill(CellSums& sums);
 
 private:
-    template<class Found> void for_each_entry(std::size_t part, bool once, Found&& found) const;
+    class Seen;
+    // The cells of a row that a set meets, both ends included.
+    struct Run {
+        std::uint8_t first = 1, last = 0;
+        bool is_empty() const { return first > last; }
+        std::size_t cells() const { return std::size_t(last - first + 1); }
+    };
+    static_assert(GridLimits::most_across <= 256);
+
+    template<class At> void for_each_row(std::size_t part, At&& at) const;
+    template<class Found>
+    void for_each_run(std::size_t part, std::span<const Run> runs, Found&& found) const;
+    std::vector<Run> meet(std::size_t part, CellSums& sums) const;
     int first_layer(std::size_t part) const;
 
     ElementGrid& grid_;

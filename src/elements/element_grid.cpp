@@ -18,7 +18,8 @@ constexpr double cells_an_element = 8, fewest_cells = 32 * 32 * 32;
 // Along an axis on which nothing depends one cell is enough.
 glm::ivec3 cells_of(const Region& region, double side, int most, const glm::bvec3& is_flat) {
     const glm::dvec3 wanted = glm::ceil((region.high - region.low) / side);
-    const glm::ivec3 cells(glm::clamp(wanted, glm::dvec3(1), glm::dvec3(most)));
+    const glm::ivec3 cells(
+        glm::clamp(wanted, glm::dvec3(1), glm::dvec3(std::min(most, GridLimits::most_across))));
     return glm::mix(cells, glm::ivec3(1), is_flat);
 }
 
@@ -76,8 +77,8 @@ ElementGrid make_grid(const Region& region, std::span<const LevelSet> sets, int 
     const glm::bvec3 is_flat = flat_axes(sets);
     ElementGrid grid;
     grid.low = region.low;
-    grid.across =
-        fitting(region, sets, std::max(fewest_cells, cells_an_element * double(elements)), is_flat, limits);
+    grid.across = fitting(region, sets, std::max(fewest_cells, cells_an_element * double(elements)),
+                          is_flat, limits);
     grid.cell = Placing(region, grid.across).cell();
     const glm::dvec3 across(grid.across);
     grid.cells.resize(std::size_t(across.x * across.y * across.z));

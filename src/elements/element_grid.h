@@ -67,7 +67,8 @@ struct ElementGrid {
 
 struct GridLimits {
     std::size_t listed = 1 << 24; // entries of all lists
-    int across = 160;             // cells
+    static constexpr int most_across = 256;
+    int across = 160; // cells, at most most_across
     int threads = 1;
 };
 

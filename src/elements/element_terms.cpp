@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/workers.h"
+
 namespace isomotion::elements {
 namespace {
 
@@ -154,24 +156,15 @@ private:
 };
 
 ElementTerms::ElementTerms(const formula::ElementKernels& kernels,
-                           const formula::Bindings<float>& bindings, const Region& region)
+                           const formula::Bindings<float>& bindings, const Region& region,
+                           int threads)
     : kernels_(kernels)
     , bindings_(bindings)
     , region_(region)
     , count_(bindings.arrays[std::size_t(kernels.array)].count) {
     parameters_.parameters.assign(bindings.parameters.begin(), bindings.parameters.end());
     parameters_.seed = bindings.seed;
-    read_quadrics();
-    for (int k = 0; k < quadrics() && count_ > 0; ++k) {
-        Quadric all = quadric(0, k);
-        for (int e = 1; e < count_; ++e) all = hull(all, quadric(e, k));
-        hulls_.push_back(all);
-    }
-    for (std::size_t f = 0; f < kernels_.fields.size() && count_ > 0; ++f) {
-        Interval range{double(column(f)[0])};
-        for (const float value : column(f)) range = formula::hull(range, Interval(double(value)));
-        field_ranges_.push_back(range);
-    }
+    read_quadrics(threads);
     alike_ = count_ > 0 && has_equal_terms();
 }
 
@@ -185,7 +178,7 @@ std::span<const float> ElementTerms::column(std::size_t input) const {
 }
 
 bool ElementTerms::has_equal_terms() const {
-    for (const Quadric& q : hulls_) {
+    for (const Quadric& q : ranges_.hulls) {
         if (!q.is_definite) return false;
     }
     for (const formula::Instruction& now : kernels_.terms.instructions) {
@@ -198,32 +191,80 @@ bool ElementTerms::has_equal_terms() const {
     return true;
 }
 
-void ElementTerms::read_quadrics() {
-    formula::Bindings<double> values;
-    values.parameters.assign(bindings_.parameters.begin(), bindings_.parameters.end());
-    values.seed = bindings_.seed;
-    formula::Evaluator<double> evaluator(kernels_.coefficients);
-    const auto elements = std::size_t(count_);
-    std::vector<std::vector<double>> inputs;
-    for (std::size_t f = 0; f < kernels_.fields.size(); ++f) {
-        const auto numbers = column(f);
-        inputs.emplace_back(numbers.begin(), numbers.end());
+// Of some elements, one after the other, as many at a time as fit into a processor's cache.
+class ElementTerms::Reader {
+public:
+    explicit Reader(ElementTerms& to)
+        : to_(to)
+        , evaluator_(to.kernels_.coefficients)
+        // A program that reads no field has points all the same.
+        , inputs_(std::max(to.kernels_.fields.size(), std::size_t(1)))
+        , outputs_(each * std::size_t(to.quadrics())) {
+        values_.parameters.assign(to.bindings_.parameters.begin(), to.bindings_.parameters.end());
+        values_.seed = to.bindings_.seed;
     }
-    // A program that reads no field has points all the same.
-    if (inputs.empty()) inputs.emplace_back(elements, 0.0);
-    const std::vector<std::span<const double>> from(inputs.begin(), inputs.end());
-    constexpr std::size_t each = formula::ElementKernels::coefficients_each;
-    const auto kinds = std::size_t(kernels_.quadrics);
-    std::vector<std::vector<double>> outputs(each * kinds, std::vector<double>(elements));
-    const std::vector<std::span<double>> to(outputs.begin(), outputs.end());
-    evaluator.points(values, from, to);
-    quadrics_.reserve(elements * kinds);
-    for (std::size_t e = 0; e < elements; ++e) {
-        for (std::size_t k = 0; k < kinds; ++k) {
-            std::array<double, each> q{};
-            for (std::size_t c = 0; c < each; ++c) q[c] = outputs[k * each + c][e];
-            quadrics_.push_back(Quadric::from(q, region_));
+
+    // Their quadrics; and the ranges of these and of their fields.
+    Ranges read(std::size_t first, std::size_t count) {
+        Ranges ranges;
+        for (auto& input : inputs_) input.assign(count, 0.0);
+        for (std::size_t f = 0; f < to_.kernels_.fields.size(); ++f) {
+            const auto column = to_.column(f).subspan(first, count);
+            std::ranges::copy(column, inputs_[f].begin());
+            Interval range{double(column[0])};
+            for (const float value : column) range = formula::hull(range, Interval(double(value)));
+            ranges.fields.push_back(range);
         }
+        for (auto& output : outputs_) output.resize(count);
+        const std::vector<std::span<const double>> from(inputs_.begin(), inputs_.end());
+        const std::vector<std::span<double>> to(outputs_.begin(), outputs_.end());
+        evaluator_.points(values_, from, to);
+        const auto kinds = std::size_t(to_.quadrics());
+        for (std::size_t e = 0; e < count; ++e) {
+            for (std::size_t k = 0; k < kinds; ++k) {
+                std::array<double, each> q{};
+                for (std::size_t c = 0; c < each; ++c) q[c] = outputs_[k * each + c][e];
+                const Quadric read = Quadric::from(q, to_.region_);
+                to_.quadrics_[(first + e) * kinds + k] = read;
+                if (e == 0) {
+                    ranges.hulls.push_back(read);
+                } else {
+                    ranges.hulls[k] = hull(ranges.hulls[k], read);
+                }
+            }
+        }
+        return ranges;
+    }
+
+private:
+    static constexpr std::size_t each = formula::ElementKernels::coefficients_each;
+
+    ElementTerms& to_;
+    formula::Evaluator<double> evaluator_;
+    formula::Bindings<double> values_;
+    std::vector<std::vector<double>> inputs_, outputs_;
+};
+
+void ElementTerms::read_quadrics(int threads) {
+    constexpr std::size_t together = 1024;
+    const auto elements = std::size_t(count_);
+    quadrics_.resize(elements * std::size_t(quadrics()));
+    std::vector<Ranges> of_turns((elements + together - 1) / together);
+    base::share({of_turns.size(), threads}, [&] {
+        return [&, reader = Reader(*this)](std::size_t turn) mutable {
+            const std::size_t first = turn * together;
+            of_turns[turn] = reader.read(first, std::min(together, elements - first));
+        };
+    });
+    for (const Ranges& part : of_turns) {
+        if (&part == of_turns.data()) {
+            ranges_ = part;
+            continue;
+        }
+        for (std::size_t k = 0; k < part.hulls.size(); ++k)
+            ranges_.hulls[k] = hull(ranges_.hulls[k], part.hulls[k]);
+        for (std::size_t f = 0; f < part.fields.size(); ++f)
+            ranges_.fields[f] = formula::hull(ranges_.fields[f], part.fields[f]);
     }
 }
 
@@ -245,7 +286,7 @@ void ElementTerms::level_sets(std::span<const double> tolerance, int first, int 
         // value of any.
         lanes.set_elements(first, 1);
         std::vector<const Quadric*> all;
-        for (const Quadric& hull : hulls_) all.push_back(&hull);
+        for (const Quadric& hull : ranges_.hulls) all.push_back(&hull);
         for (int k = 0; k < quadrics(); ++k) {
             const double level = lanes.levels(all, k, tolerance)[0];
             for (int e = first; e < last; ++e) set(e, k, level);
@@ -291,7 +332,8 @@ void ElementTerms::sizes(std::span<const LevelSet> sets, int first, int last,
                 for (int l = 0; l < count; ++l) {
                     for (int j = 0; j < kinds; ++j) {
                         // The ranges of all hold for each.
-                        const Quadric& q = alike_ ? hulls_[std::size_t(j)] : quadric(begin + l, j);
+                        const Quadric& q =
+                            alike_ ? ranges_.hulls[std::size_t(j)] : quadric(begin + l, j);
                         const LevelSet& set = sets[std::size_t((begin + l - first) * kinds + j)];
                         lanes.set_quadric(j, l, j == k ? beyond(q, set, shell) : whole_range(q));
                     }
@@ -317,14 +359,15 @@ Interval ElementTerms::bounds(int sum, double distance) const {
     if (count_ == 0) return 0.0;
     Lanes lanes(*this);
     for (int k = 0; k < quadrics(); ++k) {
-        const Quadric& all = hulls_[std::size_t(k)];
+        const Quadric& all = ranges_.hulls[std::size_t(k)];
         if (!all.is_definite) return Interval::entire();
         const bool is_own = kernels_.quadric_of[std::size_t(sum)] == k;
         const double least =
             is_own ? std::min(all.least + all.flattest * distance * distance, all.most) : all.least;
         lanes.set_quadric(k, 0, oriented(all, least, all.most));
     }
-    for (std::size_t f = 0; f < field_ranges_.size(); ++f) lanes.set_field(f, 0, field_ranges_[f]);
+    for (std::size_t f = 0; f < ranges_.fields.size(); ++f)
+        lanes.set_field(f, 0, ranges_.fields[f]);
     lanes.run(1);
     return lanes.term(sum, 0);
 }

@@ -13,9 +13,9 @@ using formula::Interval;
 
 class ElementTerms {
 public:
-    // `kernels` and `bindings` outlive it.
+    // `kernels` and `bindings` outlive it. Equal for any number of threads.
     ElementTerms(const formula::ElementKernels& kernels, const formula::Bindings<float>& bindings,
-                 const Region& region);
+                 const Region& region, int threads = 1);
 
     int count() const { return count_; }
     bool is_least() const { return kernels_.is_least; }
@@ -44,10 +44,16 @@ public:
 
 private:
     class Lanes;
+    class Reader;
+    // Of many elements together.
+    struct Ranges {
+        std::vector<Quadric> hulls;   // of each quadric
+        std::vector<Interval> fields; // in the order of the kernels' fields
+    };
     bool keeps(const Interval& term, double tolerance) const;
 
     float size_of(const Interval& term) const;
-    void read_quadrics();
+    void read_quadrics(int threads);
     bool has_equal_terms() const;
     std::span<const float> column(std::size_t input) const;
 
@@ -56,8 +62,7 @@ private:
     Region region_;
     int count_ = 0;
     std::vector<Quadric> quadrics_;
-    std::vector<Quadric> hulls_;         // the ranges of all elements' together, for each quadric
-    std::vector<Interval> field_ranges_; // of all elements, in the order of the kernels' fields
+    Ranges ranges_; // of all elements
     formula::Bindings<Interval> parameters_;
     bool alike_ = false; // all elements have the same terms of their quadrics
 };

@@ -24,7 +24,8 @@ std::vector<std::uint32_t> distances(const glm::ivec3& across, const std::vector
     };
     const auto lower = [&](int x, int y, int z, int sign) {
         std::uint32_t& here = steps[index(x, y, z)];
-        if (here == 0) return;
+        // Nothing is lower beside a neighbour that is 0.
+        if (here <= 1) return;
         std::uint32_t least = far;
         // The 13 neighbours that come before, or after.
         for (int dy = -1; dy <= 1; ++dy) {
@@ -45,12 +46,20 @@ std::vector<std::uint32_t> distances(const glm::ivec3& across, const std::vector
 }
 
 // Tells each cell how far around it there is no root, and each empty one how far it is empty.
-void measure(ElementGrid& grid, const std::vector<bool>& is_free) {
+void measure(ElementGrid& grid, const std::vector<bool>& is_free, int threads) {
     std::vector<bool> is_empty(grid.cells.size());
     for (std::size_t k = 0; k < is_empty.size(); ++k) is_empty[k] = grid.cells[k].packed == 0;
-    const std::vector<std::uint32_t> empty = distances(grid.across, is_empty);
-    const std::vector<std::uint32_t> free =
-        is_free == is_empty ? empty : distances(grid.across, is_free);
+    std::vector<std::uint32_t> empty, free;
+    const bool is_same = is_free == is_empty;
+    base::share({is_same ? 1u : 2u, threads}, [&] {
+        return [&](std::size_t turn) {
+            if (turn == 0)
+                empty = distances(grid.across, is_empty);
+            else
+                free = distances(grid.across, is_free);
+        };
+    });
+    if (is_same) free = empty;
     for (std::size_t k = 0; k < grid.cells.size(); ++k) {
         if (is_empty[k]) grid.cells[k].first = empty[k] - 1;
         grid.cells[k].packed |= free[k] << Cell::count_bits;
@@ -169,7 +178,7 @@ void find_free_cells(ElementGrid& grid, const Region& region, const CellSums& su
                 };
         });
     }
-    measure(grid, {is_free.begin(), is_free.end()});
+    measure(grid, {is_free.begin(), is_free.end()}, limits.threads);
 }
 
 } // namespace isomotion::elements

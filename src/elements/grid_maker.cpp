@@ -122,58 +122,73 @@ float GridMaker::least_left_out(const ElementTerms& terms, const formula::Bindin
                     none);
 }
 
-ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Region& region,
-                            const GridLimits& limits) const {
-    const ElementTerms terms(kernels_, bindings, region);
-    const std::vector<Interval> units = units_of(terms);
-    RootFree root_free{.quadric_of = kernels_.quadric_of};
-    Tolerances left_out;
+// What sums, or the least key, tell of roots; left_out as of all terms.
+RootFree GridMaker::root_free(const ElementTerms& terms, const formula::Bindings<float>& bindings,
+                              const Region& region, Tolerances& left_out) const {
+    RootFree free{.quadric_of = kernels_.quadric_of};
     if (terms.is_least()) {
-        root_free.at_most = {0};
-        root_free.at_least = formula::infinity;
-        root_free.least = least_left_out(terms, bindings, region, root_free);
-        left_out = {{double(root_free.least)}, {0}};
-        root_free.left_out = {Interval(0.0)};
+        free.at_most = {0};
+        free.at_least = formula::infinity;
+        free.least = least_left_out(terms, bindings, region, free);
+        left_out = {{double(free.least)}, {0}};
+        free.left_out = {Interval(0.0)};
     } else {
-        root_free.at_most = times(units, [&] { return roots_.least(bindings, region, units); });
+        const std::vector<Interval> units = units_of(terms);
+        free.at_most = times(units, [&] { return roots_.least(bindings, region, units); });
         // How large sums are where little is left out of them.
-        std::vector<double> at_roots = root_free.at_most;
+        std::vector<double> at_roots = free.at_most;
         if (std::ranges::all_of(at_roots, [](double size) { return size == 0; }))
             at_roots = times(units, [&] { return roots_.sensitivity(bindings, region, units); });
         left_out = choose(terms, std::move(at_roots), region);
         for (std::size_t k = 0; k < units.size(); ++k) {
-            root_free.signs.emplace_back(units[k].lo < 0 ? -1.0 : 0.0, 1.0);
-            root_free.left_out.push_back(root_free.signs[k] * Interval(0.0, left_out.of_sum[k]));
+            free.signs.emplace_back(units[k].lo < 0 ? -1.0 : 0.0, 1.0);
+            free.left_out.push_back(free.signs[k] * Interval(0.0, left_out.of_sum[k]));
         }
-        root_free.is_emptiness = roots_.exclude(bindings, region, root_free.left_out);
+        free.is_emptiness = roots_.exclude(bindings, region, free.left_out);
     }
-    const auto each = std::size_t(terms.quadrics()), sums = std::size_t(terms.sums());
-    std::vector<LevelSet> sets(std::size_t(terms.count()) * each);
-    std::vector<float> sizes(std::size_t(terms.count()) * sums * ElementTerms::shells);
-    const std::size_t turns = (std::size_t(terms.count()) + together - 1) / together;
-    base::share({turns, limits.threads}, [&] {
+    for (std::size_t k = 0; k < left_out.of_sum.size(); ++k) free.at_most[k] -= left_out.of_sum[k];
+    if (roots_.depend_on_place()) {
+        free.roots = &roots_;
+        free.bindings = &bindings;
+    }
+    return free;
+}
+
+// The elements' terms are gone when their lists are made.
+GridMaker::Measured GridMaker::measure(const formula::Bindings<float>& bindings,
+                                       const Region& region, int threads) const {
+    const ElementTerms terms(kernels_, bindings, region, threads);
+    Measured found;
+    found.root_free = root_free(terms, bindings, region, found.left_out);
+    const std::size_t each = std::size_t(terms.quadrics()),
+                      of_sizes = std::size_t(terms.sums()) * ElementTerms::shells,
+                      elements = std::size_t(terms.count());
+    found.sets.resize(elements * each);
+    found.sizes.resize(elements * of_sizes);
+    const std::size_t turns = (elements + together - 1) / together;
+    base::share({turns, threads}, [&] {
         return [&](std::size_t turn) {
             const std::size_t first = turn * together;
-            const std::size_t count =
-                std::min(std::size_t(together), std::size_t(terms.count()) - first);
-            const auto own = std::span(sets).subspan(first * each, count * each);
+            const std::size_t count = std::min(std::size_t(together), elements - first);
+            const auto own = std::span(found.sets).subspan(first * each, count * each);
             const int begin = int(first), end = int(first + count);
-            terms.level_sets(left_out.of_term, begin, end, own);
-            constexpr std::size_t shells = ElementTerms::shells;
+            terms.level_sets(found.left_out.of_term, begin, end, own);
             terms.sizes(own, begin, end,
-                        std::span(sizes).subspan(first * sums * shells, count * sums * shells));
+                        std::span(found.sizes).subspan(first * of_sizes, count * of_sizes));
         };
     });
-    root_free.sizes = sizes;
-    for (std::size_t k = 0; k < sums; ++k) root_free.at_most[k] -= left_out.of_sum[k];
-    if (roots_.depend_on_place()) {
-        root_free.roots = &roots_;
-        root_free.bindings = &bindings;
-    }
-    ElementGrid grid = make_grid(region, sets, terms.quadrics(), root_free, limits);
+    found.root_free.sizes = found.sizes;
+    return found;
+}
+
+ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Region& region,
+                            const GridLimits& limits) const {
+    const Measured measured = measure(bindings, region, limits.threads);
+    ElementGrid grid =
+        make_grid(region, measured.sets, kernels_.quadrics, measured.root_free, limits);
     grid.array = array();
-    grid.left_out = left_out.of_sum;
-    if (terms.is_least()) grid.least = root_free.least;
+    grid.left_out = measured.left_out.of_sum;
+    if (kernels_.is_least) grid.least = measured.root_free.least;
     return grid;
 }
 

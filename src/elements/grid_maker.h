@@ -29,6 +29,17 @@ public:
 private:
     GridMaker(const formula::Field& field, formula::ElementKernels kernels);
 
+    // Where each element matters, and what that tells of roots.
+    struct Measured {
+        RootFree root_free;
+        Tolerances left_out;
+        std::vector<LevelSet> sets; // all of the first element, then of the next
+        std::vector<float> sizes;   // ElementTerms::sizes(), which root_free reads
+    };
+    Measured measure(const formula::Bindings<float>& bindings, const Region& region,
+                     int threads) const;
+    RootFree root_free(const ElementTerms& terms, const formula::Bindings<float>& bindings,
+                       const Region& region, Tolerances& left_out) const;
     // How large keys are that need not be known, and what that tells of roots.
     float least_left_out(const ElementTerms& terms, const formula::Bindings<float>& bindings,
                          const Region& region, RootFree& root_free) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -49,13 +50,14 @@ public:
         for (int k = 0; k < 3; ++k) {
             // Places outside of the grid belong to its outermost cells.
             const double end = across_[k] - 1;
-            cells.first[k] = int(std::clamp(std::floor(least[k] / cell_[k]), 0.0, end));
-            cells.last[k] = int(std::clamp(std::floor(most[k] / cell_[k]), 0.0, end));
+            cells.first[k] = int(std::clamp(least[k] / cell_[k], 0.0, end));
+            cells.last[k] = int(std::clamp(most[k] / cell_[k], 0.0, end));
         }
         return cells;
     }
 
-    // How near a level set comes to the cells of its block.
+    // How near a level set comes to the cells of its block, row by row along x. Sets are convex:
+    // the cells of a row that one meets are a run.
     class Meeting {
     public:
         explicit Meeting(const Placing& of)
@@ -63,49 +65,74 @@ public:
 
         void take(const LevelSet& set, const Block& block) {
             set_ = &set;
-            first_ = block.first;
+            block_ = block;
             if (set.kind != LevelSet::Kind::bounded) return;
             if (set.is_round) {
-                for (int k = 0; k < 3; ++k) take_axis(k, block);
+                for (int k = 0; k < 3; ++k) take_axis(k);
             } else {
                 take_diagonal();
             }
         }
 
-        // The least root of the form in the cell; 2 if the set does not meet it.
-        double operator()(const glm::ivec3& place) const {
-            if (set_->kind == LevelSet::Kind::unbounded) return 0;
-            constexpr double none = 2;
+        // The first and the last cell that the set meets of a row of its block; none if the last is
+        // less.
+        std::pair<int, int> row(int y, int z) {
+            int first = block_.first.x, last = block_.last.x;
+            if (set_->kind == LevelSet::Kind::unbounded) return {first, last};
+            double farthest = 1;
             if (set_->is_round) {
-                const glm::ivec3 at = place - first_;
-                const double square = squares_[0][std::size_t(at.x)] +
-                                      squares_[1][std::size_t(at.y)] +
-                                      squares_[2][std::size_t(at.z)];
-                return square > 1 ? none : std::sqrt(square);
+                row_ = squares_[1][std::size_t(y - block_.first.y)] +
+                       squares_[2][std::size_t(z - block_.first.z)];
+            } else {
+                farthest = farthest_;
+                take_row(y, z);
+                // The outermost cells hold all that is beyond them.
+                if (is_end(1, y) || is_end(2, z)) return {first, last};
             }
-            // The form's root is a norm: no place of the cell is nearer than its middle by more
-            // than half of the cell's diagonal.
-            const glm::dvec3 off = of_.low_ + (glm::dvec3(place) + 0.5) * of_.cell_ - set_->centre;
-            const double square = glm::dot(off, set_->form * off);
-            if (square <= farthest_)
-                return std::max(std::sqrt(std::max(square, 0.0)) - half_cell_, 0.0);
-            // The outermost cells hold all that is beyond them.
-            return is_on_border(place) ? 1 : none;
+            if (row_ > farthest && set_->is_round) return {0, -1};
+            const bool keeps_first = !set_->is_round && is_end(0, first);
+            const bool keeps_last = !set_->is_round && is_end(0, last);
+            while (!keeps_first && first <= last && square(first) > farthest) ++first;
+            while (!keeps_last && first <= last && square(last) > farthest) --last;
+            return {first, last};
+        }
+
+        // The least roots of the form in these cells of the row that was asked for last.
+        std::span<const double> roots(int first, int last) {
+            roots_.assign(std::size_t(last - first + 1), 0);
+            if (set_->kind == LevelSet::Kind::unbounded) return roots_;
+            for (int x = first; x <= last; ++x) roots_[std::size_t(x - first)] = square(x);
+            // The form's root is a norm: no place of a cell is nearer than its middle by more than
+            // half of the cell's diagonal.
+            const double half_cell = set_->is_round ? 0 : half_cell_;
+            for (double& root : roots_)
+                root = std::max(std::sqrt(std::max(0.0, root)) - half_cell, 0.0);
+            return roots_;
         }
 
     private:
+        // The form at the cell's nearest place, of round sets; of others at its middle.
+        double square(int x) const {
+            if (set_->is_round) return row_ + squares_[0][std::size_t(x - block_.first.x)];
+            const double off = middle(0, x);
+            return row_ + off * (slope_ + set_->form.xx * off);
+        }
+        double middle(int k, int place) const {
+            return of_.low_[k] + (place + 0.5) * of_.cell_[k] - set_->centre[k];
+        }
         // The square of the part along one axis, of each of the block's cells.
-        void take_axis(int k, const Block& block) {
+        void take_axis(int k) {
             std::vector<double>& squares = squares_[std::size_t(k)];
             squares.clear();
             const double half_cell = 0.5 * of_.cell_[k] + of_.slack_[k];
-            for (int place = block.first[k]; place <= block.last[k]; ++place) {
-                const double off = of_.low_[k] + (place + 0.5) * of_.cell_[k] - set_->centre[k];
+            const double scale = 1 / (set_->half[k] * set_->half[k]);
+            for (int place = block_.first[k]; place <= block_.last[k]; ++place) {
+                const double off = middle(k, place);
                 // From the centre to the cell. The outermost cells hold all that is beyond them.
                 const double below = place == 0 ? 0 : off - half_cell;
                 const double above = place + 1 == of_.across_[k] ? 0 : -off - half_cell;
                 const double near = std::max({below, above, 0.0});
-                squares.push_back(near * near / (set_->half[k] * set_->half[k]));
+                squares.push_back(near * near * scale);
             }
         }
         void take_diagonal() {
@@ -119,17 +146,23 @@ public:
             half_cell_ = std::sqrt(half_cell_);
             farthest_ = (1 + half_cell_) * (1 + half_cell_);
         }
-        bool is_on_border(const glm::ivec3& place) const {
-            return glm::any(glm::equal(place, glm::ivec3(0))) ||
-                   glm::any(glm::equal(place, of_.across_ - 1));
+        void take_row(int y, int z) {
+            const Symmetric& form = set_->form;
+            const double v = middle(1, y), w = middle(2, z);
+            row_ = v * (form.yy * v + 2 * form.yz * w) + form.zz * w * w;
+            slope_ = 2 * (form.xy * v + form.xz * w);
         }
+        bool is_end(int k, int place) const { return place == 0 || place + 1 == of_.across_[k]; }
 
         const Placing& of_;
         const LevelSet* set_ = nullptr;
-        glm::ivec3 first_{0};
-        std::array<std::vector<double>, 3> squares_;
-        double half_cell_ = 0; // of others, in the form's norm
+        Block block_;
+        std::array<std::vector<double>, 3> squares_; // of round sets
+        double row_ = 0;                             // the row's part of the square
+        double slope_ = 0;                           // of others, what x adds
+        double half_cell_ = 0;                       // in the form's norm
         double farthest_ = 0;
+        std::vector<double> roots_;
     };
 
 private:

@@ -23,8 +23,8 @@ void add(base::Fingerprint& print, const FieldInputs& field) {
     print.add(parameters);
     for (const auto& texels : arrays) print.add_values(std::span<const glm::vec4>(texels));
     if (!grid) return;
-    print.add_values(std::span<const elements::Cell>(grid->cells));
-    print.add_values(std::span<const std::uint32_t>(grid->listed));
+    print.add_words(std::as_bytes(std::span(grid->cells)));
+    print.add_words(std::as_bytes(std::span(grid->listed)));
 }
 
 void add(base::Fingerprint& print, const ViewInputs& view) {
