@@ -302,6 +302,12 @@ formula::ArrayColumns<double> Animation::columns(std::size_t a, const Values& va
     return columns;
 }
 
+std::vector<int> Animation::counts() const {
+    std::vector<int> counts;
+    for (const Array& array : arrays_) counts.push_back(array.count);
+    return counts;
+}
+
 double Animation::operations() const {
     double total = double(tracks_.size());
     for (const std::optional<Compiled>& track : compiled_) {

@@ -85,6 +85,7 @@ public:
 
     const std::vector<Track>& tracks() const { return tracks_; }
     const std::vector<Array>& arrays() const { return arrays_; }
+    std::vector<int> counts() const;             // elements of each array
     std::uint64_t seed() const { return seed_; } // of random(i, k)
     // How many of the tracks, the first ones, have names that expressions may use.
     std::size_t nameable() const { return nameable_; }

@@ -95,8 +95,7 @@ Auditor::Auditor(const scene::Scene& scene)
     , field_(scene) {}
 
 double Auditor::operations_at_a_point() const {
-    std::vector<int> counts;
-    for (const auto& array : scene_.timeline.animation.arrays()) counts.push_back(array.count);
+    std::vector<int> counts = scene_.timeline.animation.counts();
     if (const auto by_place = elements::FieldByPlace::of(*scene_.surface.field, counts)) {
         int& count = counts[std::size_t(by_place->array())];
         count = std::min(count, usual_list);

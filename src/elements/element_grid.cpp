@@ -71,6 +71,15 @@ glm::ivec3 fitting(const Region& region, std::span<const LevelSet> sets, double 
 
 } // namespace
 
+int ElementGrid::usual_count() const {
+    double entries = 0, squares = 0;
+    for (const Cell& cell : cells) {
+        entries += cell.elements();
+        squares += double(cell.elements()) * cell.elements();
+    }
+    return entries > 0 ? int(squares / entries) : 0;
+}
+
 ElementGrid make_grid(const Region& region, std::span<const LevelSet> sets, int each,
                       const RootFree& root_free, const GridLimits& limits) {
     const std::size_t elements = sets.size() / std::size_t(each);

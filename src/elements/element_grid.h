@@ -63,6 +63,9 @@ struct ElementGrid {
         if (of.elements() == 0) return {};
         return std::span(listed).subspan(of.first, of.elements());
     }
+    // How many a list holds where elements are: the mean over the entries of all lists, as most
+    // rays may look where elements are crowded.
+    int usual_count() const;
 };
 
 struct GridLimits {

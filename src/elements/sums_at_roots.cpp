@@ -166,8 +166,7 @@ bool SumsAtRoots::exclude(const formula::Bindings<float>& bindings, const Region
 }
 
 double SumsAtRoots::terms_of_others(const formula::Bindings<float>& bindings) const {
-    std::vector<int> counts;
-    for (const auto& array : bindings.arrays) counts.push_back(array.count);
+    const std::vector<int> counts = bindings.counts();
     return formula::cost(field_, counts).iterations;
 }
 

@@ -81,8 +81,7 @@ public:
         : evaluator_(program)
         , values_(values)
         , left_(operations) {
-        std::vector<int> counts;
-        for (const auto& array : values.arrays) counts.push_back(array.count);
+        const std::vector<int> counts = values.counts();
         each_ = 1 + formula::cost(program, counts).operations;
     }
 

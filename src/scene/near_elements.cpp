@@ -55,17 +55,9 @@ const formula::Bindings<double>& NearElements::at(const glm::dvec3& p) {
 }
 
 std::vector<int> NearElements::usual_counts() const {
-    std::vector<int> counts;
-    for (const auto& array : all_.arrays) counts.push_back(array.count);
+    std::vector<int> counts = all_.counts();
     if (!grid_) return counts;
-    // The mean over the entries of lists, not over cells: most rays may look where elements are
-    // crowded.
-    double entries = 0, squares = 0;
-    for (const elements::Cell& cell : grid_->cells) {
-        entries += cell.elements();
-        squares += double(cell.elements()) * cell.elements();
-    }
-    counts[array_] = entries > 0 ? int(squares / entries) : 0;
+    counts[array_] = grid_->usual_count();
     return counts;
 }
 

@@ -33,8 +33,7 @@ int frames_to_look_at(const Scene& scene, const SceneAt& first) {
     double operations = 0;
     for (std::size_t a = 0; a < scene.timeline.animation.arrays().size(); ++a)
         operations += scene.timeline.animation.operations(a);
-    std::vector<int> counts;
-    for (const auto& array : first.bindings.arrays) counts.push_back(array.count);
+    const std::vector<int> counts = first.bindings.counts();
     operations += dear_point * formula::cost(scene.surface.field->value, counts).operations;
     const double most = dear_frame / (operations + 1);
     return std::clamp(int(std::min(most, double(most_frames))), 1, scene.timeline.frames);

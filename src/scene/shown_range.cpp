@@ -171,8 +171,7 @@ double work(const formula::Program& program, std::span<const int> counts) {
 int rays_across(const Scene& scene, const formula::Paint& paint, const NearElements& elements,
                 bool paint_sums_all, int frames) {
     const std::vector<int> usual = elements.usual_counts();
-    std::vector<int> all;
-    for (const auto& array : elements.all().arrays) all.push_back(array.count);
+    const std::vector<int> all = elements.all().counts();
     const formula::Field& field = *scene.surface.field;
     constexpr int values = Effort::pieces + Effort::rounds * Effort::parts;
     double each = values * work(field.value, usual) + work(field.gradient, usual) +

@@ -97,8 +97,7 @@ private:
 
 Sight sight(const Scene& scene, const SceneAt& now) {
     const formula::Field& field = *scene.surface.field;
-    std::vector<int> counts;
-    for (const auto& array : now.bindings.arrays) counts.push_back(array.count);
+    const std::vector<int> counts = now.bindings.counts();
     const double evaluations =
         most_operations / (formula::cost(field.value, counts).operations + 1);
     const int points = int(std::clamp(evaluations, 2.0, 2048.0));

@@ -24,8 +24,7 @@ struct Sample {
 template<class T>
 std::vector<Sample> samples_of(const formula::Field& field, const SceneAt& scene) {
     // A large sum makes each sample dear; the median needs few.
-    std::vector<int> counts;
-    for (const auto& array : scene.bindings.arrays) counts.push_back(array.count);
+    const std::vector<int> counts = scene.bindings.counts();
     const double operations = std::max(formula::cost(field.gradient, counts).operations,
                                        formula::cost(field.value, counts).operations);
     // But a formula at the limits (scene/limits.h) must not keep a scene from being read.

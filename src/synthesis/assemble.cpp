@@ -59,8 +59,7 @@ std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<c
 }
 
 FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers) {
-    std::vector<int> counts;
-    for (const auto& array : scene.timeline.animation.arrays()) counts.push_back(array.count);
+    const std::vector<int> counts = scene.timeline.animation.counts();
     // With more elements than most the loops of a beam's shader might end too soon (beam_text.cpp).
     constexpr int fewest = 9, most = 15'000;
     const auto by_place = array_to_find_by_place(scene, counts);

@@ -53,9 +53,8 @@ int threads_of(const AnalyseOptions& how) {
 std::optional<Betti> on_grid(const scene::Scene& scene, const scene::SceneAt& now, Side side,
                              int grid, int threads, const SerialCallbacks& callbacks) {
     Work work([&] { return callbacks.stopped(); });
-    const auto signs =
-        FrameSigns(*scene.surface.field)
-            .at(formula::convert<double>(now.bindings), now.bounds, side, grid, threads, work);
+    const auto signs = FrameSigns(*scene.surface.field, scene.timeline.animation.counts())
+                           .at(now, side, grid, threads, work);
     return signs ? std::optional(betti(*signs)) : std::nullopt;
 }
 

@@ -36,7 +36,7 @@ std::optional<Timeline> sampled_on(int grid, const scene::Scene& scene, Side sol
     Work at_first(sampling.stopped, 2 * most / frames), later(sampling.stopped, most);
     const double beside = operations_of_values(scene) + of_vertex * grid * grid * grid;
     if (beside * frames > most) return std::nullopt;
-    const FrameSigns signs_of(*scene.surface.field);
+    const FrameSigns signs_of(*scene.surface.field, scene.timeline.animation.counts());
     std::optional<Betti> before;
     double since = 0;
     for (int frame = first; frame <= last; ++frame) {
@@ -45,8 +45,7 @@ std::optional<Timeline> sampled_on(int grid, const scene::Scene& scene, Side sol
         if (work.is_over()) break;
         const animation::Values values = scene.timeline.values(frame);
         const scene::SceneAt now = scene::at(scene, values);
-        const auto signs = signs_of.at(formula::convert<double>(now.bindings), now.bounds, solid,
-                                       grid, sampling.threads, work);
+        const auto signs = signs_of.at(now, solid, grid, sampling.threads, work);
         if (!signs) break;
         // What some tenth of the frames took tells what all will take.
         const int done = frame - first + 1;

@@ -13,8 +13,7 @@ EnclosedField::EnclosedField(const scene::Scene& scene)
 
 EnclosedField::Frame EnclosedField::at(const scene::SceneAt& now, int threads,
                                        std::shared_ptr<const elements::ElementGrid> made) {
-    std::vector<int> counts;
-    for (const auto& array : now.bindings.arrays) counts.push_back(array.count);
+    const std::vector<int> counts = now.bindings.counts();
     const bool are_many = !counts.empty() && std::ranges::max(counts) > elements::FieldByPlace::few;
     if (are_many && !was_looked_for_) {
         by_place_ = elements::FieldByPlace::of(field_, counts);

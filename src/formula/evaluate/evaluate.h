@@ -27,6 +27,11 @@ template<class T> struct Bindings {
     std::vector<ArrayColumns<T>> arrays;
     std::uint64_t seed = 0; // of random(i, k)
 
+    std::vector<int> counts() const { // elements of each array
+        std::vector<int> counts;
+        for (const auto& array : arrays) counts.push_back(array.count);
+        return counts;
+    }
     bool operator==(const Bindings&) const = default;
 };
 

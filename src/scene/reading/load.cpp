@@ -266,8 +266,7 @@ void check_arrays(const animation::Animation& animation, const TrackTable& track
 // What would take minutes to read, or to be at one frame, is no scene but a slip of the pen.
 void check_work(const Scene& scene, const SurfaceParts& parts, const TrackTable& tracks) {
     const animation::Animation& animation = scene.timeline.animation;
-    std::vector<int> counts;
-    for (const animation::Array& array : animation.arrays()) counts.push_back(array.count);
+    const std::vector<int> counts = animation.counts();
     const double at_a_point =
         std::max(formula::cost(parts.surface.field->gradient, counts).operations,
                  formula::cost(parts.surface.field->value, counts).operations);

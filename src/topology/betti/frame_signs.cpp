@@ -7,6 +7,7 @@
 #include "base/workers.h"
 #include "formula/enclosure.h"
 #include "formula/evaluate/evaluate.h"
+#include "scene/near_elements.h"
 
 namespace isomotion::topology {
 
@@ -19,17 +20,18 @@ namespace {
 
 constexpr int whole = 8, part = 4; // vertices along the edge of a block, and of its eight parts
 
+// An element that is looked up, of that in its place; and what a block's lists hold, of one list.
+constexpr int looked_up = 4, lists_of_box = 16;
+
 // What one evaluation takes, in operations on numbers.
 struct Price {
     double of_point, of_box;
 };
 
-Price price(const formula::Field& field, const formula::Bindings<double>& bindings) {
+Price price(const formula::Field& field, std::span<const int> counts) {
     // Times as dear as a sum or product of numbers. The registers of long programs fit no cache.
     constexpr double function = 20, turn = 3, interval = 3, long_one = 3;
     constexpr std::size_t is_long = 1000;
-    std::vector<int> counts;
-    for (const auto& array : bindings.arrays) counts.push_back(array.count);
     const formula::Cost cost = formula::cost(field.value, counts);
     double point = 1 + cost.operations + function * cost.functions + turn * cost.iterations;
     if (field.value.instructions.size() > is_long) point *= long_one;
@@ -41,7 +43,30 @@ struct FrameValues {
     const formula::Field& field;
     const formula::Bindings<double>& numbers;
     const formula::Bindings<formula::Interval> intervals;
+    const elements::FieldByPlace::Frame* by_place; // null where all elements are near
+    Price all;                                     // of all elements
+    Price near;                                    // of those that are found by place
+
+    FrameValues(const formula::Field& of, const formula::Bindings<double>& bindings,
+                const elements::FieldByPlace::Frame* place)
+        : field(of)
+        , numbers(bindings)
+        , intervals(formula::convert<formula::Interval>(bindings))
+        , by_place(place)
+        , all(price(of, bindings.counts()))
+        , near(all) {
+        if (!by_place) return;
+        std::vector<int> counts = bindings.counts();
+        counts[std::size_t(by_place->grid().array)] = by_place->grid().usual_count();
+        near = price(field, counts);
+        near.of_point = looked_up * near.of_box;
+        near.of_box *= lists_of_box;
+    }
 };
+
+int threads_of(int asked) {
+    return asked > 0 ? asked : std::max(1, int(std::thread::hardware_concurrency()));
+}
 
 // Vertices `first` to `last` of each axis.
 struct Block {
@@ -59,8 +84,8 @@ public:
         , bounds_(bounds)
         , solid_(solid)
         , grid_(grid)
-        , price_(price(frame.field, frame.numbers))
         , work_(work) {
+        if (frame.by_place) boxes_.emplace(frame.by_place->programs().value, *frame.by_place);
         for (std::size_t i = 0; i < 3; ++i) {
             const double low = bounds.min[int(i)], high = bounds.max[int(i)];
             for (int k = 0; k < grid.side(); ++k)
@@ -88,6 +113,7 @@ public:
         for (const Block& one : undecided(parts)) {
             each_inside(one, [&](const std::array<int, 3>& v) { vertices.push_back(v); });
         }
+        if (boxes_) vertices = undecided_near(vertices);
         evaluate(vertices);
     }
 
@@ -116,7 +142,7 @@ private:
 
     // Those with vertices on both sides, as far as is known.
     std::vector<Block> undecided(std::span<const Block> blocks) {
-        work_.add(double(blocks.size()) * price_.of_box);
+        work_.add(double(blocks.size()) * frame_.near.of_box);
         if (work_.is_over()) return {};
         std::array<std::vector<formula::Interval>, 3> boxes;
         for (const Block& one : blocks) {
@@ -125,11 +151,7 @@ private:
                                       at_[i][std::size_t(one.last[i])]);
             }
         }
-        std::vector<formula::Interval> f(blocks.size());
-        const std::array<std::span<const formula::Interval>, 3> inputs{boxes[0], boxes[1],
-                                                                       boxes[2]};
-        const std::array<std::span<formula::Interval>, 1> outputs{f};
-        evaluators_.enclosure.points(frame_.intervals, inputs, outputs);
+        const std::vector<formula::Interval> f = enclosures(boxes);
         std::vector<Block> open;
         for (std::size_t k = 0; k < blocks.size(); ++k) {
             if (!(f[k].lo > 0 || f[k].hi < 0)) {
@@ -141,6 +163,40 @@ private:
         return open;
     }
 
+    // Those whose sign the elements near them do not tell.
+    std::vector<std::array<int, 3>> undecided_near(std::span<const std::array<int, 3>> vertices) {
+        work_.add(double(vertices.size()) * frame_.near.of_point);
+        if (work_.is_over()) return {};
+        std::array<std::vector<formula::Interval>, 3> places;
+        for (const auto& v : vertices) {
+            for (std::size_t i = 0; i < 3; ++i) places[i].emplace_back(at_[i][std::size_t(v[i])]);
+        }
+        const std::vector<formula::Interval> f = enclosures(places);
+        std::vector<std::array<int, 3>> open;
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+            const auto& v = vertices[k];
+            if (!(f[k].lo > 0 || f[k].hi < 0)) {
+                open.push_back(v);
+            } else if (is_solid(f[k].lo)) {
+                grid_.set(v[0], v[1], v[2]);
+            }
+        }
+        return open;
+    }
+
+    std::vector<formula::Interval>
+    enclosures(const std::array<std::vector<formula::Interval>, 3>& boxes) {
+        std::vector<formula::Interval> f(boxes[0].size());
+        const std::array<std::span<const formula::Interval>, 3> inputs{boxes[0], boxes[1],
+                                                                       boxes[2]};
+        const std::array<std::span<formula::Interval>, 1> outputs{f};
+        if (boxes_)
+            boxes_->points(inputs, outputs);
+        else
+            evaluators_.enclosure.points(frame_.intervals, inputs, outputs);
+        return f;
+    }
+
     bool is_solid(double f) const { return solid_ == Side::negative ? f < 0 : f > 0; }
 
     void evaluate(std::span<const std::array<int, 3>> vertices) {
@@ -148,7 +204,7 @@ private:
         for (const auto& v : vertices) {
             for (std::size_t i = 0; i < 3; ++i) points[i].push_back(at_[i][std::size_t(v[i])]);
         }
-        work_.add(double(vertices.size()) * price_.of_point);
+        work_.add(double(vertices.size()) * frame_.all.of_point);
         if (work_.is_over()) return;
         std::vector<double> f(vertices.size());
         const std::array<std::span<const double>, 3> inputs{points[0], points[1], points[2]};
@@ -164,16 +220,17 @@ private:
     const scene::BoundsAt& bounds_;
     Side solid_;
     SignGrid& grid_;
-    const Price price_;
     Work& work_;
+    std::optional<elements::BoxesByPlace> boxes_;
     std::array<std::vector<double>, 3> at_; // coordinates of vertices
 };
 
 } // namespace
 
-FrameSigns::FrameSigns(const formula::Field& field)
+FrameSigns::FrameSigns(const formula::Field& field, std::span<const int> elements_of_arrays)
     : field_(field)
-    , enclosure_(formula::value_enclosure(field)) {}
+    , enclosure_(formula::value_enclosure(field))
+    , by_place_(elements::FieldByPlace::of(field, elements_of_arrays)) {}
 
 FrameSigns::~FrameSigns() = default;
 
@@ -200,12 +257,33 @@ std::unique_ptr<SignEvaluators, FrameSigns::GiveBack> FrameSigns::borrow() const
 std::optional<SignGrid> FrameSigns::at(const formula::Bindings<double>& bindings,
                                        const scene::BoundsAt& bounds, Side solid, int side,
                                        int threads, Work& work) const {
+    return make(bindings, nullptr, bounds, solid, side, threads, work);
+}
+
+std::optional<SignGrid> FrameSigns::at(const scene::SceneAt& now, Side solid, int side, int threads,
+                                       Work& work) const {
+    const auto all = formula::convert<double>(now.bindings);
+    if (!by_place_) return at(all, now.bounds, solid, side, threads, work);
+    constexpr double of_element = 2000; // to find where it is
+    const auto array = std::size_t(by_place_->array());
+    work.add(of_element * now.bindings.arrays[array].count);
+    const elements::FieldByPlace::Frame frame =
+        by_place_->at(now.bindings, scene::region_of_elements(now.bounds), threads_of(threads));
+    constexpr int list_to_pay = 16; // times a list are all elements
+    const bool pays = list_to_pay * frame.grid().usual_count() <= frame.elements();
+    return make(all, pays ? &frame : nullptr, now.bounds, solid, side, threads, work);
+}
+
+std::optional<SignGrid> FrameSigns::make(const formula::Bindings<double>& bindings,
+                                         const elements::FieldByPlace::Frame* by_place,
+                                         const scene::BoundsAt& bounds, Side solid, int side,
+                                         int threads, Work& work) const {
     // Every frame goes over all registers, which are of many points at once.
     constexpr double of_register = 500;
     work.add(of_register *
              double(field_.value.instructions.size() + 2 * enclosure_.instructions.size()));
     SignGrid grid(side);
-    const FrameValues frame{field_, bindings, formula::convert<formula::Interval>(bindings)};
+    const FrameValues frame(field_, bindings, by_place);
     const auto layers = [&] {
         auto evaluators = borrow();
         auto blocks = std::make_unique<BlockSigns>(*evaluators, frame, bounds, solid, grid, work);
@@ -214,7 +292,7 @@ std::optional<SignGrid> FrameSigns::at(const formula::Bindings<double>& bindings
         };
     };
     base::SharedLoop loop{.count = std::size_t((side + whole - 1) / whole)};
-    loop.threads = threads > 0 ? threads : int(std::thread::hardware_concurrency());
+    loop.threads = threads_of(threads);
     loop.stopped = [&] { return work.is_over(); };
     base::share(loop, layers);
     if (work.is_over()) return std::nullopt;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "elements/field_by_place.h"
 #include "scene/scene_at.h"
 #include "topology/betti/sign_grid.h"
 #include "topology/field/solid.h"
@@ -46,7 +47,11 @@ struct SignEvaluators;
 // Signs of many frames of one field, which must outlive this.
 class FrameSigns {
 public:
-    explicit FrameSigns(const formula::Field& field);
+    // Of a scene with so many elements in each array: where a grid finds the elements of one by
+    // place, frames of it take no longer for those that are elsewhere.
+    FrameSigns(const formula::Field& field, std::span<const int> elements_of_arrays);
+    explicit FrameSigns(const formula::Field& field)
+        : FrameSigns(field, {}) {}
     ~FrameSigns();
 
     // As frame_signs(). Adds what it takes to `work`; none where that is over. Whether it becomes
@@ -54,8 +59,15 @@ public:
     std::optional<SignGrid> at(const formula::Bindings<double>& bindings,
                                const scene::BoundsAt& bounds, Side solid, int side, int threads,
                                Work& work) const;
+    // The same signs.
+    std::optional<SignGrid> at(const scene::SceneAt& now, Side solid, int side, int threads,
+                               Work& work) const;
 
 private:
+    std::optional<SignGrid> make(const formula::Bindings<double>& bindings,
+                                 const elements::FieldByPlace::Frame* by_place,
+                                 const scene::BoundsAt& bounds, Side solid, int side, int threads,
+                                 Work& work) const;
     struct GiveBack {
         const FrameSigns* to;
         void operator()(SignEvaluators* evaluators) const;
@@ -66,6 +78,7 @@ private:
 
     const formula::Field& field_;
     formula::Program enclosure_;
+    std::optional<elements::FieldByPlace> by_place_;
     mutable std::mutex mutex_; // of what follows
     mutable std::vector<std::unique_ptr<SignEvaluators>> idle_;
 };

@@ -32,8 +32,7 @@ public:
         , value_(field.value)
         , enclosure_program_(formula::value_enclosure(field))
         , enclosure_(enclosure_program_) {
-        std::vector<int> counts;
-        for (const auto& array : numbers_.arrays) counts.push_back(array.count);
+        const std::vector<int> counts = numbers_.counts();
         const formula::Cost cost = formula::cost(field.value, counts);
         of_point_ = 1 + cost.operations + 20 * cost.functions;
     }

@@ -56,12 +56,12 @@ std::vector<std::string> advice(const Timeline& timeline) {
             "kind may tell its kind");
     }
     // What is unresolved says more.
-    const bool has_unknown_end =
-        !timeline.start || !timeline.end || !timeline.start_is_proved || !timeline.end_is_proved;
-    if (has_unknown_end && timeline.unresolved.empty()) {
+    if (!timeline.unresolved.empty()) return found;
+    if (!timeline.start || !timeline.end) {
         add("begin or end at another frame, --frames A-B: the first and the last are proved where "
-            "the "
-            "surface has no singular point and no kink");
+            "the surface has no singular point and no kink");
+    } else if (!timeline.start_is_proved || !timeline.end_is_proved) {
+        add("--certify full proves what signs on a grid show");
     }
     return found;
 }

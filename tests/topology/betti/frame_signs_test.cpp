@@ -89,5 +89,35 @@ TEST(FrameSigns, BlobbyFallsTogether) {
     }
 }
 
+// Elements that are found by place give the signs of all.
+TEST(FrameSigns, OfManyElementsAreThoseOfAll) {
+    const std::string square = "((x-cx)^2 + (y-cy)^2 + (z-cz)^2)";
+    for (const std::string& formula :
+         {"sum(p, exp(-900*" + square + ")) - 0.3",
+          "sum(p, max(0, 1 - 300*" + square + ")^3) - 0.2", "least(p, sqrt(" + square + ") - 0.03)",
+          "sum(p, max(0, 1 - 240*" + square + ")^2*cx) - 0.1*x",
+          "min(0.3 - sum(p, exp(-700*" + square + ")), z + 0.2)"}) {
+        const scene::Scene scene = scene_of(fmt::format(R"([surface]
+formula = '''{}'''
+bounds = {{ sphere = 1.3 }}
+[arrays.p]
+count = 3000
+cx = "2*random(i, 1) - 1"
+cy = "1.6*random(i, 2) - 0.8"
+cz = "random(i, 3) - 0.5"
+)",
+                                                        formula));
+        const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+        const FrameSigns by_place(*scene.surface.field, scene.timeline.animation.counts());
+        Work of_near, of_all;
+        const auto near = by_place.at(now, Side::negative, 40, 2, of_near);
+        const auto all = FrameSigns(*scene.surface.field)
+                             .at(formula::convert<double>(now.bindings), now.bounds, Side::negative,
+                                 40, 2, of_all);
+        EXPECT_EQ(near, all) << formula;
+        EXPECT_LT(of_near.done(), of_all.done()) << formula;
+    }
+}
+
 } // namespace
 } // namespace isomotion::topology

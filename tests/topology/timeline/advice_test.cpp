@@ -41,6 +41,8 @@ TEST(Advice, IsGivenForKindsAndEnds) {
     EXPECT_THAT(advice(timeline), ElementsAre(HasSubstr("unknown")));
     timeline = story().timeline;
     timeline.start_is_proved = false;
+    EXPECT_THAT(advice(timeline), ElementsAre(HasSubstr("--certify full")));
+    timeline.start.reset();
     EXPECT_THAT(advice(timeline), ElementsAre(HasSubstr("another frame")));
     timeline.unresolved.push_back({{0, 0.1}, {}, unresolved::kink, {}, {}});
     EXPECT_THAT(advice(timeline), ElementsAre(HasSubstr("smoothmin"))) << "the cause";
