@@ -1,5 +1,6 @@
 #include "elements/cell_lists.h"
 
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -48,20 +49,72 @@ void CellLists::for_each_run(std::size_t part, std::span<const Run> runs, Found&
     });
 }
 
+// Looks at the cells of rows for terms that matter there, of sets that are boxes.
+class CellLists::RowInBox {
+public:
+    RowInBox(const Placing& placing, const CellSums& sums)
+        : placing_(placing)
+        , root_free_(sums.root_free())
+        , terms_(*root_free_.terms) {}
+
+    // The cells of a row where the element's terms matter, within these; adds their sizes.
+    Run look(int element, int k, const glm::ivec3& first, int last, std::size_t cell,
+             CellSums& sums) {
+        boxes_.assign(1, box(first, {last, first.y, first.z}));
+        terms_.look(element, boxes_);
+        if (!terms_.matters(k, root_free_.tolerance, 0)) return {};
+        boxes_.clear();
+        for (glm::ivec3 at = first; at.x <= last; ++at.x) boxes_.push_back(box(at, at));
+        terms_.look(element, boxes_);
+        std::size_t begin = 0, end = boxes_.size();
+        const auto matters = [&](std::size_t at) {
+            return terms_.matters(k, root_free_.tolerance, at);
+        };
+        while (begin < end && !matters(begin)) ++begin;
+        while (begin < end && !matters(end - 1)) --end;
+        if (begin == end) return {};
+        for (std::size_t sum = 0; sum < sums.sums(); ++sum) {
+            if (root_free_.quadric_of[sum] != k) continue;
+            for (std::size_t at = begin; at < end; ++at)
+                sums.add(sum, terms_.size(int(sum), at), cell + at);
+        }
+        return {std::uint8_t(first.x + int(begin)), std::uint8_t(first.x + int(end) - 1)};
+    }
+
+private:
+    std::array<Interval, 3> box(const glm::ivec3& from, const glm::ivec3& to) const {
+        const glm::dvec3 low = placing_.box(from).first, high = placing_.box(to).second;
+        return {Interval(low.x, high.x), Interval(low.y, high.y), Interval(low.z, high.z)};
+    }
+
+    const Placing& placing_;
+    const RootFree& root_free_;
+    ElementTerms::Boxes terms_;
+    std::vector<std::array<Interval, 3>> boxes_;
+};
+
 // The runs of all rows of the part, in their order; and the sums.
 std::vector<CellLists::Run> CellLists::meet(std::size_t part, CellSums& sums) const {
     std::vector<Run> runs;
     Placing::Meeting meets(placing_);
+    std::optional<RowInBox> in_box;
+    if (sums.root_free().terms) in_box.emplace(placing_, sums);
     std::size_t taken = sets_.size();
     for_each_row(part, [&](std::size_t k, int y, int z) {
+        const int row = (z * grid_.across.y + y) * grid_.across.x;
+        if (in_box && sets_[k].is_box) {
+            const int first = blocks_[k].first.x;
+            runs.push_back(in_box->look(int(k / each_), int(k % each_), {first, y, z},
+                                        blocks_[k].last.x, std::size_t(row + first), sums));
+            return;
+        }
         if (k != taken) meets.take(sets_[k], blocks_[k]);
         taken = k;
         const auto [first, last] = meets.row(y, z);
         runs.push_back(first <= last ? Run{std::uint8_t(first), std::uint8_t(last)} : Run{});
         if (first > last) return;
-        const int cell = (z * grid_.across.y + y) * grid_.across.x + first;
         sums.add(std::uint32_t(k / each_), int(k % each_), meets.roots(first, last),
-                 std::size_t(cell));
+                 std::size_t(row + first));
     });
     return runs;
 }

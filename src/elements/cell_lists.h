@@ -38,6 +38,12 @@ public:
             }
         }
     }
+    // One whose sizes in a cell are known, as ElementTerms::sizes() tells them.
+    void add(std::size_t sum, float size, std::size_t cell) {
+        float& bound = bounds_[cell * sums_ + sum];
+        bound = is_least() ? std::min(bound, size) : bound + size;
+    }
+    const RootFree& root_free() const { return root_free_; }
     bool are_free(std::size_t cell, std::uint32_t elements) const {
         if (elements == 0 && root_free_.is_emptiness) return true;
         if (is_least()) return double(bounds_[cell]) >= *root_free_.at_least;
@@ -79,6 +85,7 @@ public:
 
 private:
     class Seen;
+    class RowInBox;
     // The cells of a row that a set meets, both ends included.
     struct Run {
         std::uint8_t first = 1, last = 0;

@@ -75,6 +75,8 @@ struct GridLimits {
     int threads = 1;
 };
 
+class ElementTerms;
+
 // What tells cells without roots: the sums there are too small, or the least key is too large.
 struct RootFree {
     std::span<const int> quadric_of; // of each sum
@@ -87,6 +89,10 @@ struct RootFree {
     // Else: what looks for roots cell by cell, with bounds of the sums there.
     const SumsAtRoots* roots = nullptr;
     const formula::Bindings<float>* bindings = nullptr;
+    // Where some sets are boxes: the terms, which tell what of these they meet, and the tolerance
+    // of each sum's.
+    const ElementTerms* terms = nullptr;
+    std::span<const double> tolerance{};
     // Of each sum: what lists leave out of it, and the signs of its terms, in [-1, 1].
     std::vector<Interval> left_out{}, signs{};
 };

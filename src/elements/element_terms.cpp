@@ -114,6 +114,11 @@ public:
         }
         run(count);
         constexpr double never = std::numeric_limits<double>::infinity();
+        if (std::ranges::none_of(all, [](const Quadric* q) { return q->is_definite; })) {
+            std::vector<double> levels;
+            for (int l = 0; l < count; ++l) levels.push_back(keeps(l) ? -never : never);
+            return levels;
+        }
         std::vector<double> levels(std::size_t(count), 0), low(levels), high(levels);
         for (int l = 0; l < count; ++l) {
             levels[std::size_t(l)] = keeps(l) ? -never : 0;
@@ -166,6 +171,8 @@ ElementTerms::ElementTerms(const formula::ElementKernels& kernels,
     parameters_.seed = bindings.seed;
     read_quadrics(threads);
     alike_ = count_ > 0 && has_equal_terms();
+    const auto is_definite = [](const Quadric& q) { return q.is_definite; };
+    if (!std::ranges::all_of(ranges_.hulls, is_definite)) bound_anywhere();
 }
 
 bool ElementTerms::keeps(const Interval& term, double tolerance) const {
@@ -271,6 +278,7 @@ void ElementTerms::read_quadrics(int threads) {
 void ElementTerms::level_sets(std::span<const double> tolerance, int first, int last,
                               std::span<LevelSet> found) const {
     Lanes lanes(*this);
+    Boxes boxes(*this);
     const auto kinds = std::size_t(kernels_.quadrics);
     const auto set = [&](int element, int k, double level) {
         LevelSet& made = found[std::size_t(element - first) * kinds + std::size_t(k)];
@@ -302,9 +310,97 @@ void ElementTerms::level_sets(std::span<const double> tolerance, int first, int 
         }
         for (int k = 0; k < quadrics(); ++k) {
             const std::vector<double> levels = lanes.levels(all, k, tolerance);
-            for (int l = 0; l < count; ++l) set(begin + l, k, levels[std::size_t(l)]);
+            for (int l = 0; l < count; ++l) {
+                const double level = levels[std::size_t(l)];
+                set(begin + l, k, level);
+                if (!std::isinf(level) || level < 0 || quadric(begin + l, k).is_definite) continue;
+                found[std::size_t(begin + l - first) * kinds + std::size_t(k)] =
+                    box(boxes, begin + l, k, tolerance);
+            }
         }
     }
+}
+
+ElementTerms::Boxes::Boxes(const ElementTerms& of)
+    : of_(of)
+    , evaluator_(of.kernels_.by_place)
+    , inputs_(3 + of.kernels_.fields.size())
+    , terms_(std::size_t(of.sums())) {}
+
+void ElementTerms::Boxes::look(int element, std::span<const std::array<Interval, 3>> boxes) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        inputs_[k].clear();
+        for (const auto& box : boxes) inputs_[k].push_back(box[k]);
+    }
+    for (std::size_t f = 0; f < of_.kernels_.fields.size(); ++f)
+        inputs_[3 + f].assign(boxes.size(), double(of_.column(f)[std::size_t(element)]));
+    for (auto& terms : terms_) terms.resize(boxes.size());
+    const std::vector<std::span<const Interval>> from(inputs_.begin(), inputs_.end());
+    const std::vector<std::span<Interval>> to(terms_.begin(), terms_.end());
+    evaluator_.points(of_.parameters_, from, to);
+}
+
+bool ElementTerms::Boxes::matters(int k, std::span<const double> tolerance, std::size_t box) const {
+    for (int sum = 0; sum < of_.sums(); ++sum) {
+        if (of_.quadric_of(sum) == k &&
+            !of_.keeps(terms_[std::size_t(sum)][box], tolerance[std::size_t(sum)])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+float ElementTerms::Boxes::size(int sum, std::size_t box) const {
+    return of_.size_of(terms_[std::size_t(sum)][box]);
+}
+
+// Cuts slabs off the region in which the terms keep their tolerances, from each face as deep as
+// halving tells.
+LevelSet ElementTerms::box(Boxes& boxes, int element, int k,
+                           std::span<const double> tolerance) const {
+    std::array<Interval, 3> left;
+    for (int axis = 0; axis < 3; ++axis)
+        left[std::size_t(axis)] = {region_.low[axis], region_.high[axis]};
+    // Of some slabs, each deeper than the one before: how many of them are free.
+    const auto free_slabs = [&](std::span<const std::array<Interval, 3>> slabs) {
+        boxes.look(element, slabs);
+        std::size_t free = 0;
+        while (free < slabs.size() && !boxes.matters(k, tolerance, free)) ++free;
+        return free;
+    };
+    LevelSet set;
+    set.kind = LevelSet::Kind::unbounded;
+    constexpr int parts = 8, rounds = 3; // 1 / 512 of the region
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const bool from_low : {true, false}) {
+            const double face = from_low ? left[axis].lo : left[axis].hi;
+            double free = face, other = from_low ? left[axis].hi : left[axis].lo;
+            for (int round = 0; round < rounds; ++round) {
+                std::vector<std::array<Interval, 3>> slabs;
+                const auto depth = [&](int part) { return free + (other - free) * part / parts; };
+                for (int part = 1; part <= parts; ++part) {
+                    slabs.push_back(left);
+                    const double end = part < parts ? depth(part) : other;
+                    slabs.back()[axis] = from_low ? Interval(face, end) : Interval(end, face);
+                }
+                const int found = int(free_slabs(slabs));
+                if (found == parts && round == 0) return {};
+                const double deeper = depth(found);
+                if (found < parts) other = depth(found + 1);
+                free = deeper;
+                if (found == 0 && round == 0) break;
+            }
+            if (free != face) set.kind = LevelSet::Kind::bounded;
+            left[axis] = from_low ? Interval(free, left[axis].hi) : Interval(left[axis].lo, free);
+        }
+    }
+    set.is_box = set.kind == LevelSet::Kind::bounded;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Interval& side = left[std::size_t(axis)];
+        set.centre[axis] = 0.5 * (side.lo + side.hi);
+        set.half[axis] = 0.5 * (side.hi - side.lo);
+    }
+    return set;
 }
 
 // As a float that bounds it: of a key from below.
@@ -357,19 +453,41 @@ void ElementTerms::sizes(std::span<const LevelSet> sets, int first, int last,
 
 Interval ElementTerms::bounds(int sum, double distance) const {
     if (count_ == 0) return 0.0;
+    const int own = kernels_.quadric_of[std::size_t(sum)];
+    if (!ranges_.hulls[std::size_t(own)].is_definite) return anywhere_[std::size_t(sum)];
     Lanes lanes(*this);
     for (int k = 0; k < quadrics(); ++k) {
         const Quadric& all = ranges_.hulls[std::size_t(k)];
-        if (!all.is_definite) return Interval::entire();
-        const bool is_own = kernels_.quadric_of[std::size_t(sum)] == k;
+        if (!all.is_definite) {
+            lanes.set_quadric(k, 0, Interval::entire());
+            continue;
+        }
         const double least =
-            is_own ? std::min(all.least + all.flattest * distance * distance, all.most) : all.least;
+            k == own ? std::min(all.least + all.flattest * distance * distance, all.most)
+                     : all.least;
         lanes.set_quadric(k, 0, oriented(all, least, all.most));
     }
     for (std::size_t f = 0; f < ranges_.fields.size(); ++f)
         lanes.set_field(f, 0, ranges_.fields[f]);
     lanes.run(1);
     return lanes.term(sum, 0);
+}
+
+// Of each element's terms in the whole region, and of all together.
+void ElementTerms::bound_anywhere() {
+    anywhere_.assign(std::size_t(sums()), Interval::entire());
+    Boxes boxes(*this);
+    std::array<Interval, 3> region;
+    for (int axis = 0; axis < 3; ++axis)
+        region[std::size_t(axis)] = {region_.low[axis], region_.high[axis]};
+    for (int e = 0; e < count_; ++e) {
+        boxes.look(e, {&region, 1});
+        for (int sum = 0; sum < sums(); ++sum) {
+            Interval& all = anywhere_[std::size_t(sum)];
+            const Interval term = boxes.term(sum, 0);
+            all = e == 0 ? term : formula::hull(all, term);
+        }
+    }
 }
 
 } // namespace isomotion::elements

@@ -1,6 +1,7 @@
 // The terms of an array's elements at a frame: where each is larger than a tolerance.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,25 @@ public:
     static constexpr int shells = 8;
     void sizes(std::span<const LevelSet> sets, int first, int last, std::span<float> found) const;
 
+    // Terms of single elements over boxes, for sets that are boxes. One a thread.
+    class Boxes {
+    public:
+        explicit Boxes(const ElementTerms& of);
+        // Of an element in these boxes; for terms().
+        void look(int element, std::span<const std::array<Interval, 3>> boxes);
+        // Whether some term of quadric k is larger than its tolerance in the box of that number.
+        bool matters(int k, std::span<const double> tolerance, std::size_t box) const;
+        float size(int sum, std::size_t box) const; // as sizes()
+        const Interval& term(int sum, std::size_t box) const {
+            return terms_[std::size_t(sum)][box];
+        }
+
+    private:
+        const ElementTerms& of_;
+        formula::Evaluator<Interval> evaluator_;
+        std::vector<std::vector<Interval>> inputs_, terms_;
+    };
+
     // Bounds of a sum's terms where an element's middle is at least so far away.
     Interval bounds(int sum, double distance) const;
 
@@ -52,8 +72,10 @@ private:
     };
     bool keeps(const Interval& term, double tolerance) const;
 
+    LevelSet box(Boxes& boxes, int element, int k, std::span<const double> tolerance) const;
     float size_of(const Interval& term) const;
     void read_quadrics(int threads);
+    void bound_anywhere();
     bool has_equal_terms() const;
     std::span<const float> column(std::size_t input) const;
 
@@ -62,7 +84,8 @@ private:
     Region region_;
     int count_ = 0;
     std::vector<Quadric> quadrics_;
-    Ranges ranges_; // of all elements
+    Ranges ranges_;                  // of all elements
+    std::vector<Interval> anywhere_; // of each sum's terms, if some quadric bounds nothing
     formula::Bindings<Interval> parameters_;
     bool alike_ = false; // all elements have the same terms of their quadrics
 };

@@ -154,10 +154,11 @@ RootFree GridMaker::root_free(const ElementTerms& terms, const formula::Bindings
     return free;
 }
 
-// The elements' terms are gone when their lists are made.
+// The elements' terms are gone when their lists are made, unless some sets are boxes.
 GridMaker::Measured GridMaker::measure(const formula::Bindings<float>& bindings,
                                        const Region& region, int threads) const {
-    const ElementTerms terms(kernels_, bindings, region, threads);
+    auto owned = std::make_unique<const ElementTerms>(kernels_, bindings, region, threads);
+    const ElementTerms& terms = *owned;
     Measured found;
     found.root_free = root_free(terms, bindings, region, found.left_out);
     const std::size_t each = std::size_t(terms.quadrics()),
@@ -178,6 +179,11 @@ GridMaker::Measured GridMaker::measure(const formula::Bindings<float>& bindings,
         };
     });
     found.root_free.sizes = found.sizes;
+    if (std::ranges::any_of(found.sets, &LevelSet::is_box)) {
+        found.terms = std::move(owned);
+        found.root_free.terms = found.terms.get();
+        found.root_free.tolerance = found.left_out.of_term;
+    }
     return found;
 }
 

@@ -1,6 +1,7 @@
 // Finds, for a field and the values of a frame, which elements matter where.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "elements/element_grid.h"
@@ -33,8 +34,9 @@ private:
     struct Measured {
         RootFree root_free;
         Tolerances left_out;
-        std::vector<LevelSet> sets; // all of the first element, then of the next
-        std::vector<float> sizes;   // ElementTerms::sizes(), which root_free reads
+        std::vector<LevelSet> sets;                // all of the first element, then of the next
+        std::vector<float> sizes;                  // ElementTerms::sizes(), which root_free reads
+        std::unique_ptr<const ElementTerms> terms; // where some sets are boxes
     };
     Measured measure(const formula::Bindings<float>& bindings, const Region& region,
                      int threads) const;

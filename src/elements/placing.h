@@ -66,7 +66,7 @@ public:
         void take(const LevelSet& set, const Block& block) {
             set_ = &set;
             block_ = block;
-            if (set.kind != LevelSet::Kind::bounded) return;
+            if (set.kind != LevelSet::Kind::bounded || set.is_box) return;
             if (set.is_round) {
                 for (int k = 0; k < 3; ++k) take_axis(k);
             } else {
@@ -75,10 +75,10 @@ public:
         }
 
         // The first and the last cell that the set meets of a row of its block; none if the last is
-        // less.
+        // less. All of a box's.
         std::pair<int, int> row(int y, int z) {
             int first = block_.first.x, last = block_.last.x;
-            if (set_->kind == LevelSet::Kind::unbounded) return {first, last};
+            if (set_->kind == LevelSet::Kind::unbounded || set_->is_box) return {first, last};
             double farthest = 1;
             if (set_->is_round) {
                 row_ = squares_[1][std::size_t(y - block_.first.y)] +

@@ -59,6 +59,9 @@ struct LevelSet {
     enum class Kind : std::uint8_t { empty, bounded, unbounded };
     Kind kind = Kind::empty;
     bool is_round = false;
+    // Found by intervals, for terms that are no kernels of a polynomial: a box, of which cells may
+    // be met or not.
+    bool is_box = false;
     glm::dvec3 centre{0};
     glm::dvec3 half{0}; // of the box around it; beyond the region along a flat axis
     glm::bvec3 is_flat{false};

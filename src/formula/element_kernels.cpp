@@ -64,6 +64,18 @@ std::optional<NodeId> quadric_of(Graph& graph, NodeId term) {
     return last;
 }
 
+// Whether a term without such a polynomial may all the same be 0, or nearly, away from its element.
+bool may_fade(const Graph& graph, NodeId term) {
+    bool ends = false, is_even = false, is_exponential = false;
+    for (const NodeId id : nodes_below(graph, std::array{term})) {
+        const Op op = graph[id].op;
+        ends = ends || op == Op::max || op == Op::min || op == Op::select;
+        is_even = is_even || op == Op::abs;
+        is_exponential = is_exponential || op == Op::exp;
+    }
+    return ends || (is_even && is_exponential);
+}
+
 // Q, its gradient and its Hessian where all coordinates are 0.
 void add_coefficients(Graph& graph, NodeId quadric, std::vector<NodeId>& all) {
     const std::array<NodeId, 3> first = gradient_of(graph, quadric);
@@ -93,8 +105,11 @@ std::optional<ElementKernels> element_kernels(const Field& field, int array) {
     for (const NodeId sum : sums) {
         if (graph[sum].op != (kernels.is_least ? Op::least : Op::sum)) return std::nullopt;
         const NodeId term = graph[sum].children[0];
-        const std::optional<NodeId> quadric = quadric_of(graph, term);
-        if (!quadric) return std::nullopt;
+        std::optional<NodeId> quadric = quadric_of(graph, term);
+        if (!quadric) {
+            if (!kernels.is_least && !may_fade(graph, term)) return std::nullopt;
+            quadric = graph.constant(0);
+        }
         const auto at = std::find(quadrics.begin(), quadrics.end(), *quadric);
         kernels.quadric_of.push_back(int(at - quadrics.begin()));
         if (at == quadrics.end()) quadrics.push_back(*quadric);
@@ -106,10 +121,15 @@ std::optional<ElementKernels> element_kernels(const Field& field, int array) {
     for (const NodeId quadric : quadrics) add_coefficients(graph, quadric, coefficients);
     coefficients = substitute(graph, graph, coefficients, FieldsAsInputs(kernels.fields, array, 0));
 
+    std::vector<NodeId> by_place =
+        substitute(graph, graph, terms, FieldsAsInputs(kernels.fields, array, 3));
+    for (NodeId& term : by_place) term = with_gaps(graph, term);
+
     std::vector<Node> replaced;
     replaced.reserve(quadrics.size());
     for (const NodeId quadric : quadrics) replaced.push_back(graph[quadric]);
     terms = substitute(graph, graph, terms, [&](Graph& g, const Node& node, NodeId rebuilt) {
+        if (node.op == Op::constant) return rebuilt;
         const auto at = std::find(replaced.begin(), replaced.end(), node);
         return at == replaced.end() ? rebuilt : g.input(3 + int(at - replaced.begin()));
     });
@@ -119,6 +139,7 @@ std::optional<ElementKernels> element_kernels(const Field& field, int array) {
     for (NodeId& term : terms) term = with_gaps(graph, term);
 
     kernels.terms = schedule(graph, terms);
+    kernels.by_place = schedule(graph, by_place);
     kernels.coefficients = schedule(graph, lower(graph, coefficients));
     return kernels;
 }

@@ -5,7 +5,8 @@
 // one polynomial of degree 2 stands between the coordinates and all else. An element then matters
 // inside of a level set of its polynomial, which is an ellipsoid; found so from the formula,
 // whatever its names and however it is written. The keys of least(array, key) are looked at in the
-// same way: an element may be the least inside of a level set.
+// same way: an element may be the least inside of a level set. Other terms, of boxes and capsules,
+// are bounded place by place.
 #pragma once
 
 #include <optional>
@@ -24,19 +25,21 @@ struct ElementKernels {
     int array = 0;
     bool is_least = false;       // one `least` in place of sums; its term is the key
     std::vector<int> fields;     // of the array, that the programs read, as inputs
-    int quadrics = 0;            // polynomials, those of several sums counted once
+    int quadrics = 0;            // polynomials, those of several sums counted once; 0 for all terms
+                                 // that read the place in another way
     std::vector<int> quadric_of; // of each sum
     Program coefficients;        // inputs: fields -> coefficients_each for each quadric
     // Inputs: x y z, the value of each quadric, fields -> the term of each sum. Places are read
     // where a quadric is not all that a term takes of them.
     Program terms;
+    Program by_place; // inputs: x y z, fields -> the term of each sum
 
     int first_field() const { return 3 + quadrics; } // input of `terms`
     int sums() const { return int(quadric_of.size()); }
 };
 
-// Of the sums over `array`, if they are not too many, each has such a polynomial, and none holds a
-// sum or is in one; or of one `least` and no sums.
+// Of the sums over `array`, if they are not too many, the term of each can fade away from its
+// element, and none holds a sum or is in one; or of one `least` and no sums.
 std::optional<ElementKernels> element_kernels(const Field& field, int array);
 
 } // namespace isomotion::formula
