@@ -311,11 +311,15 @@ void ElementTerms::level_sets(std::span<const double> tolerance, int first, int 
         for (int k = 0; k < quadrics(); ++k) {
             const std::vector<double> levels = lanes.levels(all, k, tolerance);
             for (int l = 0; l < count; ++l) {
-                const double level = levels[std::size_t(l)];
-                set(begin + l, k, level);
-                if (!std::isinf(level) || level < 0 || quadric(begin + l, k).is_definite) continue;
-                found[std::size_t(begin + l - first) * kinds + std::size_t(k)] =
-                    box(boxes, begin + l, k, tolerance);
+                set(begin + l, k, levels[std::size_t(l)]);
+                LevelSet& made = found[std::size_t(begin + l - first) * kinds + std::size_t(k)];
+                const bool is_unknown =
+                    made.kind == LevelSet::Kind::unbounded && !quadric(begin + l, k).is_definite;
+                const bool is_wide = kernels_.read_places && made.kind == LevelSet::Kind::bounded &&
+                                     glm::any(made.is_flat);
+                if (!is_unknown && !is_wide) continue;
+                const LevelSet in_box = box(boxes, begin + l, k, tolerance);
+                if (in_box.kind != LevelSet::Kind::unbounded) made = in_box;
             }
         }
     }

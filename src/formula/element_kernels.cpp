@@ -64,16 +64,32 @@ std::optional<NodeId> quadric_of(Graph& graph, NodeId term) {
     return last;
 }
 
-// Whether a term without such a polynomial may all the same be 0, or nearly, away from its element.
-bool may_fade(const Graph& graph, NodeId term) {
+// What a term without such a polynomial reads the place through.
+struct Shape {
     bool ends = false, is_even = false, is_exponential = false;
+};
+
+Shape shape_of(const Graph& graph, NodeId term) {
+    Shape shape;
     for (const NodeId id : nodes_below(graph, std::array{term})) {
         const Op op = graph[id].op;
-        ends = ends || op == Op::max || op == Op::min || op == Op::select;
-        is_even = is_even || op == Op::abs;
-        is_exponential = is_exponential || op == Op::exp;
+        shape.ends = shape.ends || op == Op::max || op == Op::min || op == Op::select;
+        shape.is_even = shape.is_even || op == Op::abs || op == Op::sqrt;
+        shape.is_exponential = shape.is_exponential || op == Op::exp;
     }
-    return ends || (is_even && is_exponential);
+    return shape;
+}
+
+// Whether it may all the same be 0, or nearly, away from its element.
+bool may_fade(const Graph& graph, NodeId term) {
+    const Shape shape = shape_of(graph, term);
+    return shape.ends || (shape.is_even && shape.is_exponential);
+}
+
+// Whether such a key may grow away from its element.
+bool may_grow(const Graph& graph, NodeId key) {
+    const Shape shape = shape_of(graph, key);
+    return shape.ends || shape.is_even || degree(graph, key).value_or(0) >= 2;
 }
 
 // Q, its gradient and its Hessian where all coordinates are 0.
@@ -107,7 +123,7 @@ std::optional<ElementKernels> element_kernels(const Field& field, int array) {
         const NodeId term = graph[sum].children[0];
         std::optional<NodeId> quadric = quadric_of(graph, term);
         if (!quadric) {
-            if (!kernels.is_least && !may_fade(graph, term)) return std::nullopt;
+            if (!(kernels.is_least ? may_grow : may_fade)(graph, term)) return std::nullopt;
             quadric = graph.constant(0);
         }
         const auto at = std::find(quadrics.begin(), quadrics.end(), *quadric);
@@ -140,6 +156,10 @@ std::optional<ElementKernels> element_kernels(const Field& field, int array) {
 
     kernels.terms = schedule(graph, terms);
     kernels.by_place = schedule(graph, by_place);
+    kernels.read_places =
+        std::ranges::any_of(kernels.terms.instructions, [](const Instruction& now) {
+            return now.kind == Instruction::Kind::operation && now.op == Op::input && now.index < 3;
+        });
     kernels.coefficients = schedule(graph, lower(graph, coefficients));
     return kernels;
 }

@@ -32,6 +32,7 @@ struct ElementKernels {
     // Inputs: x y z, the value of each quadric, fields -> the term of each sum. Places are read
     // where a quadric is not all that a term takes of them.
     Program terms;
+    bool read_places = false;
     Program by_place; // inputs: x y z, fields -> the term of each sum
 
     int first_field() const { return 3 + quadrics; } // input of `terms`

@@ -82,6 +82,12 @@ TEST_P(Grid, IsThePictureOfAllElements) {
              "least(p, sqrt(" + d + ") - 0.12*w)",
              "min(least(p, sqrt(" + d + ") - 0.12), z + 0.6)",
              "0.4 - greatest(p, exp(-120*" + d + "))",
+             // no kernels of a polynomial
+             "0.3 - sum(p, w*max(0, 1 - 4*abs(x-cx))*max(0, 1 - 5*abs(y-cy))*max(0, 1 - "
+             "5*abs(z-cz)))",
+             "least(p, max(max(abs(x-cx), abs(y-cy)), abs(z-cz)) - 0.1*w)",
+             "least(p, sqrt((x-cx-0.2*w*max(0, min(1, 5*(x-cx) + 3*(y-cy))))^2"
+             " + (y-cy-0.1*max(0, min(1, 5*(x-cx) + 3*(y-cy))))^2 + (z-cz)^2) - 0.08)",
          }) {
         const Difference found = beside_all_elements(*context, elements(formula, 600));
         EXPECT_GT(found.hits, 250) << formula;

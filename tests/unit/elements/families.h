@@ -86,6 +86,17 @@ inline constexpr Family families[] = {
     {"terrain", "z - 0.1*sum(p, w*exp(-a*((x-cx)^2 + (y-cy)^2)))", false},
     {"columns", "level - sum(p, max(0, 1 - ((x-cx)^2 + (z-cz)^2)/h^2)^3)", true},
     {"sheets", "y - sum(p, 0.1*w*max(0, 1 - (x-cx)^2/h^2)^2)", true},
+    // Kernels of no polynomial: cubes, tents, capsules along any direction, and a square that only
+    // one axis has.
+    {"tents",
+     "level - sum(p, w*max(0, 1 - abs(x-cx)/h)*max(0, 1 - abs(y-cy)/h)*max(0, 1 - abs(z-cz)/h))",
+     true},
+    {"corners", "level - sum(p, exp(-2*(abs(x-cx) + abs(y-cy) + abs(z-cz))/h))", false, true},
+    {"fourth powers", "level - sum(p, exp(-((x-cx)^4 + (y-cy)^4 + (z-cz)^4)/(0.3*h)^4))", false,
+     true},
+    {"sheets of tents",
+     "level - sum(p, max(0, 1 - (x-cx)^2/h^2)*max(0, 1 - abs(y-cy)/h)*max(0, 1 - abs(z-cz)/h))",
+     true},
     {"ratio",
      "sqrt((x - sum(p, cx*max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/h^2)^3)"
      "/sum(p, max(0, 1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/h^2)^3))^2 + (y - cos(z))^2) - level",
@@ -111,6 +122,15 @@ inline constexpr Family least_families[] = {
     {"cut", "max(least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2) - 0.4*r), 0.3*y - x)", true},
     {"holes", "max(x^2 + y^2 + z^2 - 0.8, -least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2) - 0.4*r))",
      true},
+    {"cubes", "least(p, max(max(abs(x-cx), abs(y-cy)), abs(z-cz)) - 0.45*r)", true},
+    {"octahedra", "least(p, abs(x-cx) + abs(y-cy) + abs(z-cz) - 0.6*r)", true},
+    {"capsules",
+     "least(p, sqrt((x-cx-0.2*gxx*max(0, min(1, gxx*(x-cx) + gxy*(y-cy))))^2"
+     " + (y-cy-0.2*gxy*max(0, min(1, gxx*(x-cx) + gxy*(y-cy))))^2 + (z-cz)^2) - 0.5*r)",
+     true},
+    {"fourth powers", "min(least(p, (x-cx)^4 + (y-cy)^4 + (z-cz)^4 - (0.4*r)^4), z + 0.7)", true},
+    {"tori",
+     "least(p, sqrt((sqrt((x-cx)^2 + (y-cy)^2) - 0.4*r)^2 + (z-cz)^2) - 0.15*r)", true},
     {"rods", "least(p, sqrt((x-cx)^2 + (y-cy)^2) - 0.2*r)", true},
 };
 
