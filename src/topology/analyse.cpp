@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 
 #include <fmt/format.h>
@@ -79,11 +80,25 @@ void check_euler_number(Timeline& timeline) {
                     found, expected));
 }
 
+// Seeds take all elements of sums at each of their steps, wherever they are.
+void expect_few_elements(const scene::Scene& scene, int seeds) {
+    constexpr double most_operations = 1e12; // some quarter of an hour of a core
+    constexpr double steps = 25;
+    const double operations =
+        formula::cost(scene.surface.field->gradient, scene.timeline.animation.counts()).operations;
+    if (operations * seeds * steps <= most_operations) return;
+    throw std::invalid_argument(fmt::format(
+        "--certify fast follows {} seeds, and each step sums all elements, {:g} operations: take "
+        "--certify off, which finds elements by place",
+        seeds, operations));
+}
+
 // Events from seeds, with the kinds that their index tells. Without the others there is nothing
 // between the ends.
 Timeline seeded(const scene::Scene& scene, Side side, const AnalyseOptions& how, int first,
                 int last, const SerialCallbacks& callbacks) {
     constexpr int seeds = 1 << 16;
+    expect_few_elements(scene, seeds);
     const int grid = how.grid.value_or(128);
     EventSearchOptions searching = event_search(how, callbacks);
     searching.seeds = seeds;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "topology/analyse.h"
 #include "topology/scenes.h"
 
 namespace isomotion::topology {
@@ -71,6 +72,30 @@ TEST(Sampling, AGridThatIsAskedForIsTaken) {
     EXPECT_THROW(sampled(scene, Side::negative, sampling), std::invalid_argument);
     sampling.grid = 8;
     EXPECT_EQ(grid_of(sampled(scene, Side::negative, sampling)), "8x8x8");
+}
+
+// Sums of kernels are found by place; seeds would sum all of them at each step.
+TEST(Sampling, TakesElementsThatSeedsCannot) {
+    const scene::Scene scene =
+        scene_of("[surface]\n"
+                 "formula = 'sum(p, max(0, 1 - 900*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))^3) - 0.3'\n"
+                 "bounds = { sphere = 1.8 }\n"
+                 "[arrays.p]\ncount = 60000\n"
+                 "cx = '2*random(i, 1) - 1'\ncy = '2*random(i, 2) - 1'\ncz = '2*random(i, 3) - 1'\n"
+                 "[time]\nframes = 2\n");
+    AnalyseOptions how;
+    how.certify = Certify::off;
+    const Timeline timeline = analyse(scene, how);
+    EXPECT_EQ(grid_of(timeline), "64x64x64");
+    ASSERT_TRUE(timeline.start);
+    EXPECT_GT(timeline.start->components, 10);
+    how.certify = Certify::fast;
+    try {
+        analyse(scene, how);
+        FAIL() << "took all";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_NE(std::string(error.what()).find("take --certify off"), std::string::npos);
+    }
 }
 
 TEST(Sampling, InterruptedIsSaid) {
