@@ -1,11 +1,28 @@
 #version 330 core
+// What differs from one GLSL to another stands here alone: desktops have 3.30 and later, browsers (the
+// first line is another there) ES 3.00.
+//
 // `precise` keeps a driver from reassociating float arithmetic (Mesa does: (a+b)-a becomes b). It
 // comes with GLSL 4.00 or this extension; where there is neither, the word must still compile.
-#if __VERSION__ < 400
+#ifdef GL_ES
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp usampler2D;
+#define precise
+#elif __VERSION__ < 400
 #extension GL_ARB_gpu_shader5 : enable
 #ifndef GL_ARB_gpu_shader5
 #define precise
 #endif
+#endif
+// A long array of vec4s and its element `at`. Browsers have it as rows of a texture.
+#ifdef GL_ES
+#define IM_BUFFER sampler2D
+#define IM_BUFFER_AT(buffer, at) texelFetch(buffer, ivec2((at) & 1023, (at) >> 10), 0)
+#else
+#define IM_BUFFER samplerBuffer
+#define IM_BUFFER_AT(buffer, at) texelFetch(buffer, at)
 #endif
 // Operations<float>::saturation() of the CPU.
 #define IM_SATURATION 1.0e30

@@ -107,6 +107,7 @@ void add_commands(CLI::App& app, Action& chosen) {
     add_list(app, chosen);
     add_accuracy(app, chosen);
     add_topology(app, chosen);
+    add_page(app, chosen);
     add_verify(app, chosen);
     add_doctor(app, chosen);
     add_describe(app, chosen);

@@ -36,6 +36,7 @@ void add_show(CLI::App& app, Action& chosen);
 void add_accuracy(CLI::App& app, Action& chosen);
 void add_topology(CLI::App& app, Action& chosen);
 void add_play(CLI::App& app, Action& chosen);
+void add_page(CLI::App& app, Action& chosen);
 void add_verify(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
 void add_describe(CLI::App& app, Action& chosen);

@@ -39,7 +39,8 @@ double part_of_lists(const synthesis::Passes& passes, const MarchPlan& plan, int
     return std::clamp((elements - first) / wanted, 0.0, 1.0);
 }
 
-// What fits into the loops of a beam's shader; with lists it is less where these are long.
+} // namespace
+
 int evaluations_of_a_beam(const synthesis::Passes& passes, const formula::Field& field,
                           synthesis::BeamLists lists) {
     // Where lists are made for smaller blocks, these walk the rest of the way at a smaller price.
@@ -50,8 +51,6 @@ int evaluations_of_a_beam(const synthesis::Passes& passes, const formula::Field&
     const double fitting = 0.5 * loop_iterations_per_pass / (1 + sums);
     return int(synthesis::has_lists(passes) ? most : std::min(most, fitting));
 }
-
-} // namespace
 
 BeamPass::BeamPass(const synthesis::Passes& passes, const scene::Scene& scene,
                    const MarchPlan& plan, int texels, int first_list) {

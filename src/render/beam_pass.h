@@ -18,6 +18,11 @@
 
 namespace isomotion::render {
 
+// Pieces of its way that one beam looks at: what fits into the loops of its shader; with lists it
+// is less where these are long.
+int evaluations_of_a_beam(const synthesis::Passes& passes, const formula::Field& field,
+                          synthesis::BeamLists lists);
+
 class BeamPass {
 public:
     // For tiles as planned. Lists of elements follow the first `first_list` in the array's buffer,

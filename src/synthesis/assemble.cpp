@@ -1,6 +1,7 @@
 #include "synthesis/assemble.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -73,16 +74,32 @@ FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers) {
     return field_storage(*scene.surface.field, scene.surface.parameters, counts, finding);
 }
 
+// Squares of beams are kept apart for software renderers' threads; a page draws all of them at
+// once.
+void lay_side_by_side(std::vector<BeamLevel>& levels) {
+    for (BeamLevel& level : levels) level.square_bits = std::countr_zero(unsigned(beam_square));
+}
+
+// The rest is the prelude's.
+void become_glsl_es(Pass& pass) {
+    for (std::string* text : {&pass.vertex, &pass.text})
+        text->replace(0, text->find('\n'), "#version 300 es");
+}
+
 // So long that compiling it shows: some 0.2 s on a software renderer, and growing with its length.
 bool is_long(const formula::Program& gradient) { return gradient.instructions.size() > 1000; }
 
 } // namespace
 
 Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels, Stage stage,
-                bool writes_buffers, int finest_beam, bool tells_endings) {
+                bool writes_buffers, int finest_beam, bool tells_endings, Platform platform) {
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
+    const bool on_web = platform == Platform::webgl;
     Passes passes;
-    static_cast<FieldStorage&>(passes) = storage_of(scene, writes_buffers);
+    static_cast<FieldStorage&>(passes) =
+        on_web ? field_storage(*scene.surface.field, scene.surface.parameters,
+                               scene.timeline.animation.counts())
+               : storage_of(scene, writes_buffers);
     passes.stage = stage;
     // A wall's normal is no slope along a ray.
     passes.march_takes_gradient =
@@ -93,9 +110,10 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     passes.state_textures = method.state_textures;
     const bool by_beams = uses_beams(scene) && !array_with_grid(passes);
     if (by_beams) passes.beams = beam_levels(passes, finest_beam);
+    if (on_web) lay_side_by_side(passes.beams);
     // A polynomial is solved from where the eye's rays begin, off the surface: shadow rays from the
     // light end on it.
-    if (by_beams && !solves) passes.light_beams = shadow_mask(scene) & far_lights(scene);
+    if (by_beams && !solves && !on_web) passes.light_beams = shadow_mask(scene) & far_lights(scene);
     std::vector<Channel> wanted = channels;
     if (scene.isolation.certify || tells_endings) wanted.push_back(Channel::ending);
     passes.attachments = written_channels(wanted);
@@ -124,6 +142,9 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     }
     if (scene.isolation.certify) {
         for (Pass& pass : proof_passes(scene, passes)) add(std::move(pass));
+    }
+    if (on_web) {
+        for (Pass& pass : passes.list) become_glsl_es(pass);
     }
     return passes;
 }

@@ -18,11 +18,16 @@ namespace isomotion::synthesis {
 // Pixels across the smallest beams.
 inline constexpr int usual_beam = 8;
 
+// What compiles the shaders. `webgl` is WebGL2: GLSL ES 3.00, in which sums go through all elements
+// at every place and lights have no beams.
+enum class Platform { opengl, webgl };
+
 // `writes_buffers`: shaders may (OpenGL 4.3), which the lists of beams need. `finest_beam`: 8, or 1
 // for beams of single pixels, which cost more than they save. `tells_endings`: the picture has the
 // channel ending, as certified ones do.
 Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels = {},
                 Stage stage = Stage::fragment, bool writes_buffers = true,
-                int finest_beam = usual_beam, bool tells_endings = false);
+                int finest_beam = usual_beam, bool tells_endings = false,
+                Platform platform = Platform::opengl);
 
 } // namespace isomotion::synthesis

@@ -13,6 +13,12 @@
 namespace isomotion::synthesis {
 namespace {
 
+// Globals of GLSL ES begin with constants: there the name is the value's other name.
+std::string by_name_in_es(std::string_view name, std::string_view value,
+                          std::string_view declaration) {
+    return fmt::format("#ifdef GL_ES\n#define {} {}\n#else\n{}#endif\n", name, value, declaration);
+}
+
 std::string declarations(const FieldStorage& storage) {
     std::string text = "layout(std140) uniform Parameters {\n";
     text += fmt::format("    vec4 parameter_block[{}];\n", storage.parameter_vectors);
@@ -27,8 +33,9 @@ std::string declarations(const FieldStorage& storage) {
     for (int k = 0; k < storage.parameter_vectors; ++k) {
         copies += fmt::format("{}parameter_block[{}]", k > 0 ? ", " : "", k);
     }
-    text +=
-        fmt::format("vec4 parameters[{0}] = vec4[{0}]({1});\n", storage.parameter_vectors, copies);
+    text += by_name_in_es(
+        "parameters", "parameter_block",
+        fmt::format("vec4 parameters[{0}] = vec4[{0}]({1});\n", storage.parameter_vectors, copies));
     for (std::size_t a = 0; a < storage.arrays.size(); ++a) {
         const ArrayStorage& array = storage.arrays[a];
         if (array.has_grid) {
@@ -38,8 +45,10 @@ std::string declarations(const FieldStorage& storage) {
                                 array.name, grid_vectors_of_place);
             continue;
         }
-        text += fmt::format("int {0}_count = array_counts[{1}].{2};\n#define {0}_least {3}\n",
-                            array.name, a / 4, "xyzw"[a % 4], formula::glsl_least_of_none());
+        const std::string count = fmt::format("array_counts[{}].{}", a / 4, "xyzw"[a % 4]);
+        text += by_name_in_es(array.name + "_count", count,
+                              fmt::format("int {}_count = {};\n", array.name, count));
+        text += fmt::format("#define {}_least {}\n", array.name, formula::glsl_least_of_none());
         std::string element = "element";
         if (array.has_lists) {
             // Another list than all elements, once entered.
@@ -58,8 +67,8 @@ std::string declarations(const FieldStorage& storage) {
             texel = fmt::format("{}[{}]", array.name, at);
             break;
         case ArrayStorage::Kind::texture_buffer:
-            text += fmt::format("uniform samplerBuffer {};\n", array.name);
-            texel = fmt::format("texelFetch({}, {})", array.name, at);
+            text += fmt::format("uniform IM_BUFFER {};\n", array.name);
+            texel = fmt::format("IM_BUFFER_AT({}, {})", array.name, at);
             break;
         }
         text += fmt::format("vec4 {}_texel(int element, int texel) {{ return {}; }}\n", array.name,

@@ -36,7 +36,8 @@ void note(std::vector<std::string>& names, std::string_view name) {
 void note_line(std::string_view line, Pass& pass, bool is_last_stage) {
     if (take(line, "layout(std140) uniform ")) {
         note(pass.blocks, take_name(line));
-    } else if (line.starts_with("uniform sampler") || line.starts_with("uniform usampler")) {
+    } else if (line.starts_with("uniform sampler") || line.starts_with("uniform usampler") ||
+               line.starts_with("uniform IM_BUFFER")) {
         take(line, "uniform");
         take_name(line); // the type
         do {

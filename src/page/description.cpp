@@ -1,0 +1,255 @@
+#include "page/description.h"
+
+#include <array>
+#include <bit>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "base/file.h"
+#include "player/model/controls.h"
+#include "player/model/timeline_markers.h"
+#include "render/beam_pass.h"
+#include "render/march_plan.h"
+#include "render/sample_pattern.h"
+#include "scene/color_map.h"
+#include "synthesis/effect.h"
+#include "synthesis/effect_text.h"
+
+namespace isomotion::page {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using synthesis::Role, synthesis::When;
+
+constexpr std::size_t longest_source = 200'000; // bytes
+// At rest a picture is refined to the mean of so many, as in the player.
+constexpr int fewest_samples = 16;
+
+std::string name_of(Role role) {
+    switch (role) {
+    case Role::beams:
+        return "beams";
+    case Role::mask:
+        return "mask";
+    case Role::fused:
+        return "fused";
+    case Role::march:
+        return "march";
+    case Role::active:
+        return "active";
+    case Role::surface:
+        return "surface";
+    case Role::mirror:
+        return "mirror";
+    case Role::mirror_surface:
+        return "mirrorSurface";
+    case Role::shadow:
+        return "shadow";
+    case Role::shade:
+        return "shade";
+    default:
+        return ""; // of no page
+    }
+}
+
+// Passes share most of their text: each line is kept once.
+class Texts {
+public:
+    Json lines_of(const std::string& text) {
+        Json numbers = Json::array();
+        for (std::size_t begin = 0; begin < text.size();) {
+            const std::size_t end = std::min(text.find('\n', begin), text.size());
+            numbers.push_back(number_of(text.substr(begin, end - begin)));
+            begin = end + 1;
+        }
+        return numbers;
+    }
+    const Json& all() const { return all_; }
+
+private:
+    std::size_t number_of(const std::string& line) {
+        const auto [found, is_new] = numbers_.emplace(line, numbers_.size());
+        if (is_new) all_.push_back(line);
+        return found->second;
+    }
+
+    std::map<std::string, std::size_t> numbers_;
+    Json all_ = Json::array();
+};
+
+Json passes_of(const WebScene& web, Texts& texts) {
+    Json all = Json::array();
+    for (const synthesis::Pass& pass : web.passes.list) {
+        all.push_back({{"role", name_of(pass.role)},
+                       {"name", pass.name},
+                       {"level", pass.level},
+                       {"exceptional", synthesis::is_exceptional(pass.when)},
+                       {"vertex", texts.lines_of(pass.vertex)},
+                       {"text", texts.lines_of(pass.text)},
+                       {"samplers", pass.samplers},
+                       {"blocks", pass.blocks}});
+    }
+    return all;
+}
+
+Json beams_of(const WebScene& web) {
+    Json all = Json::array();
+    for (const synthesis::BeamLevel& level : web.passes.beams) {
+        all.push_back({{"block", level.block},
+                       {"evaluations", render::evaluations_of_a_beam(
+                                           web.passes, *web.scene.surface.field, level.lists)}});
+    }
+    return all;
+}
+
+Json places_of(const std::vector<Place>& places) {
+    Json all = Json::array();
+    for (const Place& place : places) all.push_back({place.name, place.count});
+    return all;
+}
+
+Json tables_of(const FrameValues& values) {
+    Json all = Json::array();
+    for (const ValueTable* table : values.tables())
+        all.push_back({{"name", table->name()}, {"width", table->width()}});
+    return all;
+}
+
+Json arrays_of(const synthesis::Passes& passes) {
+    Json all = Json::array();
+    for (const auto& array : passes.arrays) {
+        const bool in_block = array.kind == synthesis::ArrayStorage::Kind::uniform_block;
+        all.push_back(
+            {{"name", in_block ? array.name + "_block" : array.name}, {"texture", !in_block}});
+    }
+    return all;
+}
+
+// What depends on a parameter by another expression would not follow a slider: such have none.
+Json sliders_of(const scene::Scene& scene) {
+    Json all = Json::array();
+    for (const player::SliderRange& range : player::slider_ranges(scene)) {
+        if (scene.timeline.animation.is_referenced(range.track)) continue;
+        if (!(range.least < range.most)) continue;
+        all.push_back({{"name", range.name},
+                       {"place", range.track},
+                       {"least", range.least},
+                       {"most", range.most}});
+    }
+    return all;
+}
+
+std::string kind_of(player::TimelineMarker::Kind kind) {
+    switch (kind) {
+    case player::TimelineMarker::Kind::key:
+        return "key";
+    case player::TimelineMarker::Kind::event:
+        return "event";
+    case player::TimelineMarker::Kind::unresolved:
+        return "unresolved";
+    }
+    return "";
+}
+
+// Keys are the author's business, events everybody's.
+Json markers_of(const scene::Scene& scene) {
+    Json all = Json::array();
+    if (!scene.formula.empty()) return all;
+    const auto found = player::read_topology_markers(scene, player::timeline_path(scene));
+    for (const player::TimelineMarker& marker : found.markers) {
+        // What a page's shaders draw is another arithmetic: it says what was found, not how surely.
+        std::string label = marker.label;
+        if (const auto note = label.find(" (not proved)"); note != label.npos)
+            label.erase(note, std::string_view(" (not proved)").size());
+        all.push_back({{"kind", kind_of(marker.kind)}, {"frame", marker.frame}, {"label", label}});
+    }
+    return all;
+}
+
+std::string source_of(const scene::Scene& scene) {
+    if (!scene.formula.empty()) return scene.formula;
+    std::error_code error;
+    const auto size = std::filesystem::file_size(scene.file, error);
+    if (error || size > longest_source) return "";
+    return base::read_whole_text(scene.file, longest_source);
+}
+
+Json pattern_of(int samples) {
+    Json all = Json::array();
+    for (const render::Sample& sample : render::sample_pattern(samples)) {
+        const auto& [pixel, lens] = sample.aim;
+        all.push_back({pixel.x, pixel.y, lens.x, lens.y});
+    }
+    return all;
+}
+
+// What the block Frame holds beside rays: render/uniform_blocks.cpp.
+Json settings_of(const scene::Scene& scene) {
+    const scene::Isolation& isolation = scene.isolation;
+    const double scale = scene.surface.field->scale;
+    return {{"method", scene::name(isolation.method)},
+            {"step", isolation.step},
+            {"near", scale * isolation.near},
+            {"far", scale * isolation.far},
+            {"horizon", scale * isolation.horizon},
+            {"bisections", isolation.bisections},
+            {"limit", isolation.limit},
+            {"safety", isolation.safety}};
+}
+
+Json headlights_of(const scene::Scene& scene) {
+    Json all = Json::array();
+    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+        if (scene.lights[k].headlight) all.push_back(k);
+    }
+    return all;
+}
+
+} // namespace
+
+std::string description(const WebScene& web, const FrameValues& values,
+                        const EnvironmentMap* environment) {
+    const scene::Scene& scene = web.scene;
+    const synthesis::Passes& passes = web.passes;
+    const animation::Timeline& timeline = scene.timeline;
+    Texts texts;
+    Json all;
+    all["title"] = scene.title;
+    all["formula"] = scene.surface.field->text;
+    all["source"] = source_of(scene);
+    all["frames"] = timeline.frames;
+    all["fps"] = {timeline.fps.numerator, timeline.fps.denominator};
+    all["loops"] = timeline.loops;
+    all["poster"] = scene.output.poster;
+    all["size"] = {scene.output.width, scene.output.height};
+    all["transparent"] = scene.output.transparent;
+    all["samples"] = scene.output.samples;
+    all["pattern"] = pattern_of(std::max(scene.output.samples, fewest_samples));
+    if (scene.output.samples > 1 && scene.output.samples < fewest_samples)
+        all["pattern"] = pattern_of(scene.output.samples);
+    all["box"] = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+    all["parallel"] = scene.camera.projection == scene::Camera::Projection::orthographic;
+    all["lights"] = scene.lights.size();
+    all["headlights"] = headlights_of(scene);
+    all["settings"] = settings_of(scene);
+    all["sliders"] = sliders_of(scene);
+    all["markers"] = markers_of(scene);
+    all["tile"] = web.plan.march.tile_width;
+    all["evaluations"] = web.plan.march.evaluations_per_pass;
+    all["shadowLights"] = std::popcount(unsigned(synthesis::shadow_mask(scene)));
+    all["degree"] = passes.degree;
+    all["stateTextures"] = passes.state_textures;
+    all["beams"] = beams_of(web);
+    all["arrays"] = arrays_of(passes);
+    all["passes"] = passes_of(web, texts);
+    all["lines"] = texts.all();
+    all["view"] = places_of(values.view_places);
+    all["effects"] = places_of(values.effect_places);
+    all["tables"] = tables_of(values);
+    if (environment) all["environment"] = {environment->width, environment->height};
+    // A scene's text may be no UTF-8.
+    return all.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+} // namespace isomotion::page

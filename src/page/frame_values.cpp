@@ -1,0 +1,134 @@
+#include "page/frame_values.h"
+
+#include <cstring>
+#include <stdexcept>
+#include <variant>
+
+#include <fmt/format.h>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "render/element_radius.h"
+#include "render/uniform_blocks.h"
+#include "scene/scene_at.h"
+#include "synthesis/effect.h"
+
+namespace isomotion::page {
+namespace {
+
+// A row of doubles and the names of its places.
+class Row {
+public:
+    void add(const char* name, double number) { add(name, std::span(&number, 1)); }
+    void add(const char* name, const glm::dvec3& v) { add(name, std::span(glm::value_ptr(v), 3)); }
+    void add(const char* name, const glm::dmat3& m) {
+        add(name, std::span(glm::value_ptr(m), 9)); // column by column
+    }
+
+    std::vector<double> numbers;
+    std::vector<Place> places;
+
+private:
+    void add(const char* name, std::span<const double> all) {
+        numbers.insert(numbers.end(), all.begin(), all.end());
+        places.push_back({name, int(all.size())});
+    }
+};
+
+// What rays depend on: web/rays.js makes the block Frame of it, for the camera of whoever looks.
+Row view_of(const scene::SceneAt& now, double element_radius) {
+    Row row;
+    row.add("position", now.camera.position);
+    row.add("target", now.camera.target);
+    row.add("up", now.camera.up);
+    row.add("fov", now.camera.fov);
+    row.add("height", now.camera.height);
+    row.add("zoom", now.camera.zoom);
+    row.add("aperture", now.camera.aperture);
+    row.add("focus", now.camera.focus);
+    row.add("translate", now.placement.translate);
+    row.add("rotate", now.placement.rotate);
+    row.add("scale", now.placement.scale);
+    row.add("min", now.bounds.min);
+    row.add("max", now.bounds.max);
+    row.add("centre", now.bounds.centre);
+    row.add("radius", now.bounds.radius);
+    row.add("elementRadius", element_radius);
+    return row;
+}
+
+std::vector<std::uint32_t> words_of_bytes(std::span<const std::byte> bytes) {
+    std::vector<std::uint32_t> words(bytes.size() / 4);
+    std::memcpy(words.data(), bytes.data(), words.size() * 4);
+    return words;
+}
+
+std::vector<float> numbers_of(std::span<const glm::vec4> texels) {
+    std::vector<float> floats;
+    for (const glm::vec4& texel : texels)
+        floats.insert(floats.end(), {texel.x, texel.y, texel.z, texel.w});
+    return floats;
+}
+
+std::span<const float> floats_of(const float& value) { return {&value, 1}; }
+template<glm::length_t n>
+std::span<const float> floats_of(const glm::vec<n, float, glm::defaultp>& value) {
+    return {glm::value_ptr(value), std::size_t(n)};
+}
+template<class Other> std::span<const float> floats_of(const Other&) {
+    throw std::logic_error("effects' uniforms are floats");
+}
+
+// Appends the numbers of the effects' uniforms; tells their places.
+std::vector<Place> add_effects(const synthesis::Uniforms& uniforms, std::vector<float>& row) {
+    std::vector<Place> places;
+    for (const auto& [name, value] : uniforms) {
+        const auto before = row.size();
+        std::visit(
+            [&](const auto& v) {
+                const auto floats = floats_of(v);
+                row.insert(row.end(), floats.begin(), floats.end());
+            },
+            value);
+        places.push_back({name, int(row.size() - before)});
+    }
+    return places;
+}
+
+} // namespace
+
+std::vector<const ValueTable*> FrameValues::tables() const {
+    std::vector<const ValueTable*> all{&view, &parameters, &shading, &effects};
+    for (const ValueTable& array : arrays) all.push_back(&array);
+    return all;
+}
+
+FrameValues frame_values(const WebScene& web) {
+    const scene::Scene& scene = web.scene;
+    const synthesis::Passes& passes = web.passes;
+    FrameValues values;
+    for (std::size_t a = 0; a < passes.arrays.size(); ++a)
+        values.arrays.emplace_back(fmt::format("array{}", a));
+    const bool by_cubics = scene::traits(scene.isolation.method).steps == scene::Steps::cubics;
+    render::ElementRadius element_radius;
+    for (int frame = 1; frame <= scene.timeline.frames; ++frame) {
+        const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+        Row view = view_of(now, by_cubics ? element_radius.least(scene, now) : HUGE_VAL);
+        values.view.add(words_of(std::span<const double>(view.numbers)));
+        values.view_places = std::move(view.places);
+        values.parameters.add(words_of_bytes(render::parameter_block(passes, now, nullptr)));
+        const auto shading = render::shading_block(scene, now, largest_tile, largest_tile);
+        values.shading.add(words_of(std::span<const float>(numbers_of(shading))));
+        std::vector<float> effects;
+        values.effect_places = add_effects(synthesis::effect_uniforms(scene, now), effects);
+        values.effects.add(words_of(std::span<const float>(effects)));
+        for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
+            std::vector<glm::vec4> texels = render::array_texels(scene, passes, now, a);
+            const auto& storage = passes.arrays[a];
+            texels.resize(std::size_t(storage.capacity) * std::size_t(storage.texels));
+            values.arrays[a].add(words_of(std::span<const float>(numbers_of(texels))));
+        }
+    }
+    return values;
+}
+
+} // namespace isomotion::page

@@ -1,0 +1,19 @@
+// Pages of all animations and an index of them: a folder of static files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace isomotion::page {
+
+// A page of the gallery.
+struct GalleryEntry {
+    std::string name; // of its files: name.html, name.png
+    std::string title;
+};
+
+// index.html: a poster for each page. `left_out`: a line for each animation that has none, and why.
+std::string gallery_index(const std::vector<GalleryEntry>& entries,
+                          const std::vector<std::string>& left_out);
+
+} // namespace isomotion::page

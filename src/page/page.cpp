@@ -1,0 +1,61 @@
+#include "page/page.h"
+
+#include <optional>
+#include <vector>
+
+#include "page/description.h"
+#include "page/embedded_files.h"
+#include "page/html.h"
+
+namespace isomotion::page {
+namespace {
+
+// In an order in which what runs at once comes last.
+constexpr const char* scripts[] = {"vectors.js",  "data.js",    "rays.js",   "orbit.js",
+                                   "playback.js", "address.js", "look.js",   "gl.js",
+                                   "passes.js",   "tile.js",    "screen.js", "resolution.js",
+                                   "painter.js",  "hands.js",   "panel.js",  "main.js"};
+
+void append(std::vector<std::byte>& to, std::string_view text) {
+    for (const char c : text) to.push_back(std::byte(c));
+}
+
+void append_word(std::vector<std::byte>& to, std::size_t word) {
+    for (int place = 0; place < 4; ++place) to.push_back(std::byte(word >> (8 * place) & 0xff));
+}
+
+// The length of the description, the description, the tables, the environment map.
+std::vector<std::byte> data_of(const WebScene& web) {
+    const FrameValues values = frame_values(web);
+    std::optional<EnvironmentMap> environment;
+    if (web.scene.environment) environment = environment_map(*web.scene.environment);
+    const std::string described = description(web, values, environment ? &*environment : nullptr);
+    std::vector<std::byte> data;
+    append_word(data, described.size());
+    append(data, described);
+    for (const ValueTable* table : values.tables()) table->pack(data);
+    if (environment)
+        data.insert(data.end(), environment->texels.begin(), environment->texels.end());
+    return data;
+}
+
+} // namespace
+
+std::string page(const scene::Scene& scene) {
+    const WebScene web = web_scene(scene);
+    const auto files = embedded_files();
+    std::string script;
+    for (const char* name : scripts) script.append(files.at(name)).append("\n");
+    return filled(files.at("page.html"),
+                  {{"title", html_text(scene.title)},
+                   {"formula", html_text(scene.surface.field->text)},
+                   {"style", std::string(files.at("page.css"))},
+                   {"script", script},
+                   {"data", deflated_text(data_of(web))},
+                   {"screen.vert", std::string(files.at("screen.vert"))},
+                   {"add.frag", std::string(files.at("add.frag"))},
+                   {"show.frag", std::string(files.at("show.frag"))},
+                   {"unfinished.frag", std::string(files.at("unfinished.frag"))}});
+}
+
+} // namespace isomotion::page

@@ -1,0 +1,45 @@
+// Numbers of every frame as a page keeps them: rows of 32-bit words, packed so that they deflate
+// well.
+//
+// Most columns never change and those that do change little from one frame to the next. Packed, a
+// table is:
+//   a byte a column: 1 if it moves;
+//   the first row, four bytes a word, the least first;
+//   of the moving columns the differences of each row from the one before, column by column: the
+//   most significant byte of all differences, then the next of all, down to the least.
+// src/page/web/data.js unpacks it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace isomotion::page {
+
+class ValueTable {
+public:
+    explicit ValueTable(std::string name)
+        : name_(std::move(name)) {}
+
+    // Adds a row. All rows are as long as the first; throws std::logic_error for others.
+    void add(std::span<const std::uint32_t> row);
+
+    const std::string& name() const { return name_; }
+    std::size_t width() const { return width_; } // words of a row
+    std::size_t rows() const { return rows_; }
+
+    void pack(std::vector<std::byte>& into) const;
+
+private:
+    std::string name_;
+    std::size_t width_ = 0, rows_ = 0;
+    std::vector<std::uint32_t> words_; // row by row
+};
+
+// A row of floats or of doubles, each of which is two words, the lower one first.
+std::vector<std::uint32_t> words_of(std::span<const float> numbers);
+std::vector<std::uint32_t> words_of(std::span<const double> numbers);
+
+} // namespace isomotion::page

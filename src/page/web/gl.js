@@ -1,0 +1,161 @@
+// WebGL2 in the words of this page: programs, targets, and waiting for what was drawn.
+
+class NotPossible extends Error {}
+
+function contextOf(canvas) {
+    const gl = canvas.getContext("webgl2",
+        { antialias: false, depth: false, alpha: true, powerPreference: "high-performance" });
+    if (!gl) throw new NotPossible("This browser has no WebGL2, which draws the surface.");
+    if (gl.isContextLost()) return gl;
+    if (!gl.getExtension("EXT_color_buffer_float")) {
+        throw new NotPossible("This browser or its graphics card draws into no float textures " +
+            "(EXT_color_buffer_float), which rays are kept in.");
+    }
+    gl.getExtension("KHR_parallel_shader_compile");
+    gl.disable(gl.DITHER);
+    return gl;
+}
+
+// A linked vertex and fragment shader. Names that it does not have are ignored.
+class Program {
+    constructor(gl, vertex, fragment, name) {
+        this.gl = gl;
+        this.name = name;
+        this.program = gl.createProgram();
+        this.shaders = [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]].map(
+            ([kind, text]) => {
+                const shader = gl.createShader(kind);
+                gl.shaderSource(shader, text);
+                gl.compileShader(shader);
+                gl.attachShader(this.program, shader);
+                return shader;
+            });
+        gl.linkProgram(this.program);
+    }
+
+    isReady() {
+        const extension = this.gl.getExtension("KHR_parallel_shader_compile");
+        if (!extension) return true;
+        return this.gl.getProgramParameter(this.program, extension.COMPLETION_STATUS_KHR);
+    }
+
+    // Once it is ready; throws where it did not compile.
+    finish(units, bindings) {
+        const { gl, program } = this;
+        if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) {
+            const told = this.shaders.map((shader) => gl.getShaderInfoLog(shader)).join("\n");
+            throw new NotPossible(`This browser does not compile the shader '${this.name}': ` +
+                `${told}\n${gl.getProgramInfoLog(program)}`);
+        }
+        this.uniforms = new Map();
+        const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) ?? 0;
+        gl.useProgram(program);
+        for (let k = 0; k < count; ++k) {
+            const { name, type } = gl.getActiveUniform(program, k);
+            const location = gl.getUniformLocation(program, name);
+            if (location) this.uniforms.set(name.replace("[0]", ""), { location, type });
+            if (units.has(name)) gl.uniform1i(location, units.get(name));
+        }
+        for (const [block, binding] of bindings) {
+            const index = gl.getUniformBlockIndex(program, block);
+            if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, index, binding);
+        }
+        return this;
+    }
+
+    set(name, value) {
+        const { gl } = this;
+        const uniform = this.uniforms.get(name);
+        if (!uniform) return;
+        gl.useProgram(this.program);
+        switch (uniform.type) {
+        case gl.FLOAT: return gl.uniform1f(uniform.location, value);
+        case gl.FLOAT_VEC2: return gl.uniform2fv(uniform.location, value);
+        case gl.FLOAT_VEC3: return gl.uniform3fv(uniform.location, value);
+        case gl.FLOAT_VEC4: return gl.uniform4fv(uniform.location, value);
+        case gl.INT_VEC2: return gl.uniform2iv(uniform.location, value);
+        case gl.INT_VEC3: return gl.uniform3iv(uniform.location, value);
+        default: return gl.uniform1i(uniform.location, value);
+        }
+    }
+}
+
+function textureOf(gl, internal, width, height) {
+    const texture = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE0 + editingUnit);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, internal, width, height);
+    for (const [name, value] of [[gl.TEXTURE_MIN_FILTER, gl.NEAREST],
+        [gl.TEXTURE_MAG_FILTER, gl.NEAREST], [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
+        [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE]]) gl.texParameteri(gl.TEXTURE_2D, name, value);
+    return texture;
+}
+
+const editingUnit = 15; // no pass reads this one
+
+// Textures of one size that passes draw into.
+class Target {
+    constructor(gl, width, height, formats) {
+        this.gl = gl;
+        this.width = width;
+        this.height = height;
+        this.textures = formats.map((format) => textureOf(gl, format, width, height));
+        this.framebuffer = gl.createFramebuffer();
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
+        this.textures.forEach((texture, k) => gl.framebufferTexture2D(gl.FRAMEBUFFER,
+            gl.COLOR_ATTACHMENT0 + k, gl.TEXTURE_2D, texture, 0));
+        gl.drawBuffers(this.textures.map((_, k) => gl.COLOR_ATTACHMENT0 + k));
+    }
+    // With a depth buffer; a second framebuffer draws into that alone.
+    withDepth() {
+        const { gl } = this;
+        this.depth = gl.createRenderbuffer();
+        gl.bindRenderbuffer(gl.RENDERBUFFER, this.depth);
+        gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT16, this.width, this.height);
+        this.depthAlone = gl.createFramebuffer();
+        for (const framebuffer of [this.framebuffer, this.depthAlone]) {
+            gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+            gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER,
+                this.depth);
+        }
+        gl.drawBuffers([gl.NONE]); // of the latter
+        return this;
+    }
+    expectComplete() {
+        const { gl } = this;
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
+        const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
+        if (status === gl.FRAMEBUFFER_COMPLETE || gl.isContextLost()) return this;
+        throw new NotPossible("This browser or its graphics card has too little memory for float " +
+            `textures of ${this.width} x ${this.height} pixels, or draws into none.`);
+    }
+    bind() {
+        this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, this.framebuffer);
+    }
+    free() {
+        const { gl } = this;
+        this.textures.forEach((texture) => gl.deleteTexture(texture));
+        gl.deleteFramebuffer(this.framebuffer);
+    }
+}
+
+const soon = (milliseconds = 0) => new Promise((go) => setTimeout(go, milliseconds));
+
+// Whether any sample of a draw passed, once the card has drawn it; the page goes on meanwhile.
+async function anyPassed(gl, draw) {
+    const query = gl.createQuery();
+    gl.beginQuery(gl.ANY_SAMPLES_PASSED, query);
+    draw();
+    gl.endQuery(gl.ANY_SAMPLES_PASSED);
+    gl.flush();
+    do {
+        await soon();
+        if (gl.isContextLost()) throw new Stopped();
+    } while (!gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE));
+    const passed = gl.getQueryParameter(query, gl.QUERY_RESULT);
+    gl.deleteQuery(query);
+    return Boolean(passed);
+}
+
+// A picture that was given up.
+class Stopped extends Error {}

@@ -1,0 +1,229 @@
+// Decides what is drawn and when: while something moves one small picture after the other, at rest
+// the whole one and then the mean of more, and nothing once that is done, nor while the page is hidden.
+
+const restAfter = 150; // milliseconds without a change
+const mostPixels = 2.5e6;
+
+const now = () => performance.now() / 1000;
+
+class Painter {
+    // `look` tells what is to be seen: look.frame(moment), look.view(frame), look.values, look.playing.
+    constructor(canvas, data, look, pageShaders, listeners) {
+        this.canvas = canvas;
+        this.data = data;
+        this.look = look;
+        this.pageShaders = pageShaders;
+        this.listeners = listeners; // shown(state), failed(error), waits(text)
+        this.resolution = new Resolution();
+        this.version = 0; // of what is to be seen
+        this.changed = -1e9;
+        this.drawn = 0;  // pictures, all samples counted
+        this.isAtRest = false;
+        this.samplesWanted = data.about.pattern.length;
+        canvas.addEventListener("webglcontextlost", (event) => {
+            event.preventDefault();
+            this.version += 1;
+            this.gl = undefined;
+            this.lost = true;
+            this.listeners.waits("The graphics card was reset; waiting for it.");
+        });
+        canvas.addEventListener("webglcontextrestored", () => {
+            this.lost = false;
+            this.change();
+        });
+        document.addEventListener("visibilitychange", () => this.wake?.());
+    }
+
+    // Something else is to be seen. `byHand`: more changes are likely to follow.
+    change(byHand = true) {
+        this.version += 1;
+        this.isAtRest = false;
+        if (byHand) this.changed = performance.now();
+        this.wake?.();
+    }
+
+    async run() {
+        for (;;) {
+            try {
+                await this.turn();
+            } catch (error) {
+                if (error instanceof Stopped || this.isLost()) continue;
+                this.listeners.failed(error);
+                return;
+            }
+        }
+    }
+
+    isLost() {
+        return Boolean(this.lost || this.gl?.isContextLost());
+    }
+
+    async turn() {
+        if (document.hidden || this.lost) return this.untilWoken();
+        if (!this.gl) await this.make();
+        if (!this.gl || this.isLost()) return this.pause(500);
+        const since = performance.now() - this.changed;
+        if (this.look.playing || since < restAfter) return this.drawMoving();
+        if (!this.isAtRest) return this.drawResting();
+        return this.untilWoken();
+    }
+
+    untilWoken() {
+        return new Promise((go) => (this.wake = go));
+    }
+    // Until it is woken, or as long.
+    pause(milliseconds) {
+        return Promise.race([this.untilWoken(), soon(milliseconds)]);
+    }
+
+    async make() {
+        const gl = contextOf(this.canvas);
+        if (gl.isContextLost()) return;
+        const { about } = this.data;
+        this.listeners.waits("Compiling the shaders.");
+        const table = new PassTable(gl, about, this.pageShaders);
+        await table.compile();
+        if (gl.isContextLost()) return;
+        this.table = table;
+        this.tile = new TileDrawer(gl, about, table);
+        if (!this.tile.isFused) await table.compile(true);
+        this.screen = new Screen(gl, table, this.tile);
+        this.uploadEnvironment(gl);
+        this.uploadedFrame = undefined;
+        this.arrays = [];
+        this.gl = gl;
+        this.listeners.waits("");
+    }
+
+    uploadEnvironment(gl) {
+        const { environment, about } = this.data;
+        if (!environment) return;
+        const [width, height] = about.environment;
+        const texture = textureOf(gl, gl.RGB16F, width, height);
+        gl.pixelStorei(gl.UNPACK_ALIGNMENT, 2);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGB, gl.HALF_FLOAT, environment);
+        this.table.bind("environment_map", texture);
+    }
+
+    // What does not depend on the camera, but for lights at the viewer's shoulder.
+    upload(frame, view) {
+        const { data, table } = this;
+        const parameters = data.floats("parameters", frame);
+        for (const { name, place } of data.about.sliders) {
+            if (this.look.values.has(name)) parameters[place] = this.look.values.get(name);
+        }
+        table.setBlock("Parameters", parameters);
+        const shading = data.floats("shading", frame);
+        for (const k of data.about.headlights) shading.set(shoulder(view), 4 * (2 + k));
+        table.setBlock("Shading", shading);
+        this.background = Array.from(shading.subarray(4, 8));
+        if (this.uploadedFrame === frame) return;
+        table.setEffects(data.effects(frame));
+        data.about.arrays.forEach((array, k) => this.uploadArray(array, k, frame));
+        this.uploadedFrame = frame;
+    }
+
+    uploadArray({ name, texture }, k, frame) {
+        const { gl } = this;
+        const elements = this.data.floats(`array${k}`, frame);
+        if (!texture) return this.table.setBlock(name, elements);
+        const rows = Math.ceil(elements.length / 4 / 1024); // IM_BUFFER_AT of shaders/prelude.glsl
+        const texels = new Float32Array(rows * 4096);
+        texels.set(elements);
+        this.arrays[k] ??= textureOf(gl, gl.RGBA32F, 1024, rows);
+        gl.activeTexture(gl.TEXTURE0 + editingUnit);
+        gl.bindTexture(gl.TEXTURE_2D, this.arrays[k]);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 1024, rows, gl.RGBA, gl.FLOAT, texels);
+        this.table.bind(name, this.arrays[k]);
+    }
+
+    // The screen's pixels, as many as are drawn at rest.
+    size() {
+        const { clientWidth, clientHeight } = this.canvas;
+        let ratio = Math.min(window.devicePixelRatio || 1, 2);
+        ratio *= Math.min(1, Math.sqrt(mostPixels / (clientWidth * clientHeight * ratio * ratio)));
+        return [clientWidth, clientHeight].map((side) => Math.max(1, Math.round(side * ratio)));
+    }
+
+    // One picture of all tiles. `go` is asked between them.
+    async drawPicture(frame, view, width, height, aim, go) {
+        const { data, tile, screen, table } = this;
+        const { settings, beams } = data.about;
+        this.upload(frame, view);
+        table.setBlock("Frame", frameBlock(view, settings, width, height, aim));
+        const inputs = {
+            background: this.background,
+            beams: beams.map(({ block }) => beamRange(view, width, height, aim, block)),
+        };
+        const side = data.about.tile;
+        for (let y = 0; y < height; y += side) {
+            for (let x = 0; x < width; x += side) {
+                const part = { x, y, width: Math.min(side, width - x),
+                    height: Math.min(side, height - y) };
+                await tile.draw(inputs, part, go);
+                go();
+                if (this.verdicts) tile.tally(part).forEach((n, k) => (this.verdicts[k] += n));
+                screen.add(part);
+            }
+        }
+        screen.finishPicture();
+        this.drawn += 1;
+    }
+
+    present(frame, width, height, samples) {
+        const { canvas } = this;
+        const [across, up] = this.size();
+        if (canvas.width !== across || canvas.height !== up)
+            Object.assign(canvas, { width: across, height: up });
+        this.screen.show();
+        this.listeners.shown({ frame, width, height, samples });
+    }
+
+    fitOf(width, height) {
+        const [ownWidth, ownHeight] = this.data.about.size;
+        return Math.max(1, (Math.min(1, ownWidth / ownHeight) * height) / width);
+    }
+
+    async drawMoving() {
+        await new Promise((go) => requestAnimationFrame(go));
+        const { version } = this;
+        const frame = this.look.frame(now());
+        const isSame = frame === this.movingFrame && version === this.movingVersion;
+        if (isSame) return this.look.playing ? undefined : this.pause(20);
+        const [across, up] = this.size();
+        const [width, height] =
+            [across, up].map((side) => Math.max(1, Math.round(side * this.resolution.scale)));
+        const view = this.look.view(frame, this.fitOf(width, height));
+        const begin = performance.now();
+        const expectAlive = () => {
+            if (this.isLost()) throw new Stopped();
+        };
+        this.screen.begin(width, height);
+        await this.drawPicture(frame, view, width, height, this.data.about.pattern[0], expectAlive);
+        this.resolution.measured(performance.now() - begin);
+        this.present(frame, width, height, 1);
+        [this.movingFrame, this.movingVersion] = [frame, version];
+        this.isAtRest = false;
+    }
+
+    async drawResting() {
+        const { version } = this;
+        const frame = this.look.frame(now());
+        const [width, height] = this.size();
+        const view = this.look.view(frame, this.fitOf(width, height));
+        const expectWanted = () => {
+            if (this.isLost() || version !== this.version || document.hidden) throw new Stopped();
+        };
+        this.screen.begin(width, height);
+        if (this.tallies) this.verdicts = Array(8).fill(0);
+        const pattern = this.data.about.pattern.slice(0, this.samplesWanted);
+        for (let k = 0; k < pattern.length; ++k) {
+            await this.drawPicture(frame, view, width, height, pattern[k], expectWanted);
+            if (k === 0 && this.tallies) [this.told, this.verdicts] = [this.verdicts, undefined];
+            this.present(frame, width, height, k + 1);
+        }
+        this.isAtRest = true;
+        this.movingVersion = version;
+        this.movingFrame = frame;
+    }
+}

@@ -1,0 +1,104 @@
+// The scene's passes as programs: compiled, connected to their textures and blocks, ready to run, as
+// src/render/pass_table.h has them.
+
+class PassTable {
+    constructor(gl, about, pageShaders) {
+        this.gl = gl;
+        this.passes = about.passes;
+        this.units = new Map();
+        this.bindings = new Map();
+        this.programs = new Map(); // compiling or ready
+        this.buffers = new Map();
+        this.effects = {};
+        for (const { samplers, blocks } of this.passes) {
+            for (const name of samplers) this.number(this.units, name);
+            for (const name of blocks) this.number(this.bindings, name);
+        }
+        for (const name of ["result", "sum", "record"]) this.number(this.units, name);
+        if (this.units.size > editingUnit)
+            throw new NotPossible(`The scene's passes read ${this.units.size} textures.`);
+        this.own = new Map();
+        for (const [name, text] of Object.entries(pageShaders.fragments))
+            this.own.set(name, { name, vertex: pageShaders.vertex, text, samplers: [], blocks: [] });
+        gl.bindVertexArray(gl.createVertexArray());
+    }
+
+    number(names, name) {
+        if (!names.has(name)) names.set(name, names.size);
+    }
+
+    has(role) {
+        return this.passes.some((pass) => pass.role === role);
+    }
+
+    find(role, level = 0) {
+        return this.own.get(role) ??
+            this.passes.find((pass) => pass.role === role && pass.level === level);
+    }
+
+    // Starts compiling; browsers do so beside the page.
+    begin(pass) {
+        const program = new Program(this.gl, pass.vertex, pass.text, pass.name);
+        this.programs.set(pass, program);
+        return program;
+    }
+
+    async ready(pass) {
+        const program = this.programs.get(pass) ?? this.begin(pass);
+        if (program.uniforms) return;
+        while (!program.isReady()) await soon(5);
+        program.finish(this.units, this.bindings);
+        for (const [name, value] of Object.entries(this.effects)) program.set(name, value);
+    }
+
+    // Those that most pictures need, or all.
+    async compile(exceptional = false) {
+        const wanted = [...this.own.values(),
+            ...this.passes.filter((pass) => exceptional || !pass.exceptional)];
+        for (const pass of wanted) if (!this.programs.has(pass)) this.begin(pass);
+        for (const pass of wanted) await this.ready(pass);
+    }
+
+    program(role, level = 0) {
+        return this.programs.get(this.find(role, level));
+    }
+
+    setEffects(values) {
+        this.effects = values;
+        for (const program of this.programs.values()) {
+            if (!program.uniforms) continue;
+            for (const [name, value] of Object.entries(values)) program.set(name, value);
+        }
+    }
+
+    setBlock(name, numbers) {
+        const { gl } = this;
+        if (!this.bindings.has(name)) return;
+        if (!this.buffers.has(name)) this.buffers.set(name, gl.createBuffer());
+        gl.bindBuffer(gl.UNIFORM_BUFFER, this.buffers.get(name));
+        gl.bufferData(gl.UNIFORM_BUFFER, numbers, gl.DYNAMIC_DRAW);
+        gl.bindBufferBase(gl.UNIFORM_BUFFER, this.bindings.get(name), this.buffers.get(name));
+    }
+
+    bind(sampler, texture) {
+        const { gl } = this;
+        if (!this.units.has(sampler)) return;
+        gl.activeTexture(gl.TEXTURE0 + this.units.get(sampler));
+        gl.bindTexture(gl.TEXTURE_2D, texture);
+    }
+    bindNumbered(sampler, target) {
+        target.textures.forEach((texture, k) => this.bind(`${sampler}_${k}`, texture));
+    }
+    // No texture may be read that is drawn into.
+    unbindNumbered(sampler, target) {
+        target.textures.forEach((_, k) => this.bind(`${sampler}_${k}`, null));
+    }
+
+    // Draws over these pixels of what is bound.
+    draw(program, { x = 0, y = 0, width, height }) {
+        const { gl } = this;
+        gl.useProgram(program.program);
+        gl.viewport(x, y, width, height);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+    }
+}
