@@ -31,5 +31,6 @@ RayState pass_free(RayState s, Ray ray) {
     s.refinements = 0;
     s.other = vec3(0.0);
     s.open_end = 0.0;
-    return t >= ray.t_far ? finish(s, VERDICT_MISS) : s;
+    if (t >= ray.t_far) return finish(s, VERDICT_MISS);
+    return s;
 }

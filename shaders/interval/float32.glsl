@@ -18,7 +18,7 @@
 #define REAL3 vec3
 #define REAL4 vec4
 #define IM_INFINITY uintBitsToFloat(0x7f800000u)
-#define IM_LARGEST 3.40282347e38
+#define IM_LARGEST 3.402823466e38
 #define IM_SMALLEST 1.17549435e-38
 #define IM_STEP 4.70197740e-38          // 2^-124
 #define IM_ROUNDING 8.94069672e-8       // 1.5 * 2^-24

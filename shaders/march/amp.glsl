@@ -7,7 +7,8 @@ RayState step_on(RayState s, Ray ray) {
     s.phase = PHASE_MARCH;
     s.high = min(s.low + step_size(s.f_low), ray.t_far);
     // A step below the spacing of floats would stand still.
-    return s.high > s.low ? s : finish(s, VERDICT_STEP_LIMIT);
+    if (s.high > s.low) return s;
+    return finish(s, VERDICT_STEP_LIMIT);
 }
 
 float next_sample(RayState s) {
@@ -38,5 +39,6 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
         if (s.evaluations >= int(limits.y)) return finish(s, VERDICT_STEP_LIMIT);
         return step_on(s, ray);
     }
-    return s.refinements >= int(limits.x) ? found(s, 0.5 * (s.low + s.high)) : s;
+    if (s.refinements >= int(limits.x)) return found(s, 0.5 * (s.low + s.high));
+    return s;
 }

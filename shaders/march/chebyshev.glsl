@@ -51,7 +51,8 @@ RayState refine(RayState s, Ray ray, float t, float f) {
     s.phase = PHASE_START;
     // Shadow rays add up the evaluations of all lights up to this one.
     bool gives_up = s.evaluations > MOST_PIECES * (DEGREE + 2) * (s.refinements + 1);
-    return t < ray.t_far && !gives_up ? s : finish(s, VERDICT_MISS);
+    if (t < ray.t_far && !gives_up) return s;
+    return finish(s, VERDICT_MISS);
 }
 
 RayState advance(RayState s, Ray ray, float t, vec2 f) {
@@ -104,5 +105,6 @@ RayState solve(RayState s, Ray ray) {
     s.f_low = vec2(upright * level, upright * slope / reach);
     s.taken = 0;
     s.phase = PHASE_REFINE;
-    return s.evaluations >= int(limits.y) ? finish(s, VERDICT_STEP_LIMIT) : s;
+    if (s.evaluations >= int(limits.y)) return finish(s, VERDICT_STEP_LIMIT);
+    return s;
 }

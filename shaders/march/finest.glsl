@@ -9,5 +9,6 @@ float finest_at(float t) {
 RayState cut(RayState s, float length) {
     s.high = s.low + length;
     bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);
-    return gives_up ? finish(s, VERDICT_STEP_LIMIT) : s;
+    if (gives_up) return finish(s, VERDICT_STEP_LIMIT);
+    return s;
 }

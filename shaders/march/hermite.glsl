@@ -131,5 +131,6 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     if (left) return finish(s, VERDICT_MISS);
     // A step below the spacing of floats would stand still.
     bool stands = !(s.high > s.low) || s.evaluations >= int(limits.y);
-    return stands ? finish(s, VERDICT_STEP_LIMIT) : s;
+    if (stands) return finish(s, VERDICT_STEP_LIMIT);
+    return s;
 }

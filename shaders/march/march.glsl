@@ -10,7 +10,8 @@ uniform float element_budget;
 RayState begin(Ray ray) {
     RayState s = state_at(ray.t_near);
     bool empty = !(ray.t_near <= ray.t_far);
-    return empty ? finish(s, VERDICT_MISS) : s;
+    if (empty) return finish(s, VERDICT_MISS);
+    return s;
 }
 
 RayState march(Ray ray, RayState s) {

@@ -10,7 +10,8 @@ RayState move_on(RayState s, Ray ray, float t, float f, float length) {
     s.high = min(t + max(length, finest_at(t)), ray.t_far);
     if (t >= ray.t_far) return finish(s, VERDICT_MISS);
     bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);
-    return gives_up ? finish(s, VERDICT_STEP_LIMIT) : s;
+    if (gives_up) return finish(s, VERDICT_STEP_LIMIT);
+    return s;
 }
 
 // From its value f at `low` F comes to 0 no sooner than after |f| over the rate at which it can
@@ -50,5 +51,6 @@ RayState refine(RayState s, float t, float f, float slope) {
     bool close = inside && abs(newton - t) <= 4.0 * finest_at(t);
     bool narrow = s.high - s.low <= finest_at(t) || s.refinements >= 32;
     s.f_low.y = inside && (close || (s.refinements & 3) != 0) ? newton : 0.5 * (s.low + s.high);
-    return close || narrow ? found(s, s.f_low.y) : s;
+    if (close || narrow) return found(s, s.f_low.y);
+    return s;
 }

@@ -43,15 +43,16 @@ RayState begin_at(RayState s, Ray ray, float t, float length) {
     s.other = vec3(length, 0.0, 0.0);
     s.phase = PHASE_START;
     if (t >= ray.t_far) return finish(s, VERDICT_MISS);
-    return s.evaluations >= int(limits.y) ? finish(s, VERDICT_STEP_LIMIT) : s;
+    if (s.evaluations >= int(limits.y)) return finish(s, VERDICT_STEP_LIMIT);
+    return s;
 }
 
 // F has no value where the ray begins.
 RayState no_value_at_begin(RayState s, Ray ray) {
     float finest = finest_at(s.low), length = max(s.other.x, finest);
     bool passes = length <= finest || has_no_value(ray, vec2(s.low, s.low + length));
-    return passes ? begin_at(s, ray, s.low + length, 2.0 * length)
-                  : begin_at(s, ray, s.low, 0.5 * length);
+    if (passes) return begin_at(s, ray, s.low + length, 2.0 * length);
+    return begin_at(s, ray, s.low, 0.5 * length);
 }
 
 // There is no root up to t, where F is f.
@@ -64,7 +65,8 @@ RayState pass_piece(RayState s, Ray ray, float t, vec2 f, vec3 other) {
     s.phase = PHASE_MARCH;
     if (t >= ray.t_far) return finish(s, VERDICT_MISS);
     bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);
-    return gives_up ? finish(s, VERDICT_STEP_LIMIT) : s;
+    if (gives_up) return finish(s, VERDICT_STEP_LIMIT);
+    return s;
 }
 
 // A lower bound of F, positive at both ends of a piece of length h, by its slopes there.
@@ -79,7 +81,10 @@ float least_between(float at_begin, float at_end, vec2 slope, float h) {
 RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f) {
     float h = t - s.low;
     bool is_finest = h <= finest_at(t);
-    if (im_is_nan(f.x)) return is_finest ? begin_at(s, ray, t, h) : leave_open(s, t);
+    if (im_is_nan(f.x)) {
+        if (is_finest) return begin_at(s, ray, t, h);
+        return leave_open(s, t);
+    }
     Bounds bounds = bounds_over(ray, vec2(s.low, t), ray.direction);
     bool below = f.x < 0.0, changes = below != (s.f_low.x < 0.0);
     bool monotone = excludes_0(bounds.derivative);
@@ -101,7 +106,8 @@ RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f) {
     if (changes && bounded) return found(s, 0.5 * (s.low + t));
 #endif
     if (may_break(ray, vec2(s.low, t))) return begin_at(s, ray, t, h);
-    return bounded ? found(s, 0.5 * (s.low + t)) : finish(s, VERDICT_STEP_LIMIT);
+    if (bounded) return found(s, 0.5 * (s.low + t));
+    return finish(s, VERDICT_STEP_LIMIT);
 }
 
 // Whether the piece up to the sample at t was judged here, and s is what comes of it. Cubics are left

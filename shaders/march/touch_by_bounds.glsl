@@ -43,5 +43,6 @@ RayState solve(RayState s, Ray ray) {
     s.phase = PHASE_MARCH;
     if (s.low >= ray.t_far) return finish(s, VERDICT_MISS);
     bool stands = !(s.high > s.low) || s.evaluations >= int(limits.y);
-    return stands ? finish(s, VERDICT_STEP_LIMIT) : s;
+    if (stands) return finish(s, VERDICT_STEP_LIMIT);
+    return s;
 }

@@ -9,7 +9,8 @@ RayState pass_break(RayState s, Ray ray) {
     s.phase = PHASE_START;
     if (s.low >= ray.t_far) return finish(s, VERDICT_MISS);
     bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);
-    return gives_up ? finish(s, VERDICT_STEP_LIMIT) : s;
+    if (gives_up) return finish(s, VERDICT_STEP_LIMIT);
+    return s;
 }
 
 #ifdef WALLS
@@ -25,7 +26,8 @@ RayState no_value(RayState s, Ray ray) {
     if (s.phase == PHASE_REFINE) return finish(s, VERDICT_NAN);
     float h = s.high - s.low;
     bool passes = h <= finest_at(s.low) || has_no_value(ray, vec2(s.low, s.high));
-    return passes ? pass_break(s, ray) : cut(s, 0.5 * h);
+    if (passes) return pass_break(s, ray);
+    return cut(s, 0.5 * h);
 }
 
 // In the shortest piece, around t, nothing keeps F off 0: it is taken to be 0 unless it is beyond all
@@ -37,5 +39,6 @@ RayState touches_at(RayState s, Ray ray, float t, Bounds bounds) {
         if (s.phase == PHASE_START) s.refinements = int(bounded);
         return s;
     }
-    return bounded ? found(s, t) : finish(s, VERDICT_STEP_LIMIT);
+    if (bounded) return found(s, t);
+    return finish(s, VERDICT_STEP_LIMIT);
 }

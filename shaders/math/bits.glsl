@@ -2,7 +2,7 @@
 
 #define IM_NAN uintBitsToFloat(0x7fc00000u)
 #define IM_SMALLEST 1.17549435e-38 // below it hardware may flush to 0: the kernels treat it as 0
-#define IM_LARGEST 3.40282347e38
+#define IM_LARGEST 3.402823466e38
 
 // By bits: compilers that assume finite arithmetic remove `x != x` and some drivers isnan().
 bool im_is_nan(float x) {

@@ -91,7 +91,7 @@ function textureOf(gl, internal, width, height) {
     return texture;
 }
 
-const editingUnit = 15; // no pass reads this one
+const editingUnit = 31; // every WebGL2 has 32, and no pass reads this one
 
 // Textures of one size that passes draw into.
 class Target {
