@@ -12,7 +12,7 @@ namespace isomotion::page {
 // What a page holds at most. Its shaders go through all elements at every place, where `render`
 // knows which ones matter there.
 inline constexpr int most_elements = 1000;
-inline constexpr std::size_t most_value_bytes = std::size_t(32) << 20; // of all frames, unpacked
+inline constexpr std::size_t most_value_bytes = 32'000'000; // of all frames, unpacked
 // Pixels along the sides of a tile, which one draw fills: a browser is not kept longer than that.
 inline constexpr int largest_tile = 512;
 

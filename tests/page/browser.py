@@ -158,5 +158,10 @@ class Page:
         self.call("Input.dispatchKeyEvent", type="keyDown", key=key, code=code or key, **text)
         self.call("Input.dispatchKeyEvent", type="keyUp", key=key, code=code or key)
 
+    def to_front(self):
+        """Other tabs are hidden then."""
+        self.call("Page.bringToFront")
+
     def close(self):
+        self.call("Page.close")
         self.socket.close()

@@ -1,0 +1,150 @@
+#!/usr/bin/env python3
+"""Frames of pages against `isomotion render`: the same verdicts, the same colours.
+
+    frames_test.py PROGRAM [--all]
+
+Pixels may differ at silhouettes: 20 in a million, of which a picture of 256 x 256 has one or two.
+"""
+import os
+
+import pages
+import png
+
+SIDE = 256
+# Scenes of the gallery with the frame looked at, and what is changed in them.
+QUICK = [
+    ("blobby75", 40, []),
+    ("blobby75_chrome", 40, []),
+    ("twisting_superquadric", 16, []),
+]
+ALL = QUICK + [
+    ("barth_decic", 40, []),
+    ("chmutov_14", 1, []),
+    ("chmutov_14_trig", 60, []),
+    ("chmutov_12_two_lights", 40, []),
+    ("evaluations_heat", 40, []),
+    ("falling_drops", 55, []),
+    ("steiner", 40, []),
+    ("superquadric", 7, ['isolation.method="affine"']),
+    ("torus", 40, ['isolation.method="amp-taylor"', 'output.background="transparent"']),
+    ("csg.toml", 1, []),
+    ("ground.toml", 3, []),
+    ("lens.toml", 1, []),
+    ("moved.toml", 2, []),
+]
+SCENES = {
+    # A cube without a ball, cut by a plane: kinks, two sides.
+    "csg.toml": """[time]
+frames = 2
+[surface]
+formula = "max(max(max(abs(x), max(abs(y), abs(z))) - 1, 1.25 - sqrt(x^2 + y^2 + z^2)), x + y - 1.5)"
+bounds = { sphere = 2 }
+[camera]
+azimuth = 30
+elevation = 25
+[material]
+back_color = [0.7, 0.2, 0.1]
+""",
+    # Ground, fog, occlusion, a light at a place, no other light.
+    "ground.toml": """[time]
+frames = 4
+[surface]
+formula = "x^4 + y^4 + z^4 - x^2 - y^2 - z^2 + c"
+bounds = { sphere = 2 }
+[parameters]
+c = "0.3*sin(t)"
+[[lights]]
+position = [2, -3, 4]
+shadow = true
+falloff = 5
+[ground]
+height = -1
+[fog]
+density = 0.1
+[occlusion]
+[material]
+model = "blinn-phong"
+[output]
+background = { top = [0.2, 0.4, 0.8], bottom = [0.9, 0.9, 1] }
+""",
+    # The mean of pictures through a lens.
+    "lens.toml": """[surface]
+formula = "(sqrt(x^2 + y^2) - 1)^2 + z^2 - 0.1"
+bounds = { sphere = 1.5 }
+[camera]
+aperture = 0.3
+projection = "perspective"
+[output]
+samples = 4
+""",
+    # A placement far away, parallel rays, no light of its own.
+    "moved.toml": """[time]
+frames = 3
+[surface]
+formula = "x^2 + y^2*z + z^2 - 0.5"
+bounds = { box = [[-1, -1.2, -1], [1, 1, 1.5]] }
+transform = { translate = [1000, 20, -7], rotate = [10, "40*t", 3], scale = 12 }
+[camera]
+projection = "orthographic"
+azimuth = 200
+elevation = -20
+""",
+}
+
+
+def scene_file(name, folder):
+    if name not in SCENES:
+        return name
+    file = os.path.join(folder, name)
+    with open(file, "w") as text:
+        text.write(SCENES[name])
+    return file
+
+
+def tally_of(rendered):
+    """Rays by verdict, as `render` tells."""
+    line = next(line for line in rendered.splitlines() if line.startswith("rays:"))
+    return [int(part.split()[0]) for part in line.removeprefix("rays: ").split(", ")]
+
+
+def compare(given, folder, driven, checks, name, frame, changes):
+    settings = [word for change in changes for word in ("--set", change)]
+    scene = scene_file(name, folder)
+    file = pages.made(given.program, scene, os.path.join(folder, "page.html"), *settings)
+    ending = pages.run(given.program, "render", scene, "--frames", str(frame), "--size",
+                       f"{SIDE}x{SIDE}", "--audit", "off", "-o", os.path.join(folder, "r.####.png"),
+                       *settings)
+    checks.equal(ending.returncode, 0, f"render {name}: {ending.stderr}")
+    with open(os.path.join(folder, f"r.{frame:04}.png"), "rb") as rendered:
+        wanted = png.read(rendered.read())
+    page = driven.page(SIDE, SIDE)
+    samples = 4 if name == "lens.toml" else 1
+    page.open(file, f"?ui=0&tally&samples={samples}", f"#f={frame}")
+    page.until_at_rest()
+    if 'output.background="transparent"' in changes:
+        page.call("Emulation.setDefaultBackgroundColorOverride",
+                  color={"r": 0, "g": 0, "b": 0, "a": 0})
+        page.evaluate("document.body.style.background = 'transparent'")
+    shown = png.read(page.screenshot())
+    told = page.evaluate("isomotion.painter.told")
+    page.close()
+    everywhere, off_edges = png.differences(shown, wanted)
+    rays = tally_of(ending.stdout)
+    print(f"{name}: {everywhere} pixels differ, {off_edges} off edges; rays {told} and {rays}",
+          flush=True)
+    allowed = 2 * samples
+    checks.expect(off_edges == 0, f"{name}: {off_edges} pixels differ off edges")
+    checks.expect(everywhere <= allowed, f"{name}: {everywhere} pixels differ")
+    if samples == 1:
+        apart = max(abs(a - b) for a, b in zip(told, rays))
+        checks.expect(apart <= 2, f"{name}: rays by verdict {told}, not {rays}")
+    checks.equal(page.console, [], f"{name}: the console")
+
+
+def test(given, folder, driven, checks):
+    for name, frame, changes in ALL if given.all else QUICK:
+        compare(given, folder, driven, checks, name, frame, changes)
+
+
+if __name__ == "__main__":
+    pages.main(test, **{"--all": {"action": "store_true"}})
