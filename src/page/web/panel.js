@@ -80,7 +80,7 @@ class Panel {
         if (Number(element("frame").value) !== frame) element("frame").value = frame;
         element("frame-number").textContent = `${frame} / ${about.frames}`;
         const isPlaying = look.playing;
-        element("play").textContent = isPlaying ? "❚❚" : "▶";
+        element("play-icon").setAttribute("href", isPlaying ? "#icon-pause" : "#icon-play");
         element("play").setAttribute("aria-label", isPlaying ? "Pause" : "Play");
         const speed = 2 ** look.playback.doublings;
         element("speed").textContent = speed === 1 ? "" : speed < 1 ? `1/${1 / speed} ×` : `${speed} ×`;

@@ -255,9 +255,9 @@ TEST_F(Assemble, ASumStaysOneLoopAndOneSizeOfText) {
         EXPECT_EQ(without(f, m),
                   (Lines{"layout(std140) uniform array0_block { vec4 array0[75]; };",
                          "vec4 array0_texel(int element, int texel) { return array0[element]; }"}));
-        EXPECT_EQ(without(m, f), (Lines{"uniform samplerBuffer array0;",
+        EXPECT_EQ(without(m, f), (Lines{"uniform IM_BUFFER array0;",
                                         "vec4 array0_texel(int element, int texel) { return "
-                                        "texelFetch(array0, element); }"}));
+                                        "IM_BUFFER_AT(array0, element); }"}));
     }
 }
 

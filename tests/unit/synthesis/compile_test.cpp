@@ -110,26 +110,64 @@ TEST_P(Compile, WithoutPrecise) {
     }
 }
 
-// glslang is the compiler of the specification's authors: stricter than drivers. It knows `precise`
-// from version 4.00 on only.
-TEST(CompileWithGlslang, EveryAssembly) {
-    if (std::system("command -v glslangValidator >/dev/null") != 0) {
-        GTEST_SKIP() << "glslangValidator is not on PATH";
+// glslang is the compiler of the specification's authors: stricter than drivers.
+class CompileWithGlslang : public testing::Test {
+protected:
+    void SetUp() override {
+        if (std::system("command -v glslangValidator >/dev/null") != 0) {
+            GTEST_SKIP() << "glslangValidator is not on PATH";
+        }
+        use_shaders_of_source_tree();
     }
-    use_shaders_of_source_tree();
-    const auto file =
-        std::filesystem::temp_directory_path() / fmt::format("isomotion-glslang-{}.txt", getpid());
-    const auto expect_valid = [&](const std::string& text, const char* stage,
-                                  const std::string& name) {
-        constexpr std::string_view old_version = "#version 330 core";
-        ASSERT_TRUE(text.starts_with(old_version)) << name;
-        std::ofstream(file) << "#version 450 core" << text.substr(old_version.size());
-        const auto command = fmt::format("glslangValidator -S {} '{}'", stage, file.string());
+    ~CompileWithGlslang() override { std::filesystem::remove(file_); }
+
+    void expect_valid(const std::string& text, const char* stage, const std::string& name) const {
+        std::ofstream(file_) << text;
+        const auto command = fmt::format("glslangValidator -S {} '{}'", stage, file_.string());
         EXPECT_EQ(std::system(command.c_str()), 0) << name;
+    }
+
+private:
+    const std::filesystem::path file_ =
+        std::filesystem::temp_directory_path() / fmt::format("isomotion-glslang-{}.txt", getpid());
+};
+
+TEST_F(CompileWithGlslang, EveryAssembly) {
+    // It knows `precise` from version 4.00 on only.
+    const auto as_450 = [](const std::string& text) {
+        constexpr std::string_view old_version = "#version 330 core";
+        EXPECT_TRUE(text.starts_with(old_version));
+        return "#version 450 core" + text.substr(old_version.size());
     };
-    expect_valid(vertex_text(), "vert", "vertex");
-    for (const auto& [name, text] : fragment_texts()) expect_valid(text, "frag", name);
-    std::filesystem::remove(file);
+    expect_valid(as_450(vertex_text()), "vert", "vertex");
+    for (const auto& [name, text] : fragment_texts()) expect_valid(as_450(text), "frag", name);
+}
+
+TEST_F(CompileWithGlslang, EveryPassOfBrowsers) {
+    std::set<std::string> seen;
+    const auto expect_passes_valid = [&](const std::string& text) {
+        const Passes passes = assemble(scene_of(text), {}, Stage::fragment, false, usual_beam,
+                                       false, Platform::webgl);
+        for (const Pass& pass : passes.list) {
+            if (seen.insert(pass.vertex).second) expect_valid(pass.vertex, "vert", pass.name);
+            if (!seen.insert(pass.text).second) continue;
+            // WebGL has a choice of numbers and vectors alone.
+            EXPECT_EQ(occurrences(pass.text, "? finish("), 0) << pass.name;
+            expect_valid(pass.text, "frag", pass.name);
+        }
+    };
+    const std::string formula = std::string(all_operations) + " - sum(links, px*z)";
+    for (const auto& method : every_method) {
+        for (const auto& bounds : every_bounds) {
+            expect_passes_valid(surface_text(formula, bounds, method) + two_arrays);
+        }
+    }
+    expect_passes_valid(surface_text("x^4 + y^2*z - 1", every_bounds[0], "chebyshev"));
+    expect_passes_valid(surface_text("(x^2 + y^2 - z)^2", every_bounds[0], "hermite"));
+    for (const auto& effect : every_effect) {
+        expect_passes_valid(blobs_text(70, every_bounds[0], "hermite") + effect);
+    }
+    for (const auto& paint : every_paint) expect_passes_valid(surface_text(long_formula()) + paint);
 }
 
 } // namespace
