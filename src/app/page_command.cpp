@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <span>
 
@@ -7,6 +10,8 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/progress.h"
+#include "app/render_arguments.h"
+#include "app/stop_on_signal.h"
 #include "base/file.h"
 #include "image/encode.h"
 #include "page/gallery.h"
@@ -14,6 +19,8 @@
 #include "render/exposure.h"
 #include "scene/data_folder.h"
 #include "scene/reading/load.h"
+#include "sequence/exporter.h"
+#include "sequence/movie.h"
 
 namespace isomotion::app {
 namespace fs = std::filesystem;
@@ -23,7 +30,8 @@ struct PageArguments {
     std::string scene, output, backend = "auto";
     std::vector<std::string> settings;
     scene::Reach reach = scene::Reach::own_folder;
-    bool gallery = false, quiet = false;
+    std::string report;
+    bool gallery = false, video = false, quiet = false;
 };
 
 void write(const fs::path& file, const std::string& text) {
@@ -36,10 +44,66 @@ fs::path file_of(const PageArguments& arguments, const scene::Scene& scene) {
                                  : fs::path("formula.html");
 }
 
+// A folder of its own, which goes with this.
+class Workplace {
+public:
+    Workplace() {
+        std::string name = (fs::temp_directory_path() / "isomotion-page-XXXXXX").string();
+        if (!::mkdtemp(name.data())) throw base::FileError(name, "cannot be made", errno);
+        folder_ = name;
+    }
+    ~Workplace() {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+    Workplace(const Workplace&) = delete;
+    Workplace& operator=(const Workplace&) = delete;
+    fs::path operator/(const char* name) const { return folder_ / name; }
+
+private:
+    fs::path folder_;
+};
+
+// All frames, small: sides of up to 320 pixels, even ones, as encoders want them.
+std::vector<std::byte> movie_of(const PageArguments& arguments, const scene::Scene& scene) {
+    constexpr double side = 320;
+    const double scale = side / std::max(scene.output.width, scene.output.height);
+    const auto even = [&](int length) { return std::max(2, 2 * int(0.5 * scale * length)); };
+    const Workplace folder;
+    RenderArguments render;
+    render.scene = arguments.scene;
+    render.settings = arguments.settings;
+    render.reach = arguments.reach;
+    render.size = fmt::format("{}x{}", even(scene.output.width), even(scene.output.height));
+    render.output = folder / "frame.####.png";
+    render.movie = folder / "movie.mp4";
+    render.audit = "off";
+    sequence::Exporter exporter = exporter_of(render);
+    sequence::expect_ffmpeg();
+    const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+    const StopOnSignal stop;
+    Progress progress("drawing the movie", scene.timeline.frames, arguments.quiet);
+    const sequence::ExportWatcher watcher{
+        .stop = [&] { return stop.asked(); },
+        .warn = [](const std::string& text) { message("warning: {}\n", text); },
+        .progress = [&](const sequence::ExportProgress& now) { progress.show(now.done); }};
+    stop.work_has_begun();
+    if (exporter.export_frames(*context, watcher).stopped || !exporter.write_movie(watcher))
+        return {};
+    return base::read_whole(render.movie);
+}
+
 int write_page(const PageArguments& arguments) {
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
     const fs::path file = file_of(arguments, scene);
-    const std::string text = page::page(scene);
+    page::PageOptions options;
+    if (!arguments.report.empty()) options.report = arguments.report;
+    std::string text = page::page(scene, options); // what is refused is so before anything is drawn
+    if (arguments.video) {
+        options.movie = movie_of(arguments, scene);
+        if (options.movie.empty()) return exit_interrupted;
+        text = page::page(scene, options);
+    }
     if (file.has_parent_path()) fs::create_directories(file.parent_path());
     write(file, text);
     if (!arguments.quiet)
@@ -86,6 +150,8 @@ int write_pages(const PageArguments& arguments) {
     if (arguments.gallery == !arguments.scene.empty()) {
         throw std::invalid_argument("page: name a scene, or write --gallery for all animations");
     }
+    if (arguments.gallery && (arguments.video || !arguments.report.empty()))
+        throw std::invalid_argument("--gallery: --video and --accuracy are of one scene");
     return arguments.gallery ? write_gallery(arguments) : write_page(arguments);
 }
 
@@ -99,11 +165,15 @@ void add_page(CLI::App& app, Action& chosen) {
     command->add_option("scene", a.scene, "a scene file, the name of an animation, or a formula");
     command->add_option("-o,--output", a.output,
                         "the file (SCENE.html), or with --gallery the folder (site)");
+    command->add_flag("--video", a.video,
+                      "also a small movie, for browsers that cannot draw the scene");
+    command->add_option("--accuracy", a.report,
+                        "a report of isomotion accuracy: the page tells wrong pixels and time");
     command->add_flag("--gallery", a.gallery, "pages of all animations and an index of them");
     command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
     add_allow_outside(*command, a.reach);
     command->add_option("--backend", a.backend,
-                        "of the gallery's posters: auto, egl, osmesa or glfw");
+                        "of posters and the movie: auto, egl, osmesa or glfw");
     command->add_flag("--quiet", a.quiet, "errors and warnings only");
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return write_pages(*arguments); }; });

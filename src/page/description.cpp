@@ -6,7 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/document.h"
 #include "base/file.h"
+#include "base/file_text.h"
 #include "player/model/controls.h"
 #include "player/model/timeline_markers.h"
 #include "render/beam_pass.h"
@@ -198,6 +200,32 @@ Json settings_of(const scene::Scene& scene) {
             {"safety", isolation.safety}};
 }
 
+// One line of what `isomotion accuracy` measured of the scene's own method and step.
+std::string accuracy_of(const scene::Scene& scene, const std::filesystem::path& report) {
+    const auto file = std::filesystem::is_directory(report) ? report / "accuracy.json" : report;
+    constexpr std::size_t longest = 1 << 24;
+    const auto document = base::Document::from_json(base::file_text(file, longest), file.string());
+    base::DocumentTable table = document.table();
+    const base::DocumentNode title = table.at("scene");
+    if (title.text() != scene.title)
+        title.fail(fmt::format("the report is of '{}', not of '{}'", title.text(), scene.title));
+    const auto width = table.at("width").whole(), height = table.at("height").whole();
+    const std::string machine = table.at("machine").text();
+    for (const base::DocumentNode& node : table.at("measurements").list()) {
+        base::DocumentTable row = node.table();
+        const bool is_own = row.at("method").text() == scene::name(scene.isolation.method) &&
+                            row.at("step").number() == scene.isolation.step &&
+                            row.at("thresholds").number() == 1 &&
+                            row.at("bisections").whole() == scene.isolation.bisections &&
+                            row.at("safety").number() == scene.isolation.safety;
+        if (!is_own) continue;
+        return fmt::format("{:.3g} wrong pixels in a million, {:.3g} ms a frame of {} x {} ({})",
+                           row.at("wrong_ppm").number(), row.at("ms").number(), width, height,
+                           machine);
+    }
+    table.at("measurements").fail("none is of the scene's own method and step");
+}
+
 Json headlights_of(const scene::Scene& scene) {
     Json all = Json::array();
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
@@ -209,7 +237,8 @@ Json headlights_of(const scene::Scene& scene) {
 } // namespace
 
 std::string description(const WebScene& web, const FrameValues& values,
-                        const EnvironmentMap* environment) {
+                        const EnvironmentMap* environment,
+                        const std::optional<std::filesystem::path>& report) {
     const scene::Scene& scene = web.scene;
     const synthesis::Passes& passes = web.passes;
     const animation::Timeline& timeline = scene.timeline;
@@ -235,6 +264,7 @@ std::string description(const WebScene& web, const FrameValues& values,
     all["settings"] = settings_of(scene);
     all["sliders"] = sliders_of(scene);
     all["markers"] = markers_of(scene);
+    if (report) all["accuracy"] = accuracy_of(scene, *report);
     all["tile"] = web.plan.march.tile_width;
     all["evaluations"] = web.plan.march.evaluations_per_pass;
     all["shadowLights"] = std::popcount(unsigned(synthesis::shadow_mask(scene)));

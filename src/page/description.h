@@ -1,6 +1,8 @@
 // What a page knows of its scene beside the values of frames, as JSON: src/page/web/ reads it.
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 
 #include "page/environment_map.h"
@@ -9,8 +11,10 @@
 
 namespace isomotion::page {
 
-// `environment` is null where the scene has none.
+// `environment` is null where the scene has none. Throws InputError for a report that is broken or
+// of another scene.
 std::string description(const WebScene& web, const FrameValues& values,
-                        const EnvironmentMap* environment);
+                        const EnvironmentMap* environment,
+                        const std::optional<std::filesystem::path>& report = {});
 
 } // namespace isomotion::page

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/base64.h"
 #include "page/description.h"
 #include "page/embedded_files.h"
 #include "page/html.h"
@@ -25,11 +26,12 @@ void append_word(std::vector<std::byte>& to, std::size_t word) {
 }
 
 // The length of the description, the description, the tables, the environment map.
-std::vector<std::byte> data_of(const WebScene& web) {
+std::vector<std::byte> data_of(const WebScene& web, const PageOptions& options) {
     const FrameValues values = frame_values(web);
     std::optional<EnvironmentMap> environment;
     if (web.scene.environment) environment = environment_map(*web.scene.environment);
-    const std::string described = description(web, values, environment ? &*environment : nullptr);
+    const std::string described =
+        description(web, values, environment ? &*environment : nullptr, options.report);
     std::vector<std::byte> data;
     append_word(data, described.size());
     append(data, described);
@@ -39,9 +41,16 @@ std::vector<std::byte> data_of(const WebScene& web) {
     return data;
 }
 
+std::string movie_element(std::span<const std::byte> movie) {
+    if (movie.empty()) return "";
+    return "<video id=\"movie\" hidden controls loop muted playsinline preload=\"none\" "
+           "src=\"data:video/mp4;base64," +
+           base::base64(movie) + "\"></video>";
+}
+
 } // namespace
 
-std::string page(const scene::Scene& scene) {
+std::string page(const scene::Scene& scene, const PageOptions& options) {
     const WebScene web = web_scene(scene);
     const auto files = embedded_files();
     std::string script;
@@ -49,9 +58,10 @@ std::string page(const scene::Scene& scene) {
     return filled(files.at("page.html"),
                   {{"title", html_text(scene.title)},
                    {"formula", html_text(scene.surface.field->text)},
+                   {"movie", movie_element(options.movie)},
                    {"style", std::string(files.at("page.css"))},
                    {"script", script},
-                   {"data", deflated_text(data_of(web))},
+                   {"data", deflated_text(data_of(web, options))},
                    {"screen.vert", std::string(files.at("screen.vert"))},
                    {"add.frag", std::string(files.at("add.frag"))},
                    {"show.frag", std::string(files.at("show.frag"))},

@@ -4,14 +4,24 @@
 // them, and the scripts of web/, which draw with WebGL2.
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
 namespace isomotion::page {
 
-// Throws SceneError for what a page cannot show or hold (web_scene.h), and what reading an
-// environment map throws.
-std::string page(const scene::Scene& scene);
+struct PageOptions {
+    std::vector<std::byte> movie; // an MP4, shown where a browser cannot draw the scene
+    // Of `isomotion accuracy`: what it measured of the scene's own method is told.
+    std::optional<std::filesystem::path> report;
+};
+
+// Throws SceneError for what a page cannot show or hold (web_scene.h), InputError for a report that
+// is broken or of another scene, and what reading an environment map throws.
+std::string page(const scene::Scene& scene, const PageOptions& options = {});
 
 } // namespace isomotion::page

@@ -201,6 +201,23 @@ def needs_floats(driven, file, checks):
         page.close()
 
 
+def has_a_movie(driven, folder, scene, given, checks):
+    """`--video`: where nothing can be drawn, the movie plays; elsewhere it is not seen."""
+    file = pages.made(given.program, scene, os.path.join(folder, "movie.html"), "--video",
+                      "--set", "time.frames=5", "--set", "output.size=[64, 64]")
+    page = driven.page(360, 640)
+    page.open(file)
+    page.until("isomotion.painter.drawn > 0", 60)
+    checks.equal(page.evaluate("document.getElementById('movie').hidden"), True, "an idle movie")
+    page.call("Page.addScriptToEvaluateOnNewDocument",
+              source="HTMLCanvasElement.prototype.getContext = () => null")
+    page.open(file)
+    page.until("!document.getElementById('movie').hidden", 20)
+    page.evaluate("document.getElementById('movie').play()")
+    page.until("document.getElementById('movie').currentTime > 0", 20)
+    page.close()
+
+
 def is_embedded(driven, folder, file, checks):
     """In a frame's srcdoc, as notebooks show it."""
     outer = os.path.join(folder, "outer.html")
@@ -235,6 +252,7 @@ def test(given, folder, driven, checks):
     page.close()
     pinches(driven, file, checks)
     needs_floats(driven, file, checks)
+    has_a_movie(driven, folder, scene, given, checks)
     is_embedded(driven, folder, file, checks)
 
 

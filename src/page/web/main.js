@@ -123,9 +123,8 @@ async function main() {
 const textOf = (id) => element(id).textContent.trimStart();
 
 main().catch((error) => {
-    element("failure").textContent = typeof DecompressionStream === "undefined"
+    showFailure(typeof DecompressionStream === "undefined"
         ? "This browser is too old: it has no DecompressionStream, which unpacks the scene."
-        : `The page failed: ${error.message}`;
-    element("failure").hidden = false;
+        : `The page failed: ${error.message}`);
     throw error;
 });

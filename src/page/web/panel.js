@@ -10,6 +10,14 @@ function made(name, properties = {}, ...children) {
 
 const shown = (value) => String(Number(value.toPrecision(4)));
 
+// In place of the picture: why there is none, and the movie if the page has one.
+function showFailure(text) {
+    element("failure").textContent = text;
+    element("failure").hidden = false;
+    const movie = element("movie");
+    if (movie) movie.hidden = false;
+}
+
 class Panel {
     constructor(data, look, commands, changed) {
         this.data = data;
@@ -18,6 +26,8 @@ class Panel {
         const { about } = data;
         element("formula").textContent = about.formula;
         element("source").textContent = about.source || "The scene's file is too long to be shown.";
+        element("accuracy").hidden = !about.accuracy;
+        element("accuracy").querySelector("p").textContent = about.accuracy ?? "";
         element("frame").max = about.frames;
         element("transport").hidden = about.frames === 1;
         element("frame").addEventListener("input", () => {
@@ -104,9 +114,8 @@ class Panel {
         element("waits").textContent = text;
     }
     fail(error) {
-        element("failure").textContent =
-            error instanceof NotPossible ? error.message : `The page failed: ${error.message}`;
-        element("failure").hidden = false;
+        showFailure(error instanceof NotPossible ? error.message
+            : `The page failed: ${error.message}`);
         element("waits").textContent = "";
     }
 }
