@@ -308,6 +308,16 @@ std::vector<int> Animation::counts() const {
     return counts;
 }
 
+const formula::Program* Animation::program(int track) const {
+    const auto& compiled = compiled_[std::size_t(track)];
+    return compiled ? &compiled->program : nullptr;
+}
+
+const formula::Program* Animation::program(std::size_t array, std::size_t field) const {
+    const auto& compiled = compiled_arrays_[array].fields[field];
+    return compiled ? &compiled->program : nullptr;
+}
+
 double Animation::operations() const {
     double total = double(tracks_.size());
     for (const std::optional<Compiled>& track : compiled_) {

@@ -97,6 +97,12 @@ public:
         return compiled_arrays_[array].referenced[field];
     }
 
+    // The instructions of a track or a field that is an expression, else null. Input 0 is t, and of
+    // fields 1 is i and 2 is n. Parameter k is track k; of fields, those from nameable() on are
+    // siblings.
+    const formula::Program* program(int track) const;
+    const formula::Program* program(std::size_t array, std::size_t field) const;
+
     // Operations that all tracks take at one time.
     double operations() const;
     // Operations that an array's values take at one time, and how many values they are, all

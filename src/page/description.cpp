@@ -9,6 +9,7 @@
 #include "base/document.h"
 #include "base/file.h"
 #include "base/file_text.h"
+#include "page/rules.h"
 #include "player/model/controls.h"
 #include "player/model/timeline_markers.h"
 #include "render/beam_pass.h"
@@ -128,12 +129,10 @@ Json arrays_of(const synthesis::Passes& passes) {
     return all;
 }
 
-// What depends on a parameter by another expression would not follow a slider: such have none.
 Json sliders_of(const scene::Scene& scene) {
     Json all = Json::array();
     for (const player::SliderRange& range : player::slider_ranges(scene)) {
-        if (scene.timeline.animation.is_referenced(range.track)) continue;
-        if (!(range.least < range.most)) continue;
+        if (!(range.least < range.most) || !can_be_held(scene, range.track)) continue;
         all.push_back({{"name", range.name},
                        {"place", range.track},
                        {"least", range.least},
@@ -263,6 +262,7 @@ std::string description(const WebScene& web, const FrameValues& values,
     all["headlights"] = headlights_of(scene);
     all["settings"] = settings_of(scene);
     all["sliders"] = sliders_of(scene);
+    all["rules"] = rules_of(scene);
     all["markers"] = markers_of(scene);
     if (report) all["accuracy"] = accuracy_of(scene, *report);
     all["tile"] = web.plan.march.tile_width;
@@ -271,6 +271,7 @@ std::string description(const WebScene& web, const FrameValues& values,
     all["degree"] = passes.degree;
     all["stateTextures"] = passes.state_textures;
     all["beams"] = beams_of(web);
+    all["parameterVectors"] = passes.parameter_vectors;
     all["arrays"] = arrays_of(passes);
     all["passes"] = passes_of(web, texts);
     all["lines"] = texts.all();

@@ -11,11 +11,13 @@ import pages
 import png
 
 SIDE = 256
-# Scenes of the gallery with the frame looked at, and what is changed in them.
+# Scenes of the gallery with the frame looked at, what is changed in them, and what sliders hold.
+CAMERA = "camera={position=[6, 4, 3], target=[0, 0, 0], fov=36}"
 QUICK = [
     ("blobby75", 40, []),
     ("blobby75_chrome", 40, []),
     ("twisting_superquadric", 16, []),
+    ("blobby75", 20, [CAMERA], {"s": 1.45, "R": 0.3}),
 ]
 ALL = QUICK + [
     ("barth_decic", 40, []),
@@ -27,6 +29,8 @@ ALL = QUICK + [
     ("steiner", 40, []),
     ("superquadric", 7, ['isolation.method="affine"']),
     ("torus", 40, ['isolation.method="amp-taylor"', 'output.background="transparent"']),
+    ("falling_drops", 30, [], {"R": 0.06, "a": 120}),
+    ("rules.toml", 3, [CAMERA], {"c": 0.7}),
     ("csg.toml", 1, []),
     ("ground.toml", 3, []),
     ("lens.toml", 1, []),
@@ -44,6 +48,25 @@ azimuth = 30
 elevation = 25
 [material]
 back_color = [0.7, 0.2, 0.1]
+""",
+    # Parameters, bounds and elements that depend on one another by every function.
+    "rules.toml": """[time]
+frames = 4
+[surface]
+formula = "sum(b, exp(-8*w*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))) - q"
+bounds = { box = [["-1.5 - c", -1.7, -1.4], [1.9, "1.2 + d", 1.6]] }
+[parameters]
+c = "0.2 + 0.1*t"
+d = "min(max(abs(-c), sqrt(c)/2), exp(c) - 0.5) + 0.01*floor(3*c) + 0.1*sign(c)"
+q = "0.4 + 0.1*sin(d)*cos(t) + 0.02*tan(c/2) + 0.01*tanh(c) + 0.01*log(1 + c) + 0.02*atan(d)"
+[arrays.b]
+count = 30
+w = "0.5 + c^1.5"
+u = "random(i, 1) - 0.5"
+v = [0.1, -0.2, 0.3, -0.4, 0.5, -0.6, 0.7, -0.8, 0.1, -0.2, 0.3, -0.4, 0.5, -0.6, 0.7, -0.8, 0.1, -0.2, 0.3, -0.4, 0.5, -0.6, 0.7, -0.8, 0.1, -0.2, 0.3, -0.4, 0.5, -0.6]
+cx = "2*u*(1 + c)"
+cy = "v*d*2 + 0.1*sinh(c)*cosh(u) - 0.1*asin(c/2)*acos(c/2)"
+cz = "sin(i*d + t)*i/n"
 """,
     # Ground, fog, occlusion, a light at a place, no other light.
     "ground.toml": """[time]
@@ -107,19 +130,21 @@ def tally_of(rendered):
     return [int(part.split()[0]) for part in line.removeprefix("rays: ").split(", ")]
 
 
-def compare(given, folder, driven, checks, name, frame, changes):
+def compare(given, folder, driven, checks, name, frame, changes, held={}):
     settings = [word for change in changes for word in ("--set", change)]
     scene = scene_file(name, folder)
     file = pages.made(given.program, scene, os.path.join(folder, "page.html"), *settings)
     ending = pages.run(given.program, "render", scene, "--frames", str(frame), "--size",
                        f"{SIDE}x{SIDE}", "--audit", "off", "-o", os.path.join(folder, "r.####.png"),
-                       *settings)
+                       *settings, *[word for name, value in held.items()
+                                    for word in ("--set", f"{name}={value}")])
     checks.equal(ending.returncode, 0, f"render {name}: {ending.stderr}")
     with open(os.path.join(folder, f"r.{frame:04}.png"), "rb") as rendered:
         wanted = png.read(rendered.read())
     page = driven.page(SIDE, SIDE)
     samples = 4 if name == "lens.toml" else 1
-    page.open(file, f"?ui=0&tally&samples={samples}", f"#f={frame}")
+    page.open(file, f"?ui=0&tally&samples={samples}",
+              f"#f={frame}" + "".join(f"&{name}={value}" for name, value in held.items()))
     page.until_at_rest()
     if 'output.background="transparent"' in changes:
         page.call("Emulation.setDefaultBackgroundColorOverride",
@@ -142,8 +167,8 @@ def compare(given, folder, driven, checks, name, frame, changes):
 
 
 def test(given, folder, driven, checks):
-    for name, frame, changes in ALL if given.all else QUICK:
-        compare(given, folder, driven, checks, name, frame, changes)
+    for case in ALL if given.all else QUICK:
+        compare(given, folder, driven, checks, *case)
 
 
 if __name__ == "__main__":

@@ -105,7 +105,8 @@ class SceneData {
         const { about } = this;
         return about.effects.length ? named(this.floats("effects", frame), about.effects) : {};
     }
-    parameter(place, frame) {
-        return this.floats("parameters", frame)[place];
+    // Elements of an array at a frame: behind the parameters, whole numbers.
+    count(array, frame) {
+        return this.row("parameters", frame)[4 * this.about.parameterVectors + array];
     }
 }

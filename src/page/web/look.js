@@ -18,15 +18,29 @@ class Look {
     }
     view(frame, fit = 1) {
         const own = this.data.view(frame);
-        const view = { ...own, ...this.camera, fit };
+        const view = { ...own, ...this.held(frame)?.view, ...this.camera, fit };
         // What was in focus at the target stays so.
         const wasAtTarget = Math.abs(own.focus - distanceOf(own)) <= 1e-9 * own.focus;
         if (wasAtTarget) view.focus = distanceOf(view);
         return view;
     }
+    // The frame with the values that sliders hold and what follows them; none if nothing is held.
+    held(frame) {
+        if (this.values.size === 0) return undefined;
+        const key = JSON.stringify([frame, ...this.values]);
+        if (this.known?.key === key) return this.known;
+        const places = new Map();
+        for (const { name, place } of this.data.about.sliders) {
+            if (this.values.has(name)) places.set(place, this.values.get(name));
+        }
+        this.known = { key, ...heldFrame(this.data, frame, places) };
+        return this.known;
+    }
     // The value of a parameter, held or not.
     value({ name, place }, frame) {
-        return this.values.get(name) ?? this.data.parameter(place, frame);
+        const { parameters } =
+            this.held(frame) ?? { parameters: this.data.floats("parameters", frame) };
+        return this.values.get(name) ?? parameters[place];
     }
 
     address() {

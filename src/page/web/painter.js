@@ -89,7 +89,7 @@ class Painter {
         if (!this.tile.isFused) await table.compile(true);
         this.screen = new Screen(gl, table, this.tile);
         this.uploadEnvironment(gl);
-        this.uploadedFrame = undefined;
+        this.uploaded = undefined;
         this.arrays = [];
         this.gl = gl;
         this.listeners.waits("");
@@ -108,24 +108,22 @@ class Painter {
     // What does not depend on the camera, but for lights at the viewer's shoulder.
     upload(frame, view) {
         const { data, table } = this;
-        const parameters = data.floats("parameters", frame);
-        for (const { name, place } of data.about.sliders) {
-            if (this.look.values.has(name)) parameters[place] = this.look.values.get(name);
-        }
-        table.setBlock("Parameters", parameters);
+        const held = this.look.held(frame);
+        table.setBlock("Parameters", held?.parameters ?? data.floats("parameters", frame));
         const shading = data.floats("shading", frame);
         for (const k of data.about.headlights) shading.set(shoulder(view), 4 * (2 + k));
         table.setBlock("Shading", shading);
         this.background = Array.from(shading.subarray(4, 8));
-        if (this.uploadedFrame === frame) return;
+        const key = held?.key ?? frame;
+        if (this.uploaded === key) return;
         table.setEffects(data.effects(frame));
-        data.about.arrays.forEach((array, k) => this.uploadArray(array, k, frame));
-        this.uploadedFrame = frame;
+        data.about.arrays.forEach((array, k) =>
+            this.uploadArray(array, k, held?.arrays[k] ?? data.floats(`array${k}`, frame)));
+        this.uploaded = key;
     }
 
-    uploadArray({ name, texture }, k, frame) {
+    uploadArray({ name, texture }, k, elements) {
         const { gl } = this;
-        const elements = this.data.floats(`array${k}`, frame);
         if (!texture) return this.table.setBlock(name, elements);
         const rows = Math.ceil(elements.length / 4 / 1024); // IM_BUFFER_AT of shaders/prelude.glsl
         const texels = new Float32Array(rows * 4096);

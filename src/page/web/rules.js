@@ -1,0 +1,140 @@
+// What follows a slider: src/page/rules.h says how expressions are kept, and src/formula what they
+// mean. Numbers are doubles, cut off at +-1e300.
+
+const saturation = 1e300;
+const saturated = (a) => (a > saturation ? saturation : a < -saturation ? -saturation : a);
+
+const operations = {
+    negate: (a) => -a,
+    abs: Math.abs,
+    sign: Math.sign,
+    sqrt: (a) => (a < 0 ? 0 : Math.sqrt(a)),
+    exp: (a) => saturated(Math.exp(a)),
+    log: (a) => (a === 0 ? -saturation : saturated(Math.log(a))),
+    sin: Math.sin,
+    cos: Math.cos,
+    tan: (a) => saturated(Math.tan(a)),
+    sinh: (a) => saturated(Math.sinh(a)),
+    cosh: (a) => saturated(Math.cosh(a)),
+    tanh: Math.tanh,
+    asin: (a) => Math.asin(clamp(a, -1, 1)),
+    acos: (a) => Math.acos(clamp(a, -1, 1)),
+    atan: Math.atan,
+    floor: Math.floor,
+    add: (a, b) => a + b,
+    subtract: (a, b) => a - b,
+    multiply: (a, b) => a * b,
+    divide: (a, b) => {
+        if (b !== 0) return saturated(a / b);
+        return a > 0 ? saturation : a < 0 ? -saturation : NaN;
+    },
+    min: (a, b) => (a < b ? a : b),
+    max: (a, b) => (a < b ? b : a),
+    power: (a, b) => {
+        if (b === 0) return 1;
+        if (a === 0) return b > 0 ? 0 : saturation;
+        return saturated(a ** b);
+    },
+    select: (a, b, then, otherwise) => (a < b ? then : otherwise),
+};
+
+// A hash of the seed and both arguments, in [0, 1): random_unit() of src/formula/evaluate.
+function randomUnit(seed, ...words) {
+    const wrapped = (x) => BigInt.asUintN(64, x);
+    const view = new DataView(new ArrayBuffer(8));
+    let h = BigInt(seed);
+    for (const word of words) {
+        view.setFloat64(0, word === 0 ? 0 : word);
+        h ^= view.getBigUint64(0);
+        h = wrapped(h + 0x9e3779b97f4a7c15n);
+        h = wrapped((h ^ (h >> 30n)) * 0xbf58476d1ce4e5b9n);
+        h = wrapped((h ^ (h >> 27n)) * 0x94d049bb133111ebn);
+        h ^= h >> 31n;
+    }
+    return Number(h >> 11n) * 2 ** -53;
+}
+
+// The value of a program: `inputs` are t, i and n, `siblings` the other fields of an element.
+function valueOf({ code, out }, seed, inputs, tracks, siblings) {
+    const registers = [];
+    for (const [result, operation, ...operands] of code) {
+        const [first] = operands;
+        registers[result] =
+            operation === "constant" ? first
+            : operation === "input" ? inputs[first]
+            : operation === "parameter" ? tracks[first]
+            : operation === "sibling" ? siblings[first]
+            : operation === "random" ? randomUnit(seed, ...operands.map((r) => registers[r]))
+            : operations[operation](...operands.map((r) => registers[r]));
+    }
+    return registers[out];
+}
+
+// The elements of an array, `texels` as the shaders read them, where tracks have other values.
+function movedElements(fields, texels, count, seed, time, tracks, changed) {
+    const moved = texels.slice();
+    const slots = Math.max(...fields.map(({ slot }) => slot)) + 1;
+    const stride = 4 * Math.max(1, Math.ceil(slots / 4));
+    const follows = fields.map(() => false);
+    fields.forEach(({ program }, k) => {
+        follows[k] = Boolean(program) && (program.tracks.some((track) => changed.has(track)) ||
+            program.code.some(([, operation, at]) => operation === "sibling" && follows[at]));
+    });
+    for (let i = 0; i < count; ++i) {
+        const siblings = [];
+        fields.forEach(({ slot, program, values }, k) => {
+            const inputs = [time, i, count];
+            if (values) siblings[k] = values.length === 1 ? values[0] : values[i] ?? 0;
+            else if (program && (follows[k] || slot < 0))
+                siblings[k] = valueOf(program, seed, inputs, tracks, siblings);
+            else siblings[k] = texels[i * stride + slot];
+            if (follows[k] && slot >= 0) moved[i * stride + slot] = siblings[k];
+        });
+    }
+    return moved;
+}
+
+// The numbers of the bounds as a view has them.
+function movedBounds(view, changedNumbers) {
+    if (view.box) {
+        const corners = [...view.min, ...view.max];
+        changedNumbers.forEach(([k, value]) => (corners[k] = value));
+        const min = corners.slice(0, 3), max = corners.slice(3);
+        if (min.some((x, k) => !(x < max[k]))) return {};
+        return { min, max, centre: times(0.5, add(min, max)), radius: 0.5 * length(sub(max, min)) };
+    }
+    const sphere = [...view.centre, view.radius];
+    changedNumbers.forEach(([k, value]) => (sphere[k] = value));
+    const [x, y, z, radius] = sphere;
+    if (!(radius > 0)) return {};
+    const centre = [x, y, z];
+    return { centre, radius, min: centre.map((c) => c - radius), max: centre.map((c) => c + radius) };
+}
+
+// A frame where some parameters are held: `held` maps their places to numbers. Gives the block of
+// parameters, the arrays' elements and what changes of the view.
+function heldFrame(data, frame, held) {
+    const { rules, arrays, fps } = data.about;
+    const parameters = data.floats("parameters", frame);
+    const tracks = Array.from(parameters);
+    const time = ((frame - 1) * fps[1]) / fps[0];
+    const changed = new Set(held.keys());
+    for (const [place, value] of held) tracks[place] = value;
+    for (const [place, program] of rules.tracks) {
+        if (held.has(place) || !program.tracks.some((track) => changed.has(track))) continue;
+        tracks[place] = valueOf(program, rules.seed, [time], tracks);
+        changed.add(place);
+    }
+    for (const place of changed) parameters[place] = tracks[place];
+    const bounds = rules.bounds
+        .filter(([, program]) => program.tracks.some((track) => changed.has(track)))
+        .map(([k, program]) => [k, valueOf(program, rules.seed, [time], tracks)]);
+    const view = data.view(frame);
+    return {
+        parameters,
+        arrays: arrays.map((_, a) => movedElements(rules.arrays[a], data.floats(`array${a}`, frame),
+            data.count(a, frame), rules.seed, time, tracks, changed)),
+        // Elements may have become smaller than the animation has them: steps have to.
+        view: { ...movedBounds(view, bounds), elementRadius: 0.25 * view.elementRadius },
+    };
+}

@@ -1,0 +1,47 @@
+// What follows a slider of a page.
+#include "page/rules.h"
+
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "scene/reading/load.h"
+
+namespace isomotion::page {
+namespace {
+
+scene::Scene with_parameters(const std::string& parameters) {
+    setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1);
+    return scene::load_text("[surface]\nformula = 'x^2 + y^2 + z^2 - a'\n"
+                            "bounds = { sphere = 'a + 1' }\n[parameters]\n" +
+                                parameters,
+                            "rules.toml");
+}
+
+TEST(Rules, ComeAfterWhatTheyDependOn) {
+    const auto scene = with_parameters("a = '1 + b'\nb = '2*c'\nc = 0.5\n");
+    const auto rules = rules_of(scene);
+    ASSERT_EQ(rules["tracks"].size(), 2u);
+    const int b = scene.timeline.animation.find("b").value();
+    EXPECT_EQ(rules["tracks"][0][0], b);
+    EXPECT_EQ(rules["tracks"][1][1]["tracks"][0], b);
+    ASSERT_EQ(rules["bounds"].size(), 1u);
+    EXPECT_EQ(rules["bounds"][0][0], 3); // the radius
+    EXPECT_TRUE(can_be_held(scene, b));
+}
+
+// As many ways as there are sums: each is gone once.
+TEST(Rules, OfManyWaysTakeNoTime) {
+    std::string parameters = "a = 'p60'\np0 = 1\np1 = 1\n";
+    for (int k = 2; k <= 60; ++k) {
+        parameters += "p" + std::to_string(k) + " = 'p" + std::to_string(k - 1) + " - p" +
+                      std::to_string(k - 2) + "'\n";
+    }
+    const auto scene = with_parameters(parameters);
+    EXPECT_EQ(rules_of(scene)["tracks"].size(), 60u);
+    EXPECT_TRUE(can_be_held(scene, scene.timeline.animation.find("p0").value()));
+}
+
+} // namespace
+} // namespace isomotion::page
