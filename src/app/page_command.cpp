@@ -97,11 +97,13 @@ int write_page(const PageArguments& arguments) {
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
     const fs::path file = file_of(arguments, scene);
     page::PageOptions options;
+    options.warn = [](const std::string& text) { message("warning: {}\n", text); };
     if (!arguments.report.empty()) options.report = arguments.report;
     std::string text = page::page(scene, options); // what is refused is so before anything is drawn
     if (arguments.video) {
         options.movie = movie_of(arguments, scene);
         if (options.movie.empty()) return exit_interrupted;
+        options.warn = {}; // it was told
         text = page::page(scene, options);
     }
     if (file.has_parent_path()) fs::create_directories(file.parent_path());
@@ -128,12 +130,18 @@ int write_gallery(const PageArguments& arguments) {
     std::vector<page::GalleryEntry> entries;
     std::vector<std::string> left_out;
     for (const std::string& name : names) {
-        scene::Scene scene = scene::load(name, {"output.size=[256,256]"});
+        const scene::Scene scene = scene::load(name, {"output.size=[256,256]"});
         progress.show(int(entries.size() + left_out.size()), name);
+        const auto leave_out = [&](const std::exception& error) {
+            left_out.push_back(fmt::format("{}: {}", scene.title, error.what()));
+        };
         try {
             write(folder / (name + ".html"), page::page(scene));
         } catch (const scene::SceneError& error) {
-            left_out.push_back(fmt::format("{}: {}", scene.title, error.what()));
+            leave_out(error);
+            continue;
+        } catch (const std::length_error& error) { // shaders too long
+            leave_out(error);
             continue;
         }
         base::write_whole(folder / (name + ".png"), poster_of(*context, scene));

@@ -154,10 +154,11 @@ std::string kind_of(player::TimelineMarker::Kind kind) {
 }
 
 // Keys are the author's business, events everybody's.
-Json markers_of(const scene::Scene& scene) {
+Json markers_of(const scene::Scene& scene, const PageOptions& options) {
     Json all = Json::array();
     if (!scene.formula.empty()) return all;
     const auto found = player::read_topology_markers(scene, player::timeline_path(scene));
+    if (!found.refusal.empty() && options.warn) options.warn(found.refusal);
     for (const player::TimelineMarker& marker : found.markers) {
         // What a page's shaders draw is another arithmetic: it says what was found, not how surely.
         std::string label = marker.label;
@@ -236,8 +237,7 @@ Json headlights_of(const scene::Scene& scene) {
 } // namespace
 
 std::string description(const WebScene& web, const FrameValues& values,
-                        const EnvironmentMap* environment,
-                        const std::optional<std::filesystem::path>& report) {
+                        const EnvironmentMap* environment, const PageOptions& options) {
     const scene::Scene& scene = web.scene;
     const synthesis::Passes& passes = web.passes;
     const animation::Timeline& timeline = scene.timeline;
@@ -263,8 +263,8 @@ std::string description(const WebScene& web, const FrameValues& values,
     all["settings"] = settings_of(scene);
     all["sliders"] = sliders_of(scene);
     all["rules"] = rules_of(scene);
-    all["markers"] = markers_of(scene);
-    if (report) all["accuracy"] = accuracy_of(scene, *report);
+    all["markers"] = markers_of(scene, options);
+    if (options.report) all["accuracy"] = accuracy_of(scene, *options.report);
     all["tile"] = web.plan.march.tile_width;
     all["evaluations"] = web.plan.march.evaluations_per_pass;
     all["shadowLights"] = std::popcount(unsigned(synthesis::shadow_mask(scene)));

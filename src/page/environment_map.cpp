@@ -10,7 +10,8 @@
 
 namespace isomotion::page {
 
-EnvironmentMap environment_map(const scene::Environment& environment) {
+EnvironmentMap environment_map(const scene::Environment& environment,
+                               const std::function<void(const std::string&)>& warn) {
     EnvironmentMap map;
     std::vector<glm::dvec3> sums;
     int block = 1, read_width = 0; // texels across that become one
@@ -33,7 +34,8 @@ EnvironmentMap environment_map(const scene::Environment& environment) {
                 glm::dvec3(texel[0], texel[1], texel[2]);
         }
     };
-    image::read_environment(environment.map, sink, environment.within);
+    const int mended = image::read_environment(environment.map, sink, environment.within);
+    if (mended > 0 && warn) warn(image::mending(environment.map, mended));
     constexpr double largest_half = 65504;
     for (const glm::dvec3& sum : sums) {
         const glm::dvec3 mean = glm::min(sum / double(block * block), glm::dvec3(largest_half));

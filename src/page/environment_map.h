@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "scene/scene.h"
@@ -16,7 +18,9 @@ struct EnvironmentMap {
 
 inline constexpr int widest_map = 512;
 
-// Wider maps become the means of their texels. Throws as image::read_environment() does.
-EnvironmentMap environment_map(const scene::Environment& environment);
+// Wider maps become the means of their texels. `warn`, unless it is empty, is told of texels that
+// were mended. Throws as image::read_environment() does.
+EnvironmentMap environment_map(const scene::Environment& environment,
+                               const std::function<void(const std::string&)>& warn);
 
 } // namespace isomotion::page

@@ -29,9 +29,9 @@ void append_word(std::vector<std::byte>& to, std::size_t word) {
 std::vector<std::byte> data_of(const WebScene& web, const PageOptions& options) {
     const FrameValues values = frame_values(web);
     std::optional<EnvironmentMap> environment;
-    if (web.scene.environment) environment = environment_map(*web.scene.environment);
+    if (web.scene.environment) environment = environment_map(*web.scene.environment, options.warn);
     const std::string described =
-        description(web, values, environment ? &*environment : nullptr, options.report);
+        description(web, values, environment ? &*environment : nullptr, options);
     std::vector<std::byte> data;
     append_word(data, described.size());
     append(data, described);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ struct PageOptions {
     std::vector<std::byte> movie; // an MP4, shown where a browser cannot draw the scene
     // Of `isomotion accuracy`: what it measured of the scene's own method is told.
     std::optional<std::filesystem::path> report;
+    // Told what was left out or mended: a timeline of another scene, an environment map.
+    std::function<void(const std::string&)> warn = {};
 };
 
 // Throws SceneError for what a page cannot show or hold (web_scene.h), InputError for a report that

@@ -18,7 +18,7 @@ class Screen {
     }
 
     add(tile) {
-        const { gl, table } = this;
+        const { table } = this;
         const before = this.count > 0 ? this.shown : null;
         const program = table.program("add");
         table.bind("result", this.tile.result.textures[0]);
@@ -28,7 +28,6 @@ class Screen {
         this.next.bind();
         table.draw(program, tile);
         table.bind("result", null);
-        gl.activeTexture(gl.TEXTURE0);
     }
 
     // All tiles of a picture were added.

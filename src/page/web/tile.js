@@ -19,6 +19,7 @@ class TileDrawer {
             return new Target(gl, blocks, blocks, [float]).expectComplete();
         });
         this.isFused = table.has("fused"); // as long as every ray ended in one draw
+        this.counter = target([gl.R8]); // nothing is drawn into it, but fragments are counted
         this.states = new Map();
         if (this.keepsSurfaces) this.ends = this.newEnds();
         if (table.has("mirror")) this.mirrorEnds = this.newEnds();
@@ -29,7 +30,7 @@ class TileDrawer {
         return this.states.get(role);
     }
 
-    // `inputs`: what pictures.js made of a frame; `tile`: x, y, width, height in the picture. Leaves
+    // `inputs`: what painter.js made of a frame; `tile`: x, y, width, height in the picture. Leaves
     // the tile in `result`. `go` throws where the picture is given up.
     async draw(inputs, tile, go) {
         const { table } = this;
@@ -87,7 +88,7 @@ class TileDrawer {
     async anyUnfinished(size) {
         const { gl, table, result } = this;
         table.bind("record", result.textures[1]);
-        return this.countedBy("unfinished", this.statesOf("march")[0], size)
+        return this.countedBy("unfinished", this.counter, size)
             .finally(() => table.bind("record", null));
     }
 
@@ -109,7 +110,7 @@ class TileDrawer {
             program.set("first_pass", isFirst ? 1 : 0);
             this.run(role, to, size);
             table.bindNumbered("state_texture", to);
-            if (!(await this.countedBy("active", this.result, size))) return to;
+            if (!(await this.countedBy("active", this.counter, size))) return to;
             go();
             [from, to] = [to, from];
         }
