@@ -1,9 +1,11 @@
 #include "page/description.h"
 
-#include <array>
+#include <algorithm>
 #include <bit>
 #include <filesystem>
+#include <map>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "base/document.h"

@@ -1,6 +1,8 @@
 #include "page/frame_values.h"
 
+#include <cmath>
 #include <cstring>
+#include <span>
 #include <stdexcept>
 #include <variant>
 

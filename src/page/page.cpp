@@ -1,6 +1,7 @@
 #include "page/page.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/base64.h"

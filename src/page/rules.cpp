@@ -1,6 +1,7 @@
 #include "page/rules.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <vector>
 
