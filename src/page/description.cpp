@@ -25,7 +25,7 @@ namespace isomotion::page {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using synthesis::Role, synthesis::When;
+using synthesis::Role;
 
 constexpr std::size_t longest_source = 200'000; // bytes
 // At rest a picture is refined to the mean of so many, as in the player.

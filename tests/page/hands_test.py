@@ -186,6 +186,22 @@ def is_reset(page, checks):
     checks.expect(before.rows == after.rows, "after a reset the picture is the same")
 
 
+def keeps_pace(page, checks):
+    """The resolution against pictures of known cost: fixed + filled * s^2 milliseconds."""
+    for fixed, filled, low, high in [(2, 10, 0, 0), (5, 200, 5, 8), (20, 4000, 14, 16),
+                                     (60, 300, 4, 9)]:
+        rung = page.evaluate(f"""(() => {{
+            const resolution = new isomotion.painter.resolution.constructor();
+            const rungs = [];
+            for (let k = 0; k < 300; ++k) {{
+                resolution.measured({fixed} + {filled} * resolution.scale ** 2);
+                rungs.push(resolution.rung);
+            }}
+            return rungs.slice(-150).sort((a, b) => a - b)[75];
+        }})()""")
+        checks.expect(low <= rung <= high, f"{fixed} + {filled} s^2 ms: rung {rung}")
+
+
 def needs_floats(driven, file, checks):
     """Where the browser lacks something the page says what."""
     for script, word in [
@@ -246,6 +262,7 @@ def test(given, folder, driven, checks):
     for part in (plays, scrubs, goes_to_events, turns, slides):
         part(page, checks)
     links(driven, page, file, checks)
+    keeps_pace(page, checks)
     hides(page, checks)
     is_reset(page, checks)
     checks.equal([line for line in page.console if "CONTEXT_LOST" not in line], [], "the console")

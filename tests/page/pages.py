@@ -7,8 +7,6 @@ import tempfile
 
 import browser
 
-PROGRAM = os.environ.get("ISOMOTION_PROGRAM")
-
 
 def arguments(**more):
     parser = argparse.ArgumentParser()
@@ -51,6 +49,8 @@ class Checks:
 def main(test, **more):
     """Runs test(arguments, folder, browser, checks) and ends as ctest wants it."""
     given = arguments(**more)
+    # ISOMOTION_PROGRAM: a program of another build, with sanitizers.
+    given.program = os.path.abspath(os.environ.get("ISOMOTION_PROGRAM") or given.program)
     reason = browser.missing()
     if reason:
         print(f"skipped: {reason}")
