@@ -228,6 +228,7 @@ private:
         const auto n = std::size_t(formula.field().variables());
         Enclosures& enclosures = formula.enclosures;
         for (int narrowing = 0; narrowing < most_narrowings; ++narrowing) {
+            if (!narrow_multipliers(formula, x)) return Verdict::nothing;
             const Jet<Interval> jet = enclosures.jet(x);
             if (!may_be_0(jet, n - 1)) return Verdict::nothing;
             Point m{};
@@ -253,6 +254,53 @@ private:
             if (!(shrinks < 0.9)) break;
         }
         return Verdict::open;
+    }
+
+    // The slopes f along the coordinates are linear in the multipliers, f(m) = f(m_0) + S (m - m_0):
+    // where they are 0, m = m_0 - P f(m_0) - (P S - 1)(m - m_0) for any P, best the pseudoinverse of
+    // the middle of S. False if there are no such multipliers.
+    static bool narrow_multipliers(Worker::Formula& formula, Box& x) {
+        const MovingField& field = formula.field();
+        const auto d = std::size_t(field.dimension());
+        const std::size_t c = formula.selection->multipliers();
+        if (c == 0) return true;
+        Enclosures& enclosures = formula.enclosures;
+        Box at_middle = x;
+        for (std::size_t j = 0; j < c; ++j) at_middle[d + j] = mid(x[d + j]);
+        const Jet<Interval> jet = enclosures.jet(x), f = enclosures.jet(at_middle);
+        const auto slope = [&](std::size_t i, std::size_t j) { return jet.hessian[i][d + j]; };
+        Matrix squared{};
+        for (std::size_t i = 0; i < d; ++i) {
+            for (std::size_t j = 0; j < c; ++j) {
+                if (std::isinf(magnitude(slope(i, j)))) return true;
+                for (std::size_t l = 0; l < c; ++l)
+                    squared[j][l] += mid(slope(i, j)) * mid(slope(i, l));
+            }
+        }
+        const auto y = inverse(squared, int(c));
+        if (!y) return true;
+        for (std::size_t j = 0; j < c; ++j) {
+            std::array<Interval, 3> row{}; // of P
+            for (std::size_t i = 0; i < d; ++i) {
+                double entry = 0;
+                for (std::size_t l = 0; l < c; ++l) entry += (*y)[j][l] * mid(slope(i, l));
+                row[i] = entry;
+            }
+            Interval image = at_middle[d + j];
+            for (std::size_t i = 0; i < d; ++i) image = image - row[i] * f.gradient[i];
+            for (std::size_t l = 0; l < c; ++l) {
+                Interval rest(j == l ? -1.0 : 0.0);
+                for (std::size_t i = 0; i < d; ++i) rest = rest + row[i] * slope(i, l);
+                image = image - rest * (x[d + l] - at_middle[d + l]);
+            }
+            if (std::isnan(image.lo) || std::isnan(image.hi)) return true;
+            x[d + j] = intersect(x[d + j], image);
+            if (is_empty(x[d + j])) return false;
+        }
+        const auto multipliers = formula.selection->multipliers(x);
+        return std::ranges::none_of(formula.selection->kinks(), [&](const Kink& kink) {
+            return kink.reach(multipliers).lo > 1;
+        });
     }
 
     // Some equation has no root, by mean values.
