@@ -23,6 +23,9 @@ constexpr double small = 0.3;
 // Slopes of a cone are taken from so many parts of each multiplier's range.
 constexpr int parts_of_range = 16;
 constexpr int most_narrowings = 6;
+// Of two and more multipliers the ranges are divided, so far and into so many.
+constexpr double narrowest_part = 1.0 / 32;
+constexpr int most_parts = 64;
 constexpr std::size_t tasks_at_least = 64;
 // With more unresolved boxes than this in a task the smallest box grows: a curve of them.
 constexpr std::size_t too_many = 64;
@@ -195,7 +198,38 @@ private:
             if (kink.is_beside)
                 return is_off_beside(formula, all, kink) ? Verdict::nothing : Verdict::open;
         }
-        return solve(formula, branch, all);
+        return solve_parts(formula, branch, all);
+    }
+
+    // Multipliers of kinks inside of others enter as products: parts of their ranges, until in each
+    // of them all is linear enough.
+    Verdict solve_parts(Worker::Formula& formula, const Branch& branch, const Box& all) {
+        const MovingField& field = formula.field();
+        const auto d = std::size_t(field.dimension());
+        std::vector<Box> open{all};
+        Verdict verdict = Verdict::nothing;
+        for (int tries = 0; !open.empty(); ++tries) {
+            const Box now = open.back();
+            open.pop_back();
+            const Verdict here = solve(formula, branch, now);
+            if (here == Verdict::point) verdict = here;
+            if (here != Verdict::open) continue;
+            std::optional<std::size_t> widest;
+            double width = narrowest_part;
+            for (std::size_t k = d; k < field.clock(); ++k) {
+                const double part = (now[k].hi - now[k].lo) / (all[k].hi - all[k].lo);
+                if (!(part > width)) continue;
+                width = part;
+                widest = k;
+            }
+            const bool is_alone = field.clock() < d + 2;
+            if (!widest || is_alone || tries > most_parts) return Verdict::open;
+            Box low = now, high = now;
+            low[*widest].hi = high[*widest].lo = mid(now[*widest]);
+            open.push_back(low);
+            open.push_back(high);
+        }
+        return verdict;
     }
 
     // Beside a cone the multipliers' reach is 1: no slopes there are 0 together.
