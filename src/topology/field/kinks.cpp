@@ -17,8 +17,6 @@ using formula::Node;
 using formula::NodeId;
 using formula::Op;
 
-// Inputs that are added to |h|, one a kink.
-constexpr int first_height_input = first_multiplier_input + int(most_variables);
 constexpr int most_unrolled = 128; // elements of a least()
 
 // What min, max and abs are |h| of: h = first - second.
@@ -110,56 +108,39 @@ std::optional<NodeId> outermost(const Graph& g, NodeId root, std::span<const Nod
     });
 }
 
-// least(array, key) of few elements as min of their keys.
-NodeId unrolled(Graph& g, NodeId root, const formula::Bindings<double>& bindings) {
-    return formula::substitute(g, g, std::array{root}, [&](Graph& to, const Node&, NodeId rebuilt) {
-        const Node node = to[rebuilt];
-        if (node.op != Op::least || node.arrays != 0) return rebuilt;
-        const auto& columns = bindings.arrays[std::size_t(node.index)];
-        if (columns.count < 1 || columns.count > most_unrolled) return rebuilt;
-        for (const NodeId id : formula::nodes_below(to, std::array{node.children[0]})) {
-            if (formula::is_over_elements(to[id].op) && to[id].index == node.index) return rebuilt;
-        }
-        std::vector<NodeId> keys;
-        for (int i = 0; i < columns.count; ++i) {
-            keys.push_back(formula::substitute(
-                to, to, std::array{node.children[0]},
-                [&](Graph& in, const Node& leaf, NodeId same) {
-                    if (leaf.op != Op::element || leaf.index != node.index) return same;
-                    const auto& field = columns.fields[std::size_t(leaf.second)];
-                    return field.empty() ? same : in.constant(field[std::size_t(i)]);
-                })[0]);
-        }
-        // As a tree: what is far is left out of it by halves.
-        for (std::size_t step = 1; step < keys.size(); step *= 2) {
-            for (std::size_t k = 0; k + step < keys.size(); k += 2 * step)
-                keys[k] = to.binary(Op::min, keys[k], keys[k + step]);
-        }
-        return keys[0];
-    })[0];
-}
-
-// The field and the bounds alone, in a graph of their own; inputs of heights are 0.
-Motion alone(const Motion& motion, const Graph& from, NodeId field) {
-    Motion made = motion;
-    made.graph = Graph{};
-    const auto copy = [&](const Graph& of, NodeId root) {
+// least(array, key) of few elements as min of their keys. Elements' fields become parameters.
+void unroll(BoundFormula& formula) {
+    Graph& g = formula.graph;
+    formula::Bindings<Interval>& bindings = formula.bindings;
+    const auto key_of = [&](Graph& to, const Node& least, std::size_t element) {
         return formula::substitute(
-            made.graph, of, std::array{root}, [](Graph& to, const Node& node, NodeId rebuilt) {
-                const bool is_height = node.op == Op::input && node.index >= first_height_input;
-                return is_height ? to.constant(0) : rebuilt;
+            to, to, std::array{least.children[0]}, [&](Graph& in, const Node& leaf, NodeId same) {
+                if (leaf.op != Op::element || leaf.index != least.index) return same;
+                const auto& fields = bindings.arrays[std::size_t(leaf.index)].fields;
+                bindings.parameters.push_back(fields[std::size_t(leaf.second)][element]);
+                return in.parameter(int(bindings.parameters.size() - 1));
             })[0];
     };
-    made.field = copy(from, field);
-    for (std::size_t k = 0; k < 3; ++k) {
-        made.low[k] = copy(motion.graph, motion.low[k]);
-        made.high[k] = copy(motion.graph, motion.high[k]);
-        if (motion.shape == scene::Bounds::Shape::sphere)
-            made.centre[k] = copy(motion.graph, motion.centre[k]);
-    }
-    if (motion.shape == scene::Bounds::Shape::sphere)
-        made.radius = copy(motion.graph, motion.radius);
-    return made;
+    formula.root = formula::substitute(
+        g, g, std::array{formula.root}, [&](Graph& to, const Node&, NodeId rebuilt) {
+            const Node node = to[rebuilt];
+            if (node.op != Op::least || node.arrays != 0) return rebuilt;
+            const int count = bindings.arrays[std::size_t(node.index)].count;
+            if (count < 1 || count > most_unrolled) return rebuilt;
+            for (const NodeId id : formula::nodes_below(to, std::array{node.children[0]})) {
+                const Node& below = to[id];
+                if (formula::is_over_elements(below.op) && below.index == node.index) return rebuilt;
+            }
+            std::vector<NodeId> keys;
+            for (std::size_t i = 0; i < std::size_t(count); ++i)
+                keys.push_back(key_of(to, node, i));
+            // As a tree: what is far is left out of it by halves.
+            for (std::size_t step = 1; step < keys.size(); step *= 2) {
+                for (std::size_t k = 0; k + step < keys.size(); k += 2 * step)
+                    keys[k] = to.binary(Op::min, keys[k], keys[k + step]);
+            }
+            return keys[0];
+        })[0];
 }
 
 std::size_t multipliers_of(std::span<const Kink> kinks) {
@@ -188,37 +169,6 @@ Interval Kink::reach(std::span<const Interval> multipliers) const {
     return sum;
 }
 
-Selection::Selection(const Motion& motion, const Stratum& stratum, std::vector<Kink> on,
-                     const Graph& formula, NodeId root)
-    : kinks_(std::move(on))
-    , multipliers_(multipliers_of(kinks_))
-    , field_(motion, stratum, {}, ranges_of(kinks_))
-    , bindings_(formula::convert<Interval>(motion.bindings)) {
-    if (kinks_.empty()) return;
-    Graph g;
-    root = formula::substitute(g, formula, std::array{root},
-                               [](Graph&, const Node&, NodeId rebuilt) { return rebuilt; })[0];
-    std::vector<NodeId> heights;
-    for (std::size_t k = 0; k < kinks_.size(); ++k) {
-        std::vector<NodeId> direction(first_height_input + kinks_.size(), g.constant(0));
-        direction[first_height_input + k] = g.constant(1);
-        heights.push_back(
-            formula::differentiate_inputs(g, root, direction, formula::Slopes::generalized));
-    }
-    heights_ = formula::schedule(g, heights);
-}
-
-std::vector<Interval> Selection::heights(const Box& box,
-                                         const std::array<Interval, 3>& place) const {
-    std::vector<Interval> inputs(first_height_input + kinks_.size(), Interval(0));
-    std::ranges::copy(place, inputs.begin());
-    inputs[clock_input] = box[field_.clock()];
-    std::ranges::copy(multipliers(box), inputs.begin() + first_multiplier_input);
-    std::vector<Interval> values(kinks_.size());
-    if (!values.empty()) formula::Evaluator<Interval>(heights_).point(bindings_, inputs, values);
-    return values;
-}
-
 struct KinkTree::Question {
     NodeId node;
     std::optional<Difference> of; // of a cone none
@@ -235,22 +185,21 @@ struct KinkTree::Branch {
     const Branch* above = nullptr;
     std::optional<Question> question; // none of a smooth formula
     std::array<std::unique_ptr<Branch>, 4> below{};
-    std::shared_ptr<const Selection> selection{}; // once it was asked for
 };
 
 namespace {
 enum Side : char { negative, positive, on, beside }; // of h
 } // namespace
 
-KinkTree::KinkTree(const Motion& motion, const Stratum& stratum)
-    : stratum_(stratum)
-    , motion_(motion)
-    , bindings_(formula::convert<Interval>(motion.bindings))
-    , most_multipliers_(std::size_t(stratum.dimension())) {
-    Graph& g = motion_.graph;
-    motion_.field = with_abs(g, unrolled(g, motion_.field, motion_.bindings));
-    root_ = make(motion_.field, {}, {}, {});
+KinkTree::KinkTree(BoundFormula formula, std::size_t most_multipliers)
+    : formula_(std::move(formula))
+    , most_multipliers_(most_multipliers) {
+    unroll(formula_);
+    formula_.root = with_abs(formula_.graph, formula_.root);
+    root_ = make(formula_.root, {}, {}, {});
 }
+
+bool KinkTree::has_kinks() const { return root_->question.has_value(); }
 
 KinkTree::~KinkTree() = default;
 
@@ -263,7 +212,7 @@ std::unique_ptr<KinkTree::Branch> KinkTree::make(NodeId root, std::vector<Kink> 
     made->kinks = std::move(kinks);
     made->beside = std::move(cones);
     made->path = std::move(path);
-    Graph& g = motion_.graph;
+    Graph& g = formula_.graph;
     const auto id = outermost(g, root, made->beside);
     if (!id) return made;
     const Node node = g[*id];
@@ -282,7 +231,7 @@ std::unique_ptr<KinkTree::Branch> KinkTree::make(NodeId root, std::vector<Kink> 
 KinkTree::Branch& KinkTree::below(Branch& branch, char side) {
     auto& made = branch.below[std::size_t(side)];
     if (made) return *made;
-    Graph& g = motion_.graph;
+    Graph& g = formula_.graph;
     const Question& question = *branch.question;
     std::vector<Kink> kinks = branch.kinks;
     std::vector<NodeId> cones = branch.beside;
@@ -345,7 +294,7 @@ KinkTree::Branch& KinkTree::below(Branch& branch, char side) {
 
 Interval KinkTree::asked(const Branch& branch, std::span<const Interval> inputs) {
     Interval h;
-    formula::Evaluator<Interval>(branch.question->h).point(bindings_, inputs, {&h, 1});
+    formula::Evaluator<Interval>(branch.question->h).point(formula_.bindings, inputs, {&h, 1});
     return h;
 }
 
@@ -368,8 +317,8 @@ bool KinkTree::descend(Branch& branch, std::span<Interval> inputs, bool with_kin
 }
 
 namespace {
-std::vector<Interval> inputs_of(const std::array<Interval, 3>& place, Interval clock) {
-    std::vector<Interval> inputs(first_height_input + int(most_variables), Interval(0));
+std::vector<Interval> inputs_of(const SpaceBox& place, Interval clock) {
+    std::vector<Interval> inputs(std::size_t(first_height_input) + 8, Interval(0));
     std::ranges::copy(place, inputs.begin());
     inputs[clock_input] = clock;
     return inputs;
@@ -377,7 +326,7 @@ std::vector<Interval> inputs_of(const std::array<Interval, 3>& place, Interval c
 } // namespace
 
 std::optional<std::vector<const KinkTree::Branch*>>
-KinkTree::pieces(const std::array<Interval, 3>& place, Interval clock, std::size_t most) {
+KinkTree::pieces(const SpaceBox& place, Interval clock, std::size_t most) {
     std::vector<Interval> inputs = inputs_of(place, clock);
     std::vector<const Branch*> found;
     if (!descend(*root_, inputs, false, most, found)) return std::nullopt;
@@ -385,24 +334,14 @@ KinkTree::pieces(const std::array<Interval, 3>& place, Interval clock, std::size
 }
 
 std::optional<std::vector<const KinkTree::Branch*>>
-KinkTree::strata(const std::array<Interval, 3>& place, Interval clock, std::size_t most) {
+KinkTree::strata(const SpaceBox& place, Interval clock, std::size_t most) {
     std::vector<Interval> inputs = inputs_of(place, clock);
     std::vector<const Branch*> found;
     if (!descend(*root_, inputs, true, most, found)) return std::nullopt;
     return found;
 }
 
-std::shared_ptr<const Selection> KinkTree::selection(const Branch& of) {
-    auto& branch = const_cast<Branch&>(of); // of this tree
-    if (!branch.selection) {
-        const Motion smooth = alone(motion_, motion_.graph, branch.root);
-        branch.selection = std::make_shared<Selection>(smooth, stratum_, branch.kinks,
-                                                       motion_.graph, branch.root);
-    }
-    return branch.selection;
-}
-
-KinkTree::Sides KinkTree::is_on_sides(const Branch& branch, const std::array<Interval, 3>& place,
+KinkTree::Sides KinkTree::is_on_sides(const Branch& branch, const SpaceBox& place,
                                       Interval clock, std::span<const Interval> multipliers) {
     std::vector<Interval> inputs = inputs_of(place, clock);
     std::ranges::copy(multipliers, inputs.begin() + first_multiplier_input);
@@ -419,11 +358,13 @@ KinkTree::Sides KinkTree::is_on_sides(const Branch& branch, const std::array<Int
     return sides;
 }
 
+NodeId KinkTree::root(const Branch& branch) { return branch.root; }
+std::span<const Kink> KinkTree::kinks(const Branch& branch) { return branch.kinks; }
+std::span<const Interval> KinkTree::ranges(const Branch& branch) { return branch.ranges; }
 const std::vector<char>& KinkTree::path(const Branch& branch) { return branch.path; }
 
-bool has_kinks(const Motion& motion) {
-    Graph g = motion.graph;
-    return outermost(g, with_abs(g, unrolled(g, motion.field, motion.bindings)), {}).has_value();
+BoundFormula bound_formula(const Motion& motion) {
+    return {motion.graph, motion.field, formula::convert<Interval>(motion.bindings)};
 }
 
 } // namespace isomotion::topology

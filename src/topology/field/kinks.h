@@ -19,9 +19,12 @@
 #include <vector>
 
 #include "topology/field/motion.h"
-#include "topology/field/moving_field.h"
+#include "topology/field/space_box.h"
 
 namespace isomotion::topology {
+
+// Inputs that are added to |h|, one a kink.
+inline constexpr int first_height_input = first_multiplier_input + 8;
 
 // A kink that a formula is on.
 struct Kink {
@@ -34,63 +37,50 @@ struct Kink {
     formula::Interval reach(std::span<const formula::Interval> multipliers) const;
 };
 
-// A smooth formula: L of the kinks that it is on, on one side of each other one.
-class Selection {
-public:
-    // `motion` has L for its field; in the graph `formula` L has an input for each kink besides,
-    // added to |h|.
-    Selection(const Motion& motion, const Stratum& stratum, std::vector<Kink> on,
-              const formula::Graph& formula, formula::NodeId root);
-
-    const MovingField& field() const { return field_; }
-    std::span<const Kink> kinks() const { return kinks_; }
-    std::size_t multipliers() const { return multipliers_; }
-
-    // Variables of a box or a point of the field.
-    std::span<const formula::Interval> multipliers(const Box& box) const {
-        return std::span(box).subspan(std::size_t(field_.dimension()), multipliers_);
-    }
-    // dL/d|h| for each kink. `place` and clock are those of the box.
-    std::vector<formula::Interval> heights(const Box& box,
-                                           const std::array<formula::Interval, 3>& place) const;
-
-private:
-    std::vector<Kink> kinks_;
-    std::size_t multipliers_;
-    MovingField field_;
-    formula::Bindings<formula::Interval> bindings_;
-    formula::Program heights_;
+// A formula and what its names stand for.
+struct BoundFormula {
+    formula::Graph graph;
+    formula::NodeId root{};
+    formula::Bindings<formula::Interval> bindings;
 };
 
 // Divides by the signs of h, kink by kink, the outermost first; what it was once asked is kept. One
 // a thread.
 class KinkTree {
 public:
-    KinkTree(const Motion& motion, const Stratum& stratum);
+    // Inputs of the formula are x, y, z and the clock; least() becomes min() of its elements. Kinks
+    // that meet have at most so many multipliers: more equations than there are coordinates have no
+    // solution unless by coincidence.
+    KinkTree(BoundFormula formula, std::size_t most_multipliers);
     KinkTree(const KinkTree&) = delete;
     KinkTree& operator=(const KinkTree&) = delete;
     ~KinkTree();
 
-    // The motion with least() as min() of its elements.
-    const Motion& motion() const { return motion_; }
+    const BoundFormula& formula() const { return formula_; }
+    bool has_kinks() const;
 
     struct Branch;
     // The smooth formulas at some places, and at clocks, of which F takes one or the other
     // everywhere; a cone's own stands for what is beside it, too. Empty where there are more than
-    // `most`, or kinks that meet in more multipliers than there are coordinates.
-    std::optional<std::vector<const Branch*>> pieces(const std::array<formula::Interval, 3>& place,
-                                                     formula::Interval clock, std::size_t most);
+    // `most`, or kinks that meet in too many multipliers.
+    std::optional<std::vector<const Branch*>> pieces(const SpaceBox& place, formula::Interval clock,
+                                                     std::size_t most);
     // ... and those of the kinks: each critical point there is one of one of these, on its sides.
-    std::optional<std::vector<const Branch*>> strata(const std::array<formula::Interval, 3>& place,
-                                                     formula::Interval clock, std::size_t most);
+    std::optional<std::vector<const Branch*>> strata(const SpaceBox& place, formula::Interval clock,
+                                                     std::size_t most);
 
-    std::shared_ptr<const Selection> selection(const Branch& branch);
-    // Whether a place is on the branch's sides of all kinks that it isn't on.
-    enum class Sides { yes, no, unknown };
-    Sides is_on_sides(const Branch& branch, const std::array<formula::Interval, 3>& place,
-                      formula::Interval clock, std::span<const formula::Interval> multipliers);
-    // Tells branches apart; the same in each tree of the motion.
+    // Of a formula among those: L, with multipliers for inputs from first_multiplier_input on, and
+    // an input besides that is added to each |h|, from first_height_input on.
+    static formula::NodeId root(const Branch& branch);
+    static std::span<const Kink> kinks(const Branch& branch);
+    static std::span<const formula::Interval> ranges(const Branch& branch); // of multipliers
+    // Tells formulas apart; the same in each tree of one formula.
     static const std::vector<char>& path(const Branch& branch);
+
+    // Whether a place is on the formula's sides of all kinks that it isn't on.
+    enum class Sides { yes, no, unknown };
+    Sides is_on_sides(const Branch& branch, const SpaceBox& place, formula::Interval clock,
+                      std::span<const formula::Interval> multipliers);
 
 private:
     struct Question;
@@ -101,14 +91,12 @@ private:
     std::unique_ptr<Branch> make(formula::NodeId root, std::vector<Kink> kinks,
                                  std::vector<formula::NodeId> beside, std::vector<char> path);
 
-    Stratum stratum_;
-    Motion motion_;
-    formula::Bindings<formula::Interval> bindings_;
+    BoundFormula formula_;
     std::size_t most_multipliers_;
     std::unique_ptr<Branch> root_;
 };
 
-// Whether the motion's field has kinks that a KinkTree divides by.
-bool has_kinks(const Motion& motion);
+// The motion's field; in the bindings of the motion's own, in intervals.
+BoundFormula bound_formula(const Motion& motion);
 
 } // namespace isomotion::topology

@@ -196,7 +196,7 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range,
         double whole = 0;
         for (const Stratum& part : parts) whole += effort(part);
         whole *= double(all.pieces.size());
-        const bool is_kinked = how.seeds == 0 && has_kinks(motion);
+        const bool is_kinked = how.seeds == 0 && KinkTree(bound_formula(motion), 3).has_kinks();
         for (const Stratum& part : parts) {
             const double share = effort(part) / whole;
             std::function<void(double)> progress;

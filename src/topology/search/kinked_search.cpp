@@ -7,7 +7,7 @@
 
 #include "base/workers.h"
 #include "topology/search/critical_system.h"
-#include "topology/search/rising.h"
+#include "topology/field/rising.h"
 #include "topology/search/stratum_places.h"
 
 namespace isomotion::topology {
@@ -46,9 +46,11 @@ bool may_be_0(const Jet<Interval>& jet, std::size_t derivatives) {
 class Worker {
 public:
     Worker(const Motion& motion, const Stratum& stratum)
-        : tree_(motion, stratum)
-        , whole_(tree_.motion(), stratum)
-        , places_(tree_.motion(), stratum)
+        : motion_(motion)
+        , stratum_(stratum)
+        , tree_(bound_formula(motion), std::size_t(stratum.dimension()))
+        , whole_(with_field(motion, tree_.formula(), tree_.formula().root), stratum)
+        , places_(motion, stratum)
         , enclosures_(whole_) {}
 
     struct Formula {
@@ -69,11 +71,16 @@ public:
     SpaceBox place(const Box& box) const { return places_.at(whole_, box); }
     Formula& formula(const Branch& branch) {
         auto& made = formulas_[&branch];
-        if (!made) made = std::make_unique<Formula>(tree_.selection(branch));
+        if (!made) {
+            made = std::make_unique<Formula>(
+                std::make_shared<Selection>(motion_, stratum_, tree_, branch));
+        }
         return *made;
     }
 
 private:
+    const Motion& motion_;
+    Stratum stratum_;
     KinkTree tree_;
     MovingField whole_;
     StratumPlaces places_;
@@ -188,7 +195,8 @@ private:
             Box& gradient = gradients.emplace_back();
             std::copy_n(jets[0].gradient.begin(), d_, gradient.begin());
         }
-        return gradients.empty() || rise_together(gradients, d_);
+        constexpr std::array<std::size_t, 3> axes{0, 1, 2};
+        return gradients.empty() || rising_direction(gradients, std::span(axes).first(d_));
     }
 
     Verdict solve(const Box& box, const Branch& branch) {
@@ -441,8 +449,9 @@ KinkedResult search_kinked(const Motion& motion, const Stratum& stratum,
                            const SearchOptions& searching) {
     KinkedResult all;
     {
-        const KinkTree tree(motion, stratum);
-        all.field = std::make_shared<MovingField>(tree.motion(), stratum);
+        const KinkTree tree(bound_formula(motion), std::size_t(stratum.dimension()));
+        all.field = std::make_shared<MovingField>(
+            with_field(motion, tree.formula(), tree.formula().root), stratum);
     }
     const std::vector<Box> boxes = tasks(*all.field);
     std::vector<KinkedResult> parts(boxes.size());

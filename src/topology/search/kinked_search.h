@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include "topology/field/kinks.h"
 #include "topology/search/search.h"
+#include "topology/search/selection.h"
 
 namespace isomotion::topology {
 

@@ -1,0 +1,38 @@
+// A frame's field over boxes as the smooth formulas that it takes there (kinks.h).
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "topology/field/frame_field.h"
+#include "topology/field/kinks.h"
+
+namespace isomotion::topology {
+
+// One a thread.
+class Pieces {
+public:
+    explicit Pieces(const SpaceFormula& formula);
+
+    enum class Sign { negative, positive, mixed };
+    struct Over {
+        Sign sign = Sign::mixed; // of G, as in frame_field.h
+        // Of each formula that may be 0 in the box, all slopes. Of a mixed sign with none there are
+        // more formulas than it is worth to ask.
+        std::vector<Box> gradients;
+    };
+    Over over(const SpaceBox& box);
+    formula::Interval value(const SpaceBox& box);
+
+private:
+    FrameField& field(const KinkTree::Branch& piece);
+
+    Side solid_;
+    KinkTree tree_;
+    FrameField whole_;
+    std::map<const KinkTree::Branch*, std::unique_ptr<FrameField>> fields_;
+};
+
+} // namespace isomotion::topology
