@@ -4,6 +4,7 @@
 #include <cassert>
 #include <vector>
 
+#include "topology/betti/cell_frame.h"
 #include "topology/betti/sign_grid.h"
 
 namespace isomotion::topology {
@@ -377,7 +378,10 @@ CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt&
     const Places places(bounds);
     FrameLimits within = limits;
     within.depth = std::min(limits.depth, deepest);
-    return Octree(all, one, places, within).certify();
+    CertifiedFrame frame = Octree(all, one, places, within).certify();
+    if (frame.betti || (limits.stopped && limits.stopped())) return frame;
+    const CertifiedFrame by_cells = certify_by_cells(formula, bounds, limits);
+    return by_cells.betti ? by_cells : frame;
 }
 
 } // namespace isomotion::topology
