@@ -1,6 +1,7 @@
 #include "topology/betti/cell_frame.h"
 
 #include <algorithm>
+#include <map>
 
 #include "topology/betti/cell_complex.h"
 #include "topology/field/pieces.h"
@@ -65,7 +66,37 @@ std::vector<std::size_t> axes_of(const CellKey& key) {
     return axes;
 }
 
-CellFact fact_of(Pieces& pieces, const CellPlaces& places, const CellKey& key) {
+// The elements that matter in a cell: those of the box that it is a facet of, which are among those
+// of the box twice its size.
+class NearElements {
+public:
+    NearElements(Pieces& pieces, const CellPlaces& places)
+        : pieces_(pieces)
+        , places_(places) {}
+
+    const Elements& of(const CellKey& key) {
+        if (pieces_.has_kinks() || key.level == 0) return pieces_.everything();
+        CellKey around = key;
+        around.axes = 7;
+        for (int& at : around.at)
+            at = std::min(at, CellKey::whole - 1) & ~(around.length() - 1);
+        const auto [made, is_new] = known_.try_emplace({around.level, around.at});
+        if (is_new) {
+            CellKey twice = around;
+            --twice.level;
+            made->second = pieces_.nearer(of(twice), places_.box(around));
+        }
+        return made->second;
+    }
+
+private:
+    Pieces& pieces_;
+    const CellPlaces& places_;
+    std::map<std::pair<int, std::array<int, 3>>, Elements> known_;
+};
+
+CellFact fact_of(Pieces& pieces, NearElements& near, const CellPlaces& places,
+                 const CellKey& key) {
     using Kind = CellFact::Kind;
     const SpaceBox box = places.box(key);
     if (places.is_outside(box)) return {Kind::outside, {}};
@@ -76,7 +107,7 @@ CellFact fact_of(Pieces& pieces, const CellPlaces& places, const CellKey& key) {
         const bool is_inside = value.hi < 0 && places.is_inside(box);
         return {is_inside ? Kind::inside : Kind::unknown, {}};
     }
-    const Pieces::Over over = pieces.over(box);
+    const Pieces::Over over = pieces.over(box, near.of(key));
     if (over.sign == Pieces::Sign::positive) return {Kind::outside, {}};
     if (!places.is_inside(box)) return {};
     if (over.sign == Pieces::Sign::negative) return {Kind::inside, {}};
@@ -94,7 +125,8 @@ CertifiedFrame certify_by_cells(const SpaceFormula& formula, const scene::Bounds
                                 const FrameLimits& limits) {
     Pieces pieces(formula);
     const CellPlaces places(bounds);
-    CellComplex complex([&](const CellKey& key) { return fact_of(pieces, places, key); });
+    NearElements near(pieces, places);
+    CellComplex complex([&](const CellKey& key) { return fact_of(pieces, near, places, key); });
     CertifiedFrame frame;
     frame.betti = complex.betti({.cells = most_cells, .stopped = limits.stopped});
     frame.depth = complex.depth();

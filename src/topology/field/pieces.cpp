@@ -50,11 +50,21 @@ Interval Pieces::value(const SpaceBox& box) {
     return value;
 }
 
-Pieces::Over Pieces::over(const SpaceBox& box) {
+Pieces::Over Pieces::over(const SpaceBox& box, const Elements& near) {
     const auto sign_of = [](Interval value) {
         return value.lo > 0 ? Sign::positive : value.hi < 0 ? Sign::negative : Sign::mixed;
     };
-    Over over{sign_of(value(box)), {}};
+    Over over;
+    if (!has_kinks()) {
+        ValueAndGradient g;
+        whole_.over(near, {&box, 1}, {&g, 1});
+        if (contains(g.value, 0.0)) whole_.tighten(near, {&box, 1}, {&g, 1});
+        over.sign = sign_of(g.value);
+        if (over.sign != Sign::mixed) return over;
+        std::ranges::copy(g.gradient, over.gradients.emplace_back().begin());
+        return over;
+    }
+    over.sign = sign_of(value(box));
     if (over.sign != Sign::mixed) return over;
     const auto pieces = tree_.pieces(box, Interval(0), most_pieces);
     if (!pieces) return over;

@@ -23,8 +23,14 @@ public:
         // more formulas than it is worth to ask.
         std::vector<Box> gradients;
     };
-    Over over(const SpaceBox& box);
+    // `near` is of a box around this one.
+    Over over(const SpaceBox& box, const Elements& near);
     formula::Interval value(const SpaceBox& box);
+
+    const Elements& everything() const { return whole_.everything(); }
+    // Of sums the elements that matter in a box: of a formula without kinks, else all of them.
+    bool has_kinks() const { return tree_.has_kinks(); }
+    Elements nearer(const Elements& near, const SpaceBox& box) { return whole_.nearer(near, box); }
 
 private:
     FrameField& field(const KinkTree::Branch& piece);
