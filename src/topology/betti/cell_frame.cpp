@@ -107,7 +107,12 @@ CellFact fact_of(Pieces& pieces, NearElements& near, const CellPlaces& places,
         const bool is_inside = value.hi < 0 && places.is_inside(box);
         return {is_inside ? Kind::inside : Kind::unknown, {}};
     }
-    const Pieces::Over over = pieces.over(box, near.of(key));
+    Pieces::Over over = pieces.over(box, near.of(key));
+    // What is left out of sums blurs where the surface nearly touches a small face or edge.
+    const bool is_blurred = key.dimension() < 3 && key.level > 9 && !pieces.has_kinks() &&
+                            over.sign == Pieces::Sign::mixed &&
+                            !rising_direction(over.gradients, axes_of(key));
+    if (is_blurred) over = pieces.over(box, pieces.everything());
     if (over.sign == Pieces::Sign::positive) return {Kind::outside, {}};
     if (!places.is_inside(box)) return {};
     if (over.sign == Pieces::Sign::negative) return {Kind::inside, {}};
