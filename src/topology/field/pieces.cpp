@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "formula/graph/continuity.h"
 #include "formula/graph/substitute.h"
 
 namespace isomotion::topology {
@@ -36,7 +37,17 @@ SpaceFormula alone(const BoundFormula& from, const KinkTree::Branch& piece, Side
 Pieces::Pieces(const SpaceFormula& formula)
     : solid_(formula.solid)
     , tree_({formula.graph, formula.root, formula.bindings}, most_multipliers)
-    , whole_({tree_.formula().graph, tree_.formula().root, tree_.formula().bindings, solid_}) {}
+    , whole_({tree_.formula().graph, tree_.formula().root, tree_.formula().bindings, solid_}) {
+    Graph g = tree_.formula().graph;
+    const NodeId jumps = formula::jumps(g, tree_.formula().root);
+    jumps_ = formula::schedule(g, std::array{jumps});
+}
+
+bool Pieces::may_jump(const SpaceBox& box) {
+    Interval jumps;
+    formula::Evaluator<Interval>(jumps_).point(tree_.formula().bindings, box, {&jumps, 1});
+    return jumps != Interval(0.0);
+}
 
 FrameField& Pieces::field(const KinkTree::Branch& piece) {
     auto& made = fields_[&piece];
@@ -60,12 +71,12 @@ Pieces::Over Pieces::over(const SpaceBox& box, const Elements& near) {
         whole_.over(near, {&box, 1}, {&g, 1});
         if (contains(g.value, 0.0)) whole_.tighten(near, {&box, 1}, {&g, 1});
         over.sign = sign_of(g.value);
-        if (over.sign != Sign::mixed) return over;
+        if (over.sign != Sign::mixed || may_jump(box)) return over;
         std::ranges::copy(g.gradient, over.gradients.emplace_back().begin());
         return over;
     }
     over.sign = sign_of(value(box));
-    if (over.sign != Sign::mixed) return over;
+    if (over.sign != Sign::mixed || may_jump(box)) return over;
     const auto pieces = tree_.pieces(box, Interval(0), most_pieces);
     if (!pieces) return over;
     bool may_be_negative = false, may_be_positive = false;

@@ -19,7 +19,7 @@ public:
     enum class Sign { negative, positive, mixed };
     struct Over {
         Sign sign = Sign::mixed; // of G, as in frame_field.h
-        // Of each formula that may be 0 in the box, all slopes. Of a mixed sign with none there are
+        // Of each formula that may be 0 in the box, all slopes. None where G may jump, or there are
         // more formulas than it is worth to ask.
         std::vector<Box> gradients;
     };
@@ -34,10 +34,12 @@ public:
 
 private:
     FrameField& field(const KinkTree::Branch& piece);
+    bool may_jump(const SpaceBox& box);
 
     Side solid_;
     KinkTree tree_;
     FrameField whole_;
+    formula::Program jumps_;
     std::map<const KinkTree::Branch*, std::unique_ptr<FrameField>> fields_;
 };
 

@@ -50,7 +50,7 @@ public:
         }
         for (const Box& box : found.unresolved) {
             unresolved(*found.field, box,
-                       may_have_kink(*found.field, box) ? why::kink : why::degenerate);
+                       may_have_kink(*found.field, box) ? why::kinks_meet : why::degenerate);
         }
     }
 

@@ -20,7 +20,8 @@ TEST(Advice, IsNoneForWhatIsComplete) { EXPECT_THAT(advice(story().timeline), Is
 
 TEST(Advice, IsOneSentenceForEachReason) {
     const std::vector<const char*> reasons{
-        unresolved::degenerate,     unresolved::kink,         unresolved::on_edge,
+        unresolved::degenerate,     unresolved::kink,         unresolved::kinks_meet,
+                unresolved::on_edge,
         unresolved::index,          unresolved::touches_edge, unresolved::rule_changes,
         unresolved::reaches_sphere, unresolved::rests,        unresolved::turns,
         unresolved::jumps,          unresolved::no_bounds};

@@ -1,0 +1,113 @@
+// Betti numbers counted over cells: of solids made of whole cells, against their closed forms.
+#include "topology/betti/cell_complex.h"
+
+#include <gtest/gtest.h>
+
+#include "topology/solids.h"
+
+namespace isomotion::topology {
+namespace {
+
+// S is what is inside of cells of a level by a predicate of their number along each axis.
+template<class Predicate> std::optional<Betti> betti_of(int level, Predicate&& is_solid) {
+    CellComplex complex([&](const CellKey& key) {
+        CellFact fact;
+        if (key.level < level) return fact;
+        // Lower cells are in S where all cells about them are: S is open.
+        const int length = CellKey::whole >> level;
+        bool is_inside = true;
+        for (int x = -1; x <= 0; ++x) {
+            for (int y = -1; y <= 0; ++y) {
+                for (int z = -1; z <= 0; ++z) {
+                    std::array<int, 3> cell{};
+                    bool counts = true;
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        const int step = k == 0 ? x : k == 1 ? y : z;
+                        const bool is_face = !key.is_along(k) && key.at[k] % length == 0;
+                        if (step != 0 && !is_face) counts = false;
+                        cell[k] = key.at[k] / length + step;
+                        if (cell[k] < 0 || cell[k] >= 1 << level) counts = false;
+                    }
+                    if (counts) is_inside = is_inside && is_solid(cell);
+                }
+            }
+        }
+        fact.kind = is_inside ? CellFact::Kind::inside : CellFact::Kind::outside;
+        return fact;
+    });
+    return complex.betti({});
+}
+
+TEST(CellComplex, CountsComponentsTunnelsAndVoids) {
+    EXPECT_EQ(betti_of(2, [](auto) { return false; }), (Betti{0, 0, 0}));
+    EXPECT_EQ(betti_of(2, [](auto) { return true; }), (Betti{1, 0, 0}));
+    EXPECT_EQ(betti_of(3, [](auto c) { return c[0] % 2 == 0; }), (Betti{4, 0, 0}));
+    const auto in = [](std::array<int, 3> c, int low, int high) {
+        return std::ranges::all_of(c, [&](int k) { return k >= low && k < high; });
+    };
+    EXPECT_EQ(betti_of(3, [&](auto c) { return !in(c, 3, 5); }), (Betti{1, 0, 1}));
+    EXPECT_EQ(betti_of(3, [&](auto c) { return in(c, 1, 7) && !in(c, 3, 5); }), (Betti{1, 0, 1}));
+    // A hole from wall to wall, and three that cross.
+    const auto is_hole = [](int a, int b) { return a >= 3 && a < 5 && b >= 3 && b < 5; };
+    EXPECT_EQ(betti_of(3, [&](auto c) { return !is_hole(c[0], c[1]); }), (Betti{1, 1, 0}));
+    EXPECT_EQ(betti_of(3,
+                       [&](auto c) {
+                           return !is_hole(c[0], c[1]) && !is_hole(c[1], c[2]) &&
+                                  !is_hole(c[2], c[0]);
+                       }),
+              (Betti{1, 5, 0}));
+    // Two that touch along an edge alone: S is open, they are apart.
+    EXPECT_EQ(betti_of(2, [](auto c) { return c[0] / 2 == c[1] / 2; }), (Betti{2, 0, 0}));
+}
+
+// A cell's facets are those of its neighbours where these are smaller.
+TEST(CellComplex, IsRegularWhereSizesMeet) {
+    CellComplex complex([](const CellKey& key) {
+        CellFact fact;
+        const bool is_corner = std::ranges::all_of(key.at, [](int at) { return at == 0; });
+        if (key.axes == 7 && is_corner && key.level < 6) return fact;
+        fact.kind = CellFact::Kind::inside;
+        return fact;
+    });
+    EXPECT_EQ(complex.betti({}), (Betti{1, 0, 0}));
+    EXPECT_EQ(complex.depth(), 6);
+}
+
+// Two discs across x, on the facet that all sinks to: each box is divided until it has one at most.
+TEST(CellComplex, DividesWhatIsNotContractible) {
+    const auto is_in = [](double y, double z) {
+        return std::hypot(y - 0.2, z - 0.3) < 0.15 || std::hypot(y - 0.4, z - 0.1) < 0.1;
+    };
+    CellComplex complex([&](const CellKey& key) {
+        CellFact fact;
+        if (key.is_along(0)) {
+            fact.kind = CellFact::Kind::sinking;
+            fact.sinks_to[0] = -1;
+            return fact;
+        }
+        if (key.axes != 0 && key.level < 6) return fact;
+        // S is open: a facet is in it where the squares about it are.
+        constexpr int length = CellKey::whole >> 6;
+        bool is_inside = true;
+        for (const int dy : {-1, 0}) {
+            for (const int dz : {-1, 0}) {
+                if ((dy != 0 && key.is_along(1)) || (dz != 0 && key.is_along(2))) continue;
+                const double unit = 1.0 / CellKey::whole;
+                is_inside &= is_in((key.at[1] / length + dy + 0.5) * length * unit,
+                                   (key.at[2] / length + dz + 0.5) * length * unit);
+            }
+        }
+        fact.kind = is_inside ? CellFact::Kind::inside : CellFact::Kind::outside;
+        return fact;
+    });
+    EXPECT_EQ(complex.betti({}), (Betti{2, 0, 0}));
+}
+
+TEST(CellComplex, SaysWhereItsLimitsEnd) {
+    CellComplex complex([](const CellKey&) { return CellFact{}; });
+    EXPECT_FALSE(complex.betti({.cells = 1000, .depth = 3}));
+    EXPECT_EQ(complex.failed().level, 3);
+}
+
+} // namespace
+} // namespace isomotion::topology
