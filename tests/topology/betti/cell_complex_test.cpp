@@ -73,11 +73,9 @@ TEST(CellComplex, IsRegularWhereSizesMeet) {
     EXPECT_EQ(complex.depth(), 6);
 }
 
-// Two discs across x, on the facet that all sinks to: each box is divided until it has one at most.
-TEST(CellComplex, DividesWhatIsNotContractible) {
-    const auto is_in = [](double y, double z) {
-        return std::hypot(y - 0.2, z - 0.3) < 0.15 || std::hypot(y - 0.4, z - 0.1) < 0.1;
-    };
+// S is a prism along x over squares of the plane across: boxes sink to a facet, whatever they have
+// there, and so do faces along x to an edge. Squares are settled once they are so small.
+template<class Predicate> std::optional<Betti> betti_of_prism(int level, Predicate&& is_in) {
     CellComplex complex([&](const CellKey& key) {
         CellFact fact;
         if (key.is_along(0)) {
@@ -85,18 +83,60 @@ TEST(CellComplex, DividesWhatIsNotContractible) {
             fact.sinks_to[0] = -1;
             return fact;
         }
-        if (key.axes != 0 && key.level < 6) return fact;
-        // S is open: a facet is in it where the squares about it are.
-        constexpr int length = CellKey::whole >> 6;
+        if (key.axes != 0 && key.level < level) return fact;
+        // S is open: an edge or a corner is in it where the squares about it are.
+        const int length = CellKey::whole >> level;
         bool is_inside = true;
         for (const int dy : {-1, 0}) {
             for (const int dz : {-1, 0}) {
-                if ((dy != 0 && key.is_along(1)) || (dz != 0 && key.is_along(2))) continue;
-                const double unit = 1.0 / CellKey::whole;
-                is_inside &= is_in((key.at[1] / length + dy + 0.5) * length * unit,
-                                   (key.at[2] / length + dz + 0.5) * length * unit);
+                const bool is_beside = (dy != 0 && (key.is_along(1) || key.at[1] % length != 0)) ||
+                                       (dz != 0 && (key.is_along(2) || key.at[2] % length != 0));
+                if (is_beside) continue;
+                const double unit = 1.0 / (1 << level);
+                is_inside &= is_in((key.at[1] / length + dy + 0.5) * unit,
+                                   (key.at[2] / length + dz + 0.5) * unit);
             }
         }
+        fact.kind = is_inside ? CellFact::Kind::inside : CellFact::Kind::outside;
+        return fact;
+    });
+    return complex.betti({});
+}
+
+TEST(CellComplex, DividesWhatIsNotContractible) {
+    const auto two_discs = [](double y, double z) {
+        return std::hypot(y - 0.2, z - 0.3) < 0.15 || std::hypot(y - 0.4, z - 0.1) < 0.1;
+    };
+    EXPECT_EQ(betti_of_prism(6, two_discs), (Betti{2, 0, 0}));
+}
+
+TEST(CellComplex, DividesWhatHasAHole) {
+    const auto ring = [](double y, double z) {
+        return std::abs(std::hypot(y - 0.25, z - 0.25) - 0.15) < 0.05;
+    };
+    EXPECT_EQ(betti_of_prism(6, ring), (Betti{1, 1, 0}));
+}
+
+// Stripes: each box has one in its plane across x, or parts of two.
+TEST(CellComplex, DividesFacesToo) {
+    const auto is_striped = [](double x) {
+        return std::abs(x - 0.3) < 0.05 || std::abs(x - 0.4) < 0.03;
+    };
+    CellComplex complex([&](const CellKey& key) {
+        CellFact fact;
+        // All sinks to what is along x alone.
+        for (const std::size_t k : {2u, 1u}) {
+            if (!key.is_along(k)) continue;
+            fact.kind = CellFact::Kind::sinking;
+            fact.sinks_to[k] = -1;
+            return fact;
+        }
+        if (key.axes != 0 && key.level < 7) return fact;
+        const double unit = 1.0 / CellKey::whole;
+        const double half = key.is_along(0) ? key.length() * unit / 2 : 0;
+        const bool is_inside = key.is_along(0) ? is_striped(key.at[0] * unit + half)
+                                               : is_striped(key.at[0] * unit - 0x1p-8) &&
+                                                     is_striped(key.at[0] * unit + 0x1p-8);
         fact.kind = is_inside ? CellFact::Kind::inside : CellFact::Kind::outside;
         return fact;
     });

@@ -45,6 +45,12 @@ TEST(KinkedEvents, OfABallThatShrinksToItsCentreIsADeath) {
     expect_events(events_of(moving, 0, 1), {{0.5, 1, 0, false}});
 }
 
+// On the axis beside the cone's tip F is x^2/2 - x/4 + s.
+TEST(KinkedEvents, NearAConeAreSeenBesideIt) {
+    const Moving moving{"sqrt(x^2 + y^2 + z^2) - 1.25*x + 0.5*x^2 + s", around, "s = \"t - 0.5\""};
+    expect_events(events_of(moving, 0, 1), {{0.53125, 1, 0, false}});
+}
+
 TEST(KinkedEvents, OfAnOctahedronAreItsBirth) {
     const Moving moving{"abs(x - 0.1) + abs(y) + abs(z) + s", around, "s = \"0.5 - t\""};
     expect_events(events_of(moving, 0, 1), {{0.5, 1, 0, true}});
@@ -72,7 +78,8 @@ TEST(KinkedEvents, AreNoneOfWhatOnlyMoves) {
 
 TEST(KinkedEvents, OfASuperquadricThroughAnOctahedronAreNone) {
     for (const char* m : {"0.7 + 0.6*t", "1.3 - 0.6*t"}) {
-        const Moving moving{"abs(x)^m + abs(y)^m + abs(z)^m - 1", around, fmt::format("m = \"{}\"", m)};
+        const Moving moving{"abs(x)^m + abs(y)^m + abs(z)^m - 1", around,
+                            fmt::format("m = \"{}\"", m)};
         expect_events(events_of(moving, 0, 1), {});
     }
 }
