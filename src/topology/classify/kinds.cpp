@@ -91,6 +91,7 @@ void settle_by_path(Timeline& timeline, const KindProofs& proofs, int effort) {
     for (std::size_t k = 0; k < open.size(); ++k) {
         Event& event = timeline.events[open[k]];
         if (sides[k] == Sides::joined) settle(event, by_path(event), "path");
+        if (sides[k] == Sides::apart) settle(event, by_parts(event), "apart");
     }
 }
 
