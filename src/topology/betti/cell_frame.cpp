@@ -12,7 +12,8 @@ namespace {
 
 using formula::Interval;
 
-constexpr std::size_t most_cells = 400'000;
+// Of a formula with kinks there is no other proof.
+constexpr std::size_t most_cells = 100'000, most_cells_with_kinks = 400'000;
 
 // Where the cells are. What is symmetric or has round numbers would touch faces of equal cells:
 // sides are divided a little off the middle.
@@ -78,8 +79,7 @@ public:
         if (pieces_.has_kinks() || key.level == 0) return pieces_.everything();
         CellKey around = key;
         around.axes = 7;
-        for (int& at : around.at)
-            at = std::min(at, CellKey::whole - 1) & ~(around.length() - 1);
+        for (int& at : around.at) at = std::min(at, CellKey::whole - 1) & ~(around.length() - 1);
         const auto [made, is_new] = known_.try_emplace({around.level, around.at});
         if (is_new) {
             CellKey twice = around;
@@ -95,8 +95,7 @@ private:
     std::map<std::pair<int, std::array<int, 3>>, Elements> known_;
 };
 
-CellFact fact_of(Pieces& pieces, NearElements& near, const CellPlaces& places,
-                 const CellKey& key) {
+CellFact fact_of(Pieces& pieces, NearElements& near, const CellPlaces& places, const CellKey& key) {
     using Kind = CellFact::Kind;
     const SpaceBox box = places.box(key);
     if (places.is_outside(box)) return {Kind::outside, {}};
@@ -133,12 +132,13 @@ CertifiedFrame certify_by_cells(const SpaceFormula& formula, const scene::Bounds
     NearElements near(pieces, places);
     CellComplex complex([&](const CellKey& key) { return fact_of(pieces, near, places, key); });
     CertifiedFrame frame;
-    frame.betti = complex.betti({.cells = most_cells, .stopped = limits.stopped});
+    const std::size_t most = pieces.has_kinks() ? most_cells_with_kinks : most_cells;
+    frame.betti = complex.betti({.cells = most, .stopped = limits.stopped});
     frame.depth = complex.depth();
     frame.boxes = int(complex.asked());
     if (frame.betti) return frame;
     frame.why = limits.stopped && limits.stopped() ? "interrupted"
-                : complex.asked() > most_cells     ? "too many boxes"
+                : complex.asked() > most           ? "too many boxes"
                                                    : "not settled at the greatest depth";
     frame.where = places.box(complex.failed());
     return frame;

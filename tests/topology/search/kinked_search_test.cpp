@@ -45,10 +45,10 @@ TEST(KinkedEvents, OfABallThatShrinksToItsCentreIsADeath) {
     expect_events(events_of(moving, 0, 1), {{0.5, 1, 0, false}});
 }
 
-// On the axis beside the cone's tip F is x^2/2 - x/4 + s.
+// On the axis beside the cone's tip F is z^2 - z + s.
 TEST(KinkedEvents, NearAConeAreSeenBesideIt) {
-    const Moving moving{"sqrt(x^2 + y^2 + z^2) - 1.25*x + 0.5*x^2 + s", around, "s = \"t - 0.5\""};
-    expect_events(events_of(moving, 0, 1), {{0.53125, 1, 0, false}});
+    const Moving moving{"sqrt(x^2 + y^2 + z^2) - 2*z + z^2 + s", around, "s = \"t - 0.5\""};
+    expect_events(events_of(moving, 0, 1), {{0.75, 1, 0, false}});
 }
 
 TEST(KinkedEvents, OfAnOctahedronAreItsBirth) {
@@ -72,6 +72,16 @@ TEST(KinkedEvents, AreNoneOfWhatOnlyMoves) {
           "sqrt(max(abs(x) - 0.5, 0)^2 + max(abs(y) - 0.4, 0)^2 + max(abs(z) - s, 0)^2) - 0.2"}) {
         SCOPED_TRACE(formula);
         const Moving moving{formula, around, "s = \"0.2 + t/3\""};
+        expect_events(events_of(moving, 0, 1), {});
+    }
+}
+
+// Balls are born inside of another one, and outside of what they are cut out of.
+TEST(KinkedEvents, AreNoneOfWhatIsHidden) {
+    for (const char* formula : {"min(x^2 + y^2 + z^2 - 1, (x - 0.2)^2 + y^2 + z^2 - 0.2*s)",
+                                "max(x^2 + y^2 + z^2 - 1, 0.2*s - (x - 1.6)^2 - y^2 - z^2)"}) {
+        SCOPED_TRACE(formula);
+        const Moving moving{formula, around, "s = \"t - 0.5\""};
         expect_events(events_of(moving, 0, 1), {});
     }
 }
@@ -151,11 +161,11 @@ std::vector<Critical> critical_values(const std::vector<Vector>& points) {
 
 // The balls about random points grow: they meet, in pairs, threes and fours.
 TEST(KinkedEvents, OfBallsThatGrowAreThoseOfTheirCentres) {
-    for (unsigned seed = 1; seed <= 4; ++seed) {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
         SCOPED_TRACE(fmt::format("seed {}", seed));
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> place(-0.8, 0.8);
-        std::vector<Vector> points(5 + seed % 3);
+        std::vector<Vector> points(5);
         std::array<std::string, 3> columns;
         for (std::size_t i = 0; i < 3; ++i) {
             for (Vector& p : points) {
