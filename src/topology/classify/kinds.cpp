@@ -411,7 +411,7 @@ void find_kinds(Timeline& timeline, const KindProofs& proofs) {
     for (const int effort : {0, 1, 2}) {
         if (std::ranges::none_of(timeline.events, is_open)) break;
         settle_by_path(timeline, proofs, effort);
-        count(effort == 0 ? 0 : 8);
+        count(effort == 0 ? 0 : std::max(8, frames_left / 2));
     }
     for (const auto& frame : frames) read_off(timeline, frame);
     describe_unresolved(timeline, known);
