@@ -10,8 +10,8 @@
 namespace isomotion::topology {
 
 // A d with <d, g> > 0 for all g in all of these boxes of gradients: then 0 is in no hull of such g.
-// Only components that are `free` are asked for; the others of d are 0. Each is near the point of
-// the hull of the boxes' middles that is nearest to 0 (Gilbert 1966); the proof is by intervals.
+// Only components that are `free` are asked for; the others of d are 0. It is the point of the hull
+// of the boxes' middles that is nearest to 0, or along an axis; the proof is by intervals.
 std::optional<Point> rising_direction(std::span<const Box> gradients,
                                       std::span<const std::size_t> free);
 
