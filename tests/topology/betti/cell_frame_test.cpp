@@ -80,6 +80,13 @@ TEST(CellFrame, IsNotWrongOfFormulasThatJump) {
     }
 }
 
+// Next to 10^8 doubles are further apart than values of this plane: no corner has a sign.
+TEST(CellFrame, ProvesNothingOfSignsLostInRounding) {
+    const CertifiedFrame frame =
+        by_cells(still("(1e8 + 1e-10*(x + 0.3*y + 0.2*z - 0.01)) - 1e8", cube));
+    EXPECT_FALSE(frame.betti) << frame.depth;
+}
+
 // Along y this rises everywhere; where it jumps, it is no less unknown.
 TEST(CellFrame, SettlesNothingAcrossAJump) {
     EXPECT_FALSE(by_cells(still("y + 0.3 + 0.4*sign(x - 0.1)", cube)).betti);
