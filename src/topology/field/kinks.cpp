@@ -26,7 +26,8 @@ struct Difference {
 };
 
 std::optional<Difference> difference(Graph& g, const Node& node) {
-    if (node.op == Op::min || node.op == Op::max) return Difference{node.children[0], node.children[1]};
+    if (node.op == Op::min || node.op == Op::max)
+        return Difference{node.children[0], node.children[1]};
     if (node.op != Op::abs) return std::nullopt;
     const Node inner = g[node.children[0]];
     if (inner.op == Op::subtract) return Difference{inner.children[0], inner.children[1]};
@@ -129,7 +130,8 @@ void unroll(BoundFormula& formula) {
             if (count < 1 || count > most_unrolled) return rebuilt;
             for (const NodeId id : formula::nodes_below(to, std::array{node.children[0]})) {
                 const Node& below = to[id];
-                if (formula::is_over_elements(below.op) && below.index == node.index) return rebuilt;
+                if (formula::is_over_elements(below.op) && below.index == node.index)
+                    return rebuilt;
             }
             std::vector<NodeId> keys;
             for (std::size_t i = 0; i < std::size_t(count); ++i)
@@ -174,6 +176,7 @@ struct KinkTree::Question {
     std::optional<Difference> of; // of a cone none
     std::vector<Square> squares;
     formula::Program h; // of a cone what it is the root of
+    mutable std::unique_ptr<formula::Evaluator<Interval>> evaluator{}; // once it was asked
 };
 
 struct KinkTree::Branch {
@@ -216,7 +219,7 @@ std::unique_ptr<KinkTree::Branch> KinkTree::make(NodeId root, std::vector<Kink> 
     const auto id = outermost(g, root, made->beside);
     if (!id) return made;
     const Node node = g[*id];
-    Question question{*id, difference(g, node), {}, {}};
+    Question question{*id, difference(g, node), {}, {}, {}};
     NodeId h = node.children[0];
     if (question.of) {
         h = g.subtract(question.of->first, question.of->second);
@@ -243,16 +246,15 @@ KinkTree::Branch& KinkTree::below(Branch& branch, char side) {
         };
         if (question.of) {
             kink.weights = {1.0};
-            height = g.multiply(multiplier(0),
-                                g.subtract(question.of->first, question.of->second));
+            height = g.multiply(multiplier(0), g.subtract(question.of->first, question.of->second));
         } else {
             height = g.constant(0);
             for (std::size_t k = 0; k < question.squares.size(); ++k) {
                 const Square& square = question.squares[k];
                 kink.weights.emplace_back(square.weight);
-                height = g.add(height, g.multiply(g.multiply(g.constant(square.weight),
-                                                             multiplier(k)),
-                                                  square.of));
+                height =
+                    g.add(height, g.multiply(g.multiply(g.constant(square.weight), multiplier(k)),
+                                             square.of));
             }
         }
         height = g.add(height, g.input(first_height_input + int(kinks.size())));
@@ -274,9 +276,7 @@ KinkTree::Branch& KinkTree::below(Branch& branch, char side) {
                 const auto [a, b] = *here;
                 if (node.op == Op::abs) {
                     const NodeId of = node.children[0];
-                    return side == on      ? height
-                           : is_negative ? to.unary(Op::negate, of)
-                                         : of;
+                    return side == on ? height : is_negative ? to.unary(Op::negate, of) : of;
                 }
                 if (side != on) return (node.op == Op::min) == is_negative ? a : b;
                 const NodeId sum = to.add(a, b);
@@ -293,8 +293,11 @@ KinkTree::Branch& KinkTree::below(Branch& branch, char side) {
 }
 
 Interval KinkTree::asked(const Branch& branch, std::span<const Interval> inputs) {
+    const Question& question = *branch.question;
+    if (!question.evaluator)
+        question.evaluator = std::make_unique<formula::Evaluator<Interval>>(question.h);
     Interval h;
-    formula::Evaluator<Interval>(branch.question->h).point(formula_.bindings, inputs, {&h, 1});
+    question.evaluator->point(formula_.bindings, inputs, {&h, 1});
     return h;
 }
 
@@ -341,8 +344,8 @@ KinkTree::strata(const SpaceBox& place, Interval clock, std::size_t most) {
     return found;
 }
 
-KinkTree::Sides KinkTree::is_on_sides(const Branch& branch, const SpaceBox& place,
-                                      Interval clock, std::span<const Interval> multipliers) {
+KinkTree::Sides KinkTree::is_on_sides(const Branch& branch, const SpaceBox& place, Interval clock,
+                                      std::span<const Interval> multipliers) {
     std::vector<Interval> inputs = inputs_of(place, clock);
     std::ranges::copy(multipliers, inputs.begin() + first_multiplier_input);
     Sides sides = Sides::yes;
