@@ -21,14 +21,14 @@ SpaceFormula alone(const BoundFormula& from, const KinkTree::Branch& piece, Side
     SpaceFormula made{{}, {}, from.bindings, solid};
     const auto first = int(from.bindings.parameters.size());
     for (const Interval& range : KinkTree::ranges(piece)) made.bindings.parameters.push_back(range);
-    made.root = formula::substitute(made.graph, from.graph, std::array{KinkTree::root(piece)},
-                                    [&](Graph& to, const Node& node, NodeId rebuilt) {
-                                        if (node.op != Op::input) return rebuilt;
-                                        if (node.index >= first_height_input) return to.constant(0);
-                                        if (node.index < first_multiplier_input) return rebuilt;
-                                        return to.parameter(first + node.index -
-                                                            first_multiplier_input);
-                                    })[0];
+    made.root =
+        formula::substitute(made.graph, from.graph, std::array{KinkTree::root(piece)},
+                            [&](Graph& to, const Node& node, NodeId rebuilt) {
+                                if (node.op != Op::input) return rebuilt;
+                                if (node.index >= first_height_input) return to.constant(0);
+                                if (node.index < first_multiplier_input) return rebuilt;
+                                return to.parameter(first + node.index - first_multiplier_input);
+                            })[0];
     return made;
 }
 
@@ -84,8 +84,7 @@ Pieces::Over Pieces::over(const SpaceBox& box, const Elements& near) {
         FrameField& of_piece = field(*piece);
         ValueAndGradient g;
         of_piece.over(of_piece.everything(), {&box, 1}, {&g, 1});
-        if (contains(g.value, 0.0))
-            of_piece.tighten(of_piece.everything(), {&box, 1}, {&g, 1});
+        if (contains(g.value, 0.0)) of_piece.tighten(of_piece.everything(), {&box, 1}, {&g, 1});
         const Sign sign = sign_of(g.value);
         may_be_negative |= sign != Sign::positive;
         may_be_positive |= sign != Sign::negative;

@@ -74,8 +74,7 @@ private:
             rough_ = formula::schedule(graph, std::array{rough});
         }
         const std::array<Interval, 3> at = place(field, box);
-        const std::array<Interval, 4> inputs{at[0], at[1], at[2],
-                                             box[field.clock()]};
+        const std::array<Interval, 4> inputs{at[0], at[1], at[2], box[field.clock()]};
         Interval value;
         formula::Evaluator<Interval>(*rough_).point(formula::convert<Interval>(motion_.bindings),
                                                     inputs, {&value, 1});

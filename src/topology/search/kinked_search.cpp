@@ -6,8 +6,8 @@
 #include <ranges>
 
 #include "base/workers.h"
-#include "topology/search/critical_system.h"
 #include "topology/field/rising.h"
+#include "topology/search/critical_system.h"
 #include "topology/search/stratum_places.h"
 
 namespace isomotion::topology {
@@ -298,9 +298,9 @@ private:
         return Verdict::open;
     }
 
-    // The slopes f along the coordinates are linear in the multipliers, f(m) = f(m_0) + S (m - m_0):
-    // where they are 0, m = m_0 - P f(m_0) - (P S - 1)(m - m_0) for any P, best the pseudoinverse of
-    // the middle of S. False if there are no such multipliers.
+    // The slopes f along the coordinates are linear in the multipliers, f(m) = f(m_0) + S (m -
+    // m_0): where they are 0, m = m_0 - P f(m_0) - (P S - 1)(m - m_0) for any P, best the
+    // pseudoinverse of the middle of S. False if there are no such multipliers.
     static bool narrow_multipliers(Worker::Formula& formula, Box& x) {
         const MovingField& field = formula.field();
         const auto d = std::size_t(field.dimension());

@@ -1,9 +1,9 @@
 // All critical points of a moving surface whose formula has kinks, in one stratum: by branch and
 // prune, as search.h, over the smooth formulas that it is made of (kinks.h).
 //
-// A box is left where there is a direction along which F rises everywhere, on all sides of the kinks
-// in the box: 0 is then in no hull of active slopes (Clarke 1983). It is done where each smooth
-// formula of its kinks provably has no critical point in it, or one.
+// A box is left where there is a direction along which F rises everywhere, on all sides of the
+// kinks in the box: 0 is then in no hull of active slopes (Clarke 1983). It is done where each
+// smooth formula of its kinks provably has no critical point in it, or one.
 #pragma once
 
 #include <memory>

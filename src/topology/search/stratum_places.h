@@ -31,7 +31,7 @@ public:
         std::size_t next = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const Stratum::End end = stratum_.axes[k];
-            where[k] = end == Stratum::End::free ? field.x(box, next++)
+            where[k] = end == Stratum::End::free  ? field.x(box, next++)
                        : end == Stratum::End::low ? walls[k]
                                                   : walls[3 + k];
         }

@@ -51,8 +51,7 @@ TEST(Events, OfADegeneratePointOfASmoothSurfaceSaySo) {
                         "T = \"t - 0.5\""};
     const Timeline found = events_of(smooth, 0, 1);
     ASSERT_FALSE(found.unresolved.empty());
-    for (const Unresolved& place : found.unresolved)
-        EXPECT_EQ(place.why, unresolved::degenerate);
+    for (const Unresolved& place : found.unresolved) EXPECT_EQ(place.why, unresolved::degenerate);
 }
 
 TEST(Events, OfACassiniOfRevolutionIsASplit) {
