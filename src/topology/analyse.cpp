@@ -143,6 +143,9 @@ Timeline proved(const scene::Scene& scene, Side side, const AnalyseOptions& how,
     seeking.stopped = limits.stopped;
     KindProofs proofs = frames.proofs(timeline.events, seeking, limits);
     proofs.stopped = seeking.stopped;
+    // Where boxes and paths tell nothing, as at kinks, frames between events do.
+    const auto open = std::ranges::count(timeline.events, Kind::unknown, &Event::kind);
+    proofs.most_frames = std::max(proofs.most_frames, 2 * int(open));
     const bool is_late = callbacks.stopped();
     if (is_late && timeline.is_proved)
         timeline.doubts.emplace_back("interrupted before kinds were proved");

@@ -25,7 +25,9 @@ TEST_P(Golden, IsFoundAgain) {
     TimelineRecord found{{}, analyse(scene)};
     found.header = header_of(scene, found.timeline.range);
     const Check same = check(expectation, found);
-    EXPECT_TRUE(std::ranges::all_of(found.timeline.events, &Event::is_proved_again));
+    // Balls prove events of smooth formulas alone; the torus has its own on a cone.
+    EXPECT_EQ(std::ranges::all_of(found.timeline.events, &Event::is_proved_again),
+              GetParam() != "torus");
     const TimelineRecord golden = std::get<TimelineRecord>(expectation);
     EXPECT_EQ(same.outcome(), golden.timeline.is_complete() ? Outcome::passes : Outcome::incomplete)
         << text(same, file().string());
@@ -52,7 +54,8 @@ TEST_P(Golden, IsFoundAgain) {
 TEST_P(Golden, IsProvedAgainInBalls) {
     const scene::Scene scene = animated(GetParam());
     Timeline timeline = read_timeline(file()).timeline;
-    EXPECT_EQ(timeline.events.empty(), GetParam() == "torus"); // its events are unresolved places
+    EXPECT_FALSE(timeline.events.empty());
+    if (GetParam() == "torus") return; // its events are on a cone
     const ArbVerifier proof(scene, solid_side(scene), timeline.range);
     for (const Event& event : timeline.events) {
         EXPECT_TRUE(event.is_proved_again);

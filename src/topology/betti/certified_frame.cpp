@@ -4,6 +4,7 @@
 #include <cassert>
 #include <vector>
 
+#include "topology/betti/cell_frame.h"
 #include "topology/betti/sign_grid.h"
 
 namespace isomotion::topology {
@@ -12,6 +13,7 @@ namespace {
 using formula::Interval;
 
 constexpr int deepest = 10;
+constexpr const char interrupted[] = "interrupted";
 // Boxes are evaluated with a rim of this part of their side, so that gradients beside a wall
 // between two boxes are in the enclosures of both.
 constexpr double rim = 0x1p-30;
@@ -200,7 +202,7 @@ CertifiedFrame Octree::certify() {
 }
 
 bool Octree::is_interrupted(const Cell& cell) {
-    if (!failure_ && limits_.stopped && limits_.stopped()) failure_ = Failure{"interrupted", cell};
+    if (!failure_ && limits_.stopped && limits_.stopped()) failure_ = Failure{interrupted, cell};
     return failure_.has_value();
 }
 
@@ -377,7 +379,10 @@ CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt&
     const Places places(bounds);
     FrameLimits within = limits;
     within.depth = std::min(limits.depth, deepest);
-    return Octree(all, one, places, within).certify();
+    CertifiedFrame frame = Octree(all, one, places, within).certify();
+    if (frame.betti || frame.why == interrupted) return frame;
+    const CertifiedFrame by_cells = certify_by_cells(formula, bounds, limits);
+    return by_cells.betti ? by_cells : frame;
 }
 
 } // namespace isomotion::topology

@@ -121,13 +121,14 @@ std::vector<Sides> EventPaths::seek(std::span<const std::size_t> which, const Pa
     std::vector<Sides> found(which.size(), Sides::unknown);
     base::share(loop(which.size()), [&] {
         return [&, fields = Fields{}](std::size_t k) mutable {
-            found[k] = sides(fields, which[k], how.effort);
+            found[k] = sides(fields, which[k], how.effort, how.stopped);
         };
     });
     return found;
 }
 
-Sides EventPaths::sides(Fields& fields, std::size_t which, int effort) const {
+Sides EventPaths::sides(Fields& fields, std::size_t which, int effort,
+                        const std::function<bool()>& stopped) const {
     const Event& event = events_[which];
     const bool is_solid = event.index == 1;
     // Of a critical point of index 2 on a wall the sides are the inside and the outside.
@@ -141,6 +142,11 @@ Sides EventPaths::sides(Fields& fields, std::size_t which, int effort) const {
     const SublevelSet region(snapshot, is_solid);
     const auto starts = both_sides(region, event);
     if (!starts) return Sides::unknown;
+
+    if (effort > 0) {
+        const Sides by_boxes = sides_by_boxes(region, event, *starts, {.stopped = stopped});
+        if (by_boxes != Sides::unknown) return by_boxes;
+    }
 
     PointField& field = fields.at(piece, bindings, event.index);
     const Domain domain = domain_of(snapshot, is_solid);

@@ -10,15 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "topology/classify/saddle_path.h"
+#include "topology/classify/parting.h"
 #include "topology/field/timed_formula.h"
 
 namespace isomotion::topology {
-
-enum class Sides {
-    unknown,
-    joined, // proved
-};
 
 struct PathOptions {
     int threads = 1;                             // the result doesn't depend on it
@@ -41,7 +36,8 @@ private:
 
     const TimedFormula& piece_of(double time) const;
     void follow_saddles(int index, const std::function<bool()>& stopped);
-    Sides sides(Fields& fields, std::size_t event, int effort) const;
+    Sides sides(Fields& fields, std::size_t event, int effort,
+                const std::function<bool()>& stopped) const;
 
     std::span<const TimedFormula> pieces_;
     std::vector<Event> events_;

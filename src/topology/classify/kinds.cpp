@@ -91,6 +91,7 @@ void settle_by_path(Timeline& timeline, const KindProofs& proofs, int effort) {
     for (std::size_t k = 0; k < open.size(); ++k) {
         Event& event = timeline.events[open[k]];
         if (sides[k] == Sides::joined) settle(event, by_path(event), "path");
+        if (sides[k] == Sides::apart) settle(event, by_parts(event), "apart");
     }
 }
 
@@ -410,7 +411,7 @@ void find_kinds(Timeline& timeline, const KindProofs& proofs) {
     for (const int effort : {0, 1, 2}) {
         if (std::ranges::none_of(timeline.events, is_open)) break;
         settle_by_path(timeline, proofs, effort);
-        count(effort == 0 ? 0 : 8);
+        count(effort == 0 ? 0 : std::max(8, frames_left / 2));
     }
     for (const auto& frame : frames) read_off(timeline, frame);
     describe_unresolved(timeline, known);

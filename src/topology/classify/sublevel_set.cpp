@@ -32,4 +32,13 @@ SpaceHessian SublevelSet::hessian(const SpaceBox& box) const {
     return h;
 }
 
+bool SublevelSet::is_all_inside(const SpaceBox& box) const {
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        SpacePoint p;
+        for (std::size_t k = 0; k < 3; ++k) p[k] = corner >> k & 1 ? box[k].hi : box[k].lo;
+        if (!snapshot_.is_inside(p)) return false;
+    }
+    return true;
+}
+
 } // namespace isomotion::topology

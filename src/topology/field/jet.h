@@ -11,12 +11,17 @@
 
 namespace isomotion::topology {
 
-inline constexpr std::size_t most_variables = 4;
+// Three coordinates, a multiplier for each where the field has a kink (kinks.h), and the clock.
+inline constexpr std::size_t most_variables = 7;
 
 using Box = std::array<formula::Interval, most_variables>; // those beyond the variables stay 0
 using Point = std::array<double, most_variables>;
 
-inline Box at_point(const Point& p) { return {p[0], p[1], p[2], p[3]}; }
+inline Box at_point(const Point& p) {
+    Box box;
+    for (std::size_t k = 0; k < most_variables; ++k) box[k] = p[k];
+    return box;
+}
 
 // Enclosures of all that F does over a box, or its values at a point.
 template<class T> struct Jet {

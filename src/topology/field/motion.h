@@ -22,6 +22,8 @@
 namespace isomotion::topology {
 
 inline constexpr int clock_input = 3; // of the graph; 0, 1, 2 are x, y, z
+// Multipliers of kinks (kinks.h), if the field has any, are inputs from here on.
+inline constexpr int first_multiplier_input = 5;
 
 struct Motion {
     formula::Graph graph;

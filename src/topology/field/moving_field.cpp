@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "formula/graph/continuity.h"
@@ -89,18 +90,20 @@ std::vector<Stratum> strata_of_box() {
     return strata;
 }
 
-MovingField::MovingField(const Motion& motion, const Stratum& stratum, const ComovingFrame& frame)
+MovingField::MovingField(const Motion& motion, const Stratum& stratum, const ComovingFrame& frame,
+                         std::span<const Interval> multipliers)
     : stratum_(stratum)
     , comoving_(frame)
-    , variables_(stratum.dimension() + 1)
+    , dimension_(stratum.dimension())
+    , variables_(dimension_ + int(multipliers.size()) + 1)
     , bindings_(motion.bindings) {
     Graph g = motion.graph;
-    const auto n = std::size_t(variables_), d = n - 1;
+    const auto n = std::size_t(variables_), d = std::size_t(dimension_);
 
     // Free coordinates move up, the others follow the bounds.
-    std::array<NodeId, most_variables> stands_for{};
+    std::array<NodeId, clock_input + 1> stands_for{};
     std::vector<std::size_t> free_axes;
-    const NodeId clock = g.input(int(d));
+    const NodeId clock = g.input(int(n - 1));
     const auto of_clock = [&](NodeId root) {
         return formula::substitute(g, g, std::array{root},
                                    [&](Graph&, const Node& node, NodeId rebuilt) {
@@ -122,21 +125,24 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Com
     stands_for[clock_input] = clock;
     const auto on_stratum = [&](NodeId root) {
         return formula::substitute(
-            g, g, std::array{root}, [&](Graph&, const Node& node, NodeId rebuilt) {
-                return node.op == Op::input ? stands_for[std::size_t(node.index)] : rebuilt;
+            g, g, std::array{root}, [&](Graph& to, const Node& node, NodeId rebuilt) {
+                if (node.op != Op::input) return rebuilt;
+                if (node.index <= clock_input) return stands_for[std::size_t(node.index)];
+                return to.input(int(d) + node.index - first_multiplier_input);
             })[0];
     };
 
     const NodeId field = on_stratum(motion.field);
-    const std::array<std::size_t, most_variables> unknowns{0, 1, 2, 3};
-    std::vector<NodeId> jet = jet_over_boxes(g, field, std::span(unknowns).first(n), d);
+    std::array<std::size_t, most_variables> unknowns{};
+    std::iota(unknowns.begin(), unknowns.end(), 0);
+    std::vector<NodeId> jet = jet_over_boxes(g, field, std::span(unknowns).first(n), n - 1);
     // There is no surface where F has no value, and no need to look for it in ever smaller boxes.
     jet[0] = g.select(g.constant(0), formula::without_value(g, field), g.constant(1), jet[0]);
     Graph lowered = g;
     numbers_ = formula::schedule(lowered, formula::lower(lowered, jet));
 
     if (!frame.rests()) jet = between_ends(g, jet);
-    over_boxes_ = BoxField(g, jet, {n, !frame.rests()}, d);
+    over_boxes_ = BoxField(g, jet, {n, !frame.rests()}, n - 1);
 
     std::vector<NodeId> conditions;
     for (std::size_t k = 0; k < d; ++k) {
@@ -164,7 +170,8 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Com
     }
     inward_ = formula::schedule(g, inward);
 
-    domain_[d] = motion.clock;
+    domain_[n - 1] = motion.clock;
+    std::ranges::copy(multipliers, domain_.begin() + dimension_);
     const formula::Program corners = formula::schedule(g, [&] {
         std::vector<NodeId> ends;
         for (const std::size_t k : free_axes) {
@@ -183,12 +190,12 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Com
                                         : motion.clock.lo + (motion.clock.hi - motion.clock.lo) *
                                                                 (double(time) / times);
         Box at{};
-        at[d] = {from, to};
+        at[n - 1] = {from, to};
         from = to;
         evaluator.point({}, at, ends);
         for (std::size_t k = 0; k < d; ++k) {
             Interval side{ends[2 * k].lo, ends[2 * k + 1].hi};
-            if (!frame.rests()) side = frame.p(k, side, at[d]);
+            if (!frame.rests()) side = frame.p(k, side, at[n - 1]);
             domain_[k] = time == 1 ? side : hull(domain_[k], side);
         }
     }
@@ -196,14 +203,14 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Com
 
 Interval MovingField::x(const Box& box, std::size_t k) const {
     if (comoving_.rests()) return box[k];
-    return comoving_.x(k, box[k], box[std::size_t(dimension())]);
+    return comoving_.x(k, box[k], box[clock()]);
 }
 
 // A function that is linear in the clock takes values between those at the clock's ends, whatever
 // else it depends on. So x - c of an x that moves along and a c that moves is known as well as if
 // neither moved: no enclosure by parts would know.
 std::vector<NodeId> MovingField::between_ends(Graph& graph, std::span<const NodeId> roots) const {
-    const int clock = dimension();
+    const int clock = variables_ - 1;
     const NodeId low = graph.input(variables_), high = graph.input(variables_ + 1);
     const NodeId either = graph.input(variables_ + 2);
     const std::vector<NodeId> linear = linear_in_clock(graph, roots, clock);
@@ -257,7 +264,7 @@ std::vector<Interval> Enclosures::inward(const Box& box) {
 
 Numbers::Numbers(const MovingField& field)
     : field_(field)
-    , evaluator_(field.numbers_, std::size_t(field.variables_), std::size_t(field.dimension())) {}
+    , evaluator_(field.numbers_, std::size_t(field.variables_), field.clock()) {}
 
 Jet<double> Numbers::jet(const Point& point) {
     std::vector<Jet<double>> one;

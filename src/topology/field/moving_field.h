@@ -35,10 +35,14 @@ std::vector<Stratum> strata_of_box();
 
 class MovingField {
 public:
-    MovingField(const Motion& motion, const Stratum& stratum, const ComovingFrame& frame = {});
+    // `multipliers` holds the ranges of the motion's multipliers, if it has any (kinks.h): they are
+    // variables too, between the coordinates and the clock.
+    MovingField(const Motion& motion, const Stratum& stratum, const ComovingFrame& frame = {},
+                std::span<const formula::Interval> multipliers = {});
 
     int variables() const { return variables_; }
-    int dimension() const { return variables_ - 1; }
+    int dimension() const { return dimension_; } // free coordinates
+    std::size_t clock() const { return std::size_t(variables_ - 1); }
     const Stratum& stratum() const { return stratum_; }
     // Holds the stratum at all times.
     const Box& domain() const { return domain_; }
@@ -55,8 +59,8 @@ private:
 
     Stratum stratum_;
     ComovingFrame comoving_;
-    int variables_ = 0;
-    Box domain_;
+    int dimension_ = 0, variables_ = 0;
+    Box domain_{};
     formula::Bindings<double> bindings_;
     BoxField over_boxes_;
     formula::Program numbers_; // the same jet for doubles

@@ -10,11 +10,13 @@
 #include "topology/field/motion.h"
 #include "topology/field/moving_field.h"
 #include "topology/search/comoving_fit.h"
+#include "topology/search/kinked_search.h"
 #include "topology/search/krawczyk.h"
 #include "topology/search/morse.h"
 #include "topology/search/search.h"
 #include "topology/search/seeded.h"
 #include "topology/search/sphere.h"
+#include "topology/search/stratum_places.h"
 #include "topology/timeline/advice.h"
 
 namespace isomotion::topology {
@@ -41,6 +43,17 @@ public:
         }
     }
 
+    void add(const KinkedResult& found) {
+        for (const KinkedPoint& kinked : found.points) {
+            Enclosures enclosures(kinked.of->field());
+            add(kinked.of->field(), enclosures, kinked.point, kinked.index_across);
+        }
+        for (const Box& box : found.unresolved) {
+            unresolved(*found.field, box,
+                       may_have_kink(*found.field, box) ? why::kinks_meet : why::degenerate);
+        }
+    }
+
     void add_reaching(const MovingField& field, const std::function<bool()>& stopped) {
         constexpr std::size_t most = 4096;
         const std::vector<Box> boxes =
@@ -49,27 +62,8 @@ public:
     }
 
 private:
-    std::array<Interval, 3> place(const MovingField& field, const Box& box) const {
-        std::array<Interval, 3> where{};
-        const Interval clock = box[std::size_t(field.dimension())];
-        std::size_t next = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Stratum::End end = field.stratum().axes[k];
-            where[k] =
-                end == Stratum::End::free
-                    ? field.x(box, next++)
-                    : at_clock(end == Stratum::End::low ? motion_.low[k] : motion_.high[k], clock);
-        }
-        return where;
-    }
-
-    Interval at_clock(formula::NodeId node, Interval clock) const {
-        const std::array<Interval, 4> inputs{0.0, 0.0, 0.0, clock};
-        Interval value;
-        const formula::Program program = formula::schedule(motion_.graph, std::array{node});
-        formula::Evaluator<Interval>(program).point(formula::convert<Interval>(motion_.bindings),
-                                                    inputs, {&value, 1});
-        return value;
+    SpaceBox place(const MovingField& field, const Box& box) const {
+        return StratumPlaces(motion_, field.stratum()).at(field, box);
     }
 
     bool may_have_kink(const MovingField& field, const Box& box) {
@@ -80,8 +74,7 @@ private:
             rough_ = formula::schedule(graph, std::array{rough});
         }
         const std::array<Interval, 3> at = place(field, box);
-        const std::array<Interval, 4> inputs{at[0], at[1], at[2],
-                                             box[std::size_t(field.dimension())]};
+        const std::array<Interval, 4> inputs{at[0], at[1], at[2], box[field.clock()]};
         Interval value;
         formula::Evaluator<Interval>(*rough_).point(formula::convert<Interval>(motion_.bindings),
                                                     inputs, {&value, 1});
@@ -98,13 +91,16 @@ private:
     bool rests(Interval time) const { return width(time) > 1e-4 * width(timeline_.range); }
 
     void unresolved(const MovingField& field, const Box& box, const std::string& why) {
-        for (const MonotoneTrack::Time& time : times(box[std::size_t(field.dimension())])) {
+        for (const MonotoneTrack::Time& time : times(box[field.clock()])) {
             timeline_.unresolved.push_back({time.at, place(field, box), why, {}, {}});
         }
     }
 
-    void add(const MovingField& field, Enclosures& enclosures, const CriticalPoint& point) {
-        const auto d = std::size_t(field.dimension());
+    // `across` is the part of the index that kinks have.
+    void add(const MovingField& field, Enclosures& enclosures, const CriticalPoint& point,
+             int across = 0) {
+        const std::size_t d = field.clock();
+        const int multipliers = int(d) - field.dimension();
         switch (enclosures.place(point.where)) {
         case Enclosures::Place::outside:
             return;
@@ -143,8 +139,8 @@ private:
             Event event;
             event.time = time.at;
             event.where = where;
-            event.stratum = int(d);
-            event.index = *index;
+            event.stratum = field.dimension();
+            event.index = *index - multipliers + across;
             event.grows = by_clock * time.direction < 0;
             event.is_proved = true;
             const std::vector<Kind> kinds = kinds_of(event.index, event.grows);
@@ -199,18 +195,30 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range,
         double whole = 0;
         for (const Stratum& part : parts) whole += effort(part);
         whole *= double(all.pieces.size());
+        const bool is_kinked = how.seeds == 0 && KinkTree(bound_formula(motion), 3).has_kinks();
         for (const Stratum& part : parts) {
-            const MovingField field =
-                how.seeds > 0 ? MovingField(motion, part) : comoving_field(motion, part);
             const double share = effort(part) / whole;
             std::function<void(double)> progress;
             if (how.progress) {
-                progress = [&](double of_this) { how.progress(done + of_this * share); };
+                progress = [&how, done, share](double of_this) {
+                    how.progress(done + of_this * share);
+                };
             }
+            const SearchOptions searching{how.smallest, how.threads, how.stopped, progress};
+            done += share;
+            if (is_kinked) {
+                const KinkedResult found = search_kinked(motion, part, searching);
+                if (cost) cost->boxes += found.work.boxes;
+                events.add(found);
+                if (motion.shape == scene::Bounds::Shape::sphere)
+                    events.add_reaching(*found.field, how.stopped);
+                continue;
+            }
+            const MovingField field =
+                how.seeds > 0 ? MovingField(motion, part) : comoving_field(motion, part);
             const SearchResult found =
                 how.seeds > 0 ? from_seeds(field, {how.seeds, how.threads, how.stopped, progress})
-                              : search(field, {how.smallest, how.threads, how.stopped, progress});
-            done += share;
+                              : search(field, searching);
             if (cost) cost->boxes += found.work.boxes;
             events.add(field, found);
             if (motion.shape == scene::Bounds::Shape::sphere)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <ranges>
 
 #include "base/workers.h"
 #include "topology/search/critical_system.h"
@@ -429,8 +430,9 @@ Work& Work::operator+=(const Work& other) {
 
 void put_together(SearchResult& all) {
     std::sort(all.points.begin(), all.points.end(), [](const auto& a, const auto& b) {
-        return std::tuple(a.where[3].lo, a.where[2].lo, a.where[1].lo, a.where[0].lo) <
-               std::tuple(b.where[3].lo, b.where[2].lo, b.where[1].lo, b.where[0].lo);
+        return std::ranges::lexicographical_compare(a.where | std::views::reverse,
+                                                    b.where | std::views::reverse, {},
+                                                    &Interval::lo, &Interval::lo);
     });
     std::vector<CriticalPoint> points;
     for (const CriticalPoint& point : all.points) {

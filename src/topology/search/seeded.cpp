@@ -27,7 +27,7 @@ double side(const MovingField& field, std::size_t k) {
 }
 
 int seeds_of(const MovingField& field, int seeds) {
-    const double part = field.variables() / double(most_variables);
+    const double part = field.variables() / 4.0; // of place and time
     return std::max(8, int(std::lround(std::pow(seeds, part))));
 }
 

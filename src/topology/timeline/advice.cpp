@@ -15,6 +15,10 @@ constexpr Advice of_places[] = {
     {unresolved::kink, "write smoothmin(a, b, k) for min(a, b), -smoothmin(-a, -b, k) for max(a, "
                        "b) and sqrt(q + k^2) "
                        "for sqrt(q) or abs: events of smooth surfaces are proved"},
+    {unresolved::kinks_meet, "where faces meet that are parallel, or more than three at a point, "
+                             "turn or move one body by a "
+                             "little: bodies that touch at one point are proved; or write "
+                             "smoothmin(a, b, k) for min(a, b)"},
     {unresolved::degenerate,
      "where events coincide, by symmetry or because the surface is singular along a curve, change "
      "a parameter by a little; --frames A-B without that moment can be complete"},

@@ -14,6 +14,9 @@ inline constexpr const char degenerate[] =
     "a critical point may be degenerate, or there may be several";
 inline constexpr const char kink[] =
     "the formula has a kink (min, max, abs, sqrt at 0 or the like) where the surface may change";
+inline constexpr const char kinks_meet[] =
+    "kinks of the formula (min, max, abs, sqrt at 0) may not be in general position where the "
+    "surface changes";
 inline constexpr const char on_edge[] = "a critical point is on the edge of the bounds";
 inline constexpr const char index[] = "the index of a critical point is not certain";
 inline constexpr const char touches_edge[] =

@@ -172,6 +172,7 @@ TEST_P(Passages, SidesAreJoinedOnlyByATunnel) {
     for (int effort : {0, 1, 2}) {
         const Sides sides = proofs.paths(std::array{std::size_t(0)}, effort)[0];
         EXPECT_EQ(sides == Sides::joined, GetParam().is_joined) << effort;
+        EXPECT_FALSE(sides == Sides::apart && GetParam().is_joined) << effort;
     }
 }
 
@@ -195,8 +196,8 @@ TEST_P(Passages, KindIsFound) {
     }
 }
 
-// A path alone tells of a tunnel; without one nothing is told.
-TEST_P(Passages, KindIsFoundByPath) {
+// A path alone tells of a tunnel; that there is none, boxes tell, but not on walls.
+TEST_P(Passages, KindIsFoundWithoutFrames) {
     Timeline timeline;
     timeline.range = range_;
     timeline.events = {event()};
@@ -205,8 +206,9 @@ TEST_P(Passages, KindIsFoundByPath) {
     proofs.paths = frames_.proofs({event()}).paths;
     find_kinds(timeline, proofs);
     const Event& found = timeline.events[0];
-    EXPECT_EQ(found.kind, GetParam().is_joined ? GetParam().kind : Kind::unknown);
-    EXPECT_EQ(found.kind_proof, GetParam().is_joined ? "path" : "");
+    const bool is_told = GetParam().is_joined || GetParam().stratum == 3;
+    EXPECT_EQ(found.kind, is_told ? GetParam().kind : Kind::unknown);
+    EXPECT_EQ(found.kind_proof, GetParam().is_joined ? "path" : is_told ? "apart" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Passages, testing::ValuesIn(passings));

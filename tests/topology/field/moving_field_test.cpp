@@ -243,7 +243,8 @@ TEST(MovingField, EnclosesHowMuchItsSlopesChange) {
     int across = 0;
     for (const std::string formula :
          {"sqrt(x - c) + y*z", "asin(x + c) + y*z", "acos(x*y + c) - z", "sqrt(x*y - c)*z",
-          "abs(x + c)*y - z", "max(x*y, z + c)", "sum(blobs, sqrt(x*cx - c)) + y*z"}) {
+          "abs(x + c)*y - z", "max(x*y, z + c)", "min(x*y, z + c)", "least(blobs, x*cx - c) + y*z",
+          "sum(blobs, sqrt(x*cx - c)) + y*z"}) {
         SCOPED_TRACE(formula);
         const Moving moving{formula, "{ box = [[-2, -2, -2], [2, 2, 2]] }", "c = \"t - 0.5\"",
                             "[arrays.blobs]\ncount = 3\ncx = \"i + 1\""};

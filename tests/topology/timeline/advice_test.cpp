@@ -20,11 +20,12 @@ TEST(Advice, IsNoneForWhatIsComplete) { EXPECT_THAT(advice(story().timeline), Is
 
 TEST(Advice, IsOneSentenceForEachReason) {
     const std::vector<const char*> reasons{
-        unresolved::degenerate,     unresolved::kink,         unresolved::on_edge,
-        unresolved::index,          unresolved::touches_edge, unresolved::rule_changes,
-        unresolved::reaches_sphere, unresolved::rests,        unresolved::turns,
-        unresolved::jumps,          unresolved::no_bounds};
-    for (const char* why : reasons) EXPECT_THAT(advice(with_unresolved({why, why})), SizeIs(1)) << why;
+        unresolved::degenerate,   unresolved::kink,           unresolved::kinks_meet,
+        unresolved::on_edge,      unresolved::index,          unresolved::touches_edge,
+        unresolved::rule_changes, unresolved::reaches_sphere, unresolved::rests,
+        unresolved::turns,        unresolved::jumps,          unresolved::no_bounds};
+    for (const char* why : reasons)
+        EXPECT_THAT(advice(with_unresolved({why, why})), SizeIs(1)) << why;
     // Bounds that are touched at an edge or a point have the same.
     EXPECT_THAT(advice(with_unresolved(reasons)), SizeIs(reasons.size() - 1));
     EXPECT_THAT(advice(with_unresolved({"what no search says"})), IsEmpty());

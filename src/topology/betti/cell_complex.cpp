@@ -1,0 +1,261 @@
+#include "topology/betti/cell_complex.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <numeric>
+
+namespace isomotion::topology {
+namespace {
+
+std::uint64_t packed(const CellKey& key) {
+    std::uint64_t bits = std::uint64_t(key.axes == 0 ? 0 : key.level) << 3 | key.axes;
+    for (const int at : key.at) bits = bits << (CellKey::deepest + 1) | std::uint64_t(at);
+    return bits;
+}
+
+class UnionFind {
+public:
+    explicit UnionFind(std::size_t count)
+        : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), std::size_t(0));
+    }
+    std::size_t root(std::size_t k) {
+        while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+        return k;
+    }
+    // True if they were apart.
+    bool unite(std::size_t a, std::size_t b) {
+        a = root(a);
+        b = root(b);
+        parent_[a] = b;
+        return a != b;
+    }
+
+private:
+    std::vector<std::size_t> parent_;
+};
+
+int sign_of_dimension(const CellKey& key) { return key.dimension() % 2 == 0 ? 1 : -1; }
+
+} // namespace
+
+int CellKey::dimension() const { return std::popcount(axes); }
+
+bool CellKey::is_on_wall() const {
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!is_along(k) && (at[k] == 0 || at[k] == whole)) return true;
+    }
+    return false;
+}
+
+CellKey CellKey::facet(std::size_t axis, bool high) const {
+    CellKey made = *this;
+    made.axes &= ~(1u << axis);
+    if (high) made.at[axis] += length();
+    return made;
+}
+
+std::vector<CellKey> CellKey::facets() const {
+    std::vector<CellKey> all;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!is_along(k)) continue;
+        all.push_back(facet(k, false));
+        all.push_back(facet(k, true));
+    }
+    return all;
+}
+
+std::vector<CellKey> CellKey::parts() const {
+    CellKey half = *this;
+    ++half.level;
+    std::vector<CellKey> all{half};
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!is_along(k)) continue;
+        for (std::size_t j = 0, count = all.size(); j < count; ++j) {
+            CellKey other = all[j];
+            other.at[k] += half.length();
+            all.push_back(other);
+        }
+    }
+    return all;
+}
+
+CellComplex::Cell& CellComplex::cell(const CellKey& key) { return cells_[packed(key)]; }
+
+// Whatever a new cell is a part of is divided.
+void CellComplex::add(const CellKey& key) {
+    cell(key);
+    if (key.axes == 0) return;
+    for (CellKey whole = key; whole.level > 0;) {
+        --whole.level;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (whole.is_along(k)) whole.at[k] &= ~(whole.length() - 1);
+        }
+        Cell& above = cell(whole);
+        if (above.is_divided) return;
+        above.is_divided = true;
+    }
+}
+
+void CellComplex::smallest(const CellKey& key, Cells& found) {
+    if (!cell(key).is_divided) {
+        found.push_back(key);
+        return;
+    }
+    for (const CellKey& part : key.parts()) smallest(part, found);
+}
+
+bool CellComplex::list(const Limits& limits) {
+    for (auto& [key, cell] : cells_) cell.is_listed = false;
+    for (Cells& cells : listed_) cells.clear();
+    Cells open{CellKey{}};
+    for (int dimension = 3; dimension >= 0; --dimension) {
+        Cells& listed = listed_[std::size_t(dimension)];
+        while (!open.empty()) {
+            const CellKey key = open.back();
+            open.pop_back();
+            Cell& now = cell(key);
+            if (now.is_listed) continue;
+            now.is_listed = true;
+            if (!now.is_divided && now.fact.kind == CellFact::Kind::unknown) {
+                failed_ = key;
+                if (++asked_ > limits.cells || (limits.stopped && limits.stopped())) return false;
+                now.fact = ask_(key);
+                depth_ = std::max(depth_, key.level);
+                if (now.fact.kind == CellFact::Kind::unknown) {
+                    if (dimension == 0 || key.level >= limits.depth) return false;
+                    now.is_divided = true;
+                }
+            }
+            if (now.is_divided) {
+                for (const CellKey& part : key.parts()) open.push_back(part);
+            } else {
+                now.number = int(listed.size());
+                listed.push_back(key);
+            }
+        }
+        if (dimension == 0) break;
+        for (const CellKey& key : listed) {
+            for (const CellKey& facet : key.facets()) {
+                add(facet);
+                open.push_back(facet);
+            }
+        }
+    }
+    return true;
+}
+
+// A cell that S sinks in has of it what the facets have that it sinks to. These are a disc, an arc
+// or a point; of S they have what is made of their cells that it meets.
+bool CellComplex::settle(const CellKey& key) {
+    Cell& now = cell(key);
+    if (now.fact.kind != CellFact::Kind::sinking) {
+        now.is_in_s = now.fact.kind == CellFact::Kind::inside;
+        return true;
+    }
+    const auto is_on_other_facet = [&](const CellKey& part) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!key.is_along(k) || part.is_along(k)) continue;
+            if (part.at[k] == key.at[k] && now.fact.sinks_to[k] != -1) return true;
+            if (part.at[k] == key.end(k) && now.fact.sinks_to[k] != 1) return true;
+        }
+        return false;
+    };
+    Cells open;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (now.fact.sinks_to[k] != 0) smallest(key.facet(k, now.fact.sinks_to[k] > 0), open);
+    }
+    std::map<std::uint64_t, std::size_t> number;
+    std::vector<std::pair<std::size_t, std::size_t>> incident;
+    int euler = 0;
+    for (std::size_t next = 0; next < open.size(); ++next) {
+        const CellKey part = open[next];
+        if (!cell(part).is_in_s) continue;
+        const auto [at, is_new] = number.try_emplace(packed(part), number.size());
+        if (!is_new) continue;
+        if (!is_on_other_facet(part)) euler += sign_of_dimension(part);
+        Cells facets;
+        for (const CellKey& facet : part.facets()) smallest(facet, facets);
+        for (const CellKey& facet : facets) {
+            if (!cell(facet).is_in_s) continue;
+            open.push_back(facet);
+        }
+    }
+    now.is_in_s = !number.empty();
+    if (!now.is_in_s) return true;
+    UnionFind together(number.size());
+    std::size_t components = number.size();
+    for (const CellKey& part : open) {
+        const auto at = number.find(packed(part));
+        if (at == number.end()) continue;
+        Cells facets;
+        for (const CellKey& facet : part.facets()) smallest(facet, facets);
+        for (const CellKey& facet : facets) {
+            const auto other = number.find(packed(facet));
+            if (other != number.end() && together.unite(at->second, other->second)) --components;
+        }
+    }
+    if (key.dimension() < 3) return components == 1;
+    return components == 1 && euler == 1;
+}
+
+// The cells that S meets, less those that it doesn't, are a part X of the box B: chi(X) is
+// chi_c(X on B's walls) - chi_c(X), for X is a manifold of three dimensions; b_2 counts, by
+// Alexander's duality, what X parts the rest into, all that is outside of B being one.
+Betti CellComplex::count() {
+    std::array<std::size_t, 5> first{}; // number of the first cell of each dimension
+    for (std::size_t d = 0; d < 4; ++d) first[d + 1] = first[d] + listed_[d].size();
+    const std::size_t count = first[4], outside = count;
+    UnionFind met(count + 1), unmet(count + 1);
+    std::size_t components = 0, voids = 1;
+    int euler = 0;
+    for (std::size_t d = 0; d < 4; ++d) {
+        for (const CellKey& key : listed_[d]) {
+            const Cell& now = cell(key);
+            const std::size_t number = first[d] + std::size_t(now.number);
+            const bool is_on_wall = key.is_on_wall();
+            if (now.is_in_s) {
+                ++components;
+                if (!is_on_wall) euler -= sign_of_dimension(key);
+            }
+            const bool is_unmet = !now.is_in_s || is_on_wall;
+            if (is_unmet) ++voids;
+            if (is_on_wall && unmet.unite(number, outside)) --voids;
+            Cells facets;
+            for (const CellKey& facet : key.facets()) smallest(facet, facets);
+            for (const CellKey& facet : facets) {
+                const Cell& of = cell(facet);
+                const std::size_t other = first[d - 1] + std::size_t(of.number);
+                if (now.is_in_s && of.is_in_s && met.unite(number, other)) --components;
+                if (is_unmet && (!of.is_in_s || facet.is_on_wall()) && unmet.unite(number, other))
+                    --voids;
+            }
+        }
+    }
+    Betti betti;
+    betti.components = int(components);
+    betti.voids = int(voids) - 1;
+    betti.tunnels = betti.components + betti.voids - euler;
+    return betti;
+}
+
+std::optional<Betti> CellComplex::betti(const Limits& limits) {
+    for (;;) {
+        if (!list(limits)) return std::nullopt;
+        bool is_settled = true;
+        for (const Cells& cells : listed_) { // ascending dimension
+            for (const CellKey& key : cells) {
+                if (settle(key)) continue;
+                failed_ = key;
+                if (key.level >= limits.depth) return std::nullopt;
+                cell(key).is_divided = true;
+                is_settled = false;
+            }
+            if (!is_settled) break;
+        }
+        if (is_settled) return count();
+    }
+}
+
+} // namespace isomotion::topology

@@ -1,0 +1,350 @@
+#include "topology/classify/parting.h"
+
+#include <algorithm>
+#include <deque>
+#include <unordered_map>
+#include <utility>
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Interval;
+
+constexpr int deepest = 18; // halvings of each side of the bounds
+
+// Halved 2^level times along each axis.
+struct BoxKey {
+    int level = 0;
+    std::array<int, 3> at{};
+
+    std::uint64_t packed() const {
+        std::uint64_t bits = std::uint64_t(level);
+        for (const int k : at) bits = bits << 19 | std::uint64_t(k);
+        return bits;
+    }
+    BoxKey above() const { return {level - 1, {at[0] >> 1, at[1] >> 1, at[2] >> 1}}; }
+    BoxKey part(int number) const {
+        BoxKey part{level + 1, {}};
+        for (std::size_t k = 0; k < 3; ++k) part.at[k] = 2 * at[k] + (number >> k & 1);
+        return part;
+    }
+};
+
+// 0 < d^T M d for all d but 0 and all symmetric matrices M of an enclosure: by leading minors.
+bool is_positive_definite(const SpaceHessian& m) {
+    const Interval first = m[0][0];
+    const Interval second = m[0][0] * m[1][1] - square(m[0][1]);
+    const Interval third = m[0][0] * (m[1][1] * m[2][2] - square(m[1][2])) -
+                           m[0][1] * (m[0][1] * m[2][2] - m[1][2] * m[0][2]) +
+                           m[0][2] * (m[0][1] * m[1][2] - m[1][1] * m[0][2]);
+    return first.lo > 0 && second.lo > 0 && third.lo > 0;
+}
+
+// The plane through a saddle p across the direction in which H curves down, and a box W about p:
+// for q of both, H(q) = 1/2 (q - p)^T H'' (q - p) with H'' at some point of W, and H'' + k v v^T is
+// positive definite for all of these, so H(q) > 0.
+struct Plane {
+    SpacePoint across{};
+    SpaceBox at{};     // the saddle
+    SpaceBox around{}; // W
+
+    // -1 or 1 on one side of it, 0 for both.
+    int side(const SpaceBox& box) const {
+        Interval height = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            height = height + Interval(across[k]) * (box[k] - at[k]);
+        return height.lo > 0 ? 1 : height.hi < 0 ? -1 : 0;
+    }
+    bool is_around(const SpaceBox& box) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!contains(around[k], box[k])) return false;
+        }
+        return true;
+    }
+};
+
+std::optional<Plane> parting_plane(const SublevelSet& region, const Event& event) {
+    const SpacePoint centre = middle(event.where);
+    SpaceMatrix numbers;
+    const SpaceHessian there = region.hessian(event.where);
+    double scale = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            numbers[i][j] = mid(there[i][j]);
+            scale = std::max(scale, std::abs(numbers[i][j]));
+        }
+    }
+    Plane plane{least_direction(numbers), event.where, {}};
+    for (double r = longest_side(region.box()) / 16; r > 1e-7 * longest_side(region.box());
+         r /= 2) {
+        for (std::size_t k = 0; k < 3; ++k)
+            plane.around[k] = hull({centre[k] - r, centre[k] + r}, event.where[k]);
+        SpaceHessian bent = region.hessian(plane.around);
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t j = 0; j < 3; ++j) {
+                const Interval more = Interval(plane.across[i]) * Interval(plane.across[j]);
+                bent[i][j] = bent[i][j] + Interval(4 * scale) * more;
+            }
+        }
+        if (is_positive_definite(bent)) return plane;
+    }
+    return std::nullopt;
+}
+
+class Boxes {
+public:
+    Boxes(const SublevelSet& region, const Plane& plane, const PartingOptions& how)
+        : region_(region)
+        , plane_(plane)
+        , how_(how) {
+        add(BoxKey{}, region.box());
+    }
+
+    Sides sides(const std::array<SpacePoint, 2>& starts) {
+        while (boxes_.size() < how_.boxes && !(how_.stopped && how_.stopped())) {
+            const auto way = way_between(starts);
+            if (!way) return Sides::apart;
+            std::vector<std::size_t> open;
+            for (std::size_t k = 0; k < way->size(); ++k) {
+                const Half now = (*way)[k];
+                if (now == outside) continue;
+                const One& one = boxes_[box_of(now)];
+                const bool is_beside_outside = (k > 0 && (*way)[k - 1] == outside) ||
+                                               (k + 1 < way->size() && (*way)[k + 1] == outside);
+                if (one.state == State::open || (is_beside_outside && !one.leaves))
+                    open.push_back(box_of(now));
+            }
+            if (open.empty()) return Sides::joined;
+            // The largest first: those beside them may not be needed then.
+            int least = deepest;
+            for (const std::size_t box : open) least = std::min(least, boxes_[box].key.level);
+            if (least >= deepest) return Sides::unknown;
+            for (const std::size_t box : open) {
+                if (boxes_[box].key.level <= least + 1 && boxes_[box].key.level < deepest)
+                    divide(box);
+            }
+        }
+        return Sides::unknown;
+    }
+
+private:
+    enum class State : char { open, in, out }; // of the region
+    struct One {
+        BoxKey key;
+        SpaceBox where;
+        State state = State::open;
+        bool is_divided = false;
+        bool is_parted = false; // in W, on both sides of the plane: of two halves
+        bool may_leave = false; // may have a point outside of the bounds,
+        bool leaves = false;    // or does have one on it
+    };
+    // A box, or the half of one on a side of the plane; `outside` is all that is outside of the
+    // bounds.
+    using Half = std::size_t;
+    static constexpr Half outside = 0;
+    static Half half(std::size_t box, bool is_upper) { return 1 + 2 * box + std::size_t(is_upper); }
+    static std::size_t box_of(Half h) { return (h - 1) / 2; }
+    static bool is_upper(Half h) { return (h - 1) % 2 == 1; }
+
+    SpaceBox where(const BoxKey& key) const {
+        SpaceBox box;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Interval whole = region_.box()[k];
+            const auto place = [&](int at) {
+                return at == 1 << key.level
+                           ? whole.hi
+                           : whole.lo + (whole.hi - whole.lo) * (double(at) / (1 << key.level));
+            };
+            box[k] = {place(key.at[k]), place(key.at[k] + 1)};
+        }
+        return box;
+    }
+
+    // The box of the bounds holds all of them.
+    static bool reaches_end(const BoxKey& key) {
+        return std::ranges::any_of(key.at,
+                                   [&](int at) { return at == 0 || at + 1 == 1 << key.level; });
+    }
+
+    void add(const BoxKey& key, const SpaceBox& where) {
+        numbers_.emplace(key.packed(), boxes_.size());
+        boxes_.push_back({key, where});
+    }
+
+    void divide(std::size_t number) {
+        const BoxKey key = boxes_[number].key;
+        boxes_[number].is_divided = true;
+        std::vector<SpaceBox> boxes, middles;
+        for (int k = 0; k < 8; ++k) {
+            boxes.push_back(where(key.part(k)));
+            middles.push_back(point_box(middle(boxes.back())));
+        }
+        const std::vector<ValueAndGradient> over = region_.over(boxes);
+        const std::vector<Interval> at_middles = region_.values(middles);
+        for (std::size_t k = 0; k < 8; ++k) {
+            const std::size_t made = boxes_.size();
+            add(key.part(int(k)), boxes[k]);
+            Interval value = at_middles[k];
+            for (std::size_t i = 0; i < 3; ++i)
+                value = value + over[k].gradient[i] * (boxes[k][i] - middles[k][i]);
+            One& one = boxes_[made];
+            const bool is_low = over[k].value.hi < 0 || value.hi < 0;
+            const bool is_high = over[k].value.lo > 0 || value.lo > 0;
+            one.state = is_low ? State::in : is_high ? State::out : State::open;
+            if (region_.is_solid()) {
+                // A solid ends at the bounds.
+                if (region_.is_all_outside(boxes[k])) one.state = State::out;
+                if (one.state == State::in && !region_.is_all_inside(boxes[k]))
+                    one.state = State::open;
+            } else {
+                const bool is_all_outside = region_.is_all_outside(boxes[k]);
+                one.may_leave = !region_.is_all_inside(boxes[k]);
+                one.leaves = is_all_outside || reaches_end(one.key);
+                if (is_all_outside) one.state = State::in;
+            }
+            one.is_parted = plane_.is_around(boxes[k]) && plane_.side(boxes[k]) == 0;
+        }
+    }
+
+    // The undivided boxes beside a face of one.
+    void beside(std::size_t number, std::size_t axis, bool high, std::vector<std::size_t>& found) {
+        BoxKey key = boxes_[number].key;
+        key.at[axis] += high ? 1 : -1;
+        if (key.at[axis] < 0 || key.at[axis] >= 1 << key.level) return;
+        auto at = numbers_.find(key.packed());
+        while (at == numbers_.end()) {
+            key = key.above();
+            at = numbers_.find(key.packed());
+        }
+        std::vector<std::size_t> open{at->second};
+        while (!open.empty()) {
+            const std::size_t now = open.back();
+            open.pop_back();
+            if (!boxes_[now].is_divided) {
+                found.push_back(now);
+                continue;
+            }
+            const BoxKey whole = boxes_[now].key;
+            for (int k = 0; k < 8; ++k) {
+                // Of one of its size or larger the halves that touch the face.
+                if ((k >> axis & 1) == (high ? 1 : 0)) continue;
+                const auto part = numbers_.at(whole.part(k).packed());
+                if (touch(boxes_[part].where, boxes_[number].where)) open.push_back(part);
+            }
+        }
+    }
+    static bool touch(const SpaceBox& a, const SpaceBox& b) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (a[k].hi < b[k].lo || b[k].hi < a[k].lo) return false;
+        }
+        return true;
+    }
+
+    std::size_t box_at(const SpacePoint& p) const {
+        std::size_t now = 0;
+        while (boxes_[now].is_divided) {
+            int number = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto upper = numbers_.at(boxes_[now].key.part(1 << k).packed());
+                if (p[k] >= boxes_[upper].where[k].lo) number |= 1 << k;
+            }
+            now = numbers_.at(boxes_[now].key.part(number).packed());
+        }
+        return now;
+    }
+    Half half_at(const SpacePoint& p) const {
+        const std::size_t box = box_at(p);
+        return half(box, boxes_[box].is_parted && plane_.side(point_box(p)) > 0);
+    }
+
+    // Halves that may be reached from this one.
+    void neighbours(Half from, std::vector<Half>& found) {
+        found.clear();
+        if (from == outside) {
+            for (std::size_t k = 0; k < boxes_.size(); ++k) {
+                const One& one = boxes_[k];
+                if (one.is_divided || !one.may_leave || one.state == State::out) continue;
+                found.push_back(half(k, false));
+                if (one.is_parted) found.push_back(half(k, true));
+            }
+            return;
+        }
+        const std::size_t number = box_of(from);
+        const One one = boxes_[number];
+        if (one.may_leave) found.push_back(outside);
+        std::vector<std::size_t> about;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            beside(number, axis, false, about);
+            beside(number, axis, true, about);
+        }
+        for (const std::size_t other : about) {
+            const One& next = boxes_[other];
+            if (next.state == State::out) continue;
+            SpaceBox face;
+            for (std::size_t k = 0; k < 3; ++k) face[k] = intersect(one.where[k], next.where[k]);
+            const int side = plane_.side(face);
+            const auto is_open = [&](bool upper) { return side == 0 || (side > 0) == upper; };
+            if (one.is_parted && !is_open(is_upper(from))) continue;
+            if (!next.is_parted) {
+                found.push_back(half(other, false));
+                continue;
+            }
+            for (const bool upper : {false, true}) {
+                if (!is_open(upper) || (one.is_parted && upper != is_upper(from))) continue;
+                found.push_back(half(other, upper));
+            }
+        }
+    }
+
+    // Halves of boxes that lead from one point to the other, with as few open ones as there are;
+    // none if there is no way.
+    std::optional<std::vector<Half>> way_between(const std::array<SpacePoint, 2>& starts) {
+        const Half from = half_at(starts[0]), to = half_at(starts[1]);
+        std::unordered_map<Half, Half> before{{from, from}};
+        std::unordered_map<Half, int> cost{{from, 0}};
+        std::deque<Half> open{from};
+        std::unordered_map<Half, bool> is_done;
+        std::vector<Half> about;
+        while (!open.empty()) {
+            const Half now = open.front();
+            open.pop_front();
+            if (std::exchange(is_done[now], true)) continue;
+            if (now == to) {
+                std::vector<Half> way{to};
+                while (way.back() != from) way.push_back(before.at(way.back()));
+                return way;
+            }
+            neighbours(now, about);
+            for (const Half next : about) {
+                const bool is_free = next == outside || boxes_[box_of(next)].state == State::in;
+                const int there = cost[now] + (is_free ? 0 : 1);
+                const auto [known, is_new] = cost.try_emplace(next, there);
+                if (!is_new && known->second <= there) continue;
+                known->second = there;
+                before[next] = now;
+                is_free ? open.push_front(next) : open.push_back(next);
+            }
+        }
+        return std::nullopt;
+    }
+
+    const SublevelSet& region_;
+    const Plane& plane_;
+    const PartingOptions& how_;
+    std::vector<One> boxes_;
+    std::unordered_map<std::uint64_t, std::size_t> numbers_;
+};
+
+} // namespace
+
+Sides sides_by_boxes(const SublevelSet& region, const Event& event,
+                     const std::array<SpacePoint, 2>& starts, const PartingOptions& how) {
+    const auto plane = parting_plane(region, event);
+    if (!plane || event.stratum != 3) return Sides::unknown;
+    // Each on a side of its own.
+    if (plane->side(point_box(starts[0])) * plane->side(point_box(starts[1])) != -1)
+        return Sides::unknown;
+    return Boxes(region, *plane, how).sides(starts);
+}
+
+} // namespace isomotion::topology
