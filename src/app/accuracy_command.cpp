@@ -181,7 +181,9 @@ void add_accuracy(CLI::App& app, Action& chosen) {
     AccuracyArguments& a = *arguments;
     CLI::App* command = app.add_subcommand(
         "accuracy", "what each method and setting costs, and what it gets wrong");
-    command->add_option("scene", a.scene, "a scene file, the name of an animation, or a formula")
+    command
+        ->add_option("scene", a.scene,
+                     "a scene file (.toml, .jsurf), the name of an animation, or a formula")
         ->required();
     command->add_option("--frames,--frame", a.frames,
                         "1-10, 1-10x2, 1,3,5-9 (default: the scene's poster)");

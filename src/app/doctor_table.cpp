@@ -1,5 +1,7 @@
 #include "app/doctor_table.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -77,9 +79,18 @@ std::string first_with(const Json& arithmetic, const Json& back_ends) {
     return "";
 }
 
+// Why a back end does not work. Which drivers to install is said only where none works.
+std::string why_not(const Json& found, const Json& all) {
+    std::string reason = text(found["reason"]);
+    const bool one_works =
+        std::ranges::any_of(all, [](const Json& each) { return each["works"].get<bool>(); });
+    if (one_works) reason.resize(std::min(reason.find("\ninstall an OpenGL"), reason.size()));
+    return reason;
+}
+
 std::string back_end(const Json& found, const Json& all) {
     const std::string name = text(found["name"]);
-    if (!found["works"].get<bool>()) return line(name, "does not work: " + text(found["reason"]));
+    if (!found["works"].get<bool>()) return line(name, "does not work: " + why_not(found, all));
     const Json& limits = found["limits"];
     const Json& compute = found["compute"];
     const std::string same = first_with(found["arithmetic"], all);

@@ -10,6 +10,7 @@
 
 #include "animation/frame_range.h"
 #include "app/commands.h"
+#include "base/extension.h"
 #include "scene/method.h"
 #include "sequence/names/sequence_name.h"
 #include "synthesis/channel.h"
@@ -26,7 +27,10 @@ std::string size_key(const std::string& text) {
     const bool parted = first.ec == std::errc{} && first.ptr != end && *first.ptr == 'x';
     const auto second = parted ? std::from_chars(first.ptr + 1, end, height) : first;
     if (!parted || second.ec != std::errc{} || second.ptr != end || width < 1 || height < 1) {
-        throw std::invalid_argument(fmt::format("--size {}: write WIDTHxHEIGHT, 1920x1080", text));
+        const bool is_one = !parted && first.ec == std::errc{} && first.ptr == end && width > 0;
+        throw std::invalid_argument(
+            fmt::format("--size {}: write WIDTHxHEIGHT, {}", text,
+                        is_one ? fmt::format("{0}x{0}", width) : "1920x1080"));
     }
     return fmt::format("output.size=[{},{}]", width, height);
 }
@@ -107,13 +111,19 @@ std::vector<synthesis::Channel> parse_channels(const std::string& text) {
 } // namespace
 
 void add_sequence_options(CLI::App& command, RenderArguments& a) {
-    command.add_option("scene", a.scene, "a scene file (.toml) or the name of a gallery animation")
+    command
+        .add_option("scene", a.scene,
+                    "a scene file (.toml, .jsurf), the name of an animation, or a formula")
         ->required();
     command.add_option("-o,--output", a.output,
-                       "files to write: out/name.####.png or .exr (#### is the frame's number)");
-    command.add_option("--frames", a.frames,
+                       "files to write: out/name.####.png or .exr (#### is the frame's number); or "
+                       "a movie, of frames beside it");
+    command.add_option("--frames,--frame", a.frames,
                        "1-10, 1-10x2, 1,3,5-9, poster (default: all of the scene)");
-    command.add_option("--movie", a.movie, "also join the frames: .mp4, .webm or .gif");
+    command
+        .add_option("--movie", a.movies,
+                    "also join the frames: .mp4, .webm or .gif; may be given several times")
+        ->allow_extra_args(false);
     command.add_flag("--resume", a.resume, "keep files that these settings would render again");
     command.add_flag("--quiet", a.quiet, "errors and warnings only");
 }
@@ -149,6 +159,16 @@ std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments
     };
 }
 
+RenderArguments with_movie_apart(RenderArguments arguments) {
+    const std::filesystem::path output = arguments.output;
+    const std::string extension = base::lower_extension(output);
+    if (extension != ".mp4" && extension != ".webm" && extension != ".gif") return arguments;
+    arguments.movies.insert(arguments.movies.begin(), arguments.output);
+    const std::string stem = sequence::stem_of_frames(output.stem().string());
+    arguments.output = (output.parent_path() / (stem + ".####.png")).string();
+    return arguments;
+}
+
 std::vector<scene::Override> overrides(const RenderArguments& arguments) {
     std::vector<scene::Override> all = arguments.settings;
     if (arguments.certify) all.emplace_back("isolation.certify=true");
@@ -170,7 +190,7 @@ sequence::Exporter exporter_of(const RenderArguments& arguments) {
     options.bits = arguments.bits;
     options.audit = audit_of(arguments.audit);
     options.resume = arguments.resume;
-    options.movie = arguments.movie;
+    options.movies.assign(arguments.movies.begin(), arguments.movies.end());
     try {
         return {std::move(scene), std::move(options)};
     } catch (const sequence::OptionError& error) {

@@ -69,7 +69,7 @@ public:
         job_.folder = fs::current_path();
         job_.scene = scene::word_of(exporter.scene());
         job_.output = fs::absolute(exporter.options().output);
-        if (!render.movie.empty()) job_.movie = fs::absolute(render.movie);
+        for (const std::string& movie : render.movies) job_.movies.push_back(fs::absolute(movie));
         job_.options = words_of(arguments.picture);
         if (const char* data = std::getenv("ISOMOTION_DATA")) {
             job_.environment.push_back("ISOMOTION_DATA=" + fs::absolute(data).string());
@@ -126,7 +126,7 @@ private:
                 .progress = [&](int done) { progress.show(done); },
                 .tell = [&](const std::string& text) { progress.tell(text); }};
             ending = farm::render_locally(job_, chunks, {workers, arguments_.tries}, watcher);
-            if (ending.code == exit_done && !ending.stopped && !job_.movie.empty()) {
+            if (ending.code == exit_done && !ending.stopped && !job_.movies.empty()) {
                 progress.show(int(frames_.size()), "joining the movie");
                 ending = join(ending, watcher);
             }
@@ -149,7 +149,7 @@ private:
             wall.count());
         if (ending.tried_again > 0) say("; {} tried again", ending.tried_again);
         say("\nframes: {}\n", output_text());
-        if (!job_.movie.empty()) say("movie: {}\n", arguments_.render.movie);
+        for (const std::string& movie : arguments_.render.movies) say("movie: {}\n", movie);
         return exit_done;
     }
 
@@ -185,8 +185,9 @@ private:
         say("job {}: {} frames in {} chunks\n", job, frames_.size(), chunks.size());
         const std::string last = farm::submit(farm::sbatch_joining(slurm, job));
         say("job {}: after it, {}\n", last,
-            job_.movie.empty() ? "sees that all frames are there"
-                               : fmt::format("joins {}", arguments_.render.movie));
+            job_.movies.empty()
+                ? "sees that all frames are there"
+                : fmt::format("joins {}", fmt::join(arguments_.render.movies, ", ")));
         return exit_done;
     }
 

@@ -103,14 +103,14 @@ void tell(const sequence::Verification& found) {
     }
     list("missing", found.missing);
     list("truncated or changed", found.changed);
-    list("foreign, without a record", found.unrecorded);
+    list("of an earlier scene or from elsewhere, without a record", found.unrecorded);
     list("other pixels than recorded", found.repainted);
     for (const auto& [what, frames] : found.differing) {
         list(what == "scene" ? "of another scene, or with other settings"
                              : "made by another " + what,
              frames);
     }
-    list("foreign, never asked for", found.foreign);
+    list("of an earlier scene or from elsewhere, never asked for", found.foreign);
     if (!found.whole.empty()) {
         print_result("  rays:");
         for (std::size_t v = 0; v < found.verdicts.size(); ++v) {

@@ -20,7 +20,7 @@ enum class FrameStatus {
 };
 inline constexpr std::array status_names{
     "whole",  "missing", "truncated or changed", "of other settings", "of another version",
-    "foreign"};
+    "of an earlier scene"};
 
 constexpr std::string_view name(FrameStatus status) { return status_names[std::size_t(status)]; }
 

@@ -1,0 +1,13 @@
+// A scene's document as the text of a scene file.
+#pragma once
+
+#include <string>
+
+#include <toml++/toml.h>
+
+namespace isomotion::scene {
+
+// With the sections in the order of docs/scene-file.md. Read again it is the same document.
+std::string scene_text(const toml::table& root);
+
+} // namespace isomotion::scene
