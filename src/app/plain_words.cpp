@@ -77,7 +77,7 @@ std::string why_no_command(const std::vector<std::string>& words, const CommandT
     std::vector<std::string> names;
     for (const CommandText& command : tree.commands) names.push_back(command.name);
     const std::string near = base::nearest_name(word, names);
-    return fmt::format("there is no command '{}'; {}; isomotion --help tells of each\n",
+    return fmt::format("there is no command '{}'; {}\nisomotion --help tells of each\n",
                        base::printable_line(word),
                        near.empty() ? fmt::format("known: {}", fmt::join(names, ", "))
                                     : fmt::format("did you mean '{}'?", near));

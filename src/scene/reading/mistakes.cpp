@@ -38,15 +38,14 @@ bool begins_with(const Path& path, const Path& start) {
     return path.size() >= start.size() && std::equal(start.begin(), start.end(), path.begin());
 }
 
-// What a scene says in other places is right or wrong by these.
-bool decides_others(const Path& path) {
-    static const Path deciding[] = {{"surface"},
-                                    {"arrays"},
-                                    {"material", "model"},
-                                    {"camera", "projection"},
-                                    {"camera", "position"}};
-    return std::ranges::any_of(deciding,
-                               [&](const Path& start) { return begins_with(path, start); });
+// What all that follows is read by.
+bool decides_all(const Path& path) {
+    return !path.empty() && (path[0] == "surface" || path[0] == "arrays");
+}
+
+// What decides which keys its section may have: the section goes with it.
+bool decides_section(const Path& path) {
+    return path == Path{"material", "model"} || path == Path{"camera", "projection"};
 }
 
 // The whole value that a place of a mistake is in: "camera.target" of "camera.target.1".
@@ -65,14 +64,15 @@ Path value_of(const toml::table& root, const Path& path) {
     return value;
 }
 
-// Other values name parameters, and frames are counted: these stay as numbers.
-std::optional<double> stand_in(const Path& path) {
-    if (path.size() == 2 && path[0] == "parameters") return 1;
-    return std::nullopt;
+// A right value in place of one that others are read by: parameters are named in other values,
+// frames are counted, and a camera with a position has no orbit.
+void put_stand_in(toml::table& table, const Path& path) {
+    if (path.size() == 2 && path[0] == "parameters") table.insert(path[1], 1.0);
+    if (path == Path{"time", "frames"}) table.insert("frames", 1'000'000);
+    if (path == Path{"camera", "position"}) table.insert("position", toml::array{3, 2, 1});
 }
 
-// Takes a value out of the document. `stays`: as a number where others name it.
-void take_out(toml::table& root, const Path& path, bool stays) {
+void take_out(toml::table& root, const Path& path, bool has_stand_in) {
     toml::node* parent = &root;
     for (std::size_t k = 0; k + 1 < path.size(); ++k) {
         parent = parent->is_table() ? parent->as_table()->get(path[k])
@@ -82,10 +82,8 @@ void take_out(toml::table& root, const Path& path, bool stays) {
         list->erase(list->begin() + std::ptrdiff_t(std::stoul(path.back())));
         return;
     }
-    toml::table& table = *parent->as_table();
-    table.erase(path.back());
-    if (const auto number = stand_in(path); stays && number) table.insert(path.back(), *number);
-    if (path == Path{"time", "frames"}) table.insert("frames", 1'000'000);
+    parent->as_table()->erase(path.back());
+    if (has_stand_in) put_stand_in(*parent->as_table(), path);
 }
 
 struct Told {
@@ -105,11 +103,12 @@ std::string all_mistakes(toml::table& root, const PlacedError& first,
         const bool is_here = find_path(root, mistake.at(), path);
         const auto is_below = [&](const Path& other) { return begins_with(other, path); };
         if (std::ranges::any_of(out, is_below) && !std::ranges::count(out, path)) return false;
-        const Path value = is_here ? value_of(root, path) : path;
+        Path value = is_here ? value_of(root, path) : path;
         const bool is_again = std::ranges::count(out, value) > 0;
         if (!is_again) told.push_back({mistake.at().source().begin.line, mistake.what()});
-        if (!is_here || value.empty() || decides_others(value) || told.size() == most_told)
+        if (!is_here || value.empty() || decides_all(value) || told.size() == most_told)
             return false;
+        if (decides_section(value)) value.pop_back();
         take_out(root, value, !is_again);
         out.push_back(value);
         return true;

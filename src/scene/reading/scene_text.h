@@ -7,7 +7,8 @@
 
 namespace isomotion::scene {
 
-// With the sections in the order of docs/scene-file.md. Read again it is the same document.
+// `root` is a document that was read without a mistake. Sections come in the order of
+// docs/scene-file.md. Read again, the text is the same document.
 std::string scene_text(const toml::table& root);
 
 } // namespace isomotion::scene
