@@ -233,7 +233,7 @@ void put_material(const Properties& from, Lines& to) {
     const double gloss =
         from.number(specular, from.number("front_material_specular_iIntensity", 0.5));
     to.put(from.line_of(specular), "material.specular",
-           fmt::format("{}", std::clamp(0.1 * gloss, 0.0, 1.0)));
+           fmt::format("{}", std::clamp(0.4 * gloss, 0.0, 1.0)));
 }
 
 // Lights stand still before the viewer's eye while the surface turns.
