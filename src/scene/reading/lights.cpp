@@ -98,7 +98,7 @@ void read_surroundings(Section& document, Scene& scene, TrackTable& tracks) {
     }
     if (auto section = document.section("occlusion")) {
         Occlusion occlusion;
-        if (section->has("radius")) occlusion.reach = number(*section, "radius", 0);
+        if (section->find("radius")) occlusion.reach = number(*section, "radius", 0);
         occlusion.strength = number(*section, "strength", 1);
         scene.occlusion = occlusion;
         section->refuse_rest();

@@ -340,9 +340,15 @@ void put_bounds(toml::table& root, const FoundBounds& found) {
     root["surface"].as_table()->insert_or_assign("bounds", ball);
 }
 
-// Of a document with all that was set. `is_for_bounds`: no more than find_bounds() asks for.
+enum class Reading {
+    whole,
+    for_bounds,     // no more than find_bounds() asks for
+    without_unused, // the same, and names that nothing uses are let pass
+};
+
+// Of a document with all that was set.
 Scene read_document_scene(toml::table& root, const fs::path& file, const base::Confines& within,
-                          bool is_for_bounds) {
+                          Reading reading) {
     Scene scene;
     scene.file = file;
     Section document(root, "");
@@ -374,14 +380,15 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     }
     make_paints(material, *parts, scene.timeline.animation, scene.material);
     store_elements_of(*parts, paints_of(scene.material));
-    refuse_unused(*parts, paints_of(scene.material), scene.timeline.animation, tracks);
+    if (reading != Reading::without_unused)
+        refuse_unused(*parts, paints_of(scene.material), scene.timeline.animation, tracks);
     scene.surface = parts->surface;
     scene.timeline.animation.keep_fields(parts->surface.field->packing);
 
     // Settings are chosen once, at the first frame: every frame is marched alike.
     check_work(scene, *parts, tracks);
     const SceneAt first = at(scene, scene.timeline.values(1));
-    if (is_for_bounds) return scene;
+    if (reading != Reading::whole) return scene;
     Isolation& isolation = scene.isolation;
     scene.surface.smoothness = smoothness(*scene.surface.field, regions(scene, first));
     if (!given.step) isolation.step = first.bounds.radius / 100;
@@ -406,9 +413,9 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
 // Finds bounds where the document gives none, and puts them there: `root` is left whole. `within`:
 // where files may lie that the scene names.
 Scene read_with_bounds(toml::table& root, const fs::path& file, const base::Confines& within) {
-    if (!lacks_bounds(root)) return read_document_scene(root, file, within, false);
+    if (!lacks_bounds(root)) return read_document_scene(root, file, within, Reading::whole);
     put_bounds(root, {glm::dvec3(0), FoundBounds::reach});
-    const Scene boundless = read_document_scene(root, file, within, true);
+    const Scene boundless = read_document_scene(root, file, within, Reading::for_bounds);
     const std::optional<FoundBounds> found = find_bounds(boundless);
     if (!found) {
         fail(*root["surface"].as_table(), "surface.bounds",
@@ -416,7 +423,7 @@ Scene read_with_bounds(toml::table& root, const fs::path& file, const base::Conf
              "long; give { sphere = radius } or { box = [[x0, y0, z0], [x1, y1, z1]] }");
     }
     put_bounds(root, *found);
-    Scene scene = read_document_scene(root, file, within, false);
+    Scene scene = read_document_scene(root, file, within, Reading::whole);
     scene.surface.found_bounds = found->is_about_surface;
     return scene;
 }
@@ -427,8 +434,11 @@ Scene read_scene(toml::table& root, const fs::path& file, const std::vector<Over
     try {
         return read_with_bounds(root, file, within);
     } catch (const PlacedError& first) {
-        throw SceneError(
-            all_mistakes(root, first, [&] { read_document_scene(root, file, within, true); }));
+        throw SceneError(all_mistakes(root, first, [&](Rereading again) {
+            read_document_scene(root, file, within,
+                                again == Rereading::all ? Reading::for_bounds
+                                                        : Reading::without_unused);
+        }));
     }
 }
 

@@ -94,7 +94,7 @@ struct Told {
 } // namespace
 
 std::string all_mistakes(toml::table& root, const PlacedError& first,
-                         const std::function<void()>& read) {
+                         const std::function<void(Rereading)>& read) {
     std::vector<Told> told;
     std::vector<Path> out;
     // Whether there may be more that this one doesn't cause.
@@ -118,7 +118,9 @@ std::string all_mistakes(toml::table& root, const PlacedError& first,
     has_more = has_more && !root.contains("arrays");
     while (has_more) {
         try {
-            read();
+            const bool is_value_out = std::ranges::any_of(
+                out, [](const Path& path) { return begins_with(path, {"parameters"}); });
+            read(is_value_out ? Rereading::without_unused : Rereading::all);
             break;
         } catch (const PlacedError& mistake) {
             has_more = take(mistake);
