@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/speed_probe.h"
+
 namespace isomotion::app {
 namespace {
 
@@ -121,6 +123,8 @@ std::string doctor_table(const Json& report) {
                                                             : text(report["sbatch"]["reason"])) +
         line("fonts", "not needed: without one the window has ImGui's own");
     for (const Json& found : report["backends"]) all += back_end(found, report["backends"]);
+    if (const std::string sentence = expectation(report); !sentence.empty())
+        all += line("expect", sentence);
     return all;
 }
 

@@ -64,9 +64,10 @@ int make_scene(const std::string& name) {
         throw std::invalid_argument(
             fmt::format("{}: name it by letters, digits, - and _, as ring", file.string()));
     }
-    write_new_file(file, fmt::format(fmt::runtime(new_scene),
-                                     scene::data_folder().string() + "/animations/scene.schema.json",
-                                     title, file.string()));
+    write_new_file(file,
+                   fmt::format(fmt::runtime(new_scene),
+                               scene::data_folder().string() + "/animations/scene.schema.json",
+                               title, file.string()));
     print_result("{0}: a scene to start from\n"
                  "    isomotion play {0}      in a window; saved changes show at once\n"
                  "    isomotion render {0}    into files\n",
