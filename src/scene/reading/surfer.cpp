@@ -218,6 +218,13 @@ void put_camera(const Properties& from, const glm::dmat3& turn, double radius, L
     }
 }
 
+// What is reflected straight on; theirs is a factor of the highlight. Old files misspell it.
+double specular_of(const Properties& from) {
+    const double gloss = from.number("front_material_specular_intensity",
+                                     from.number("front_material_specular_iIntensity", 0.5));
+    return std::clamp(0.3 * gloss, 0.0, 0.9);
+}
+
 void put_material(const Properties& from, Lines& to) {
     const auto color = [&](const std::string& side) {
         return to_linear(from.vector(side + "_material_color", {0.7, 0.2, 0.2}));
@@ -228,12 +235,8 @@ void put_material(const Properties& from, Lines& to) {
     const std::string shininess = "front_material_shininess";
     to.put(from.line_of(shininess), "material.shininess",
            fmt::format("{}", std::clamp(from.number(shininess, 30), 0.0, 10'000.0)));
-    // Old files misspell it.
-    const std::string specular = "front_material_specular_intensity";
-    const double gloss =
-        from.number(specular, from.number("front_material_specular_iIntensity", 0.5));
-    to.put(from.line_of(specular), "material.specular",
-           fmt::format("{}", std::clamp(0.4 * gloss, 0.0, 1.0)));
+    to.put(from.line_of("front_material_specular_intensity"), "material.specular",
+           fmt::format("{}", specular_of(from)));
 }
 
 // Lights stand still before the viewer's eye while the surface turns.
@@ -250,9 +253,10 @@ void put_lights(const Properties& from, const glm::dmat3& turn, double radius, L
         const glm::dvec3 position = from.vector(key("position"), {-100, 100, 100});
         const glm::dvec3 linear =
             to_linear(ambient + diffuse * intensity * color) - to_linear(ambient);
+        // What is not mirrored is scattered.
+        const glm::dvec3 scattered = glm::max(linear, glm::dvec3(0)) / (1 - specular_of(from));
         lights.push_back(fmt::format("{{ position = {}, color = {} }}",
-                                     toml_text(radius * (turn * position)),
-                                     toml_text(glm::max(linear, glm::dvec3(0)))));
+                                     toml_text(radius * (turn * position)), toml_text(scattered)));
     }
     if (lights.empty()) return;
     to.put(from.line_of("light_status_0"), "lights", fmt::format("[{}]", fmt::join(lights, ", ")));
