@@ -1,12 +1,11 @@
 #include "scene/reading/surfer.h"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <optional>
-#include <regex>
 #include <vector>
 
 #include <fmt/format.h>
@@ -163,6 +162,21 @@ private:
     std::vector<std::string> lines_;
 };
 
+// Whether the name stands in the text by itself: a in "2a*x", not in "tan(x)".
+bool names_word(std::string_view text, std::string_view name) {
+    const auto is_of_word = [](char c, bool first) {
+        return std::isalpha(static_cast<unsigned char>(c)) || c == '_' ||
+               (!first && std::isdigit(static_cast<unsigned char>(c)));
+    };
+    for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
+        const std::size_t end = at + name.size();
+        if (at > 0 && is_of_word(text[at - 1], true)) continue;
+        if (end < text.size() && is_of_word(text[end], false)) continue;
+        return true;
+    }
+    return false;
+}
+
 void put_surface(const Properties& from, double radius, Lines& to) {
     const Property* equation = from.find("surface_equation");
     if (!equation || equation->value.empty())
@@ -181,8 +195,7 @@ void put_surface(const Properties& from, double radius, Lines& to) {
         }
         const double value = from.number(key, 0);
         // Files name parameters that their equation left behind.
-        const std::regex word("(^|[^A-Za-z_])" + name + "($|[^A-Za-z0-9_])");
-        if (std::regex_search(equation->value, word))
+        if (names_word(equation->value, name))
             to.put(property.line, "parameters." + name, fmt::format("{}", value));
     }
 }
