@@ -448,17 +448,20 @@ private:
         Session& session = scene_->session;
         Look look = session.look();
         const std::uint64_t revision = session.revision();
+        const std::optional<Command> asked = title_section(session.scene().title);
         std::optional<Command> wish;
         view_section(look, session.scene(), area_.shown());
         if (const auto at = scene_now()) wish = camera_section(look, at->camera);
+        // Above what may be long.
+        export_.show(*scene_, frame(), size_);
         parameter_section(look, session, session.overridden().timeline.values(frame()));
         method_section(look, session.scene());
         reading_section(area_.shown(), size_, audited_);
         topology_.show(*scene_);
-        export_.show(*scene_, frame(), size_);
         ImGui::End();
         if (look != session.look() && revision == session.revision()) session.set(look);
         if (wish) obey_in_scene(*wish);
+        if (asked) obey(*asked);
     }
 
     void show_transport(ImVec2 corner, ImVec2 size) {
