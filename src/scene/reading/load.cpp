@@ -478,6 +478,15 @@ SceneDocument find_document(const std::string& name, Reach reach) {
     return {parse_scene(text, file), file, confines(folder, reach)};
 }
 
+// A formula alone has no parameters but those that are set.
+std::string how_to_name(std::string_view mistake) {
+    constexpr std::string_view start = "unknown name '";
+    if (!mistake.starts_with(start)) return "";
+    const std::string_view name =
+        mistake.substr(start.size(), mistake.find('\'', start.size()) - start.size());
+    return fmt::format("\n--set {}=1 makes it a parameter", name);
+}
+
 // Loads what load() takes. `root` is left as the document with all that was set and found.
 Scene load_into(toml::table& root, const std::string& name, const std::vector<Override>& overrides,
                 Reach reach) {
@@ -493,7 +502,8 @@ Scene load_into(toml::table& root, const std::string& name, const std::vector<Ov
         constexpr std::string_view place = "--set: surface.formula: ";
         const std::string_view words = error.what();
         if (!is_formula_alone || !words.starts_with(place)) throw;
-        throw SceneError(std::string(words.substr(place.size())));
+        throw SceneError(std::string(words.substr(place.size())) +
+                         how_to_name(words.substr(place.size())));
     }
 }
 
