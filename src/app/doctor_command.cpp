@@ -61,9 +61,8 @@ void add_doctor(CLI::App& app, Action& chosen) {
     const auto arguments = std::make_shared<DoctorArguments>();
     CLI::App* command = app.add_subcommand(
         "doctor",
-        "which OpenGL back ends work here, what their arithmetic is, and what to expect of this "
-        "machine");
-    command->add_flag("--json", arguments->json, "for other programs");
+        "check which OpenGL back ends work here, measure their arithmetic, and say what to expect");
+    command->add_flag("--json", arguments->json, "print JSON");
     command
         ->add_option("--timeout", arguments->timeout,
                      "seconds after which a back end counts as hanging (default: 120)")

@@ -80,7 +80,7 @@ int make_scene(const std::string& name) {
 void add_new(CLI::App& app, Action& chosen) {
     const auto name = std::make_shared<std::string>();
     CLI::App* command = app.add_subcommand("new", "write a scene file with comments to start from");
-    command->add_option("name", *name, "of the scene; NAME.toml is written")->required();
+    command->add_option("name", *name, "name of the scene: NAME.toml is written")->required();
     command->callback([name, &chosen] { chosen = [name] { return make_scene(*name); }; });
 }
 

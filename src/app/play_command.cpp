@@ -42,15 +42,15 @@ void add_play(CLI::App& app, Action& chosen) {
                         "without one the gallery is shown");
     command
         ->add_option("--set", o.overrides,
-                     "name=value: a parameter, or a key of the scene file (camera.fov=30)")
+                     "set a parameter (r=0.5) or a key of the scene file (camera.fov=30)")
         ->allow_extra_args(false);
     add_allow_outside(*command, o.reach);
     command->add_option("--frames,--frame", *frames,
                         "1-120: play from frame 1 to frame 120 (default: all of the scene)");
-    command->add_flag("!--paused", o.playing, "do not play at once");
+    command->add_flag("!--paused", o.playing, "open paused");
     command->add_flag("!--forget", o.remembers,
-                      "neither use nor keep what is remembered: the window's place, cameras");
-    command->add_option("--log", o.log, "a file: a line of JSON for each picture shown");
+                      "do not remember where the window and the cameras were");
+    command->add_option("--log", o.log, "write a line of JSON to this file for each picture shown");
     command->callback([options, frames, &chosen] {
         chosen = [options, frames] { return play_in_window(with_frames(*options, *frames)); };
     });

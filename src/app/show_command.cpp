@@ -199,21 +199,21 @@ int show(const ShowArguments& arguments) {
 
 void add_show(CLI::App& app, Action& chosen) {
     const auto arguments = std::make_shared<ShowArguments>();
-    CLI::App* command = app.add_subcommand("show", "what a scene is at a frame, and its shader");
+    CLI::App* command = app.add_subcommand(
+        "show", "print what a scene is at a frame, its shaders, or its scene file");
     command
         ->add_option("scene", arguments->scene,
                      "a scene file (.toml, .jsurf), the name of an animation, or a formula")
         ->required();
     command->add_option("--frame,--frames", arguments->frames,
-                        "frame number, from 1; of several the first (default: 1)");
-    command->add_option(
-        "-o,--output", arguments->output,
-        "instead: write the scene file (.toml) that the scene is with its settings");
+                        "frame to show, counted from 1; of several the first (default: 1)");
+    command->add_option("-o,--output", arguments->output,
+                        "write the scene with its settings as a scene file (.toml) instead");
     command->add_option("--set", arguments->settings, "name=value, as for render")
         ->allow_extra_args(false);
     add_allow_outside(*command, arguments->reach);
     command->add_option("--stage", arguments->stage,
-                        "shaders that march the rays: fragment or compute");
+                        "kind of shader that marches the rays: fragment or compute");
     command->add_flag("--shader", arguments->shader,
                       "print the GLSL of every pass that frames run, in order");
     command->add_option("--pass", arguments->pass, "print the GLSL of this pass alone");

@@ -209,8 +209,8 @@ private:
 void add_submit(CLI::App& app, Action& chosen) {
     const auto arguments = std::make_shared<SubmitArguments>();
     SubmitArguments& a = *arguments;
-    CLI::App* command = app.add_subcommand(
-        "submit", "render a sequence in chunks by many processes, here or on a farm");
+    CLI::App* command =
+        app.add_subcommand("submit", "render a sequence by many processes, here or on a farm");
     add_sequence_options(*command, a.render);
     a.picture = add_picture_options(*command, a.render);
     command
@@ -218,17 +218,19 @@ void add_submit(CLI::App& app, Action& chosen) {
                      "local: processes of this machine; slurm: an array of jobs; print: commands "
                      "for any other farm")
         ->check(CLI::IsMember({"local", "slurm", "print"}));
-    command->add_option("--chunk", a.chunk, "frames of a chunk, at most (20)")
+    command->add_option("--chunk", a.chunk, "most frames of a chunk (20)")
         ->check(CLI::Range(1, 10'000'000));
     command
-        ->add_option("--workers", a.workers,
-                     "chunks at a time; default: local as many as cores, slurm what it lets")
+        ->add_option(
+            "--workers", a.workers,
+            "chunks rendered at a time (default: local as many as cores, slurm as it allows)")
         ->check(CLI::Range(1, 1'000'000));
-    command->add_option("--tries", a.tries, "of a chunk that fails (3)")
+    command->add_option("--tries", a.tries, "how often a chunk that fails is tried (3)")
         ->check(CLI::Range(1, 1000));
     command
-        ->add_option("--sbatch", a.sbatch,
-                     "slurm: an option of sbatch's, as --sbatch=--partition=gpu; may be repeated")
+        ->add_option(
+            "--sbatch", a.sbatch,
+            "slurm: pass an option to sbatch: --sbatch=--partition=gpu; may be given several times")
         ->allow_extra_args(false);
     command->add_flag("--dry-run", a.dry_run, "slurm: write the script and submit nothing");
     command->callback(

@@ -154,15 +154,15 @@ int verify(const VerifyArguments& arguments) {
 void add_verify(CLI::App& app, Action& chosen) {
     const auto arguments = std::make_shared<VerifyArguments>();
     VerifyArguments& a = *arguments;
-    CLI::App* command =
-        app.add_subcommand("verify", "whether rendered frames are all there, as they were written");
+    CLI::App* command = app.add_subcommand(
+        "verify", "check that rendered frames are all there, as they were written");
     command
         ->add_option("sequence", a.what,
                      "a sequence's name (out/name.####.png), or a folder with sequences")
         ->required();
     command->add_flag("--pixels", a.pixels, "decode the pictures and check their pixels, too");
-    command->add_flag("--json", a.json, "what was found, for programs");
-    command->add_flag("--quiet", a.quiet, "the exit code alone");
+    command->add_flag("--json", a.json, "print what was found as JSON");
+    command->add_flag("--quiet", a.quiet, "print nothing; the exit code tells");
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return verify(*arguments); }; });
 }
