@@ -73,7 +73,8 @@ TEST_F(Places, AFolderIsWhereARecordBelongs) {
     EXPECT_THAT(ending.err, HasSubstr("0002.json: cannot be replaced: Is a directory"));
     const Ending found = run({"verify", "out"});
     EXPECT_EQ(found.code, 1) << found;
-    EXPECT_THAT(found.out, HasSubstr("of an earlier scene or from elsewhere, without a record: 1 (2)"));
+    EXPECT_THAT(found.out,
+                HasSubstr("of an earlier scene or from elsewhere, without a record: 1 (2)"));
 }
 
 TEST_F(Places, AFolderIsWhereAFrameBelongs) {
