@@ -22,13 +22,35 @@ prepare_packages() {
         exit 3
     fi
     echo "installing:$missing"
-    if ! { $as_root apt-get -qq update &&
-           $as_root env DEBIAN_FRONTEND=noninteractive \
-               apt-get -qq -y --no-install-recommends install $missing >/dev/null; }; then
+    mkdir -p build
+    rm -f build/installed
+    # shellcheck disable=SC2086 # a list of packages
+    { $as_root apt-get -qq update &&
+          $as_root env DEBIAN_FRONTEND=noninteractive \
+              apt-get -qq -y --no-install-recommends -o APT::Status-Fd=3 install $missing \
+              3>&1 >/dev/null && : >build/installed; } | show_packages
+    if [ ! -e build/installed ]; then
         echo "apt-get could not install them. By hand:" >&2
         echo "    apt-get update && apt-get install --no-install-recommends$missing" >&2
         exit 3
     fi
+}
+
+# Reads apt-get's status lines, "pmstatus:libfmt-dev:42.5:Unpacking ...", and shows how far it is: on a
+# terminal in one line, else every fourth part.
+show_packages() {
+    shown=0
+    while IFS=: read -r kind _ percent words; do
+        case $kind in dlstatus | pmstatus) ;; *) continue ;; esac
+        part=${percent%%.*}
+        if [ -t 1 ]; then
+            printf '\r  %3s %% %-64.64s' "$part" "$words"
+        elif [ "$kind" = pmstatus ] && [ "$((part / 25))" -gt "$shown" ]; then
+            shown=$((part / 25))
+            echo "  $part %"
+        fi
+    done
+    [ ! -t 1 ] || echo
 }
 
 # prepare_check <check>: its packages of check-packages.txt.
@@ -75,4 +97,9 @@ build_in() {
 # build <cmake options>: all of build/release.
 build() { build_in release "" "$@"; }
 
-prepare_packages $(sed 's/#.*//' tools/packages.txt)
+# What only tests need comes last in the list; `without_tests` leaves it out.
+if [ -n "${without_tests:-}" ]; then
+    prepare_packages $(sed '/^# to test/,$d; s/#.*//' tools/packages.txt)
+else
+    prepare_packages $(sed 's/#.*//' tools/packages.txt)
+fi

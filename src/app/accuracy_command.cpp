@@ -180,33 +180,36 @@ void add_accuracy(CLI::App& app, Action& chosen) {
     const auto arguments = std::make_shared<AccuracyArguments>();
     AccuracyArguments& a = *arguments;
     CLI::App* command = app.add_subcommand(
-        "accuracy", "what each method and setting costs, and what it gets wrong");
-    command->add_option("scene", a.scene, "a scene file, the name of an animation, or a formula")
+        "accuracy", "measure what each method and setting costs, and which pixels it gets wrong");
+    command
+        ->add_option("scene", a.scene,
+                     "a scene file (.toml, .jsurf), the name of an animation, or a formula")
         ->required();
     command->add_option("--frames,--frame", a.frames,
-                        "1-10, 1-10x2, 1,3,5-9 (default: the scene's poster)");
-    command->add_option("--size", a.size, "WIDTHxHEIGHT (default: 256x256)");
-    command->add_option("--methods", a.methods, "a,b (default: all)");
-    command->add_option("--steps", a.steps, "0.04,0.02 (default: about the scene's)");
+                        "frames to measure: 1-10, 1-10x2, 1,3,5-9 (default: the scene's poster)");
+    command->add_option("--size", a.size, "size of the picture, WIDTHxHEIGHT (default: 256x256)");
+    command->add_option("--methods", a.methods, "methods to measure: a,b (default: all)");
+    command->add_option("--steps", a.steps,
+                        "steps to measure: 0.04,0.02 (default: some about the scene's)");
     command->add_option("--max-wrong", a.max_wrong,
-                        "tell the cheapest setting with at most so many wrong pixels in a million; "
-                        "exit code 1 if there is none");
+                        "print the cheapest setting that gets at most so many pixels in a million "
+                        "wrong; exit code 1 if there is none");
     command->add_option("--budget-ms", a.budget_ms,
-                        "tell the most accurate setting that takes at most so long a frame; exit "
+                        "print the most accurate setting that takes at most so long a frame; exit "
                         "code 1 if there is none");
-    command->add_option("-o,--output", a.output, "folder for a report");
-    command->add_option("--repeat", a.repeat, "drawings that a time is the median of")
+    command->add_option("-o,--output", a.output, "write a report into this folder");
+    command->add_option("--repeat", a.repeat, "take the median time of so many drawings")
         ->check(CLI::Range(1, 1000));
     command->add_flag("--effects", a.effects,
-                      "instead: what each effect of the scene costs, one frame with and without");
+                      "measure instead what each effect of the scene costs, on one frame");
     command->add_flag(
         "--certify", a.certify,
-        "prove pixels as render does; tells how many, and which proofs truth refutes");
+        "prove pixels as render does; print how many, and which proofs truth refutes");
     command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
     add_allow_outside(*command, a.reach);
-    command->add_option("--backend", a.backend, "auto, egl, osmesa or glfw");
+    command->add_option("--backend", a.backend, "OpenGL back end: auto, egl, osmesa or glfw");
     command->add_option("--stage", a.stage, "fragment, compute or auto, as for render");
-    command->add_flag("--quiet", a.quiet, "no table, no progress");
+    command->add_flag("--quiet", a.quiet, "print neither table nor progress");
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return accuracy_of(*arguments); }; });
 }

@@ -1,5 +1,6 @@
 #include "app/commands.h"
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -12,7 +13,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "app/command_tree.h"
 #include "app/console.h"
+#include "app/help_text.h"
+#include "app/plain_words.h"
 #include "base/file.h"
 #include "gpu/context.h"
 #include "gpu/error.h"
@@ -47,6 +51,16 @@ void refuse_empty_words(CLI::App& app) {
     ::_exit(exit_machine);
 }
 
+// Of the command that left words over.
+std::string left_over(const CLI::App& app, const CommandTree& tree) {
+    for (const CLI::App* command : app.get_subcommands()) {
+        for (const CommandText& text : tree.commands) {
+            if (text.name == command->get_name()) return why_left_over(app.remaining(true), text);
+        }
+    }
+    return why_left_over(app.remaining(true), {tree.name, tree.description, tree.options});
+}
+
 // Parses the command line and carries it out.
 int run_command(int argc, char** argv) {
     CLI::App app(
@@ -55,8 +69,22 @@ int run_command(int argc, char** argv) {
         "isomotion");
     Action chosen;
     add_commands(app, chosen);
+    const CommandTree tree = command_tree(app);
+    const std::vector<std::string> words =
+        understood(std::vector<std::string>(argv + std::min(argc, 1), argv + argc), tree);
+    if (words.empty()) {
+        write_result(first_words());
+        return exit_done;
+    }
+    if (const std::string why = why_no_command(words, tree); !why.empty()) {
+        write_message(why);
+        return exit_usage;
+    }
     try {
-        app.parse(argc, argv);
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    } catch (const CLI::ExtrasError&) {
+        write_message(left_over(app, tree));
+        return exit_usage;
     } catch (const CLI::ParseError& error) {
         // CLI11 counts --help and --version as errors with code 0. Its messages repeat words.
         std::ostringstream messages;
@@ -98,12 +126,14 @@ int run_command(int argc, char** argv) {
 } // namespace
 
 void add_commands(CLI::App& app, Action& chosen) {
+    write_help_with_examples(app);
     app.set_version_flag("--version", "isomotion " ISOMOTION_VERSION);
     app.require_subcommand(1);
     add_render(app, chosen);
     add_submit(app, chosen);
     add_play(app, chosen);
     add_show(app, chosen);
+    add_new(app, chosen);
     add_list(app, chosen);
     add_accuracy(app, chosen);
     add_topology(app, chosen);

@@ -32,6 +32,7 @@ using Action = std::function<int()>;
 void add_render(CLI::App& app, Action& chosen);
 void add_submit(CLI::App& app, Action& chosen);
 void add_list(CLI::App& app, Action& chosen);
+void add_new(CLI::App& app, Action& chosen);
 void add_show(CLI::App& app, Action& chosen);
 void add_accuracy(CLI::App& app, Action& chosen);
 void add_topology(CLI::App& app, Action& chosen);

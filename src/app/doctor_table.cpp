@@ -1,7 +1,11 @@
 #include "app/doctor_table.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "app/speed_probe.h"
 
 namespace isomotion::app {
 namespace {
@@ -77,9 +81,18 @@ std::string first_with(const Json& arithmetic, const Json& back_ends) {
     return "";
 }
 
+// Why a back end does not work. Which drivers to install is said only where none works.
+std::string why_not(const Json& found, const Json& all) {
+    std::string reason = text(found["reason"]);
+    const bool one_works =
+        std::ranges::any_of(all, [](const Json& each) { return each["works"].get<bool>(); });
+    if (one_works) reason.resize(std::min(reason.find("\ninstall an OpenGL"), reason.size()));
+    return reason;
+}
+
 std::string back_end(const Json& found, const Json& all) {
     const std::string name = text(found["name"]);
-    if (!found["works"].get<bool>()) return line(name, "does not work: " + text(found["reason"]));
+    if (!found["works"].get<bool>()) return line(name, "does not work: " + why_not(found, all));
     const Json& limits = found["limits"];
     const Json& compute = found["compute"];
     const std::string same = first_with(found["arithmetic"], all);
@@ -110,6 +123,8 @@ std::string doctor_table(const Json& report) {
                                                             : text(report["sbatch"]["reason"])) +
         line("fonts", "not needed: without one the window has ImGui's own");
     for (const Json& found : report["backends"]) all += back_end(found, report["backends"]);
+    if (const std::string sentence = expectation(report); !sentence.empty())
+        all += line("expect", sentence);
     return all;
 }
 

@@ -36,8 +36,7 @@ int list(const std::string& what) {
 
 void add_list(CLI::App& app, Action& chosen) {
     const auto what = std::make_shared<std::string>("animations");
-    CLI::App* command =
-        app.add_subcommand("list", "what there is: animations, surfaces, methods, effects");
+    CLI::App* command = app.add_subcommand("list", "list animations, surfaces, methods or effects");
     command->add_option("what", *what, "animations (default), surfaces, methods or effects")
         ->check(CLI::IsMember({"animations", "surfaces", "methods", "effects"}));
     command->callback([what, &chosen] { chosen = [what] { return list(*what); }; });

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/examples.h"
+
 namespace isomotion::app {
 namespace {
 
@@ -80,13 +82,6 @@ what the machine can't: no OpenGL, a full disk, a folder that can't be written
 .TP
 .B 130
 interrupted
-.SH EXAMPLES
-.TP
-.B isomotion render blobby75 \-o out/blobby75.####.png \-\-movie out/blobby75.mp4
-all frames of an animation of the gallery, and a movie of them
-.TP
-.B isomotion topology blobby75 \-\-frames 1\-61 \-\-plot blobby75.svg
-when its parts merge, and a picture of that
 )";
 
 } // namespace
@@ -106,7 +101,12 @@ std::string manual_page(const CommandTree& tree, const std::string& version) {
         text += fmt::format(".SS {}\n{}\n", command.name, plain(command.description));
         for (const OptionText& option : command.options) text += option_entry(option);
     }
-    return text + around;
+    text += std::string(around) + ".SH EXAMPLES\n";
+    for (const Example& example : examples) {
+        text += fmt::format(".TP\n.B {}\n{}\n", plain(std::string(example.line)),
+                            plain(std::string(example.what)));
+    }
+    return text;
 }
 
 } // namespace isomotion::app

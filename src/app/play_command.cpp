@@ -1,6 +1,9 @@
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "player/player.h"
@@ -8,6 +11,14 @@
 
 namespace isomotion::app {
 namespace {
+
+player::PlayOptions with_frames(player::PlayOptions options, const std::string& frames) {
+    if (frames.empty()) return options;
+    const std::vector<int> all = animation::parse_frame_range(frames);
+    const auto [first, last] = std::ranges::minmax_element(all);
+    options.frames = {*first, *last};
+    return options;
+}
 
 int play_in_window(const player::PlayOptions& options) {
     try {
@@ -23,22 +34,26 @@ int play_in_window(const player::PlayOptions& options) {
 
 void add_play(CLI::App& app, Action& chosen) {
     const auto options = std::make_shared<player::PlayOptions>();
+    const auto frames = std::make_shared<std::string>();
     player::PlayOptions& o = *options;
     CLI::App* command = app.add_subcommand("play", "play a scene in a window");
     command->add_option("scene", o.scene,
-                        "a scene file (.toml) or the name of a gallery animation; without one the "
-                        "gallery is shown");
+                        "a scene file (.toml, .jsurf), the name of an animation, or a formula; "
+                        "without one the gallery is shown");
     command
         ->add_option("--set", o.overrides,
-                     "name=value: a parameter, or a key of the scene file (camera.fov=30)")
+                     "set a parameter (r=0.5) or a key of the scene file (camera.fov=30)")
         ->allow_extra_args(false);
     add_allow_outside(*command, o.reach);
-    command->add_flag("!--paused", o.playing, "do not play at once");
+    command->add_option("--frames,--frame", *frames,
+                        "1-120: play from frame 1 to frame 120 (default: all of the scene)");
+    command->add_flag("!--paused", o.playing, "open paused");
     command->add_flag("!--forget", o.remembers,
-                      "neither use nor keep what is remembered: the window's place, cameras");
-    command->add_option("--log", o.log, "a file: a line of JSON for each picture shown");
-    command->callback(
-        [options, &chosen] { chosen = [options] { return play_in_window(*options); }; });
+                      "do not remember where the window and the cameras were");
+    command->add_option("--log", o.log, "write a line of JSON to this file for each picture shown");
+    command->callback([options, frames, &chosen] {
+        chosen = [options, frames] { return play_in_window(with_frames(*options, *frames)); };
+    });
 }
 
 } // namespace isomotion::app

@@ -10,6 +10,7 @@
 
 #include "animation/frame_range.h"
 #include "app/commands.h"
+#include "base/extension.h"
 #include "scene/method.h"
 #include "sequence/names/sequence_name.h"
 #include "synthesis/channel.h"
@@ -26,7 +27,10 @@ std::string size_key(const std::string& text) {
     const bool parted = first.ec == std::errc{} && first.ptr != end && *first.ptr == 'x';
     const auto second = parted ? std::from_chars(first.ptr + 1, end, height) : first;
     if (!parted || second.ec != std::errc{} || second.ptr != end || width < 1 || height < 1) {
-        throw std::invalid_argument(fmt::format("--size {}: write WIDTHxHEIGHT, 1920x1080", text));
+        const bool is_one = !parted && first.ec == std::errc{} && first.ptr == end && width > 0;
+        throw std::invalid_argument(
+            fmt::format("--size {}: write WIDTHxHEIGHT, {}", text,
+                        is_one ? fmt::format("{0}x{0}", width) : "1920x1080"));
     }
     return fmt::format("output.size=[{},{}]", width, height);
 }
@@ -107,46 +111,72 @@ std::vector<synthesis::Channel> parse_channels(const std::string& text) {
 } // namespace
 
 void add_sequence_options(CLI::App& command, RenderArguments& a) {
-    command.add_option("scene", a.scene, "a scene file (.toml) or the name of a gallery animation")
+    command
+        .add_option("scene", a.scene,
+                    "a scene file (.toml, .jsurf), the name of an animation, or a formula")
         ->required();
-    command.add_option("-o,--output", a.output,
-                       "files to write: out/name.####.png or .exr (#### is the frame's number)");
-    command.add_option("--frames", a.frames,
-                       "1-10, 1-10x2, 1,3,5-9, poster (default: all of the scene)");
-    command.add_option("--movie", a.movie, "also join the frames: .mp4, .webm or .gif");
-    command.add_flag("--resume", a.resume, "keep files that these settings would render again");
-    command.add_flag("--quiet", a.quiet, "errors and warnings only");
+    command.add_option(
+        "-o,--output", a.output,
+        "files to write: out/name.####.png or .exr, where #### is the frame's number; or "
+        "a movie, with its frames beside it");
+    command.add_option(
+        "--frames,--frame", a.frames,
+        "frames to render: 1-10, 1-10x2 (every second), 1,3,5-9 or poster (default: all)");
+    command
+        .add_option(
+            "--movie", a.movies,
+            "also join the frames to a movie: .mp4, .webm or .gif; may be given several times")
+        ->allow_extra_args(false);
+    command.add_flag("--resume", a.resume,
+                     "keep files that are already what these settings render");
+    command.add_flag("--quiet", a.quiet, "print errors and warnings only");
 }
 
 std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments& a) {
     return {
-        command.add_option("--size", a.size, "WIDTHxHEIGHT"),
+        command.add_option("--size", a.size, "size of the picture, WIDTHxHEIGHT"),
         command
-            .add_option("--set", a.settings,
-                        "name=value: a parameter, or a key of the scene file (camera.fov=30)")
+            .add_option(
+                "--set", a.settings,
+                "set a parameter (r=0.5) or a key of the scene file (camera.fov=30); may be given "
+                "several times")
             ->allow_extra_args(false),
         add_allow_outside(command, a.reach),
         command.add_option("--method", a.method,
-                           known_methods() + "; isomotion list methods tells of them"),
-        command.add_option("--step", a.step, "base step of the method, in formula coordinates"),
+                           "how roots are found: " + known_methods() +
+                               "; isomotion list methods explains them"),
+        command.add_option("--step", a.step,
+                           "base step of the paper's methods, in formula coordinates"),
         command.add_option(
             "--max-wrong", a.max_wrong,
-            "choose the cheapest method and step with at most so many wrong pixels in "
-            "a million, against certified truth; exit code 1 if there is none"),
-        command.add_option("--backend", a.backend, "auto, egl, osmesa or glfw"),
+            "choose the cheapest method and step that get at most so many pixels in a million "
+            "wrong, compared with certified truth; exit code 1 if there is none"),
+        command.add_option("--backend", a.backend, "OpenGL back end: auto, egl, osmesa or glfw"),
         command.add_option(
             "--stage", a.stage,
-            "shaders that march the rays: fragment, compute, or auto, the faster here"),
-        command.add_option("--channels", a.channels,
-                           "EXR only: z,n,p,verdict,evaluations,velocity,proof"),
+            "kind of shader that marches the rays: fragment, compute, or auto, the faster here"),
+        command.add_option(
+            "--channels", a.channels,
+            "channels beside the picture, of an EXR: z,n,p,verdict,evaluations,velocity,proof"),
         command.add_flag("--certify", a.certify,
                          "prove by interval arithmetic, pixel by pixel, that hits are first roots "
-                         "and misses are none; tells how many are proved"),
+                         "and that misses have none; print how many are proved"),
         command.add_option("--audit", a.audit,
-                           "how many rays of each frame, drawn at random, are held against "
-                           "certified truth: a number, off, or auto, as many as are cheap"),
-        command.add_option("--bits", a.bits, "of a PNG: 8 or 16")->check(CLI::IsMember({8, 16})),
+                           "compare so many random rays of each frame with certified truth: a "
+                           "number, off, or auto (as many as are cheap)"),
+        command.add_option("--bits", a.bits, "bits of a PNG: 8 or 16")
+            ->check(CLI::IsMember({8, 16})),
     };
+}
+
+RenderArguments with_movie_apart(RenderArguments arguments) {
+    const std::filesystem::path output = arguments.output;
+    const std::string extension = base::lower_extension(output);
+    if (extension != ".mp4" && extension != ".webm" && extension != ".gif") return arguments;
+    arguments.movies.insert(arguments.movies.begin(), arguments.output);
+    const std::string stem = sequence::stem_of_frames(output.stem().string());
+    arguments.output = (output.parent_path() / (stem + ".####.png")).string();
+    return arguments;
 }
 
 std::vector<scene::Override> overrides(const RenderArguments& arguments) {
@@ -170,7 +200,7 @@ sequence::Exporter exporter_of(const RenderArguments& arguments) {
     options.bits = arguments.bits;
     options.audit = audit_of(arguments.audit);
     options.resume = arguments.resume;
-    options.movie = arguments.movie;
+    options.movies.assign(arguments.movies.begin(), arguments.movies.end());
     try {
         return {std::move(scene), std::move(options)};
     } catch (const sequence::OptionError& error) {

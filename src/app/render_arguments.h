@@ -17,7 +17,8 @@ class Option;
 namespace isomotion::app {
 
 struct RenderArguments {
-    std::string scene, output, frames, size, method, backend = "auto", channels, movie;
+    std::string scene, output, frames, size, method, backend = "auto", channels;
+    std::vector<std::string> movies;
     std::string stage = "fragment";
     std::string step, audit = "auto";
     std::vector<std::string> settings;
@@ -32,6 +33,9 @@ struct RenderArguments {
 // returns them).
 void add_sequence_options(CLI::App& command, RenderArguments& arguments);
 std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments& arguments);
+
+// What is meant where -o names a movie: the movie, of frames in files beside it.
+RenderArguments with_movie_apart(RenderArguments arguments);
 
 // Each of these throws std::invalid_argument with a message that names the option as it was
 // written, not the key of the scene file that it stands for.

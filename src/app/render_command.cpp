@@ -110,7 +110,7 @@ int render(const RenderArguments& arguments) {
     sequence::Exporter exporter = exporter_of(arguments);
     const sequence::ExportOptions& options = exporter.options();
     exporter.make_folders();
-    if (!options.movie.empty()) sequence::expect_ffmpeg();
+    if (!options.movies.empty()) sequence::expect_ffmpeg();
     const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
     if (arguments.max_wrong) {
         const auto isolation = choose_setting(*context, exporter.scene(), options.frames,
@@ -151,14 +151,14 @@ int render(const RenderArguments& arguments) {
         warn(fmt::format("no ray hits anything: {}", scene::why_nothing_is_seen(sight)));
     say(summary(totals, std::chrono::steady_clock::now() - begin));
     say(fmt::format("frames: {}\n", options.output));
-    if (options.movie.empty()) return exit_done;
+    if (options.movies.empty()) return exit_done;
     try {
-        if (!exporter.write_movie(watcher)) return stopped();
+        if (!exporter.write_movies(watcher)) return stopped();
     } catch (
         const image::ImageError& error) { // a frame's file, which the scene is not to blame for
         throw sequence::MovieError(error.what());
     }
-    say(fmt::format("movie: {}\n", arguments.movie));
+    for (const std::string& movie : arguments.movies) say(fmt::format("movie: {}\n", movie));
     return exit_done;
 }
 
@@ -170,8 +170,9 @@ void add_render(CLI::App& app, Action& chosen) {
     CLI::App* command = app.add_subcommand("render", "render frames of a scene into image files");
     add_sequence_options(*command, a);
     add_picture_options(*command, a);
-    command->callback(
-        [arguments, &chosen] { chosen = [arguments] { return render(*arguments); }; });
+    command->callback([arguments, &chosen] {
+        chosen = [arguments] { return render(with_movie_apart(*arguments)); };
+    });
 }
 
 } // namespace isomotion::app

@@ -4,8 +4,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/new_file.h"
+#include "base/extension.h"
 #include "base/printable.h"
 #include "render/stage.h"
 #include "scene/reading/load.h"
@@ -20,7 +23,8 @@ namespace {
 
 struct ShowArguments {
     std::string scene;
-    int frame = 1;
+    std::string frames = "1"; // the first of them is shown
+    std::string output;       // a scene file to write, or empty
     bool shader = false;
     std::string pass; // the one to print, or empty
     std::string stage = "fragment";
@@ -99,7 +103,23 @@ const synthesis::Pass& pass_named(const synthesis::Passes& passes, const std::st
                                             base::printable(name), fmt::join(names, ", ")));
 }
 
+// -o: the scene file that the scene is, tried before it is written.
+int write_scene(const ShowArguments& arguments) {
+    const std::string text =
+        scene::scene_file_text(arguments.scene, arguments.settings, arguments.reach);
+    if (base::lower_extension(arguments.output) != ".toml") {
+        throw std::invalid_argument(
+            fmt::format("-o {}: a scene file's name ends in .toml", arguments.output));
+    }
+    scene::load_text(text, arguments.output, {}, arguments.reach);
+    write_new_file(arguments.output, text);
+    print_result("scene: {}\n", arguments.output);
+    return exit_done;
+}
+
 int show(const ShowArguments& arguments) {
+    if (!arguments.output.empty()) return write_scene(arguments);
+    const int frame = animation::parse_frame_range(arguments.frames).front();
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
     const synthesis::Passes passes = synthesis::assemble(scene, {}, stage_of(arguments));
     if (!arguments.pass.empty()) {
@@ -110,7 +130,7 @@ int show(const ShowArguments& arguments) {
         print_passes(passes);
         return exit_done;
     }
-    const animation::Values values = scene.timeline.values(arguments.frame);
+    const animation::Values values = scene.timeline.values(frame);
     scene::at(scene, values); // values that have left their range are an error here too
     const scene::Isolation& isolation = scene.isolation;
     print_result("{}\n", scene.title);
@@ -131,7 +151,7 @@ int show(const ShowArguments& arguments) {
         isolation.method == scene::Method::hermite && !scene.surface.smoothness.is_smooth();
     print_result("{}{}\n", !passes.beams.empty() ? ", beams" : "",
                  looks_out ? "; by bounds where the formula isn't smooth" : "");
-    print_result("frame     {} at t = {:g} s\n", arguments.frame, values.time);
+    print_result("frame     {} at t = {:g} s\n", frame, values.time);
     for (std::size_t k = 0; k < values.tracks.size(); ++k) {
         print_result("    {:<28} {:g}{}\n", scene.timeline.animation.tracks()[k].name,
                      values.tracks[k], range_text(scene, k, values.tracks[k]));
@@ -179,18 +199,21 @@ int show(const ShowArguments& arguments) {
 
 void add_show(CLI::App& app, Action& chosen) {
     const auto arguments = std::make_shared<ShowArguments>();
-    CLI::App* command = app.add_subcommand("show", "what a scene is at a frame, and its shader");
+    CLI::App* command = app.add_subcommand(
+        "show", "print what a scene is at a frame, its shaders, or its scene file");
     command
         ->add_option("scene", arguments->scene,
-                     "a scene file, the name of an animation, or a formula")
+                     "a scene file (.toml, .jsurf), the name of an animation, or a formula")
         ->required();
-    command->add_option("--frame", arguments->frame, "frame number, from 1")
-        ->check(CLI::Range(1, 10'000'000));
+    command->add_option("--frame,--frames", arguments->frames,
+                        "frame to show, counted from 1; of several the first (default: 1)");
+    command->add_option("-o,--output", arguments->output,
+                        "write the scene with its settings as a scene file (.toml) instead");
     command->add_option("--set", arguments->settings, "name=value, as for render")
         ->allow_extra_args(false);
     add_allow_outside(*command, arguments->reach);
     command->add_option("--stage", arguments->stage,
-                        "shaders that march the rays: fragment or compute");
+                        "kind of shader that marches the rays: fragment or compute");
     command->add_flag("--shader", arguments->shader,
                       "print the GLSL of every pass that frames run, in order");
     command->add_option("--pass", arguments->pass, "print the GLSL of this pass alone");

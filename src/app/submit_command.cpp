@@ -69,7 +69,7 @@ public:
         job_.folder = fs::current_path();
         job_.scene = scene::word_of(exporter.scene());
         job_.output = fs::absolute(exporter.options().output);
-        if (!render.movie.empty()) job_.movie = fs::absolute(render.movie);
+        for (const std::string& movie : render.movies) job_.movies.push_back(fs::absolute(movie));
         job_.options = words_of(arguments.picture);
         if (const char* data = std::getenv("ISOMOTION_DATA")) {
             job_.environment.push_back("ISOMOTION_DATA=" + fs::absolute(data).string());
@@ -126,7 +126,7 @@ private:
                 .progress = [&](int done) { progress.show(done); },
                 .tell = [&](const std::string& text) { progress.tell(text); }};
             ending = farm::render_locally(job_, chunks, {workers, arguments_.tries}, watcher);
-            if (ending.code == exit_done && !ending.stopped && !job_.movie.empty()) {
+            if (ending.code == exit_done && !ending.stopped && !job_.movies.empty()) {
                 progress.show(int(frames_.size()), "joining the movie");
                 ending = join(ending, watcher);
             }
@@ -149,7 +149,7 @@ private:
             wall.count());
         if (ending.tried_again > 0) say("; {} tried again", ending.tried_again);
         say("\nframes: {}\n", output_text());
-        if (!job_.movie.empty()) say("movie: {}\n", arguments_.render.movie);
+        for (const std::string& movie : arguments_.render.movies) say("movie: {}\n", movie);
         return exit_done;
     }
 
@@ -185,8 +185,9 @@ private:
         say("job {}: {} frames in {} chunks\n", job, frames_.size(), chunks.size());
         const std::string last = farm::submit(farm::sbatch_joining(slurm, job));
         say("job {}: after it, {}\n", last,
-            job_.movie.empty() ? "sees that all frames are there"
-                               : fmt::format("joins {}", arguments_.render.movie));
+            job_.movies.empty()
+                ? "sees that all frames are there"
+                : fmt::format("joins {}", fmt::join(arguments_.render.movies, ", ")));
         return exit_done;
     }
 
@@ -208,8 +209,8 @@ private:
 void add_submit(CLI::App& app, Action& chosen) {
     const auto arguments = std::make_shared<SubmitArguments>();
     SubmitArguments& a = *arguments;
-    CLI::App* command = app.add_subcommand(
-        "submit", "render a sequence in chunks by many processes, here or on a farm");
+    CLI::App* command =
+        app.add_subcommand("submit", "render a sequence by many processes, here or on a farm");
     add_sequence_options(*command, a.render);
     a.picture = add_picture_options(*command, a.render);
     command
@@ -217,17 +218,19 @@ void add_submit(CLI::App& app, Action& chosen) {
                      "local: processes of this machine; slurm: an array of jobs; print: commands "
                      "for any other farm")
         ->check(CLI::IsMember({"local", "slurm", "print"}));
-    command->add_option("--chunk", a.chunk, "frames of a chunk, at most (20)")
+    command->add_option("--chunk", a.chunk, "most frames of a chunk (20)")
         ->check(CLI::Range(1, 10'000'000));
     command
-        ->add_option("--workers", a.workers,
-                     "chunks at a time; default: local as many as cores, slurm what it lets")
+        ->add_option(
+            "--workers", a.workers,
+            "chunks rendered at a time (default: local as many as cores, slurm as it allows)")
         ->check(CLI::Range(1, 1'000'000));
-    command->add_option("--tries", a.tries, "of a chunk that fails (3)")
+    command->add_option("--tries", a.tries, "how often a chunk that fails is tried (3)")
         ->check(CLI::Range(1, 1000));
     command
-        ->add_option("--sbatch", a.sbatch,
-                     "slurm: an option of sbatch's, as --sbatch=--partition=gpu; may be repeated")
+        ->add_option(
+            "--sbatch", a.sbatch,
+            "slurm: pass an option to sbatch: --sbatch=--partition=gpu; may be given several times")
         ->allow_extra_args(false);
     command->add_flag("--dry-run", a.dry_run, "slurm: write the script and submit nothing");
     command->callback(

@@ -231,9 +231,11 @@ void add_topology(CLI::App& app, Action& chosen) {
     TopologyArguments& a = *arguments;
     CLI::App* command = app.add_subcommand(
         "topology", "when parts of the surface merge, split, open and close; proved, and checked");
-    command->add_option("scene", a.scene, "a scene file, the name of an animation, or a formula")
+    command
+        ->add_option("scene", a.scene,
+                     "a scene file (.toml, .jsurf), the name of an animation, or a formula")
         ->required();
-    command->add_option("--frames", a.frames,
+    command->add_option("--frames,--frame", a.frames,
                         "1-10: from frame 1 to frame 10 with all time between (default: all)");
     command->add_option("--certify", a.certify,
                         "off: sample; fast: prove events found from seeds, others may be missing; "

@@ -103,14 +103,14 @@ void tell(const sequence::Verification& found) {
     }
     list("missing", found.missing);
     list("truncated or changed", found.changed);
-    list("foreign, without a record", found.unrecorded);
+    list("of an earlier scene or from elsewhere, without a record", found.unrecorded);
     list("other pixels than recorded", found.repainted);
     for (const auto& [what, frames] : found.differing) {
         list(what == "scene" ? "of another scene, or with other settings"
                              : "made by another " + what,
              frames);
     }
-    list("foreign, never asked for", found.foreign);
+    list("of an earlier scene or from elsewhere, never asked for", found.foreign);
     if (!found.whole.empty()) {
         print_result("  rays:");
         for (std::size_t v = 0; v < found.verdicts.size(); ++v) {
@@ -154,15 +154,15 @@ int verify(const VerifyArguments& arguments) {
 void add_verify(CLI::App& app, Action& chosen) {
     const auto arguments = std::make_shared<VerifyArguments>();
     VerifyArguments& a = *arguments;
-    CLI::App* command =
-        app.add_subcommand("verify", "whether rendered frames are all there, as they were written");
+    CLI::App* command = app.add_subcommand(
+        "verify", "check that rendered frames are all there, as they were written");
     command
         ->add_option("sequence", a.what,
                      "a sequence's name (out/name.####.png), or a folder with sequences")
         ->required();
     command->add_flag("--pixels", a.pixels, "decode the pictures and check their pixels, too");
-    command->add_flag("--json", a.json, "what was found, for programs");
-    command->add_flag("--quiet", a.quiet, "the exit code alone");
+    command->add_flag("--json", a.json, "print what was found as JSON");
+    command->add_flag("--quiet", a.quiet, "print nothing; the exit code tells");
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return verify(*arguments); }; });
 }

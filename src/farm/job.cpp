@@ -24,7 +24,7 @@ Words chunk_words(const Job& job, const std::string& frames) {
 
 Words joining_words(const Job& job, const std::string& frames) {
     Words words = chunk_words(job, frames);
-    if (!job.movie.empty()) words.insert(words.end(), {"--movie", job.movie.string()});
+    for (const auto& movie : job.movies) words.insert(words.end(), {"--movie", movie.string()});
     return words;
 }
 

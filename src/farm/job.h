@@ -13,8 +13,8 @@ struct Job {
     std::filesystem::path program; // isomotion itself
     std::filesystem::path folder;  // from where files are named that the options name
     std::filesystem::path scene;
-    std::filesystem::path output;         // out/name.####.png
-    std::filesystem::path movie;          // empty: none
+    std::filesystem::path output; // out/name.####.png
+    std::vector<std::filesystem::path> movies;
     std::vector<std::string> options;     // of render, but those that say what is rendered where
     std::vector<std::string> environment; // NAME=value, beside what the worker has
 };

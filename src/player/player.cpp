@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "gpu/error.h"
@@ -447,17 +448,20 @@ private:
         Session& session = scene_->session;
         Look look = session.look();
         const std::uint64_t revision = session.revision();
+        const std::optional<Command> asked = title_section(session.scene().title);
         std::optional<Command> wish;
         view_section(look, session.scene(), area_.shown());
         if (const auto at = scene_now()) wish = camera_section(look, at->camera);
+        // Above what may be long.
+        export_.show(*scene_, frame(), size_);
         parameter_section(look, session, session.overridden().timeline.values(frame()));
         method_section(look, session.scene());
         reading_section(area_.shown(), size_, audited_);
         topology_.show(*scene_);
-        export_.show(*scene_, frame(), size_);
         ImGui::End();
         if (look != session.look() && revision == session.revision()) session.set(look);
         if (wish) obey_in_scene(*wish);
+        if (asked) obey(*asked);
     }
 
     void show_transport(ImVec2 corner, ImVec2 size) {
@@ -498,13 +502,27 @@ private:
     bool skipped_ = false; // what came since has not been drawn
 };
 
+// With the frames asked for; a scene that has fewer gets more.
+std::unique_ptr<LiveScene> opened(const PlayOptions& options) {
+    auto scene = std::make_unique<LiveScene>(options.scene, options.overrides, options.reach);
+    if (!options.frames) return scene;
+    const auto [first, last] = *options.frames;
+    if (last > scene->session.scene().timeline.frames) {
+        std::vector<scene::Override> overrides = options.overrides;
+        overrides.push_back(fmt::format("time.frames={}", last));
+        scene = std::make_unique<LiveScene>(options.scene, overrides, options.reach);
+    }
+    scene->session.playback = with_frames(scene->session.playback, first, last);
+    return scene;
+}
+
 } // namespace
 
 void play(const PlayOptions& options) {
     // Before the window opens, so that a mistake in the scene is told where it was called from.
     std::unique_ptr<LiveScene> scene;
     if (!options.scene.empty()) {
-        scene = std::make_unique<LiveScene>(options.scene, options.overrides, options.reach);
+        scene = opened(options);
         if (options.playing) Player::play(*scene);
     }
     PictureLog log(options.log);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/reading/load.h"
@@ -14,7 +15,9 @@ struct PlayOptions {
     std::string scene; // a file or a name of the gallery; empty: the gallery
     std::vector<scene::Override> overrides;
     scene::Reach reach = scene::Reach::own_folder; // for every scene opened
-    bool playing = true;                           // plays at once
+    // The first and the last of the frames to play; none: all of the scene.
+    std::optional<std::pair<int, int>> frames;
+    bool playing = true;       // plays at once
     std::filesystem::path log; // a line of JSON for each picture shown; empty: none
     bool remembers = true;     // places and cameras, from run to run
 };

@@ -48,9 +48,8 @@ void check_options(const scene::Scene& scene, const ExportOptions& options, imag
         std::ranges::find(options.channels, synthesis::Channel::proof) != options.channels.end()) {
         throw OptionError("channels proof: nothing is proved without isolation.certify");
     }
-    if (options.movie.empty()) return;
     try {
-        check_movie(options.movie, movie_rate(scene));
+        for (const fs::path& movie : options.movies) check_movie(movie, movie_rate(scene));
     } catch (const MovieError& error) {
         throw OptionError(fmt::format("movie {}", error.what()));
     }
@@ -351,21 +350,22 @@ Exporter::Exporter(scene::Scene scene, ExportOptions options)
 
 void Exporter::make_folders() const {
     make_folder_of(name_.path(options_.frames.front()));
-    if (!options_.movie.empty()) make_folder_of(options_.movie);
+    for (const fs::path& movie : options_.movies) make_folder_of(movie);
 }
 
 ExportTotals Exporter::export_frames(gpu::Context& context, const ExportWatcher& watcher) {
-    if (!options_.movie.empty()) expect_ffmpeg(); // not after hours of drawing
+    if (!options_.movies.empty()) expect_ffmpeg(); // not after hours of drawing
     make_folders();
     manifest_.reset();
     return Run(context, scene_, options_, name_, format_, watcher, manifest_).run();
 }
 
-bool Exporter::write_movie(const ExportWatcher& watcher) const {
-    if (options_.movie.empty()) return true;
+bool Exporter::write_movies(const ExportWatcher& watcher) const {
     std::vector<fs::path> pictures;
     for (const int frame : options_.frames) pictures.push_back(name_.path(frame));
-    return sequence::write_movie(options_.movie, pictures, movie_rate(scene_), watcher.stop);
+    return std::ranges::all_of(options_.movies, [&](const fs::path& movie) {
+        return write_movie(movie, pictures, movie_rate(scene_), watcher.stop);
+    });
 }
 
 } // namespace isomotion::sequence

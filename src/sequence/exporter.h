@@ -35,9 +35,9 @@ struct ExportOptions {
     std::vector<synthesis::Channel> channels; // of an EXR, beside the picture
     int bits = 8;                             // of a PNG: 8 or 16
     render::StageChoice stage = render::StageChoice::fragment;
-    std::optional<int> audit;    // rays of each frame; none: as many as are cheap; 0: no audit
-    bool resume = false;         // keep files that these options would render again
-    std::filesystem::path movie; // .mp4, .webm or .gif; empty: none
+    std::optional<int> audit; // rays of each frame; none: as many as are cheap; 0: no audit
+    bool resume = false;      // keep files that these options would render again
+    std::vector<std::filesystem::path> movies; // .mp4, .webm or .gif
 };
 
 struct ExportProgress {
@@ -78,7 +78,7 @@ public:
     // Other settings of the scene's isolation.
     void choose(const scene::Isolation& isolation) { scene_.isolation = isolation; }
 
-    // Makes the folders of the frames and of the movie, as export_frames() does. Throws FileError.
+    // Makes the folders of the frames and of the movies, as export_frames() does. Throws FileError.
     void make_folders() const;
 
     // Throws what Renderer does, FileError, and ConflictError where somebody else is rendering
@@ -86,9 +86,9 @@ public:
     // that nobody replaces the frames before their movie is made.
     ExportTotals export_frames(gpu::Context& context, const ExportWatcher& watcher = {});
 
-    // Joins the frames that were exported, in the order asked for; false if it was stopped. Throws
-    // what sequence::write_movie() does.
-    bool write_movie(const ExportWatcher& watcher = {}) const;
+    // Joins the frames that were exported to each movie, in the order asked for; false if it was
+    // stopped. Throws what sequence::write_movie() does.
+    bool write_movies(const ExportWatcher& watcher = {}) const;
 
 private:
     scene::Scene scene_;

@@ -18,9 +18,12 @@ enum class FrameStatus {
     outdated, // the same, by another version of the program
     foreign,  // nobody recorded it
 };
-inline constexpr std::array status_names{
-    "whole",  "missing", "truncated or changed", "of other settings", "of another version",
-    "foreign"};
+inline constexpr std::array status_names{"whole",
+                                         "missing",
+                                         "truncated or changed",
+                                         "of other settings",
+                                         "of another version",
+                                         "of an earlier scene"};
 
 constexpr std::string_view name(FrameStatus status) { return status_names[std::size_t(status)]; }
 

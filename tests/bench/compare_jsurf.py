@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """Holds certified truth against another renderer: pixels hit or missed by jsurf-alggeo.
 
-    tests/bench/compare_jsurf.py [--size 512] [--isomotion build/release/isomotion] [NAME...]
+    tests/bench/compare_jsurf.py [--size 512] [--scenes] [--isomotion build/release/isomotion] [NAME...]
 
 Draws Debian's examples of jsurf-alggeo (which needs a Java runtime: default-jre-headless) with
 quality 0, one sample a pixel, and the same equation, view and clipping sphere here, with a step so
 small that `isomotion accuracy` finds no pixel wrong against truth. Prints how many pixels differ,
 and how many of those have no neighbour on the other side: silhouettes may fall either way.
+
+With --scenes, the files are rendered as they are, as scenes, by default all of them.
 """
 import argparse
 import math
@@ -140,15 +142,32 @@ def compare(name, size, isomotion, folder):
           f"step {step:.3g}, {'no' if right else 'SOME'} pixel wrong against truth", flush=True)
 
 
+def compare_scene(name, size, isomotion, folder):
+    example = EXAMPLES / f"{name}.jsurf"
+    theirs, ours = folder / f"{name}.jsurf.png", folder / f"{name}.png"
+    subprocess.run(jsurf_command(on_magenta(example, folder), size, theirs), check=True)
+    # Their picture reaches from the first pixel's middle to the last one's.
+    subprocess.run([isomotion, "render", example, "--size", f"{size}x{size}", "--set",
+                    f"camera.zoom={(size - 1) / size!r}", "--set", "output.background=transparent",
+                    "--quiet", "-o", ours], check=True)
+    a, b = hits(ours), hits(theirs)
+    differ, lonely = differences(a, b)
+    print(f"{name:28} {size}x{size}: {sum(map(sum, a))} hit, {differ} differ, {lonely} of them off any "
+          "silhouette", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("names", nargs="*", default=NAMES)
+    parser.add_argument("names", nargs="*")
+    parser.add_argument("--scenes", action="store_true")
     parser.add_argument("--size", type=int, default=512)
     parser.add_argument("--isomotion", default="build/release/isomotion")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        for name in arguments.names:
-            compare(name, arguments.size, arguments.isomotion, pathlib.Path(folder))
+        everything = sorted(file.stem for file in EXAMPLES.glob("*.jsurf"))
+        for name in arguments.names or (everything if arguments.scenes else NAMES):
+            (compare_scene if arguments.scenes else compare)(
+                name, arguments.size, arguments.isomotion, pathlib.Path(folder))
 
 
 if __name__ == "__main__":

@@ -85,7 +85,7 @@ TEST_F(Resume, RendersAgainWhatIsNotAsRecordedAndSaysWhy) {
         EXPECT_THAT(ending.out, HasSubstr("drawn 5 in"));
         EXPECT_THAT(ending.out, HasSubstr("\n1 frame kept from an earlier run\n"
                                           "not kept: 1 missing (4); 2 truncated or changed (2-3); "
-                                          "2 foreign (5-6)\n"));
+                                          "2 of an earlier scene (5-6)\n"));
         EXPECT_EQ(identity(name(1)), first);
         for (int frame = 1; frame <= 6; ++frame) {
             EXPECT_EQ(bytes(name(frame)), bytes("fresh" + name(frame).substr(1))) << frame;
@@ -121,7 +121,7 @@ TEST_F(Resume, KeepsFramesThatAChangeOfTheSceneLeavesAlone) {
 TEST_F(Resume, OnePictureIsDrawnAgain) {
     const Words words{"sphere.toml", "--frames", "3", "-o", "a.png", "--resume"};
     EXPECT_THAT(render(words).out, HasSubstr("\nnot kept: 1 missing (3)\n"));
-    EXPECT_THAT(render(words).out, HasSubstr("\nnot kept: 1 foreign (3)\n"));
+    EXPECT_THAT(render(words).out, HasSubstr("\nnot kept: 1 of an earlier scene (3)\n"));
     EXPECT_EQ(names(), (std::set<std::string>{"sphere.toml", "a.png"}));
 }
 

@@ -49,8 +49,9 @@ TEST_F(Verify, EveryKindOfDamage) {
     const Ending ending = verify("out");
     EXPECT_EQ(ending.code, 1) << ending;
     for (const char* line : {"\n  missing: 1 (1)\n", "\n  truncated or changed: 1 (2)\n",
-                             "\n  foreign, without a record: 1 (3)\n",
-                             "\n  foreign, never asked for: 1 (7)\n", "\n  not whole\n"}) {
+                             "\n  of an earlier scene or from elsewhere, without a record: 1 (3)\n",
+                             "\n  of an earlier scene or from elsewhere, never asked for: 1 (7)\n",
+                             "\n  not whole\n"}) {
         EXPECT_THAT(ending.out, HasSubstr(line));
     }
     EXPECT_EQ(verify("out", {"--quiet"}).code, 1);
@@ -65,7 +66,8 @@ TEST_F(Verify, FramesOfTwoScenes) {
             "out/a.####.png"});
     const Ending mixed = verify("out");
     EXPECT_EQ(mixed.code, 1) << mixed;
-    EXPECT_THAT(mixed.out, HasSubstr("\n  foreign, never asked for: 2 (1-2)\n"));
+    EXPECT_THAT(mixed.out,
+                HasSubstr("\n  of an earlier scene or from elsewhere, never asked for: 2 (1-2)\n"));
     // The other frames are asked for too, and rendered where they are not the scene's.
     const Words all{"sphere.toml", "--frames", "1-4", "--size",         "10x10",
                     "--set",       "r=0.8",    "-o",  "out/a.####.png", "--resume"};

@@ -73,7 +73,7 @@ TEST_F(SlurmScript, SaysWhatItShouldWhateverTheNames) {
         job.folder = folder() / name();
         job.scene = "/" + name();
         job.output = job.folder / name() / (sequence::stem_of_frames(name()) + ".####.png");
-        if (k % 2) job.movie = job.folder / (name() + ".mp4");
+        if (k % 2) job.movies = {job.folder / (name() + ".mp4")};
         job.options = {nasty_word(random), "$frames", nasty_word(random)};
         job.environment = {"EXTRA=" + nasty_word(random)};
         fs::create_directories(job.output.parent_path());

@@ -40,7 +40,7 @@ TEST_F(Places, TheManifestIsRemovedMeanwhile) {
     expect_frames_of("out", false);
     // Without records nothing is trusted.
     const Ending rest = run(command("out", {"--resume", "--frames", "1-3"}));
-    EXPECT_THAT(rest.out, HasSubstr("\nnot kept: 3 foreign (1-3)\n"));
+    EXPECT_THAT(rest.out, HasSubstr("\nnot kept: 3 of an earlier scene (1-3)\n"));
     EXPECT_EQ(run({"verify", "gone/none"}).code, 3);
 }
 
@@ -73,7 +73,8 @@ TEST_F(Places, AFolderIsWhereARecordBelongs) {
     EXPECT_THAT(ending.err, HasSubstr("0002.json: cannot be replaced: Is a directory"));
     const Ending found = run({"verify", "out"});
     EXPECT_EQ(found.code, 1) << found;
-    EXPECT_THAT(found.out, HasSubstr("foreign, without a record: 1 (2)"));
+    EXPECT_THAT(found.out,
+                HasSubstr("of an earlier scene or from elsewhere, without a record: 1 (2)"));
 }
 
 TEST_F(Places, AFolderIsWhereAFrameBelongs) {

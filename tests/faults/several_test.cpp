@@ -72,7 +72,7 @@ TEST_F(Several, OfDifferentScenesIsRefused) {
     EXPECT_EQ(smaller.code, 0) << smaller;
     const Ending mixed = run({"verify", "out"});
     EXPECT_EQ(mixed.code, 1) << mixed;
-    EXPECT_THAT(mixed.out, HasSubstr("foreign, never asked for: "));
+    EXPECT_THAT(mixed.out, HasSubstr("of an earlier scene or from elsewhere, never asked for: "));
 }
 
 } // namespace

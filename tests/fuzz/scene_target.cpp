@@ -21,6 +21,14 @@ void scene(std::string_view text) {
         }
     } catch (const std::length_error&) {
     }
+    try { // as a file of Surfer
+        scene::load_text(text, ISOMOTION_FUZZ_FOLDER "/scene.jsurf");
+    } catch (const scene::SceneError& error) {
+        if (base::printable(error.what()) != error.what()) {
+            throw Violation("a message that commands a terminal");
+        }
+    } catch (const std::length_error&) {
+    }
 }
 
 } // namespace isomotion::fuzz

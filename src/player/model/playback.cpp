@@ -45,6 +45,14 @@ Playback anchored(const Playback& p, double now) {
 
 double Playback::speed() const { return std::ldexp(1.0, doublings); }
 
+Playback with_frames(Playback playback, std::int64_t first, std::int64_t last) {
+    playback.first = first;
+    playback.last = last;
+    playback.anchor = double(first);
+    playback.playing = false;
+    return playback;
+}
+
 Playback playback_of(const animation::Timeline& timeline) {
     Playback p;
     p.fps = timeline.fps;

@@ -36,6 +36,9 @@ inline constexpr int least_doublings = -3, most_doublings = 3; // 1/8 to 8 times
 // All of a timeline, paused at its first frame. Loops if the timeline says so.
 Playback playback_of(const animation::Timeline& timeline);
 
+// From one frame to another, paused at the first. 1 <= first <= last.
+Playback with_frames(Playback playback, std::int64_t first, std::int64_t last);
+
 struct Position {
     std::int64_t frame = 1;
     double part = 0;    // of the frame's duration gone by, in [0, 1)

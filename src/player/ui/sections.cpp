@@ -16,6 +16,32 @@ namespace {
 // The width of the column of names.
 float name_width() { return 6.6f * ImGui::GetFontSize(); }
 
+// The width of the column of values beside sliders.
+float value_width() { return 4.2f * ImGui::GetFontSize(); }
+
+// A slider of a row(), with room for its value on the right: under the knob nobody could read it.
+// value_beside() writes it, once what is to be asked of the slider is asked.
+template<class Number>
+bool slider(const char* id, ImGuiDataType type, Number& value, Number least, Number most,
+            const char* format, ImGuiSliderFlags flags, float less = 0) {
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - less - value_width());
+    // What is typed after Ctrl + click stands in the slider itself.
+    const bool is_typing = ImGui::GetIO().WantTextInput;
+    const ImU32 text = is_typing ? ImGui::GetColorU32(ImGuiCol_Text) : IM_COL32_BLACK_TRANS;
+    ImGui::PushStyleColor(ImGuiCol_Text, text);
+    const bool touched = ImGui::SliderScalar(id, type, &value, &least, &most, format, flags);
+    ImGui::PopStyleColor();
+    return touched;
+}
+
+void value_beside(const std::string& value, float less = 0) {
+    const float begin =
+        ImGui::GetWindowContentRegionMax().x - less - ImGui::CalcTextSize(value.c_str()).x;
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), begin));
+    ImGui::TextUnformatted(value.c_str());
+}
+
 void color_line(Rgb color, const std::string& text) {
     const float side = 0.7f * ImGui::GetFontSize();
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -103,9 +129,10 @@ bool magnitude(const char* name, double& value, double own) {
     const double middle = own > 0 ? own : 1e-2;
     const double least = middle * 1e-3, most = middle * 1e3;
     double wanted = value;
-    const bool touched = ImGui::SliderScalar(
-        fmt::format("##{}", name).c_str(), ImGuiDataType_Double, &wanted, &least, &most, "%.3g",
-        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    const bool touched =
+        slider(fmt::format("##{}", name).c_str(), ImGuiDataType_Double, wanted, least, most, "%.3g",
+               ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    value_beside(fmt::format("{:.3g}", wanted));
     if (!touched || !(wanted > 0)) return false; // a NaN can be typed
     value = wanted;
     return true;
@@ -115,7 +142,10 @@ bool integer(const char* name, int& value, int least, int most, bool logarithmic
     row(name);
     const auto flags = ImGuiSliderFlags_AlwaysClamp |
                        (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-    return ImGui::SliderInt(fmt::format("##{}", name).c_str(), &value, least, most, "%d", flags);
+    const bool touched = slider(fmt::format("##{}", name).c_str(), ImGuiDataType_S32, value, least,
+                                most, "%d", flags);
+    value_beside(fmt::format("{}", value));
+    return touched;
 }
 
 void settings(scene::Isolation& isolation, const scene::Isolation& own) {
@@ -129,37 +159,47 @@ void settings(scene::Isolation& isolation, const scene::Isolation& own) {
     if (scene::takes_steps(method)) integer("bisections", isolation.bisections, 0, 32);
     if (method == scene::Method::hermite) {
         row("safety");
-        constexpr double least = 1, most = 1024;
-        ImGui::SliderScalar("##safety", ImGuiDataType_Double, &isolation.safety, &least, &most,
-                            "%.3g", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+        slider("##safety", ImGuiDataType_Double, isolation.safety, 1.0, 1024.0, "%.3g",
+               ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+        value_beside(fmt::format("{:.3g}", isolation.safety));
         isolation.safety = std::max(1.0, isolation.safety);
     }
     integer("limit", isolation.limit, 1, 100'000, true);
 }
 
-bool parameter_slider(const Slider& slider, Overrides& overrides,
-                      std::map<std::string, double>& held) {
-    const float button = slider.overridden ? ImGui::GetFrameHeight() + 4 : 0;
-    row(slider.name.substr(slider.name.find('.') + 1).c_str(), button);
-    double value = slider.value;
-    ImGui::PushID(slider.name.c_str());
-    const bool touched =
-        ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &slider.least, &slider.most,
-                            "%.4g", ImGuiSliderFlags_NoRoundToFormat);
-    record_widget_rect("slider " + slider.name);
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
-        ImGui::SetTooltip(slider.overridden ? "held; Ctrl + click to type"
-                          : slider.moves    ? "moves; a touch holds it, Ctrl + click to type"
-                                            : "Ctrl + click to type");
+// What a slider does: of a parameter it is the value; of an array's field it multiplies the values
+// of all `elements`.
+std::string slider_tip(const Slider& of, std::optional<int> elements) {
+    std::string tip;
+    if (elements) {
+        const std::string field = of.name.substr(of.name.find('.') + 1);
+        tip = fmt::format("multiplies {} of all {} elements\n", field, *elements);
     }
-    if (touched && std::isfinite(value)) held[slider.name] = value;
-    if (slider.overridden) {
+    return tip + (of.overridden ? "held; Ctrl + click to type"
+                  : of.moves    ? "moves; a touch holds it, Ctrl + click to type"
+                                : "Ctrl + click to type");
+}
+
+bool parameter_slider(const Slider& of, Overrides& overrides, std::map<std::string, double>& held,
+                      std::optional<int> elements = std::nullopt) {
+    const float button = of.overridden ? ImGui::GetFrameHeight() + 4 : 0;
+    row(of.name.substr(of.name.find('.') + 1).c_str());
+    double value = of.value;
+    ImGui::PushID(of.name.c_str());
+    const bool touched = slider("##value", ImGuiDataType_Double, value, of.least, of.most, "%.4g",
+                                ImGuiSliderFlags_NoRoundToFormat, button);
+    record_widget_rect("slider " + of.name);
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
+        ImGui::SetTooltip("%s", slider_tip(of, elements).c_str());
+    value_beside(fmt::format("{}{:.4g}", elements ? "x " : "", value), button);
+    if (touched && std::isfinite(value)) held[of.name] = value;
+    if (of.overridden) {
         ImGui::SameLine(0, 4);
         if (ImGui::Button("x", {ImGui::GetFrameHeight(), 0})) {
-            overrides.values.erase(slider.name);
-            overrides.factors.erase(slider.name);
+            overrides.values.erase(of.name);
+            overrides.factors.erase(of.name);
         }
-        record_widget_rect("give back " + slider.name);
+        record_widget_rect("give back " + of.name);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("give it back to the scene");
     }
     ImGui::PopID();
@@ -205,6 +245,29 @@ void row(const char* name, float less) {
     ImGui::PopStyleColor();
     ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + name_width());
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - less);
+}
+
+std::optional<Command> title_section(const std::string& title) {
+    std::optional<Command> wish;
+    const float gap = 4, help = 1.6f * ImGui::GetFontSize(), gallery = 5 * ImGui::GetFontSize();
+    ImGui::AlignTextToFramePadding();
+    const float room = ImGui::GetContentRegionAvail().x - help - gallery - 3 * gap;
+    ImGui::PushClipRect(ImGui::GetCursorScreenPos(),
+                        {ImGui::GetCursorScreenPos().x + room,
+                         ImGui::GetCursorScreenPos().y + ImGui::GetFrameHeight()},
+                        true);
+    ImGui::TextUnformatted(title.c_str());
+    ImGui::PopClipRect();
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", title.c_str());
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - help - gallery - gap);
+    if (ImGui::Button("gallery", {gallery, 0})) wish = Command::open;
+    record_widget_rect("gallery");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("other scenes (O)");
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button("?", {help, 0})) wish = Command::help;
+    record_widget_rect("help");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("keys and the mouse (?)");
+    return wish;
 }
 
 void view_section(Look& look, const scene::Scene& scene, const std::optional<Shown>& shown) {
@@ -272,12 +335,12 @@ std::optional<Command> camera_section(Look& look, const scene::CameraAt& camera)
     if (!parallel) {
         row("view angle");
         double fov = camera.fov;
-        constexpr double least = 5, most = 120;
-        if (ImGui::SliderScalar("##fov", ImGuiDataType_Double, &fov, &least, &most, "%.1f degrees",
-                                ImGuiSliderFlags_AlwaysClamp)) {
+        if (slider("##fov", ImGuiDataType_Double, fov, 5.0, 120.0, "%.1f",
+                   ImGuiSliderFlags_AlwaysClamp)) {
             look.camera = camera;
             look.camera->fov = fov;
         }
+        value_beside(fmt::format("{:.1f}°", fov));
     }
     return wish;
 }
@@ -303,7 +366,7 @@ void parameter_section(Look& look, const Session& session, const animation::Valu
             }
         }
         for (const Slider& slider : array.factors) {
-            parameter_slider(slider, look.overrides, look.overrides.factors);
+            parameter_slider(slider, look.overrides, look.overrides.factors, array.count);
         }
         ImGui::PopID();
     }

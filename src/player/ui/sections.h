@@ -18,6 +18,10 @@ bool heading(const char* title);
 // A line's name on the left; the widget that follows takes the rest, less `less`.
 void row(const char* name, float less = 0);
 
+// The scene's title, and the buttons of the gallery and of the help. Returns the command of one
+// that was clicked.
+std::optional<Command> title_section(const std::string& title);
+
 void view_section(Look& look, const scene::Scene& scene, const std::optional<Shown>& shown);
 
 // Returns the command of a button that was clicked.

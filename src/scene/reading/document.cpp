@@ -76,7 +76,7 @@ toml::table parse_document(std::string_view text, const std::filesystem::path& f
 }
 
 void fail(const toml::node& at, const std::string& key, const std::string& message) {
-    throw SceneError(fmt::format("{}: {}: {}", position(at.source()), key, message));
+    throw PlacedError(at, fmt::format("{}: {}: {}", position(at.source()), key, message));
 }
 
 double read_finite(const toml::node& node, const std::string& key) {

@@ -21,6 +21,20 @@ toml::table read_document(const std::filesystem::path& file);
 // `file` is what messages call it and where files that it names are looked for.
 toml::table parse_document(std::string_view text, const std::filesystem::path& file);
 
+// A mistake that has a place in the document.
+class PlacedError : public SceneError {
+public:
+    PlacedError(const toml::node& at, const std::string& message)
+        : SceneError(message)
+        , at_(&at) {}
+    // For as long as the document lives.
+    const toml::node& at() const { return *at_; }
+
+private:
+    const toml::node* at_;
+};
+
+// Throws PlacedError: "file:line: key: message".
 [[noreturn]] void fail(const toml::node& at, const std::string& key, const std::string& message);
 
 // One table of a document, `key` being its dotted name. Sections are read key by key; refuse_rest

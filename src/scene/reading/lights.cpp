@@ -30,6 +30,11 @@ Light read_light(const toml::node& at, const std::string& key, TrackTable& track
         light.falloff = tracks.add(key + ".falloff", *section.track("falloff"), falloff);
     }
     light.shadow = section.boolean("shadow").value_or(false);
+    if (const toml::node* radius = section.table().get("radius")) {
+        fail(*radius, key + ".radius",
+             "lights have no size and shadows no soft edge; for a softer one give several lights "
+             "side by side, each with a part of the color and shadow = true, or [occlusion]");
+    }
     section.refuse_rest();
     return light;
 }
@@ -93,7 +98,7 @@ void read_surroundings(Section& document, Scene& scene, TrackTable& tracks) {
     }
     if (auto section = document.section("occlusion")) {
         Occlusion occlusion;
-        if (section->has("radius")) occlusion.reach = number(*section, "radius", 0);
+        if (section->find("radius")) occlusion.reach = number(*section, "radius", 0);
         occlusion.strength = number(*section, "strength", 1);
         scene.occlusion = occlusion;
         section->refuse_rest();

@@ -4,11 +4,11 @@
 #include <cerrno>
 #include <cmath>
 #include <numeric>
-#include <regex>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "base/extension.h"
 #include "base/file_text.h"
 #include "base/nearest_name.h"
 #include "base/printable.h"
@@ -18,11 +18,15 @@
 #include "scene/method_domain.h"
 #include "scene/reading/camera.h"
 #include "scene/reading/environment.h"
+#include "scene/reading/formula_scene.h"
 #include "scene/reading/lights.h"
 #include "scene/reading/material.h"
+#include "scene/reading/mistakes.h"
 #include "scene/reading/named_file.h"
+#include "scene/reading/scene_text.h"
 #include "scene/reading/space.h"
 #include "scene/reading/surface.h"
+#include "scene/reading/surfer.h"
 #include "scene/regions.h"
 #include "scene/renamed_keys.h"
 #include "scene/thresholds.h"
@@ -39,8 +43,9 @@ fs::path locate(const std::string& scene) {
     if (type == fs::file_type::none)
         throw SceneError(fmt::format("{}: cannot be read: {}", scene, error.message()));
     if (type != fs::file_type::not_found) return scene;
+    const fs::path extension = fs::path(scene).extension();
     const bool looks_like_path =
-        scene.find('/') != scene.npos || fs::path(scene).extension() == ".toml";
+        scene.find('/') != scene.npos || extension == ".toml" || extension == ".jsurf";
     if (looks_like_path) throw SceneError(scene + ": no such file");
     fs::path installed = animation_file(scene);
     if (fs::exists(installed, error)) return installed;
@@ -118,6 +123,25 @@ std::string read_title(Section& document, const fs::path& file) {
     return *title;
 }
 
+// `frames`, or as many as there are in `seconds`.
+int read_frames(Section& section, const animation::FrameRate& fps) {
+    const auto frames = section.integer("frames", 1, limits::frames);
+    const auto seconds = section.number("seconds", 1e-9, limits::frames);
+    if (!seconds) return frames.value_or(1);
+    const double count = std::round(*seconds * double(fps.numerator) / double(fps.denominator));
+    if (frames) {
+        fail(*section.find("seconds"), "time.seconds",
+             fmt::format("says again how long the scene is: {} frames; at fps = {}, frames = {} "
+                         "takes these {:g} seconds. Keep one of frames and seconds",
+                         *frames, animation::to_string(fps), count, *seconds));
+    }
+    if (count < 1 || count > limits::frames) {
+        fail(*section.find("seconds"), "time.seconds",
+             fmt::format("is {:g} frames; a scene has from 1 to {}", count, limits::frames));
+    }
+    return int(count);
+}
+
 void read_time(Section& document, Scene& scene, std::uint64_t& seed) {
     auto section = document.section("time");
     if (!section) return;
@@ -133,7 +157,7 @@ void read_time(Section& document, Scene& scene, std::uint64_t& seed) {
                  "must be above 0: 30, 23.976 (up to nine decimals) or \"30000/1001\"");
         scene.timeline.fps = *rate;
     }
-    scene.timeline.frames = section->integer("frames", 1, limits::frames).value_or(1);
+    scene.timeline.frames = read_frames(*section, scene.timeline.fps);
     scene.timeline.loops = section->boolean("loop").value_or(false);
     seed = std::uint64_t(section->integer("seed", 0, 2'147'483'647).value_or(0));
     section->refuse_rest();
@@ -316,9 +340,15 @@ void put_bounds(toml::table& root, const FoundBounds& found) {
     root["surface"].as_table()->insert_or_assign("bounds", ball);
 }
 
-// Of a document with all that was set. `is_for_bounds`: no more than find_bounds() asks for.
+enum class Reading {
+    whole,
+    for_bounds,     // no more than find_bounds() asks for
+    without_unused, // the same, and names that nothing uses are let pass
+};
+
+// Of a document with all that was set.
 Scene read_document_scene(toml::table& root, const fs::path& file, const base::Confines& within,
-                          bool is_for_bounds) {
+                          Reading reading) {
     Scene scene;
     scene.file = file;
     Section document(root, "");
@@ -350,14 +380,15 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     }
     make_paints(material, *parts, scene.timeline.animation, scene.material);
     store_elements_of(*parts, paints_of(scene.material));
-    refuse_unused(*parts, paints_of(scene.material), scene.timeline.animation, tracks);
+    if (reading != Reading::without_unused)
+        refuse_unused(*parts, paints_of(scene.material), scene.timeline.animation, tracks);
     scene.surface = parts->surface;
     scene.timeline.animation.keep_fields(parts->surface.field->packing);
 
     // Settings are chosen once, at the first frame: every frame is marched alike.
     check_work(scene, *parts, tracks);
     const SceneAt first = at(scene, scene.timeline.values(1));
-    if (is_for_bounds) return scene;
+    if (reading != Reading::whole) return scene;
     Isolation& isolation = scene.isolation;
     scene.surface.smoothness = smoothness(*scene.surface.field, regions(scene, first));
     if (!given.step) isolation.step = first.bounds.radius / 100;
@@ -379,14 +410,12 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     return scene;
 }
 
-// `within`: where files may lie that the scene names.
-Scene read_scene(toml::table root, const fs::path& file, const std::vector<Override>& overrides,
-                 const base::Confines& within) {
-    for (const Override& setting : overrides) override_key(root, setting);
-    if (!lacks_bounds(root)) return read_document_scene(root, file, within, false);
-    toml::table trial = root;
-    put_bounds(trial, {glm::dvec3(0), FoundBounds::reach});
-    const Scene boundless = read_document_scene(trial, file, within, true);
+// Finds bounds where the document gives none, and puts them there: `root` is left whole. `within`:
+// where files may lie that the scene names.
+Scene read_with_bounds(toml::table& root, const fs::path& file, const base::Confines& within) {
+    if (!lacks_bounds(root)) return read_document_scene(root, file, within, Reading::whole);
+    put_bounds(root, {glm::dvec3(0), FoundBounds::reach});
+    const Scene boundless = read_document_scene(root, file, within, Reading::for_bounds);
     const std::optional<FoundBounds> found = find_bounds(boundless);
     if (!found) {
         fail(*root["surface"].as_table(), "surface.bounds",
@@ -394,40 +423,36 @@ Scene read_scene(toml::table root, const fs::path& file, const std::vector<Overr
              "long; give { sphere = radius } or { box = [[x0, y0, z0], [x1, y1, z1]] }");
     }
     put_bounds(root, *found);
-    Scene scene = read_document_scene(root, file, within, false);
+    Scene scene = read_document_scene(root, file, within, Reading::whole);
     scene.surface.found_bounds = found->is_about_surface;
     return scene;
 }
 
-bool is_formula(const std::string& name) {
-    return name.find_first_of("=^*+()|") != name.npos && fs::path(name).extension() != ".toml";
-}
-
-// A scene of a formula alone. Where it names t it moves: formulas know the time by a parameter.
-toml::table scene_of_formula(const std::string& formula) {
-    const std::string timed = std::regex_replace(formula, std::regex(R"(\bt\b)"), "time");
-    toml::table root{{"title", formula}, {"surface", toml::table{{"formula", timed}}}};
-    if (timed != formula) {
-        root.insert("parameters", toml::table{{"time", "t"}});
-        root.insert("time", toml::table{{"frames", 120}, {"fps", 30}});
-    }
-    return root;
-}
-
-// Its mistakes are in no file and in no --set.
-Scene load_formula(const std::string& formula, const std::vector<Override>& overrides,
-                   Reach reach) {
+Scene read_scene(toml::table& root, const fs::path& file, const std::vector<Override>& overrides,
+                 const base::Confines& within) {
+    for (const Override& setting : overrides) override_key(root, setting);
     try {
-        Scene scene = read_scene(scene_of_formula(formula), "formula.toml", overrides,
-                                 confines(base::open_folder(fs::path()), reach));
-        scene.formula = formula;
-        return scene;
-    } catch (const SceneError& error) {
-        constexpr std::string_view place = "--set: surface.formula: ";
-        const std::string_view words = error.what();
-        if (!words.starts_with(place)) throw;
-        throw SceneError(std::string(words.substr(place.size())));
+        return read_with_bounds(root, file, within);
+    } catch (const PlacedError& first) {
+        throw SceneError(all_mistakes(root, first, [&](Rereading again) {
+            read_document_scene(root, file, within,
+                                again == Rereading::all ? Reading::for_bounds
+                                                        : Reading::without_unused);
+        }));
     }
+}
+
+// A document with where it stands, before it is read.
+struct SceneDocument {
+    toml::table root;
+    fs::path file;
+    base::Confines within;
+};
+
+toml::table parse_scene(std::string_view text, const fs::path& file) {
+    if (base::lower_extension(file) == ".jsurf")
+        return parse_document(surfer_as_toml(text, file), file);
+    return parse_document(text, file);
 }
 
 bool is_there(const std::string& name) {
@@ -436,16 +461,12 @@ bool is_there(const std::string& name) {
     return type != fs::file_type::not_found && type != fs::file_type::none; // too long for a file
 }
 
-} // namespace
-
-std::string title(const fs::path& file) {
-    const toml::table root = read_document(file);
-    Section document(root, "");
-    return read_title(document, file);
-}
-
-Scene load(const std::string& name, const std::vector<Override>& overrides, Reach reach) {
-    if (is_formula(name) && !is_there(name)) return load_formula(name, overrides, reach);
+// Of what load() takes.
+SceneDocument find_document(const std::string& name, Reach reach) {
+    if (is_formula(name) && !is_there(name)) {
+        return {scene_of_formula(name), "formula.toml",
+                confines(base::open_folder(fs::path()), reach)};
+    }
     const fs::path file = locate(name);
     // The scene and what it may name lie in one folder, wherever that folder's name leads later.
     const base::FileDescriptor folder = base::open_folder(file.parent_path());
@@ -454,13 +475,64 @@ Scene load(const std::string& name, const std::vector<Override>& overrides, Reac
                                      std::generic_category().message(errno)));
     }
     const std::string text = base::file_text(folder, file, limits::scene_bytes);
-    return read_scene(parse_document(text, file), file, overrides, confines(folder, reach));
+    return {parse_scene(text, file), file, confines(folder, reach)};
+}
+
+// A formula alone has no parameters but those that are set.
+std::string how_to_name(std::string_view mistake) {
+    constexpr std::string_view start = "unknown name '";
+    if (!mistake.starts_with(start)) return "";
+    const std::string_view name =
+        mistake.substr(start.size(), mistake.find('\'', start.size()) - start.size());
+    return fmt::format("\n--set {}=1 makes it a parameter", name);
+}
+
+// Loads what load() takes. `root` is left as the document with all that was set and found.
+Scene load_into(toml::table& root, const std::string& name, const std::vector<Override>& overrides,
+                Reach reach) {
+    SceneDocument document = find_document(name, reach);
+    root = std::move(document.root);
+    const bool is_formula_alone = is_formula(name) && !is_there(name);
+    try {
+        Scene scene = read_scene(root, document.file, overrides, document.within);
+        if (is_formula_alone) scene.formula = name;
+        return scene;
+    } catch (const SceneError& error) {
+        // A formula's mistakes are in no file and in no --set.
+        constexpr std::string_view place = "--set: surface.formula: ";
+        const std::string_view words = error.what();
+        if (!is_formula_alone || !words.starts_with(place)) throw;
+        throw SceneError(std::string(words.substr(place.size())) +
+                         how_to_name(words.substr(place.size())));
+    }
+}
+
+} // namespace
+
+std::string title(const fs::path& file) {
+    if (base::lower_extension(file) == ".jsurf") return base::printable_line(file.stem().string());
+    const toml::table root = read_document(file);
+    Section document(root, "");
+    return read_title(document, file);
+}
+
+Scene load(const std::string& name, const std::vector<Override>& overrides, Reach reach) {
+    toml::table root;
+    return load_into(root, name, overrides, reach);
 }
 
 Scene load_text(std::string_view text, const fs::path& file, const std::vector<Override>& overrides,
                 Reach reach) {
-    return read_scene(parse_document(text, file), file, overrides,
+    toml::table root = parse_scene(text, file);
+    return read_scene(root, file, overrides,
                       confines(base::open_folder(file.parent_path()), reach));
+}
+
+std::string scene_file_text(const std::string& name, const std::vector<Override>& overrides,
+                            Reach reach) {
+    toml::table root;
+    load_into(root, name, overrides, reach);
+    return scene_text(root);
 }
 
 } // namespace isomotion::scene

@@ -17,14 +17,21 @@ namespace isomotion::scene {
 // the scene's.
 using Override = std::string;
 
-// `scene` is a path to a .toml file, the name of an animation of the gallery, or a formula:
-// "x^2 + y^2 + z^2 = 1 + 0.3*sin(9*x + t)", which moves if it names t. Throws SceneError.
+// `scene` is a path to a scene file (.toml, or Surfer's .jsurf), the name of an animation of the
+// gallery, or a formula: "x^2 + y^2 + z^2 = 1 + 0.3*sin(9*x + t)", which moves if it names t.
+// Throws SceneError with all mistakes that reading finds, each in a line of its own.
 Scene load(const std::string& scene, const std::vector<Override>& overrides = {},
            Reach reach = Reach::own_folder);
 
 // Loads a scene's text as if it were in `file`.
 Scene load_text(std::string_view text, const std::filesystem::path& file,
                 const std::vector<Override>& overrides = {}, Reach reach = Reach::own_folder);
+
+// The text of a scene file (TOML) that is the scene with these settings, and with its bounds if
+// they had to be found. Comments of a scene file are lost. Files that the scene names are looked
+// for from where the text is written to. Throws SceneError.
+std::string scene_file_text(const std::string& scene, const std::vector<Override>& overrides = {},
+                            Reach reach = Reach::own_folder);
 
 // The title of a scene or of a surface of the catalogue.
 std::string title(const std::filesystem::path& file);

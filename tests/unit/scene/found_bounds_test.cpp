@@ -130,7 +130,8 @@ TEST(FoundBoundsOf, AFormulaIsASceneWithParametersThatAreSet) {
         }
         return "nothing is wrong";
     };
-    EXPECT_EQ(mistake("x^2 = b"), "unknown name 'b'; known: x, y, z, pi\n    x^2 = b\n          ^");
+    EXPECT_EQ(mistake("x^2 = b"), "unknown name 'b'; known: x, y, z, pi\n    x^2 = b\n          ^\n"
+                                  "--set b=1 makes it a parameter");
     EXPECT_THAT(mistake("blobby57"), HasSubstr("did you mean 'blobby75'"));
     EXPECT_THAT(mistake("(none).toml"), HasSubstr("no such file"));
 }

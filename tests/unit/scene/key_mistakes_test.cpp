@@ -101,7 +101,9 @@ TEST_F(KeyMistakes, SectionsThatAreNoTables) {
     expect({
         {"surface = 3\n", "scene.toml:1: surface: must be a table: [surface]"},
         {"camera = [1, 2]\n" + ball_with(10, "[old]"),
-         "scene.toml:1: camera: must be a table: [camera]"},
+         "scene.toml:1: camera: must be a table: [camera]\n"
+         "scene.toml:11: old: unknown key; known here: arrays, camera, environment, fog, ground, "
+         "isolation, lights, material, occlusion, output, parameters, surface, time, title"},
         {ball_with(7, "bounds = 3"),
          "scene.toml:7: surface.bounds: must be a table: [surface.bounds]"},
         {"arrays = 3\n" + ball(), "scene.toml:1: arrays: must be a table: [arrays]"},

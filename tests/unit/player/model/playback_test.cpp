@@ -314,5 +314,17 @@ TEST(Playback, AReloadKeepsWhatThePersonChose) {
     EXPECT_TRUE(moved_to(with_loop(p, false, 0), before, looping, 0).loop);
 }
 
+TEST(Playback, OfSomeFramesStaysInThem) {
+    const animation::Timeline timeline{{30, 1}, 120, {}, true};
+    const Playback some = with_frames(playback_of(timeline), 31, 60);
+    EXPECT_EQ(frame_at(some, 0).frame, 31);
+    const Playback running = played(some, 0);
+    EXPECT_EQ(frame_at(running, 0.5).frame, 46);
+    EXPECT_EQ(frame_at(running, 1.5).frame, 46); // a second later it has begun again
+    const Playback once = played(with_loop(some, false, 0), 0);
+    EXPECT_EQ(frame_at(once, 100).frame, 60);
+    EXPECT_TRUE(frame_at(once, 100).ended);
+}
+
 } // namespace
 } // namespace isomotion::player

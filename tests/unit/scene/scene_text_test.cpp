@@ -1,0 +1,70 @@
+// A scene's document written as a scene file.
+#include <gmock/gmock.h>
+
+#include "scene/data_folder.h"
+#include "scene/reading/load.h"
+#include "scene/reading/scene_text.h"
+#include "scene/scene_at.h"
+
+namespace isomotion::scene {
+namespace {
+
+TEST(SceneFileText, OfAFormulaSaysEverythingThatTheFormulaIs) {
+    const std::string text = R"toml(title = "x^2 + y^2 + z^2 = a + 0.3*sin(9*x + t)"
+
+[time]
+fps = 30
+frames = 120
+
+[surface]
+bounds = { sphere = 1.3 }
+formula = "x^2 + y^2 + z^2 = a + 0.3*sin(9*x + time)"
+
+[parameters]
+a = 1.1
+time = "t"
+)toml";
+    EXPECT_EQ(scene_file_text("x^2 + y^2 + z^2 = a + 0.3*sin(9*x + t)", {"a=1.1"}), text);
+}
+
+// Of formulas and of the gallery: read again, text and values are the same.
+TEST(SceneFileText, IsReadAgainAsTheSameScene) {
+    for (const char* name : {"x^2/4 + (y-1)^2 + z^2 = 1 + 0.1*sin(t)", "z = x*y", "blobby75",
+                             "torus", "barth_sextic"}) {
+        const std::string text = scene_file_text(name);
+        const Scene before = load(name), after = load_text(text, "again.toml");
+        EXPECT_EQ(after.title, before.title);
+        EXPECT_EQ(after.timeline.frames, before.timeline.frames);
+        EXPECT_EQ(after.surface.field->text, before.surface.field->text);
+        for (const int frame : {1, 7}) {
+            const auto a = before.timeline.values(frame), b = after.timeline.values(frame);
+            EXPECT_EQ(a.tracks, b.tracks) << name;
+            EXPECT_EQ(at(before, a).bounds.radius, at(after, b).bounds.radius);
+            EXPECT_EQ(at(before, a).bounds.centre, at(after, b).bounds.centre);
+        }
+    }
+}
+
+TEST(SceneFileText, KeepsTextsAndNumbersToTheBit) {
+    const toml::table root = toml::parse(R"toml(
+title = "a \"quoted\" \\ and a tab\t"
+[parameters]
+third = 0.3333333333333333
+one = 1.0
+many = 123456789
+"odd key" = { keys = [[0, 1e-30], [1.5, -2]], ease = "smooth" }
+[arrays.p]
+count = 2
+cx = [0.1, 2.0]
+[arrays.q]
+count = 0
+[[lights]]
+shadow = true
+[[lights]]
+direction = [1, 0, "t"]
+)toml");
+    EXPECT_EQ(toml::parse(scene_text(root)), root);
+}
+
+} // namespace
+} // namespace isomotion::scene

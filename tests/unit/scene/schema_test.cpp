@@ -1,0 +1,138 @@
+// The schema of scene files, held against what the reader knows.
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "scene/data_folder.h"
+#include "scene/reading/load.h"
+#include "scene/renamed_keys.h"
+
+namespace isomotion::scene {
+namespace {
+
+using Json = nlohmann::json;
+using Names = std::set<std::string>;
+
+Json schema() {
+    std::ifstream file(data_folder() / "animations" / "scene.schema.json");
+    return Json::parse(file);
+}
+
+// A section with one key that nobody knows, in a scene that is else right.
+struct Case {
+    const char* section; // as renamed_key() has it
+    const char* pointer; // where the schema has its keys
+    const char* scene;   // {} is where the unknown key goes
+};
+
+constexpr const char* unknown = "zzqqzzqqzzqqzz";
+
+const Case cases[] = {
+    {"", "", "{} = 1\n[surface]\nformula = 'x'\n"},
+    {"time", "/properties/time", "[surface]\nformula = 'x'\n[time]\n{} = 1\n"},
+    {"surface", "/properties/surface", "[surface]\nformula = 'x'\n{} = 1\n"},
+    {"surface.bounds", "/properties/surface/properties/bounds",
+     "[surface]\nformula = 'x'\n[surface.bounds]\nsphere = 1\n{} = 1\n"},
+    {"surface.transform", "/definitions/transform",
+     "[surface]\nformula = 'x'\nbounds = {{ sphere = 1 }}\n[surface.transform]\n{} = 1\n"},
+    {"isolation", "/properties/isolation", "[surface]\nformula = 'x'\n[isolation]\n{} = 1\n"},
+    {"camera", "/properties/camera", "[surface]\nformula = 'x'\n[camera]\n{} = 1\n"},
+    {"lights", "/properties/lights/items",
+     "[surface]\nformula = 'x'\n[[lights]]\ndirection = [1, 0, 0]\n{} = 1\n"},
+    {"material", "/properties/material", "[surface]\nformula = 'x'\n[material]\n{} = 1\n"},
+    {"material.colormap", "/definitions/colormap",
+     "[surface]\nformula = 'x'\n[material.colormap]\nvalue = 'x'\nrange = [0, 1]\n{} = 1\n"},
+    {"ground", "/properties/ground", "[surface]\nformula = 'x'\n[ground]\nheight = 0\n{} = 1\n"},
+    {"fog", "/properties/fog", "[surface]\nformula = 'x'\n[fog]\ndensity = 1\n{} = 1\n"},
+    {"occlusion", "/properties/occlusion", "[surface]\nformula = 'x'\n[occlusion]\n{} = 1\n"},
+    {"environment", "/properties/environment",
+     "[surface]\nformula = 'x'\n[environment]\nmap = 'studio.exr'\n{} = 1\n"},
+    {"output", "/properties/output", "[surface]\nformula = 'x'\n[output]\n{} = 1\n"},
+    {"output.background", "/properties/output/properties/background/anyOf/2",
+     "[surface]\nformula = 'x'\n[output.background]\ntop = [0, 0, 0]\nbottom = [0, 0, 0]\n{} = "
+     "1\n"},
+};
+
+// What the reader says is known beside the key that isn't.
+Names known_to_reader(const Case& section) {
+    std::string words;
+    try {
+        load_text(fmt::format(fmt::runtime(section.scene), unknown), "scene.toml");
+    } catch (const SceneError& error) {
+        words = error.what();
+    }
+    const std::string before = std::string(unknown) + ": unknown key; known here: ";
+    const std::size_t begin = words.find(before);
+    if (begin == words.npos) {
+        ADD_FAILURE() << section.section << ": " << words;
+        return {};
+    }
+    std::istringstream list(words.substr(begin + before.size()));
+    Names names;
+    std::string line;
+    std::getline(list, line);
+    std::istringstream parts(line);
+    for (std::string name; std::getline(parts >> std::ws, name, ',');) names.insert(name);
+    return names;
+}
+
+// Former names count as the present ones.
+Names known_to_schema(const Json& all, const Case& section) {
+    Names names;
+    const Json& table = all.at(Json::json_pointer(section.pointer));
+    EXPECT_EQ(table.at("additionalProperties"), false) << section.section;
+    for (const auto& [name, value] : table.at("properties").items()) {
+        const RenamedKey* key = renamed_key(section.section, name);
+        names.insert(key ? std::string(key->now) : name);
+    }
+    return names;
+}
+
+TEST(Schema, HasTheKeysThatTheReaderKnowsAndNoOthers) {
+    const Json all = schema();
+    for (const Case& section : cases)
+        EXPECT_EQ(known_to_schema(all, section), known_to_reader(section)) << section.section;
+}
+
+// A section that is added to the one is added here.
+TEST(Schema, EverySectionIsHeldAgainstTheReader) {
+    const Json all = schema();
+    Names checked;
+    for (const Case& section : cases) checked.insert(section.section);
+    for (const auto& [name, value] : all.at("properties").items()) {
+        const bool has_own_keys = value.contains("properties") || value.contains("items");
+        if (!has_own_keys) continue;
+        EXPECT_TRUE(checked.contains(name)) << name;
+    }
+}
+
+TEST(Schema, HasTheFormerNames) {
+    const Json all = schema();
+    const std::pair<const char*, const char*> former[] = {
+        {"/properties/surface/properties", "placement"},
+        {"/properties/material/properties", "paint"},
+        {"/properties/material/properties", "inside"},
+        {"/properties/occlusion/properties", "reach"},
+        {"/definitions/array/properties", "outside"},
+    };
+    for (const auto& [pointer, name] : former)
+        EXPECT_TRUE(all.at(Json::json_pointer(pointer)).contains(name)) << name;
+}
+
+// The reader refuses each of an array's keys where it has the wrong type, while an unknown one is a
+// field.
+TEST(Schema, HasTheKeysOfArraysFromFiles) {
+    const Json all = schema();
+    Names names;
+    for (const auto& [name, value] : all.at("/definitions/array/properties"_json_pointer).items())
+        names.insert(name);
+    EXPECT_EQ(names, (Names{"count", "file", "first_file", "columns", "interpolation",
+                            "extrapolate", "outside"}));
+}
+
+} // namespace
+} // namespace isomotion::scene
