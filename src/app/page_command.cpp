@@ -76,7 +76,8 @@ std::vector<std::byte> movie_of(const PageArguments& arguments, const scene::Sce
     render.reach = arguments.reach;
     render.size = fmt::format("{}x{}", even(scene.output.width), even(scene.output.height));
     render.output = folder / "frame.####.png";
-    render.movie = folder / "movie.mp4";
+    const fs::path movie = folder / "movie.mp4";
+    render.movies = {movie.string()};
     render.audit = "off";
     sequence::Exporter exporter = exporter_of(render);
     sequence::expect_ffmpeg();
@@ -88,9 +89,9 @@ std::vector<std::byte> movie_of(const PageArguments& arguments, const scene::Sce
         .warn = [](const std::string& text) { message("warning: {}\n", text); },
         .progress = [&](const sequence::ExportProgress& now) { progress.show(now.done); }};
     stop.work_has_begun();
-    if (exporter.export_frames(*context, watcher).stopped || !exporter.write_movie(watcher))
+    if (exporter.export_frames(*context, watcher).stopped || !exporter.write_movies(watcher))
         return {};
-    return base::read_whole(render.movie);
+    return base::read_whole(movie);
 }
 
 int write_page(const PageArguments& arguments) {
