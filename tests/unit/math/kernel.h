@@ -46,7 +46,7 @@ inline std::string shader_text(const std::string& name) {
 /// versions.
 inline std::string kernel_source() {
     const std::string prelude = shader_text("prelude");
-    std::string source = prelude.substr(prelude.find("#define IM_"));
+    std::string source = prelude.substr(prelude.find("#define IM_SATURATION"));
     for (const char* file :
          {"bits", "divide", "sqrt", "exp", "log", "pow", "trig", "inverse_trig"}) {
         source += shader_text(std::string("math/") + file);
