@@ -47,7 +47,7 @@ public:
         return name;
     }
     std::string make_description(const CLI::App* app) const override {
-        const std::string plain = CLI::Formatter::make_description(app);
+        std::string plain = CLI::Formatter::make_description(app);
         const Example* example = app->get_parent() ? example_of(app->get_name()) : nullptr;
         if (!example) return plain;
         return fmt::format("{}\n    {}\n\n{}", example->line, example->what, plain);

@@ -116,6 +116,7 @@ public:
         constexpr double never = std::numeric_limits<double>::infinity();
         if (std::ranges::none_of(all, [](const Quadric* q) { return q->is_definite; })) {
             std::vector<double> levels;
+            levels.reserve(std::size_t(count));
             for (int l = 0; l < count; ++l) levels.push_back(keeps(l) ? -never : never);
             return levels;
         }
@@ -169,6 +170,10 @@ ElementTerms::ElementTerms(const formula::ElementKernels& kernels,
     , count_(bindings.arrays[std::size_t(kernels.array)].count) {
     parameters_.parameters.assign(bindings.parameters.begin(), bindings.parameters.end());
     parameters_.seed = bindings.seed;
+    read(threads);
+}
+
+void ElementTerms::read(int threads) {
     read_quadrics(threads);
     alike_ = count_ > 0 && has_equal_terms();
     const auto is_definite = [](const Quadric& q) { return q.is_definite; };

@@ -74,6 +74,7 @@ private:
 
     LevelSet box(Boxes& boxes, int element, int k, std::span<const double> tolerance) const;
     float size_of(const Interval& term) const;
+    void read(int threads);
     void read_quadrics(int threads);
     void bound_anywhere();
     bool has_equal_terms() const;

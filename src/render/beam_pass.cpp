@@ -1,6 +1,7 @@
 #include "render/beam_pass.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -70,9 +71,9 @@ BeamPass::BeamPass(const synthesis::Passes& passes, const scene::Scene& scene,
 }
 
 void BeamPass::bind(const PassTable& table, const gpu::Target& results, const std::string& kind) {
-    const char* const parts[] = {"", "_lists", "_all"};
+    constexpr std::array<const char*, 3> parts{"", "_lists", "_all"};
     for (int k = 0; k < results.attachments(); ++k) {
-        table.bind(fmt::format("{}{}_texture", kind, parts[k]), results.texture(k));
+        table.bind(fmt::format("{}{}_texture", kind, parts.at(std::size_t(k))), results.texture(k));
     }
 }
 

@@ -232,7 +232,7 @@ std::unique_ptr<KinkTree::Branch> KinkTree::make(NodeId root, std::vector<Kink> 
 }
 
 KinkTree::Branch& KinkTree::below(Branch& branch, char side) {
-    auto& made = branch.below[std::size_t(side)];
+    auto& made = branch.below[std::size_t(static_cast<unsigned char>(side))];
     if (made) return *made;
     Graph& g = formula_.graph;
     const Question& question = *branch.question;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <ranges>
 
 #include "base/workers.h"
 #include "topology/search/critical_system.h"
@@ -430,9 +429,9 @@ Work& Work::operator+=(const Work& other) {
 
 void put_together(SearchResult& all) {
     std::sort(all.points.begin(), all.points.end(), [](const auto& a, const auto& b) {
-        return std::ranges::lexicographical_compare(a.where | std::views::reverse,
-                                                    b.where | std::views::reverse, {},
-                                                    &Interval::lo, &Interval::lo);
+        return std::lexicographical_compare(
+            a.where.rbegin(), a.where.rend(), b.where.rbegin(), b.where.rend(),
+            [](const Interval& x, const Interval& y) { return x.lo < y.lo; });
     });
     std::vector<CriticalPoint> points;
     for (const CriticalPoint& point : all.points) {
