@@ -26,12 +26,15 @@ class PlacedError : public SceneError {
 public:
     PlacedError(const toml::node& at, const std::string& message)
         : SceneError(message)
-        , at_(&at) {}
-    // For as long as the document lives.
-    const toml::node& at() const { return *at_; }
+        , at_(&at)
+        , line_(at.source().begin.line) {}
+    // Gone with its document, as one that was read for this scene alone: to be compared, not read.
+    const toml::node* at() const { return at_; }
+    unsigned line() const { return line_; }
 
 private:
     const toml::node* at_;
+    unsigned line_;
 };
 
 // Throws PlacedError: "file:line: key: message".

@@ -13,8 +13,8 @@ constexpr std::size_t most_told = 20;
 // Keys and indices from the document down to a node: "camera", "fov"; "lights", "0", "color".
 using Path = std::vector<std::string>;
 
-bool find_path(const toml::node& from, const toml::node& wanted, Path& path) {
-    if (&from == &wanted) return true;
+bool find_path(const toml::node& from, const toml::node* wanted, Path& path) {
+    if (&from == wanted) return true;
     const auto goes_by = [&](const std::string& step, const toml::node& next) {
         path.push_back(step);
         if (find_path(next, wanted, path)) return true;
@@ -105,7 +105,7 @@ std::string all_mistakes(toml::table& root, const PlacedError& first,
         if (std::ranges::any_of(out, is_below) && !std::ranges::count(out, path)) return false;
         Path value = is_here ? value_of(root, path) : path;
         const bool is_again = std::ranges::count(out, value) > 0;
-        if (!is_again) told.push_back({mistake.at().source().begin.line, mistake.what()});
+        if (!is_again) told.push_back({mistake.line(), mistake.what()});
         if (!is_here || value.empty() || decides_all(value) || told.size() == most_told)
             return false;
         if (decides_section(value)) value.pop_back();
