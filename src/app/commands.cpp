@@ -51,7 +51,7 @@ void refuse_empty_words(CLI::App& app) {
     ::_exit(exit_machine);
 }
 
-// Of the command that left words over.
+// The command that left words over.
 std::string left_over(const CLI::App& app, const CommandTree& tree) {
     for (const CLI::App* command : app.get_subcommands()) {
         for (const CommandText& text : tree.commands) {

@@ -203,7 +203,7 @@ bool ElementTerms::has_equal_terms() const {
     return true;
 }
 
-// Of some elements, one after the other, as many at a time as fit into a processor's cache.
+// Reads the quadrics of some elements at a time, as many as fit into a processor's cache.
 class ElementTerms::Reader {
 public:
     explicit Reader(ElementTerms& to)
@@ -367,10 +367,12 @@ float ElementTerms::Boxes::size(int sum, std::size_t box) const {
 // halving tells.
 LevelSet ElementTerms::box(Boxes& boxes, int element, int k,
                            std::span<const double> tolerance) const {
+    // Places a little beyond the region, by rounding, belong to its outermost cells.
+    const double beyond = 0x1p-12 * glm::length(region_.high - region_.low);
     std::array<Interval, 3> left;
     for (int axis = 0; axis < 3; ++axis)
-        left[std::size_t(axis)] = {region_.low[axis], region_.high[axis]};
-    // Of some slabs, each deeper than the one before: how many of them are free.
+        left[std::size_t(axis)] = {region_.low[axis] - beyond, region_.high[axis] + beyond};
+    // How many slabs are free, from the first on; each is deeper than the one before.
     const auto free_slabs = [&](std::span<const std::array<Interval, 3>> slabs) {
         boxes.look(element, slabs);
         std::size_t free = 0;
@@ -482,7 +484,7 @@ Interval ElementTerms::bounds(int sum, double distance) const {
     return lanes.term(sum, 0);
 }
 
-// Of each element's terms in the whole region, and of all together.
+// Bounds each element's terms in the whole region: the hull of all.
 void ElementTerms::bound_anywhere() {
     anywhere_.assign(std::size_t(sums()), Interval::entire());
     Boxes boxes(*this);

@@ -44,7 +44,7 @@ public:
     class Boxes {
     public:
         explicit Boxes(const ElementTerms& of);
-        // Of an element in these boxes; for terms().
+        // Bounds an element's terms in these boxes; what follows tells of them.
         void look(int element, std::span<const std::array<Interval, 3>> boxes);
         // Whether some term of quadric k is larger than its tolerance in the box of that number.
         bool matters(int k, std::span<const double> tolerance, std::size_t box) const;
@@ -65,7 +65,7 @@ public:
 private:
     class Lanes;
     class Reader;
-    // Of many elements together.
+    // What many elements have together.
     struct Ranges {
         std::vector<Quadric> hulls;   // of each quadric
         std::vector<Interval> fields; // in the order of the kernels' fields

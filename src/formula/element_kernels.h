@@ -39,8 +39,8 @@ struct ElementKernels {
     int sums() const { return int(quadric_of.size()); }
 };
 
-// Of the sums over `array`, if they are not too many, the term of each can fade away from its
-// element, and none holds a sum or is in one; or of one `least` and no sums.
+// Describes the sums over `array`, or its one `least` if there is no sum. None where they are too
+// many, where a sum holds another one, or where a term does not fade away from its element.
 std::optional<ElementKernels> element_kernels(const Field& field, int array);
 
 } // namespace isomotion::formula

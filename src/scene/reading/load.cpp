@@ -346,7 +346,7 @@ enum class Reading {
     without_unused, // the same, and names that nothing uses are let pass
 };
 
-// Of a document with all that was set.
+// Reads a document with all that was set.
 Scene read_document_scene(toml::table& root, const fs::path& file, const base::Confines& within,
                           Reading reading) {
     Scene scene;
@@ -461,7 +461,7 @@ bool is_there(const std::string& name) {
     return type != fs::file_type::not_found && type != fs::file_type::none; // too long for a file
 }
 
-// Of what load() takes.
+// What load() takes.
 SceneDocument find_document(const std::string& name, Reach reach) {
     if (is_formula(name) && !is_there(name)) {
         return {scene_of_formula(name), "formula.toml",

@@ -12,7 +12,7 @@ namespace {
 
 using formula::Interval;
 
-// Of a formula with kinks there is no other proof.
+// A formula with kinks has no other proof.
 constexpr std::size_t most_cells = 100'000, most_cells_with_kinks = 400'000;
 
 // Where the cells are. What is symmetric or has round numbers would touch faces of equal cells:
@@ -28,7 +28,7 @@ public:
         return box;
     }
 
-    // Of the bounds, if they are a sphere.
+    // Places outside of and inside of the bounds, if these are a sphere.
     bool is_outside(const SpaceBox& box) const {
         return is_sphere() && squared_distance(box).lo > squared_radius().hi;
     }

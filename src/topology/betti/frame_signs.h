@@ -47,8 +47,8 @@ struct SignEvaluators;
 // Signs of many frames of one field, which must outlive this.
 class FrameSigns {
 public:
-    // Of a scene with so many elements in each array: where a grid finds the elements of one by
-    // place, frames of it take no longer for those that are elsewhere.
+    // Takes how many elements each array has: where a grid finds the elements of one by place, a
+    // frame takes no longer for those that are elsewhere.
     FrameSigns(const formula::Field& field, std::span<const int> elements_of_arrays);
     explicit FrameSigns(const formula::Field& field)
         : FrameSigns(field, {}) {}

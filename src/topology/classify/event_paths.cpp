@@ -143,7 +143,7 @@ Sides EventPaths::sides(Fields& fields, std::size_t which, int effort,
     const auto starts = both_sides(region, event);
     if (!starts) return Sides::unknown;
 
-    // Of hundreds of events paths tell most; boxes take some thousand times as long for each.
+    // Paths tell most of hundreds of events; boxes take much longer for each.
     if (effort > 1) {
         const Sides by_boxes = sides_by_boxes(region, event, *starts, {.stopped = stopped});
         if (by_boxes != Sides::unknown) return by_boxes;

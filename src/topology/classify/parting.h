@@ -23,7 +23,7 @@ struct PartingOptions {
     std::function<bool()> stopped{};
 };
 
-// Of an event of index 1, or 2 for -G, inside of the bounds; `starts` are those of both_sides().
+// Takes an event of index 1, or 2 for -G, inside of the bounds; `starts` are those of both_sides().
 Sides sides_by_boxes(const SublevelSet& region, const Event& event,
                      const std::array<SpacePoint, 2>& starts, const PartingOptions& how = {});
 

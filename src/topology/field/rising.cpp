@@ -8,7 +8,7 @@ namespace {
 
 using formula::Interval;
 
-// Of more points than these not all triangles are looked at.
+// With more points than these not all triangles are looked at.
 constexpr std::size_t few = 16;
 constexpr int most_steps = 100;
 

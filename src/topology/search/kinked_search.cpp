@@ -23,10 +23,9 @@ constexpr double small = 0.3;
 // Slopes of a cone are taken from so many parts of each multiplier's range.
 constexpr int parts_of_range = 16;
 constexpr int most_narrowings = 6;
-// Of two and more multipliers the ranges are divided, so far and into so many.
+// Ranges of two and more multipliers are divided, so far and into so many.
 constexpr double narrowest_part = 1.0 / 32;
 constexpr int most_parts = 64;
-constexpr std::size_t tasks_at_least = 64;
 // With more unresolved boxes than this in a task the smallest box grows: a curve of them.
 constexpr std::size_t too_many = 64;
 
@@ -397,22 +396,6 @@ private:
     double smallest_;
     KinkedResult found_;
 };
-
-std::vector<Box> tasks(const MovingField& field) {
-    const auto n = std::size_t(field.variables());
-    std::vector<Box> boxes{field.domain()};
-    for (std::size_t side = 0; boxes.size() < tasks_at_least; side = (side + 1) % n) {
-        std::vector<Box> halves;
-        for (const Box& box : boxes) {
-            Box low = box, high = box;
-            low[side].hi = high[side].lo = mid(box[side]);
-            halves.push_back(low);
-            halves.push_back(high);
-        }
-        boxes = std::move(halves);
-    }
-    return boxes;
-}
 
 // Each point once: those of one formula, found from several boxes.
 void put_together(KinkedResult& all) {

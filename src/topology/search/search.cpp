@@ -387,6 +387,8 @@ private:
     std::vector<IntervalJet> jets_, at_centres_;
 };
 
+} // namespace
+
 std::vector<Box> tasks(const MovingField& field) {
     const auto n = std::size_t(field.variables());
     std::vector<Box> boxes{field.domain()};
@@ -402,8 +404,6 @@ std::vector<Box> tasks(const MovingField& field) {
     }
     return boxes;
 }
-
-} // namespace
 
 const char* name_of(Test test) {
     constexpr std::array<const char*, std::size_t(Test::count)> names{

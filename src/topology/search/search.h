@@ -24,6 +24,9 @@ struct SearchOptions {
     std::function<void(double)> progress{}; // part of the domain that is done; see SharedLoop
 };
 
+// The domain in boxes that threads search one by one, at least 64.
+std::vector<Box> tasks(const MovingField& field);
+
 // The test that ended a box.
 enum class Test {
     known,    // inside the box of a point that was found
