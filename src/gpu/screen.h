@@ -1,16 +1,15 @@
 #pragma once
 
+#include "gpu/draw.h"
 #include "gpu/name.h"
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstdint>
 #include <span>
 
 namespace isomotion::gpu {
-
-/// Draws go to the current context's window, over all of its pixels, which get this colour.
-void begin_screen(int width, int height, glm::vec3 color);
 
 /// A picture to show in a window: four sRGB codes a pixel, the top row first, shown as they are.
 class ScreenTexture {
@@ -26,6 +25,7 @@ public:
     int width() const noexcept { return width_; }
     int height() const noexcept { return height_; }
     bool empty() const noexcept { return width_ == 0; }
+    Enlarged enlarged() const noexcept { return enlarged_; }
 
     /// The GL name, for calls this class does not make.
     unsigned id() const noexcept { return name_.get(); }
@@ -33,6 +33,16 @@ public:
 private:
     Name name_{Kind::texture};
     int width_ = 0, height_ = 0;
+    Enlarged enlarged_ = Enlarged::as_squares;
 };
+
+/// Draws go to the current context's window, over all of its pixels, which get this colour.
+void begin_screen(int width, int height, glm::vec3 color);
+
+/// Fills a rectangle of the window with a picture, enlarged as the picture wants it.
+void place(const ScreenTexture& picture, Rectangle where);
+
+/// The codes of a pixel that is drawn and not yet shown: red, green, blue.
+std::array<std::uint8_t, 3> drawn_pixel(int x, int y);
 
 } // namespace isomotion::gpu

@@ -43,7 +43,12 @@ constexpr double processes_every = 0.2; // and at processes that run
 constexpr double progress_every = 0.1;
 // A scene that has the driver reset as soon as it is drawn is not drawn once more.
 constexpr auto lives_at_least = std::chrono::seconds(2);
-constexpr double widgets_every = 0.1; // while something is dragged and its picture is drawn
+// While pictures are drawn, widgets are drawn so often: as events come, and else. Both are
+// seldomer, the latter down to `least_widgets`, where widgets would take more than these parts of
+// the time.
+constexpr double answers_every = 1.0 / 30, widgets_every = 0.1, least_widgets = 0.5;
+constexpr double part_of_answers = 0.3, part_of_widgets = 0.1;
+constexpr double newest = 0.2; // of a mean over draws
 
 void begin_pane(const char* name, ImVec2 corner, ImVec2 size, ImGuiWindowFlags flags) {
     ImGui::SetNextWindowPos(corner);
@@ -181,7 +186,7 @@ private:
         };
         if (compiling()) sooner(progress_every);
         if (processes_run()) sooner(processes_every);
-        if (skipped_) sooner(last_frame_ + widgets_every - now());
+        if (skipped_) sooner(widgets_due_ - now());
         if (!scene_) return least;
         sooner(next_look_ - now());
         if (!is_seen()) return least;
@@ -208,7 +213,7 @@ private:
 
     void take_pictures() {
         if (auto shown = thread_.take_shown()) {
-            scheduler_.learn(*shown, display_);
+            scheduler_.learn(*shown, display_, now());
             const std::uint64_t number = shown->number;
             audited_.reset();
             if (shown->rays) audits_.audit(*std::exchange(shown->rays, std::nullopt));
@@ -218,7 +223,7 @@ private:
             if (number > failed_number_) notices_.draw_error.clear();
             new_picture_ = true;
         }
-        if (const auto given_up = thread_.take_given_up()) scheduler_.learn(*given_up);
+        if (const auto given_up = thread_.take_given_up()) scheduler_.learn(*given_up, now());
         if (const auto audited = audits_.take()) take_audit(*audited);
         if (auto failure = thread_.take_failure()) fail_to_draw(failure->text, failure->number);
     }
@@ -346,13 +351,22 @@ private:
         }
     }
 
-    // What is dragged is answered by the next picture: until it comes, drawing the widgets alone
-    // would take its time from it.
-    bool picture_will_do() const {
-        return (area_.held() || touched_) && !new_picture_ && scheduler_.awaits() && !compiling() &&
-               now() - last_frame_ < widgets_every;
+    // On a software renderer drawing the widgets takes the time of a small picture. So while
+    // pictures come, widgets are drawn only now and then: what is dragged is answered by the next
+    // picture, and other events soon enough.
+    bool widgets_can_wait(bool has_events) {
+        const bool is_held = area_.held() || touched_;
+        widgets_due_ = last_frame_ +
+                       (has_events && !is_held
+                            ? std::max(answers_every, widgets_ / part_of_answers)
+                            : std::clamp(widgets_ / part_of_widgets, widgets_every, least_widgets));
+        return scene_ && !gallery_.is_open() && !compiling() && now() < widgets_due_;
     }
-    bool overdue() const { return skipped_ && now() - last_frame_ >= widgets_every; }
+    bool overdue() const { return skipped_ && now() >= widgets_due_; }
+    bool replace_picture() {
+        const auto picture = area_.plain();
+        return picture && window_.replace(*picture);
+    }
 
     // The scene as it is shown; none where a value leaves its range, which ask() tells.
     std::optional<scene::SceneAt> scene_now() const {
@@ -385,6 +399,7 @@ private:
     // ----- frames
 
     void show() {
+        const bool has_events = window_.stale();
         if (!window_.begin_frame()) {
             skipped_ = false; // nobody sees what is due
             return;
@@ -403,12 +418,20 @@ private:
         notices_.show(thread_.compiling_since());
         log_.add(take_widget_rects());
         touched_ = ImGui::IsAnyItemActive() && !area_.held();
-        skipped_ = picture_will_do();
-        if (skipped_) return window_.skip_frame();
+        skipped_ = widgets_can_wait(has_events);
+        if (skipped_ && !new_picture_) {
+            skipped_ = scheduler_.awaits();
+            if (skipped_) return window_.skip_frame();
+        }
         const double begin = now();
-        window_.end_frame();
-        last_frame_ = now();
-        display_ = last_frame_ - begin;
+        if (!skipped_ || !replace_picture()) {
+            skipped_ = false;
+            window_.end_frame(scene_ && !gallery_.is_open() ? area_.plain() : std::nullopt);
+            last_frame_ = now();
+        }
+        const double took = now() - begin;
+        if (!skipped_) widgets_ += newest * (took - widgets_);
+        if (new_picture_) display_ += newest * (took - display_);
         if (std::exchange(new_picture_, false) && area_.shown()) {
             ++pictures_;
             log_.add(*area_.shown(), area_.corner(), area_.size(), scheduler_.at_rest());
@@ -495,8 +518,10 @@ private:
     bool panel_ = true;
     bool touched_ = false; // a widget is held: what it changes has not come to rest
     bool new_picture_ = false;
-    double last_frame_ = 0;      // when the window was drawn last
-    double display_ = 0;         // how long that took
+    double last_frame_ = 0;      // when the widgets were drawn last
+    double widgets_due_ = 0;     // and are to be again
+    double widgets_ = 0;         // how long that takes in the mean, seconds
+    double display_ = 0;         // and to put a picture on the screen
     std::uint64_t pictures_ = 0; // put on the screen
     bool owes_ask_ = false;
     bool skipped_ = false; // what came since has not been drawn

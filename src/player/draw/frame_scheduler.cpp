@@ -75,7 +75,7 @@ double FrameScheduler::next_scale(int samples) const {
 }
 
 bool FrameScheduler::holds_back(double now) const {
-    return !hand_rests_ && subject_ && !came_ && !whole_ && !grows_ && now - posted_ < longest_wait;
+    return subject_ && !came_ && !whole_ && !grows_ && now - posted_ < longest_wait;
 }
 
 void FrameScheduler::ask(Session& session, std::int64_t frame, glm::ivec2 size, double now,
@@ -103,19 +103,19 @@ void FrameScheduler::ask(Session& session, std::int64_t frame, glm::ivec2 size, 
     post(session, next, whole_ ? session.samples() : 1, true, now);
 }
 
-void FrameScheduler::learn(const Shown& shown, double display) {
+void FrameScheduler::learn(const Shown& shown, double display, double now) {
     if (shown.number < begin_) return; // another scene's
     if (!shown.compiled && shown.asked == 1) {
-        // While a hand waits for each picture, nothing is drawn as one is put on the screen.
-        const double period = shown.took.count() + (hand_rests_ ? 0 : display);
-        resolution_ = adjusted(resolution_, {shown.scale, 1e3 * period}, rate);
+        // Nothing is drawn as a picture is put on the screen.
+        const double period = shown.took.count() + display;
+        resolution_ = adjusted(resolution_, {shown.scale, 1e3 * period, now}, rate);
     }
     if (shown.number == number_ && shown.samples == shown.asked) came_ = true;
 }
 
-void FrameScheduler::learn(const GivenUp& picture) {
+void FrameScheduler::learn(const GivenUp& picture, double now) {
     if (picture.number < begin_) return;
-    resolution_ = adjusted(resolution_, {picture.scale, 1e3 * picture.took.count()}, rate);
+    resolution_ = adjusted(resolution_, {picture.scale, 1e3 * picture.took.count(), now}, rate);
 }
 
 std::optional<double> FrameScheduler::next_change() const {

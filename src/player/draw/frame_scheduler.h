@@ -29,12 +29,14 @@ public:
     // Requests what `session` shows at `frame` in a picture of `size`, unless that is requested
     // already: as large as keeps `rate` pictures a second and, once nothing has changed for a
     // moment, whole; where that takes long, in steps of twice the width and height. `hand_rests`:
-    // no mouse button is held. While one is, changes wait for the picture in flight and are merged
-    // into the next request. Throws scene::SceneError where a value leaves its range at this frame.
+    // no mouse button is held. Changes wait for the picture in flight and are merged into the next
+    // request: two processors that draw pictures and the window in turn are done sooner, and the
+    // picture is newer, than if both were drawn at once. Throws scene::SceneError where a value
+    // leaves its range at this frame.
     void ask(Session& session, std::int64_t frame, glm::ivec2 size, double now, bool hand_rests);
-    // A picture came, or was given up. It takes `display` seconds to get to the screen.
-    void learn(const Shown& shown, double display);
-    void learn(const GivenUp& picture);
+    // A picture came, or was given up. It takes `display` seconds in the mean to get to the screen.
+    void learn(const Shown& shown, double display, double now);
+    void learn(const GivenUp& picture, double now);
     // When to call ask() again though nothing has happened, in seconds of `now`; none where it
     // would request nothing.
     std::optional<double> next_change() const;

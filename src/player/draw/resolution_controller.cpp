@@ -12,11 +12,11 @@ constexpr double fall_to = 0.9;       // of the budget, after it was missed
 constexpr double rise_to = 0.8;       // of the budget, before a larger picture is tried
 constexpr int tallest_rise = 4;       // rungs: four times as many pixels
 constexpr int least_patience = 6, most_patience = 192;
-constexpr int taken_back = 30;      // draws: a fall so soon after a rise says the rise was wrong
-constexpr int well_tried = 300;     // draws at one scale, after which that is forgiven
-constexpr double least_hold = 2000; // milliseconds at one scale, once settled
-constexpr int settles = 30;         // draws of one cost
-constexpr double far_over = 1.5;    // times the budget
+constexpr int taken_back = 30;   // draws: a fall so soon after a rise says the rise was wrong
+constexpr int well_tried = 300;  // draws at one scale, after which that is forgiven
+constexpr double least_hold = 2; // seconds at one scale, once settled
+constexpr int settles = 30;      // draws of one cost
+constexpr double far_over = 1.5; // times the budget
 
 // The largest picture that costs no more.
 int largest_within(const CostModel& model, double milliseconds) {
@@ -66,12 +66,12 @@ void remember(ResolutionController& p, const MeasuredDraw& draw) {
     p.model = cost_of(p.draws, p.model);
 }
 
-void fall(ResolutionController& p, double budget) {
+void fall(ResolutionController& p, double budget, double now) {
     p.rung =
         std::min(std::max(p.rung + 1, largest_within(p.model, fall_to * budget)), scale_count - 1);
     if (p.rose && p.steady < taken_back) p.patience = std::min(2 * p.patience, most_patience);
     p.over = p.roomy = p.steady = 0;
-    p.held = 0;
+    p.changed = now;
     p.rose = false;
 }
 
@@ -119,12 +119,11 @@ ResolutionController adjusted(ResolutionController p, const MeasuredDraw& draw, 
 
     p.steady = std::min(p.steady + 1, well_tried);
     p.settling = std::min(p.settling + 1, settles);
-    p.held += draw.milliseconds;
-    const bool is_held = p.settling == settles && p.held < least_hold;
+    const bool is_held = p.settling == settles && draw.at - p.changed < least_hold;
     if (p.steady == well_tried) p.patience = least_patience;
     p.over = draw.milliseconds > budget ? p.over + 1 : 0;
     if (p.over >= (first ? 1 : 2) && !(is_held && draw.milliseconds < far_over * budget)) {
-        fall(p, budget);
+        fall(p, budget, draw.at);
         return p;
     }
     const int higher = largest_within(p.model, rise_to * budget);
@@ -132,7 +131,7 @@ ResolutionController adjusted(ResolutionController p, const MeasuredDraw& draw, 
     if (p.roomy >= p.patience && !is_held) {
         p.rung = std::max(higher, p.rung - tallest_rise);
         p.roomy = p.steady = 0;
-        p.held = 0;
+        p.changed = draw.at;
         p.rose = true;
     }
     return p;

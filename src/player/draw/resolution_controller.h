@@ -33,6 +33,7 @@ struct CostModel {
 struct MeasuredDraw {
     double scale = 1;
     double milliseconds = 0;
+    double at = 0; // seconds, by the caller's clock
 };
 
 // Least squares of relative errors, with a and b not below 0. Draws that all have one scale don't
@@ -44,13 +45,13 @@ struct ResolutionController {
     std::vector<MeasuredDraw> draws;   // the model is fitted to these, the latest last
     std::optional<MeasuredDraw> stray; // the last one, if it was far off the cost of its scale
     CostModel model;
-    int over = 0;      // draws in a row over the budget
-    int roomy = 0;     // draws in a row that leave room for a larger picture
-    int patience = 6;  // so many of them make it larger
-    int steady = 0;    // draws since the scale changed
-    double held = 0;   // milliseconds that they took
-    int settling = 0;  // draws since the cost last changed
-    bool rose = false; // when it did
+    int over = 0;          // draws in a row over the budget
+    int roomy = 0;         // draws in a row that leave room for a larger picture
+    int patience = 6;      // so many of them make it larger
+    int steady = 0;        // draws since the scale changed
+    double changed = -1e9; // when that was, seconds
+    int settling = 0;      // draws since the cost last changed
+    bool rose = false;     // when it did
 
     double scale() const { return scale_of(rung); }
 };

@@ -57,6 +57,11 @@ void PictureArea::take(Shown shown) {
     holes_ = has_holes(shown_->raster);
 }
 
+std::optional<PlacedPicture> PictureArea::plain() const {
+    if (!shown_ || shown_->difference || holes_) return std::nullopt;
+    return PlacedPicture{&picture_, corner_, size_};
+}
+
 void PictureArea::show(glm::ivec2 size, bool map) {
     const ImVec2 corner = ImGui::GetWindowPos();
     const ImVec2 area = ImGui::GetWindowSize();
@@ -67,7 +72,7 @@ void PictureArea::show(glm::ivec2 size, bool map) {
     };
     corner_ = {middle(corner.x, area.x, pixel.x, size.x),
                middle(corner.y, area.y, pixel.y, size.y)};
-    if (!shown_) return;
+    if (!shown_ || plain()) return;
     const ImVec2 low{float(corner_.x) / pixel.x, float(corner_.y) / pixel.y};
     const ImVec2 high{float(corner_.x + size.x) / pixel.x, float(corner_.y + size.y) / pixel.y};
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -75,7 +80,7 @@ void PictureArea::show(glm::ivec2 size, bool map) {
         show_split(map);
         return;
     }
-    if (holes_) draw_squares(list, low, high);
+    draw_squares(list, low, high);
     list.AddImage(handle(picture_), low, high);
 }
 

@@ -8,6 +8,7 @@
 
 #include "gpu/screen.h"
 #include "player/draw/draw_thread.h"
+#include "player/ui/window.h"
 #include "scene/scene_at.h"
 
 namespace isomotion::player {
@@ -18,15 +19,17 @@ public:
     void take(Shown shown);
     const std::optional<Shown>& shown() const { return shown_; }
 
-    // Shows the last picture in the middle of Dear ImGui's current window, `size` pixels large. In
-    // View::difference the first method is left of the line; right of it the second, or the `map`
-    // of their differences.
+    // Shows the last picture, unless it is plain(), in the middle of Dear ImGui's current window,
+    // `size` pixels large. In View::difference the first method is left of the line; right of it
+    // the second, or the `map` of their differences.
     void show(glm::ivec2 size, bool map);
     // Returns the camera as the mouse moved it; none if it did not.
     std::optional<scene::CameraAt> steer(const scene::CameraAt& camera);
     // Whether a button that moves the camera is held.
     bool held() const { return held_; }
 
+    // The picture, if it is opaque and the only one: the window places it, and show() does not.
+    std::optional<PlacedPicture> plain() const;
     // Upper left corner of the picture shown last, pixels of the window.
     glm::ivec2 corner() const { return corner_; }
     glm::ivec2 size() const { return size_; }

@@ -9,7 +9,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
-#include "gpu/screen.h"
+#include "player/ui/covering.h"
 #include "player/ui/theme.h"
 
 namespace isomotion::player {
@@ -200,17 +200,48 @@ void Window::skip_frame() {
     stale_frames_ = 0;
 }
 
-void Window::end_frame() {
+void Window::end_frame(const std::optional<PlacedPicture>& picture) {
     ImGui::Render();
-    const glm::ivec2 size = pixels();
-    gpu::begin_screen(size.x, size.y, background_color());
+    drawn_ = pixels();
+    gpu::begin_screen(drawn_.x, drawn_.y, background_color());
+    if (picture) place(*picture);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    glfwSwapBuffers(window_);
-    context_->expect_alive();
+    present();
     for (const int key : std::exchange(released_, {})) {
         ImGui_ImplGlfw_KeyCallback(window_, key, 0, GLFW_RELEASE, 0);
         refresh();
     }
+}
+
+bool Window::replace(const PlacedPicture& picture) {
+    if (!keeps_.value_or(false) || drawn_ != pixels()) return false;
+    ImGui::Render();
+    const ImVec2 pixel = ImGui::GetIO().DisplayFramebufferScale; // pixels a unit of Dear ImGui's
+    const glm::vec2 low(picture.corner), high(picture.corner + picture.size);
+    if (is_covered(*ImGui::GetDrawData(), {low.x / pixel.x, low.y / pixel.y},
+                   {high.x / pixel.x, high.y / pixel.y}))
+        return false;
+    place(picture);
+    present();
+    stale_frames_ = 0;
+    return true;
+}
+
+void Window::place(const PlacedPicture& picture) const {
+    const auto [corner, size] = std::pair(picture.corner, picture.size);
+    gpu::place(*picture.texture, {corner.x, drawn_.y - corner.y - size.y, size.x, size.y});
+}
+
+void Window::present() {
+    // Nothing says what a buffer holds after it was shown, but Mesa's software renderers copy it to
+    // the window and leave it. A new buffer would be black.
+    const bool is_known = keeps_.has_value();
+    const auto drawn = is_known ? decltype(gpu::drawn_pixel(0, 0)){} : gpu::drawn_pixel(0, 0);
+    glfwSwapBuffers(window_);
+    context_->expect_alive();
+    if (is_known) return;
+    const bool is_black = std::ranges::count(drawn, 0) == 3;
+    keeps_ = context_->info().software && !is_black && gpu::drawn_pixel(0, 0) == drawn;
 }
 
 void Window::refresh() { stale_frames_ = frames_to_settle; }

@@ -11,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include "gpu/glfw_context.h"
+#include "gpu/screen.h"
 #include "player/model/memory.h"
 
 struct GLFWwindow;
@@ -24,6 +25,12 @@ struct KeyPress {
     int mods = 0; // GLFW_MOD_*
     char32_t character = 0;
     bool repeats = false;
+};
+
+// A picture and where it lies, pixels from the window's upper left corner.
+struct PlacedPicture {
+    const gpu::ScreenTexture* texture = nullptr;
+    glm::ivec2 corner{0}, size{1};
 };
 
 // No display, or no OpenGL on it.
@@ -52,10 +59,16 @@ public:
     // Make Dear ImGui's widgets between the two. False if there is nothing to draw into (minimised,
     // or of no size): don't call end_frame() then.
     bool begin_frame();
-    void end_frame(); // throws gpu::ContextLost
+    // Draws the widgets, over a picture. Throws gpu::ContextLost.
+    void end_frame(const std::optional<PlacedPicture>& picture);
     // In place of end_frame(): the widgets have taken their events, and nothing is drawn, which
     // would take a software renderer as long as a small picture. Another frame has to follow.
     void skip_frame();
+    // In place of end_frame(): all that the window shows stays, but for a picture in place of the
+    // one before. The widgets have taken their events, as by skip_frame(). False, and nothing is
+    // done, where widgets lie over the picture, or the window's size is not that of the frame
+    // before.
+    bool replace(const PlacedPicture& picture);
 
     // Whether frames have yet to show events that came. Dear ImGui takes some frames to settle.
     bool stale() const { return stale_frames_ > 0; }
@@ -78,11 +91,15 @@ public:
 private:
     struct Events; // GLFW's callbacks
     void rescale();
+    void place(const PlacedPicture& picture) const;
+    void present();
 
     std::shared_ptr<gpu::Glfw> glfw_;
     GLFWwindow* window_ = nullptr;
     std::unique_ptr<gpu::Context> context_;
     ImGuiContext* widgets_ = nullptr;
+    glm::ivec2 drawn_{0};       // the pixels of the last frame
+    std::optional<bool> keeps_; // whether they can be drawn over after they were shown
     int stale_frames_ = 0;
     bool full_screen_ = false;
     WindowPlace windowed_; // the place that full screen goes back to

@@ -62,7 +62,7 @@ TEST_F(FrameSchedulers, WhatAHandMovesWaitsForThePictureOnItsWay) {
     ask(0.02, false);
     EXPECT_EQ(scheduler->number(), 1u);
     EXPECT_TRUE(scheduler->awaits());
-    scheduler->learn(first, 0.005);
+    scheduler->learn(first, 0.005, 0.03);
     ask(0.03, false);
     EXPECT_EQ(scheduler->number(), 2u) << "both turns in one";
     ask(0.04, false);
@@ -85,10 +85,13 @@ TEST_F(FrameSchedulers, APictureThatTakesLongIsNotWaitedFor) {
     EXPECT_EQ(scheduler->number(), 2u);
 }
 
-TEST_F(FrameSchedulers, WhatPlaysWaitsForNothing) {
+TEST_F(FrameSchedulers, WhatPlaysWaitsForThePictureOnItsWay) {
     ask(0, true);
     turn();
     ask(0.01, true);
+    EXPECT_EQ(scheduler->number(), 1u);
+    scheduler->learn(come(), 0, 0.02);
+    ask(0.02, true);
     EXPECT_EQ(scheduler->number(), 2u);
 }
 
@@ -96,15 +99,16 @@ TEST_F(FrameSchedulers, AHandThatRestsHasTheLastChangeAskedForAndThenTheWholePic
     ask(0, false);
     turn();
     ask(0.01, false);
+    scheduler->learn(come(), 0, 0.02);
     ask(0.02, true);
     ASSERT_EQ(scheduler->number(), 2u);
-    scheduler->learn(come(), 0);
+    scheduler->learn(come(), 0, 0.5);
     ASSERT_TRUE(scheduler->next_change());
     ask(*scheduler->next_change(), true);
     EXPECT_EQ(scheduler->number(), 3u);
     Shown whole = come();
     while (whole.samples < whole.asked) whole = come();
-    scheduler->learn(whole, 0);
+    scheduler->learn(whole, 0, 1);
     EXPECT_EQ(whole.scale, 1);
     EXPECT_TRUE(scheduler->at_rest());
     EXPECT_FALSE(scheduler->next_change()) << "what rests is not woken";
@@ -121,7 +125,7 @@ TEST_F(FrameSchedulers, WhatTakesLongGrowsAtRest) {
         scales.push_back(shown.scale);
         shown.compiled = false;
         shown.took = std::chrono::duration<double>(2 * shown.scale * shown.scale);
-        scheduler->learn(shown, 0);
+        scheduler->learn(shown, 0, now);
         if (k == 0) turn(); // the first picture, of full size, told what one costs
         now += 1;
     }
@@ -136,7 +140,7 @@ TEST_F(FrameSchedulers, WhatTakesLongGrowsAtRest) {
 
 TEST_F(FrameSchedulers, AWholePictureOnItsWayIsNotWaitedForByAHand) {
     ask(0, true);
-    scheduler->learn(come(), 0);
+    scheduler->learn(come(), 0, 0.5);
     ask(1, true);
     ASSERT_EQ(scheduler->number(), 2u) << "whole";
     turn();
