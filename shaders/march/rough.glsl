@@ -100,6 +100,8 @@ RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f) {
         s.phase = PHASE_REFINE;
         return s;
     }
+    // Samples in gaps of F may be numbers, as those of min(log(x), 3) are.
+    if (has_no_value(ray, vec2(s.low, t))) return begin_at(s, ray, t, h);
     if (!is_finest) return leave_open(s, t);
     bool bounded = abs(bounds.value.x) < IM_LARGEST && abs(bounds.value.y) < IM_LARGEST;
 #ifdef WALLS

@@ -17,6 +17,8 @@ RayState turn(RayState s, Ray ray) {
     if (s.phase == PHASE_GRADIENT) return take_derivative(s, vec2(f, slope));
     if (im_is_nan(f)) return no_value(s, ray);
     if (refines) return refine(s, t, f, slope);
+    // Samples in gaps of F may be numbers, as those of min(log(x), 3) are.
+    if (!excludes_0(bounds.value) && has_no_value(ray, piece)) return pass_break(s, ray);
 #ifdef WALLS
     if (starts && is_wall(s, f)) return found(s, t);
 #endif

@@ -36,7 +36,7 @@ struct Enclosed {
         along = slope(direction(graph));
         gradient = {slope({one, zero, zero}), slope({zero, one, zero}), slope({zero, zero, one})};
         jump = jumps(graph, field.root);
-        none = without_value(graph, field.root);
+        none = within_gaps(graph, field.root);
         is_root = field.wall_distance > 0 ? unless_bounded(graph, value) : jump;
     }
 

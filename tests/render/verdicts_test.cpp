@@ -44,6 +44,24 @@ TEST_P(Verdicts, NaNIsReportedAndPaintedMagenta) {
     }
 }
 
+// Half of the bounds has no value of a part of F, though min and max make numbers of it there. Rays
+// pass it in pieces that grow, whichever side of the plane y = 0 they begin on.
+TEST_P(Verdicts, WhatMinAndMaxMakeOfNoValueIsPassedInFewSteps) {
+    for (const char* formula : {"min(-0.5 - log(y), 3)", "min(3 + x, -0.5 - log(y))",
+                                "max(-0.5 - log(y), 0.7 + x - log(y))", "max(y^0.3 - 0.8, x - 0.4)",
+                                "min(x^2 + z^2 - 0.1, -0.5 - log(y))"}) {
+        for (const char* method : {"hermite", "interval", "affine"}) {
+            SCOPED_TRACE(fmt::format("{}, {}", formula, method));
+            const Picture picture =
+                draw_formula(formula, fmt::format("[isolation]\nmethod = '{}'\n", method));
+            EXPECT_EQ(count(picture, Verdict::step_limit), 0);
+            EXPECT_EQ(count(picture, Verdict::nan), 0);
+            EXPECT_GT(count(picture, Verdict::hit), 20);
+            EXPECT_LT(double(picture.evaluations), 60.0 * 48 * 48);
+        }
+    }
+}
+
 TEST_P(Verdicts, ARayThatGivesUpIsNoMiss) {
     const Picture picture =
         draw_formula("x^2 + y^2 + z^2 - 1e-4", "[isolation]\nmethod = 'amp-sign'\nlimit = 5\n");

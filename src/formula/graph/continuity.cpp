@@ -51,6 +51,32 @@ NodeId unless_gap(Graph& g, NodeId id, const std::vector<bool>& is_resting) {
     }
 }
 
+// Above 0 over boxes where the operation has no value anywhere though its arguments have; else 0 or
+// more. `is_0`: vanishing().
+NodeId is_nowhere(Graph& g, NodeId id, const std::vector<NodeId>& is_0) {
+    const Node node = g[id];
+    const NodeId a = node.children[0], b = node.children[1], zero = g.constant(0),
+                 one = g.constant(1);
+    switch (node.op) {
+    case Op::constant:
+        return std::isnan(node.value) ? one : zero;
+    case Op::log:
+        return g.select(a, zero, one, zero);
+    case Op::power: {
+        if (g.is_constant(b) && is_whole(g[b].value)) return zero;
+        const NodeId is_not_whole = g.select(g.unary(Op::floor, b), b, one, zero);
+        return g.select(a, zero, is_not_whole, zero);
+    }
+    case Op::divide: { // 0/0
+        const NodeId unless_a = g.select(zero, g.unary(Op::abs, a), zero, one);
+        const NodeId by_bounds = g.select(zero, g.unary(Op::abs, b), zero, unless_a);
+        return g.add(by_bounds, g.multiply(is_0[a], is_0[b]));
+    }
+    default:
+        return zero;
+    }
+}
+
 } // namespace
 
 bool may_be_unbounded(Op op) {
@@ -103,7 +129,7 @@ NodeId gaps(Graph& g, NodeId root) {
 NodeId with_gaps(Graph& g, NodeId root) { return g.add(root, gaps(g, root)); }
 
 NodeId without_value(Graph& g, NodeId root) {
-    const NodeId zero = g.constant(0), one = g.constant(1);
+    const NodeId zero = g.constant(0);
     std::vector<NodeId> none(std::size_t(root) + 1, zero);
     const std::vector<NodeId> is_0 = vanishing(g, root);
     for (const NodeId id : nodes_below(g, std::array{root})) {
@@ -111,31 +137,24 @@ NodeId without_value(Graph& g, NodeId root) {
         const NodeId a = node.children[0], b = node.children[1];
         switch (node.op) {
         case Op::constant:
-            none[id] = std::isnan(node.value) ? one : zero;
+            none[id] = is_nowhere(g, id, is_0);
             break;
         case Op::log:
-            none[id] = g.add(none[a], g.select(a, zero, one, zero));
+            none[id] = g.add(none[a], is_nowhere(g, id, is_0));
             break;
-        case Op::power:
-            if (g.is_constant(b) && is_whole(g[b].value)) {
-                none[id] = none[a];
-            } else {
-                const NodeId is_not_whole = g.select(g.unary(Op::floor, b), b, one, zero);
-                none[id] = g.add(none[a], g.select(a, zero, is_not_whole, zero));
-            }
+        case Op::power: {
+            const bool is_product = g.is_constant(b) && is_whole(g[b].value);
+            none[id] = is_product ? none[a] : g.add(none[a], is_nowhere(g, id, is_0));
+            break;
+        }
+        case Op::divide:
+            none[id] = g.add(is_nowhere(g, id, is_0), g.add(none[a], none[b]));
             break;
         case Op::add:
         case Op::subtract:
         case Op::multiply:
             none[id] = g.add(none[a], none[b]);
             break;
-        case Op::divide: { // 0/0
-            const NodeId unless_a = g.select(zero, g.unary(Op::abs, a), zero, one);
-            const NodeId by_bounds = g.select(zero, g.unary(Op::abs, b), zero, unless_a);
-            const NodeId by_0 = g.add(by_bounds, g.multiply(is_0[a], is_0[b]));
-            none[id] = g.add(by_0, g.add(none[a], none[b]));
-            break;
-        }
         case Op::negate:
         case Op::abs:
         case Op::sqrt:
@@ -157,6 +176,11 @@ NodeId without_value(Graph& g, NodeId root) {
         }
     }
     return none[root];
+}
+
+NodeId within_gaps(Graph& g, NodeId root) {
+    const std::vector<NodeId> is_0 = vanishing(g, root);
+    return all_below(g, root, [&](Graph& to, NodeId id) { return is_nowhere(to, id, is_0); });
 }
 
 NodeId kinks(Graph& g, NodeId root) { return all_below(g, root, unless_without_kink); }

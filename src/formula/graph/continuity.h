@@ -40,4 +40,9 @@ NodeId kinks(Graph& graph, NodeId root);
 // over all others. Sums of gaps() count as what they say.
 NodeId without_value(Graph& graph, NodeId root);
 
+// Above 0 over boxes where some operation has no value anywhere, whatever the root makes of that:
+// all of such a box is within gaps(), so that no root is there. min(log(x), 3) has 3 where x < 0,
+// and no surface.
+NodeId within_gaps(Graph& graph, NodeId root);
+
 } // namespace isomotion::formula

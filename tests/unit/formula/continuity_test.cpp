@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "unit/formula/stranger_formula.h"
@@ -20,6 +21,7 @@ public:
         value_ = schedule_lowered(graph_, root);
         Graph g = graph_;
         without_ = schedule(g, std::array{without_value(g, root)});
+        within_ = schedule(g, std::array{within_gaps(g, root), gaps(g, root)});
     }
 
     Interval without_value_over(const Box& box) const {
@@ -27,12 +29,18 @@ public:
         Evaluator<Interval>(without_).point(bindings_, box, {&result, 1});
         return result;
     }
+    // within_gaps() and gaps()
+    std::array<Interval, 2> gaps_over(const Box& box) const {
+        std::array<Interval, 2> result;
+        Evaluator<Interval>(within_).point(bindings_, box, result);
+        return result;
+    }
     double value(const Point& p) const { return run(value_, p); }
 
 private:
     Graph graph_;
     Bindings<Interval> bindings_;
-    Program value_, without_;
+    Program value_, without_, within_;
 };
 
 TEST(WithoutValue, IsCertainWhereNoPointHasOne) {
@@ -123,6 +131,43 @@ TEST(WithoutValue, IsNeverSaidWhereAPointHasOne) {
         }
     }
     EXPECT_GT(certain, 100);
+}
+
+TEST(WithinGaps, AreBoxesWhereAnOperationHasNoValue) {
+    const Interval below{-2, -1}, across{-1, 1}, above{1, 2};
+    for (const char* formula :
+         {"min(y, log(x))", "max(log(x), y)", "sign(log(x))", "abs(y - max(x, 0)*y/max(x, 0)) - 1",
+          "least(blobs, max(cx, log(x)))", "atan(x^0.3)", "min(3, sum(blobs, log(x + 0*cx)))"}) {
+        SCOPED_TRACE(formula);
+        const Subject subject(formula);
+        EXPECT_GT(subject.gaps_over({below, {1, 2}, {1, 2}})[0].lo, 0);
+        EXPECT_EQ(subject.gaps_over({across, {1, 2}, {1, 2}})[0].lo, 0);
+        EXPECT_EQ(subject.gaps_over({above, {1, 2}, {1, 2}})[0].lo, 0);
+    }
+    EXPECT_EQ(Subject("min(x, sqrt(x))").gaps_over({below, {1, 2}, {1, 2}})[0].lo, 0);
+}
+
+// So that nothing is lost by passing them: enclosures there are the entire line.
+TEST(WithinGaps, AreNowhereElseThanInGaps) {
+    int within = 0, without = 0;
+    for (std::uint64_t seed = 0; seed < 600; ++seed) {
+        Random random(seed);
+        const std::string text = StrangerFormula(seed).text();
+        SCOPED_TRACE(fmt::format("seed {}: {}", seed, text));
+        const Subject subject(text);
+        for (int k = 0; k < 20; ++k) {
+            const Point corner = random.point(1.5);
+            const double size = std::exp2(random.in(-12, 1));
+            Box box;
+            for (std::size_t i = 0; i < 3; ++i) box[i] = {corner[i], corner[i] + size};
+            const auto [is_within, gap] = subject.gaps_over(box);
+            without += subject.without_value_over(box).lo > 0;
+            if (!(is_within.lo > 0)) continue;
+            ++within;
+            ASSERT_EQ(gap, Interval::entire());
+        }
+    }
+    EXPECT_GT(within, without);
 }
 
 } // namespace
