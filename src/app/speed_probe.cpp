@@ -28,7 +28,7 @@ constexpr double largest_window = 2000;
 Json measure_speed_here(gpu::Backend backend) {
     try {
         const auto context = gpu::Context::create(backend);
-        const scene::Scene scene = scene::load(scene_name);
+        const scene::Scene scene = scene::load(scene_name, {"look=none"});
         render::Renderer renderer(*context, scene, {side, side, {}, {}});
         render::expose(renderer, scene, 1); // drivers make their code at the first draw
         Milliseconds all{};

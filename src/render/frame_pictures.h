@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/sample_pattern.h"
+#include "scene/light_points.h"
 #include "scene/scene_at.h"
 
 namespace isomotion::render {
@@ -15,9 +16,11 @@ void for_each_picture(const scene::Scene& scene, int frame, const animation::Val
     for (const Sample& sample : sample_pattern(scene.output.samples)) {
         const double part = scene.camera.shutter * sample.part;
         if (part == 0) {
-            take(first, sample.aim);
+            take(scene::lit_from(first, sample.aim.lens), sample.aim);
         } else {
-            take(scene::at(scene, scene.timeline.values(frame, part)), sample.aim);
+            take(scene::lit_from(scene::at(scene, scene.timeline.values(frame, part)),
+                                 sample.aim.lens),
+                 sample.aim);
         }
     }
 }
