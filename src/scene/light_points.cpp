@@ -1,5 +1,6 @@
 #include "scene/light_points.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace isomotion::scene {
@@ -12,6 +13,10 @@ glm::dvec3 across(const glm::dvec3& v) {
 }
 
 } // namespace
+
+bool is_lit_by_discs(const SceneAt& now) {
+    return std::ranges::any_of(now.lights, [](const LightAt& light) { return light.radius > 0; });
+}
 
 SceneAt lit_from(SceneAt now, const glm::dvec2& disc) {
     if (disc == glm::dvec2(0)) return now;

@@ -68,8 +68,8 @@ const std::string every_channel = "z,n,p,verdict,evaluations,velocity";
 const BackEndScene scenes[] = {
     {"fused_pass", {"twisting_superquadric", "--set", "look=none", "--frames", "20"}},
     {"beams_and_lists", {"blobby75", "--set", "look=none", "--frames", "31", "--method", "hermite"}},
-    {"beams_of_lights", {"chmutov_12_two_lights", "--frames", "20"}},
-    {"mirrors_in_a_studio", {"blobby75_chrome", "--frames", "38"}},
+    {"beams_of_lights", {"chmutov_12_two_lights", "--set", "output.samples=1", "--frames", "20"}},
+    {"mirrors_in_a_studio", {"blobby75_chrome", "--set", "output.samples=1", "--frames", "38"}},
     {"effects", {"effects.toml", "--frames", "7"}},
     {"compute_stage", {"effects.toml", "--frames", "7", "--stage", "compute"}},
     {"array_in_a_texture", {"long_array.toml", "--frames", "1"}},
