@@ -59,7 +59,9 @@ TEST_F(LightPoints, ALightWithoutARadiusStaysAndSoDoesTheCamera) {
 TEST_F(LightPoints, ARadiusIsAnAngleThatALightCanHave) {
     const std::string light = "[[lights]]\ndirection = [1, 0, 0]\nradius = ";
     EXPECT_EQ(loaded(ball_and(light + "3")).output.samples, 16);
-    EXPECT_EQ(loaded(ball_and(light + "3") + "\n[output]\nsamples = 2").output.samples, 2);
+    EXPECT_EQ(loaded(ball_with(14, "samples = 2\n" + light + "3")).output.samples, 2);
+    EXPECT_THAT(mistake(ball_and(light + "50")),
+                testing::HasSubstr("must be from 0 to 45, not 50"));
 }
 
 } // namespace
