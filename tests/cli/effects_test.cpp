@@ -73,9 +73,9 @@ TEST_F(Effects, OfALookAreToldAndLeftOutOnDemand) {
     };
     EXPECT_EQ(red("none.png"), red("plain.png"));
     EXPECT_NE(red("looked.png"), red("plain.png"));
-    const Ending priced =
-        run({"accuracy", "looked.toml", "--effects", "--size", "24x24", "--repeat", "1"});
-    for (const char* effect : {"shadows", "ggx", "occlusion", "ambient", "samples", "light-size"})
+    const Ending priced = run({"accuracy", "looked.toml", "--set", "look=clay", "--effects",
+                               "--size", "24x24", "--repeat", "1"});
+    for (const char* effect : {"shadows", "occlusion", "ambient", "samples", "light-size"})
         EXPECT_THAT(priced.out, HasSubstr(std::string("\n") + effect + ' '));
 }
 
