@@ -108,7 +108,7 @@ struct Light {
     bool shadow = false;
     bool headlight = false; // no light given: over the viewer's shoulder
     bool with_camera = false;
-    // A disc that faces the surface has it: degrees as seen from there; of a point light world units.
+    // A disc that faces the surface has it: degrees as seen from there; a point light world units.
     std::optional<TrackId> radius;
 };
 
