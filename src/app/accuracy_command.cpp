@@ -69,7 +69,10 @@ scene::Scene load(const AccuracyArguments& arguments) {
     RenderArguments as_render;
     as_render.scene = arguments.scene;
     as_render.size = arguments.size;
-    as_render.settings = arguments.settings;
+    // What is measured is the surface; a look is priced with the other effects.
+    if (!arguments.effects) as_render.settings.emplace_back("look=none");
+    as_render.settings.insert(as_render.settings.end(), arguments.settings.begin(),
+                              arguments.settings.end());
     as_render.certify = arguments.certify;
     return scene::load(arguments.scene, overrides(as_render), arguments.reach);
 }

@@ -11,23 +11,32 @@
 namespace isomotion::app {
 namespace {
 
+struct Folder {
+    std::vector<std::string> (*names)();
+    std::filesystem::path (*file)(const std::string& name);
+};
+
+// Each file's name and title.
+void list_files(const Folder& folder) {
+    for (const std::string& name : folder.names())
+        print_result("{:<26} {}\n", name, scene::title(folder.file(name)));
+}
+
 int list(const std::string& what) {
     if (what == "methods") {
         for (const auto& method : scene::method_traits) {
             print_result("{:<12} {}\n", method.name, method.summary);
         }
-        return exit_done;
-    }
-    if (what == "effects") {
+    } else if (what == "effects") {
         for (const auto& effect : synthesis::effect_traits()) {
             print_result("{:<16} {}\n", effect.name, effect.summary);
         }
-        return exit_done;
-    }
-    const bool surfaces = what == "surfaces";
-    for (const auto& name : surfaces ? scene::surface_names() : scene::animation_names()) {
-        const auto file = surfaces ? scene::surface_file(name) : scene::animation_file(name);
-        print_result("{:<26} {}\n", name, scene::title(file));
+    } else if (what == "looks") {
+        list_files({scene::look_names, scene::look_file});
+    } else if (what == "surfaces") {
+        list_files({scene::surface_names, scene::surface_file});
+    } else {
+        list_files({scene::animation_names, scene::animation_file});
     }
     return exit_done;
 }
@@ -36,9 +45,10 @@ int list(const std::string& what) {
 
 void add_list(CLI::App& app, Action& chosen) {
     const auto what = std::make_shared<std::string>("animations");
-    CLI::App* command = app.add_subcommand("list", "list animations, surfaces, methods or effects");
-    command->add_option("what", *what, "animations (default), surfaces, methods or effects")
-        ->check(CLI::IsMember({"animations", "surfaces", "methods", "effects"}));
+    CLI::App* command =
+        app.add_subcommand("list", "list animations, surfaces, looks, methods or effects");
+    command->add_option("what", *what, "animations (default), surfaces, looks, methods or effects")
+        ->check(CLI::IsMember({"animations", "surfaces", "looks", "methods", "effects"}));
     command->callback([what, &chosen] { chosen = [what] { return list(*what); }; });
 }
 

@@ -2,6 +2,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <span>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +14,7 @@
 #include "app/render_arguments.h"
 #include "app/stop_on_signal.h"
 #include "base/file.h"
+#include "base/input_error.h"
 #include "image/encode.h"
 #include "page/gallery.h"
 #include "page/page.h"
@@ -94,13 +96,36 @@ std::vector<std::byte> movie_of(const PageArguments& arguments, const scene::Sce
     return base::read_whole(movie);
 }
 
+// NAME.accuracy beside NAME.toml, where there is such a report.
+std::optional<fs::path> report_beside(const scene::Scene& scene) {
+    if (!scene.formula.empty()) return std::nullopt;
+    fs::path report = scene.file;
+    report.replace_extension(".accuracy");
+    std::error_code ignored;
+    return fs::exists(report, ignored) ? std::optional(report) : std::nullopt;
+}
+
+// A report that was not asked for may be of other settings: the page goes without it.
+std::string page_with_report_beside(const scene::Scene& scene, page::PageOptions& options) {
+    options.report = report_beside(scene);
+    try {
+        return page::page(scene, options);
+    } catch (const base::InputError& error) {
+        message("warning: {}; the page goes without the report\n", error.what());
+        options.report.reset();
+        return page::page(scene, options);
+    }
+}
+
 int write_page(const PageArguments& arguments) {
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
     const fs::path file = file_of(arguments, scene);
     page::PageOptions options;
     options.warn = [](const std::string& text) { message("warning: {}\n", text); };
     if (!arguments.report.empty()) options.report = arguments.report;
-    std::string text = page::page(scene, options); // what is refused is so before anything is drawn
+    // What is refused is so before anything is drawn.
+    std::string text =
+        options.report ? page::page(scene, options) : page_with_report_beside(scene, options);
     if (arguments.video) {
         options.movie = movie_of(arguments, scene);
         if (options.movie.empty()) return exit_interrupted;

@@ -165,6 +165,11 @@ int show(const ShowArguments& arguments) {
     std::vector<std::string_view> called;
     for (const synthesis::Effect effect : synthesis::effects(scene))
         called.push_back(synthesis::name(effect));
+    if (!scene.look.name.empty()) {
+        print_result("look      {}: sets {}\n", scene.look.name,
+                     scene.look.keys.empty() ? "nothing, as the scene says all itself"
+                                             : fmt::format("{}", fmt::join(scene.look.keys, " ")));
+    }
     print_result("effects   {}\n",
                  called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
     if (const auto& paint = scene.material.paint; paint && paint->shown) {

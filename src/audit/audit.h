@@ -45,14 +45,15 @@ class Auditor {
 public:
     explicit Auditor(const scene::Scene& scene); // which outlives it
 
-    // Of a picture of frame `frame` of the given size and aim. Where it is to stop, of fewer rays.
-    // `grid`: of the scene's elements then, if the picture was drawn by one.
+    // Compares rays of a picture of frame `frame` of the given size and aim; fewer where it is to
+    // stop. `grid`: of the scene's elements then, if the picture was drawn by one.
     Findings hold(int frame, const scene::SceneAt& now, const scene::Aim& aim, int width,
                   int height, std::span<const render::Ending> endings,
                   const std::function<bool()>& stop = {},
                   std::shared_ptr<const elements::ElementGrid> grid = nullptr);
 
-    // Of the formula; of elements that are found by place about as many as matter at one.
+    // Operations of the formula; of elements that are found by place about as many as matter at
+    // one.
     double operations_at_a_point() const;
 
     // What a ray has taken so far, in the mean; 0 before the first.

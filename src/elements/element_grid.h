@@ -82,7 +82,7 @@ struct RootFree {
     std::span<const int> quadric_of; // of each sum
     std::span<const float> sizes{};  // ElementTerms::sizes() of all elements
     std::vector<double> at_most{};   // F has no root where each sum is at most this; 0: unknown
-    // Of a `least`: F has no root where it is at least this; infinite: unknown.
+    // For a `least`: F has no root where it is at least this; infinite: unknown.
     std::optional<double> at_least{};
     float least = 0;           // as of the grid
     bool is_emptiness = false; // F has no root where there is no element
@@ -93,7 +93,7 @@ struct RootFree {
     // of each sum's.
     const ElementTerms* terms = nullptr;
     std::span<const double> tolerance{};
-    // Of each sum: what lists leave out of it, and the signs of its terms, in [-1, 1].
+    // For each sum: what lists leave out of it, and the signs of its terms, in [-1, 1].
     std::vector<Interval> left_out{}, signs{};
 };
 

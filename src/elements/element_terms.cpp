@@ -92,7 +92,7 @@ public:
         evaluator_.points(of_.parameters_, from, to);
     }
 
-    // Of each lane: the level of quadric k beyond which the sums that depend on it keep their
+    // For each lane the level of quadric k beyond which the sums that depend on it keep their
     // tolerances. Below the quadric's least where they do everywhere, infinite where nowhere.
     std::vector<double> levels(std::span<const Quadric* const> all, int k,
                                std::span<const double> tolerance) {

@@ -6,8 +6,8 @@
 
 namespace isomotion::elements {
 
-// Of a grid with its lists; sums of its cells. Along axes on which no element depends, where it has
-// one cell, it gets more where F reads the place: they share one list.
+// Takes a grid with its lists and the sums of its cells. Along axes on which no element depends,
+// where it has one cell, it gets more where F reads the place: they share one list.
 void find_free_cells(ElementGrid& grid, const Region& region, const CellSums& sums,
                      const RootFree& root_free, const glm::bvec3& is_flat,
                      const GridLimits& limits);

@@ -5,7 +5,7 @@
 namespace isomotion::elements {
 namespace {
 
-// Of distances: level sets are as much larger as coefficients may be rounded.
+// Factor of distances: level sets are as much larger as coefficients may be rounded.
 constexpr double margin = 1 + 1e-6;
 // So far beyond the region levels are looked for: a support as large as the scene has its end
 // there.

@@ -16,7 +16,7 @@ namespace isomotion::elements {
 
 class SumsAtRoots {
 public:
-    // Of the sums over `array`; the field's other arrays are summed as they are.
+    // Looks at the sums over `array`; the field's other arrays are summed as they are.
     SumsAtRoots(const formula::Field& field, int array);
 
     // The largest s such that no place of the region is a root where all sums are in s times their

@@ -58,7 +58,7 @@ Tolerances tolerances(const ElementTerms& terms, std::span<const double> allowed
         for (int turn = 0; turn < k; ++turn) d *= narrower;
         distances.push_back(d);
     }
-    // Of each quadric, about whose middles its sums' terms are known.
+    // For each quadric, counts of elements about whose middles its sums' terms are known.
     std::vector<std::vector<double>> counts_of;
     for (int k = 0; k < terms.quadrics(); ++k)
         counts_of.push_back(counts_within(middles_of(terms, k), distances));

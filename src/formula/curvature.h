@@ -12,8 +12,9 @@ struct Curvatures {
     double gaussian = 0; // the product of the principal curvatures
 };
 
-// Of the surface of F through a point with this gradient and these second derivatives, in the order
-// of hessian(). NaN where the gradient vanishes. Any multiple of F above 0 has the same.
+// Curvatures of the surface of F through a point with this gradient and these second derivatives,
+// in the order of hessian(). NaN where the gradient vanishes. Any multiple of F above 0 has the
+// same.
 Curvatures curvatures(const std::array<double, 3>& gradient, const std::array<double, 6>& hessian);
 
 } // namespace isomotion::formula

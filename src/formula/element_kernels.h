@@ -17,7 +17,7 @@
 namespace isomotion::formula {
 
 struct ElementKernels {
-    // Of a quadric: its value, gradient and Hessian (xx xy xz yy yz zz) where x = y = z = 0.
+    // A quadric has its value, gradient and Hessian (xx xy xz yy yz zz) where x = y = z = 0.
     static constexpr int coefficients_each = 10;
     // Each sum has bounds in each cell of a grid.
     static constexpr std::size_t most_sums = 32;

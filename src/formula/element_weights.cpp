@@ -43,7 +43,7 @@ Factors factors_of(const Graph& graph, NodeId product) {
     return factors;
 }
 
-// Of each node, whether it reads a coordinate.
+// For each node, whether it reads a coordinate.
 std::vector<bool> readers_of_place(const Graph& graph) {
     std::vector<bool> reads(graph.size(), false);
     for (NodeId id = 0; id < graph.size(); ++id) {

@@ -53,7 +53,7 @@ std::vector<NodeId> own_sums(const Field& field, int array);
 // None if a sum over the array holds another sum or lies in one.
 std::optional<EnclosuresApart> enclosures_apart(const Field& field, int array);
 
-// Of polynomials: F, dF/dt and the gradient of dF/dt, inputs as of `directional`. Centred about a
+// For polynomials: F, dF/dt and the gradient of dF/dt, inputs as of `directional`. Centred about a
 // point of the box, dF/dt is bounded by the latter as closely as its terms, which cancel, are not.
 // None of other fields, where a second derivative may have no bound, or, of chebyshev, only a poor
 // one.

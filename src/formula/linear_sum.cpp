@@ -45,7 +45,7 @@ private:
         return false;
     }
 
-    // Of a child: without the sum below it, all is rest.
+    // Parts of a child: without the sum below it, all is rest.
     Parts parts_of(NodeId child) {
         return holds_sum(child) ? *parts_.at(child) : Parts{child, graph_.constant(0)};
     }

@@ -19,7 +19,7 @@ struct LinearSum {
     Program term;            // one element's part of S
 };
 
-// Of fields with one array, summed over once; the programs are for intervals, as in enclosure.h.
+// For fields with one array, summed over once; the programs are for intervals, as in enclosure.h.
 std::optional<LinearSum> linear_sum(const Field& field);
 
 // void rest_and_factor_interval(vec2 x, vec2 y, vec2 z, out vec2 rest, out vec2 factor)

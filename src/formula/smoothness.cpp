@@ -26,7 +26,7 @@ bool is_0(const Interval& decoration) { return decoration == Interval{0, 0}; }
 // Whether F keeps off 0 wherever a decoration isn't 0, by dividing the box.
 class Inspection {
 public:
-    // Of F, or 0 if it doesn't matter where that is, and a decoration.
+    // `program` has F, or 0 if it doesn't matter where that is, and a decoration.
     Inspection(const Program& program, double evaluations)
         : program_(program)
         , left_(evaluations) {}

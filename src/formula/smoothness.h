@@ -28,9 +28,9 @@ struct Region {
     std::array<Interval, 3> box;
 };
 
-// Of all regions together, for a few times so many operations; what is not told then counts as
-// rough. Kinks count where slopes really change, on random lines, as poles do on them; what no such
-// line meets counts where F may be 0.
+// Smoothness in all regions together, for a few times so many operations; what is not told then
+// counts as rough. Kinks count where slopes really change, on random lines, as poles do on them;
+// what no such line meets counts where F may be 0.
 Smoothness smoothness(const Field& field, std::span<const Region> regions, double operations = 2e7);
 
 // "polynomial of degree 4", "smooth", "with kinks, jumps"

@@ -29,7 +29,8 @@ struct SumsApart {
     int first_sum() const { return places; }   // input of `rest`
 };
 
-// Of a program with `places` inputs. None if a sum over `array` holds another sum or lies in one.
+// Takes a program with `places` inputs. None if a sum over `array` holds another sum or lies in
+// one.
 std::optional<SumsApart> sums_apart(const Graph& graph, std::span<const NodeId> roots, int array,
                                     int places);
 

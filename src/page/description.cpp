@@ -228,10 +228,11 @@ std::string accuracy_of(const scene::Scene& scene, const std::filesystem::path& 
     table.at("measurements").fail("none is of the scene's own method and step");
 }
 
-Json headlights_of(const scene::Scene& scene) {
+// Lights that go with the camera.
+Json viewers_lights_of(const scene::Scene& scene) {
     Json all = Json::array();
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-        if (scene.lights[k].headlight) all.push_back(k);
+        if (scene.lights[k].headlight || scene.lights[k].with_camera) all.push_back(k);
     }
     return all;
 }
@@ -261,7 +262,7 @@ std::string description(const WebScene& web, const FrameValues& values,
     all["box"] = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     all["parallel"] = scene.camera.projection == scene::Camera::Projection::orthographic;
     all["lights"] = scene.lights.size();
-    all["headlights"] = headlights_of(scene);
+    all["viewersLights"] = viewers_lights_of(scene);
     all["settings"] = settings_of(scene);
     all["sliders"] = sliders_of(scene);
     all["rules"] = rules_of(scene);

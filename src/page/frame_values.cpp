@@ -26,14 +26,13 @@ public:
         add(name, std::span(glm::value_ptr(m), 9)); // column by column
     }
 
-    std::vector<double> numbers;
-    std::vector<Place> places;
-
-private:
     void add(const char* name, std::span<const double> all) {
         numbers.insert(numbers.end(), all.begin(), all.end());
         places.push_back({name, int(all.size())});
     }
+
+    std::vector<double> numbers;
+    std::vector<Place> places;
 };
 
 // What rays depend on: web/rays.js makes the block Frame of it, for the camera of whoever looks.
@@ -55,6 +54,9 @@ Row view_of(const scene::SceneAt& now, double element_radius) {
     row.add("centre", now.bounds.centre);
     row.add("radius", now.bounds.radius);
     row.add("elementRadius", element_radius);
+    std::vector<double> radii;
+    for (const scene::LightAt& light : now.lights) radii.push_back(light.radius);
+    row.add("lightRadius", std::span<const double>(radii));
     return row;
 }
 

@@ -14,9 +14,9 @@ namespace {
 
 // In an order in which what runs at once comes last.
 constexpr const char* scripts[] = {
-    "vectors.js",    "data.js",    "rays.js",  "orbit.js",  "playback.js", "rules.js",
-    "address.js",    "look.js",    "gl.js",    "passes.js", "tile.js",     "screen.js",
-    "resolution.js", "painter.js", "hands.js", "panel.js",  "main.js"};
+    "vectors.js", "data.js",       "rays.js",    "orbit.js", "lights.js", "playback.js",
+    "rules.js",   "address.js",    "look.js",    "gl.js",    "passes.js", "tile.js",
+    "screen.js",  "resolution.js", "painter.js", "hands.js", "panel.js",  "main.js"};
 
 void append(std::vector<std::byte>& to, std::string_view text) {
     for (const char c : text) to.push_back(std::byte(c));

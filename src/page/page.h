@@ -17,7 +17,7 @@ namespace isomotion::page {
 
 struct PageOptions {
     std::vector<std::byte> movie; // an MP4, shown where a browser cannot draw the scene
-    // Of `isomotion accuracy`: what it measured of the scene's own method is told.
+    // A report of `isomotion accuracy`: the page tells what it measured of the scene's own method.
     std::optional<std::filesystem::path> report;
     // Told what was left out or mended: a timeline of another scene, an environment map.
     std::function<void(const std::string&)> warn = {};

@@ -10,7 +10,7 @@ namespace {
 
 int blocks_in(int length, int block) { return (length + block - 1) / block; }
 
-// Of squares of that many pixels, which are kept apart.
+// Texels for squares of that many pixels, which are kept apart.
 int texels_of(int length, int square) { return blocks_in(length, square) * synthesis::beam_square; }
 
 int blocks_in(const MarchPlan& tile, int block) {

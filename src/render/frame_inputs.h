@@ -73,7 +73,7 @@ struct PictureInputs {
     void add_to(base::Fingerprint& print) const;
 };
 
-// Of the elements that the picture's field finds by place; null if it looks at all.
+// The grid of the elements that the picture's field finds by place; null if it looks at all.
 std::shared_ptr<const elements::ElementGrid> grid(const PictureInputs& inputs);
 
 struct FrameInputs {
@@ -88,7 +88,7 @@ struct InputLayout {
     const synthesis::Passes& passes;
     int width = 0, height = 0;
     int light_pixels = 0; // the side of lights' pictures
-    // Of the array whose elements are found by place, else null.
+    // For the array whose elements are found by place, else null.
     const elements::GridMaker* grid = nullptr;
     elements::GridLimits grid_limits{};
     std::uint32_t most_elements_at_a_place = 0; // that a shader can sum

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/sample_pattern.h"
+#include "scene/light_points.h"
 #include "scene/scene_at.h"
 
 namespace isomotion::render {
@@ -11,13 +12,20 @@ namespace isomotion::render {
 template<class Take>
 void for_each_picture(const scene::Scene& scene, int frame, const animation::Values& values,
                       Take&& take) {
+    const auto take_lit = [&](const scene::SceneAt& now, const scene::Aim& aim) {
+        if (scene::is_lit_by_discs(now)) {
+            take(scene::lit_from(now, aim.lens), aim);
+        } else {
+            take(now, aim);
+        }
+    };
     const scene::SceneAt first = scene::at(scene, values);
     for (const Sample& sample : sample_pattern(scene.output.samples)) {
         const double part = scene.camera.shutter * sample.part;
         if (part == 0) {
-            take(first, sample.aim);
+            take_lit(first, sample.aim);
         } else {
-            take(scene::at(scene, scene.timeline.values(frame, part)), sample.aim);
+            take_lit(scene::at(scene, scene.timeline.values(frame, part)), sample.aim);
         }
     }
 }

@@ -11,8 +11,8 @@ namespace isomotion::render {
 
 class Layers {
 public:
-    // Of frames with the channels `wanted` beside R, G, B and A. `attachments`: those of them that
-    // the shade pass writes, from its third attachment on.
+    // Layers of frames with the channels `wanted` beside R, G, B and A. `attachments`: those of
+    // them that the shade pass writes, from its third attachment on.
     Layers(std::vector<synthesis::Channel> wanted, std::vector<synthesis::Channel> attachments)
         : wanted_(std::move(wanted))
         , attachments_(std::move(attachments)) {}

@@ -32,10 +32,10 @@ std::array<glm::vec4, 3> change_of_place(const scene::PlacementAt& from,
 glm::dvec3 place_on_ray(const scene::Rays& rays, const glm::ivec2& pixel, int width, int height,
                         double t);
 
-// Of one hit: along the normal in world units a second, towards where F > 0; and of the place on
-// the surface in the picture, in pixels a second to the right and down, the camera's own motion
-// included. `position` is of the hit, formula coordinates; `before` and `after` hold the gradient
-// and the value of F there.
+// Velocity of one hit: along the normal in world units a second, towards where F > 0; and of the
+// place on the surface in the picture, in pixels a second to the right and down, the camera's own
+// motion included. `position` is of the hit, formula coordinates; `before` and `after` hold the
+// gradient and the value of F there.
 glm::dvec3 velocity(const Motion& motion, const scene::SceneAt& now, int width, int height,
                     const glm::dvec3& position, const glm::dvec4& before, const glm::dvec4& after);
 

@@ -56,7 +56,7 @@ int blocks_across(int pixels) {
     return (pixels + synthesis::proved_block - 1) / synthesis::proved_block;
 }
 
-// Of the outcomes of pixels, four numbers each.
+// Counts open pixels among outcomes of four numbers each.
 std::uint32_t count_open(std::span<const float> record) {
     std::uint32_t open = 0;
     for (std::size_t k = 0; k < record.size(); k += 4) {

@@ -37,7 +37,7 @@ public:
     // The same of words that were read.
     void take(std::span<const std::uint32_t> words, int width, int height);
 
-    // Of the tile that was read last; pixels row by row from the bottom.
+    // These are of the tile that was read last; pixels row by row from the bottom.
     int verdict(std::size_t pixel) const { return int(packed_[pixel * words_] & 7); }
     int evaluations(std::size_t pixel) const { return int(packed_[pixel * words_] >> 3); }
     Tally tally() const;

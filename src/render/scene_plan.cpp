@@ -17,7 +17,7 @@ constexpr int usual_list = 16;
 // And one of a cell of a grid.
 constexpr int usual_list_of_a_cell = 32;
 
-// Of the loops of a draw, for what is gone through beside lists.
+// Part of the loops of a draw for what is gone through beside lists.
 constexpr double part_of_others = 0.2;
 
 constexpr int largest_tile = 2048;
@@ -93,7 +93,7 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
     expect_drawable(formula::cost(field.gradient, counts).operations);
 }
 
-// Of an evaluation where elements are found by place: what it goes through beside its lists, in
+// What an evaluation goes through where elements are found by place, beside its lists, in
 // each of the cells that a box meets.
 double turns_beside_lists(const scene::Scene& scene, const synthesis::Passes& passes,
                           std::size_t array) {
@@ -145,7 +145,7 @@ int without_lists(const scene::Scene& scene, const synthesis::Passes& passes, in
     return std::clamp(fitting, fewest, planned);
 }
 
-// Of an array whose elements are found by place, as many as the loops that shade a pixel can take.
+// Elements of an array found by place: as many as the loops that shade a pixel can take.
 std::uint32_t most_at_a_place(const scene::Scene& scene, const synthesis::Passes& passes) {
     constexpr double most = 50'000;
     const auto array = synthesis::array_with_grid(passes);

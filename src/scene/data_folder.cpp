@@ -63,12 +63,16 @@ std::vector<std::string> animation_names() { return toml_names(data_folder() / "
 std::vector<std::string> surface_names() {
     return toml_names(data_folder() / "animations" / "surfaces");
 }
+std::vector<std::string> look_names() { return toml_names(data_folder() / "animations" / "looks"); }
 
 fs::path animation_file(const std::string& name) {
     return data_folder() / "animations" / (name + ".toml");
 }
 fs::path surface_file(const std::string& name) {
     return data_folder() / "animations" / "surfaces" / (name + ".toml");
+}
+fs::path look_file(const std::string& name) {
+    return data_folder() / "animations" / "looks" / (name + ".toml");
 }
 fs::path media_file(const std::string& name) { return data_folder() / "media" / name; }
 

@@ -13,12 +13,15 @@ namespace isomotion::scene {
 // installed. Throws SceneError naming where it looked.
 std::filesystem::path data_folder();
 
-// Names (without .toml) of the gallery's animations and of the catalogue's surfaces, sorted.
+// Names (without .toml) of the gallery's animations, of the catalogue's surfaces, and of the looks
+// that scenes name, sorted.
 std::vector<std::string> animation_names();
 std::vector<std::string> surface_names();
+std::vector<std::string> look_names();
 
 std::filesystem::path animation_file(const std::string& name);
 std::filesystem::path surface_file(const std::string& name);
+std::filesystem::path look_file(const std::string& name);
 // `name` with its extension.
 std::filesystem::path media_file(const std::string& name);
 

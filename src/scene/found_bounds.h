@@ -12,7 +12,7 @@ namespace isomotion::scene {
 struct FoundBounds {
     // The surface is looked for from -reach to reach along each axis.
     static constexpr double reach = 10;
-    // Of a surface that goes on beyond that, or of which nothing is found.
+    // The radius where a surface goes on beyond that, or where nothing is found.
     static constexpr double otherwise = 3;
 
     glm::dvec3 centre{0};
@@ -20,7 +20,7 @@ struct FoundBounds {
     bool is_about_surface = false; // at all frames; else it goes on beyond, or there may be none
 };
 
-// Of a scene whose own bounds don't count. None if looking would take long: many elements or
+// Bounds of a scene whose own don't count. None if looking would take long: many elements or
 // frames.
 std::optional<FoundBounds> find_bounds(const Scene& scene);
 

@@ -23,7 +23,7 @@ inline constexpr int parameters = 1000; // fields with one value for all element
 inline constexpr int keys = 100'000;    // of one track
 inline constexpr int elements = 1'000'000;
 inline constexpr int fields = 1000; // of an array; columns of a table
-// Of all tables together: the numbers that arrays keep of them, eight bytes each.
+// Numbers that arrays keep of all tables together, eight bytes each.
 inline constexpr double table_values = 3e7;
 // The formula at one point, with all elements of its sums. All fields of all elements at one frame:
 // how many they are, some 50 bytes each, and what they take.
@@ -31,7 +31,7 @@ inline constexpr double operations_at_a_point = 1e8;
 inline constexpr double values_of_a_frame = 1e7;
 inline constexpr double operations_of_a_frame = 2e8;
 inline constexpr int lights = 8;
-// Of a colour, and of an environment's intensity: products of them stay floats.
+// A colour's parts and an environment's intensity: products of them stay floats.
 inline constexpr double brightness = 1e6;
 inline constexpr int picture_side = 16384; // pixels
 inline constexpr int samples = 1024;

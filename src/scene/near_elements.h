@@ -34,7 +34,7 @@ public:
     const formula::Bindings<double>& at(const glm::dvec3& p);
     const formula::Bindings<double>& all() const { return all_; }
     bool is_by_place() const { return grid_.has_value(); }
-    // Of each array: how many elements a sum takes at most places.
+    // For each array: how many elements a sum takes at most places.
     std::vector<int> usual_counts() const;
 
 private:

@@ -40,15 +40,15 @@ struct RayRounding {
     double slant = 1;     // a ray is no longer than this for each unit of depth that it crosses
     bool holds = true;    // whether all lengths are in the range of the model
 
-    // Of a point of a ray that is `distance` from its anchor or nearer.
+    // Error of a point of a ray that is `distance` from its anchor or nearer.
     double at_distance(double distance) const {
         return anchor + distance * (direction + 2 * unit) + centre;
     }
-    // Of a point of any ray that is so far from the plane of the anchors or nearer. There |t| is f
-    // times that, f = |from_eye| / depth, and the direction off by 15.5 u along itself and
-    // u + 9 u s / f aside; f times both is less than 16 u slant, whatever s is. (Only of pictures
-    // that are many times as wide as high, and more than 160 degrees, the root must be closer than
-    // 9 u for that.)
+    // Error of a point of any ray that is so far from the plane of the anchors or nearer. There |t|
+    // is f times that, f = |from_eye| / depth, and the direction off by 15.5 u along itself and u +
+    // 9 u s / f aside; f times both is less than 16 u slant, whatever s is. (Only of pictures that
+    // are many times as wide as high, and more than 160 degrees, the root must be closer than 9 u
+    // for that.)
     double at_depth(double depth) const { return anchor + 18 * unit * depth * slant + centre; }
 
     static constexpr double unit = 0x1p-24; // relative error of one float32 rounding

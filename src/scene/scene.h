@@ -99,12 +99,17 @@ struct Camera {
 
 // A light far away, or at a place.
 struct Light {
-    Vec3Track direction{}; // to the light; of a point light its position; world coordinates
+    // To the light, or the position of a point light: in world coordinates, or of a light that goes
+    // with the camera to the viewer's right, up and back.
+    Vec3Track direction{};
     Vec3Track color{};
     bool is_point = false;
     std::optional<TrackId> falloff; // distance at which a point light has its colour; else all have
     bool shadow = false;
     bool headlight = false; // no light given: over the viewer's shoulder
+    bool with_camera = false;
+    // A disc that faces the surface has it: degrees as seen from there; a point light world units.
+    std::optional<TrackId> radius;
 };
 
 // A plane across the world's z axis.
@@ -117,6 +122,11 @@ struct Ground {
 struct Fog {
     TrackId density = 0, start = 0; // world units
     Vec3Track color{};
+};
+
+// Light from everywhere: from the world's zenith and from its nadir.
+struct Ambient {
+    Vec3Track top{}, bottom{};
 };
 
 // Takes away light from everywhere where the surface is near along the normal.
@@ -206,6 +216,12 @@ struct Output {
     int samples = 1; // pictures whose mean is a frame
 };
 
+// Settings of a file of the program's that apply where a scene says nothing itself.
+struct NamedLook {
+    std::string name;                   // empty: none
+    std::vector<std::string> keys = {}; // what it set: "lights", "material.model"
+};
+
 struct Scene {
     std::filesystem::path file; // of a formula alone, one that is not there
     std::string formula;        // if that is all the scene was loaded by
@@ -218,9 +234,11 @@ struct Scene {
     Material material;
     std::optional<Ground> ground;
     std::optional<Fog> fog;
+    std::optional<Ambient> ambient; // without it a little white
     std::optional<Occlusion> occlusion;
     std::optional<Environment> environment;
     Output output;
+    NamedLook look;
 };
 
 // What loads the scene again, from any folder: its formula, or its file's whole path.

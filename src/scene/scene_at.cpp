@@ -186,8 +186,11 @@ public:
         for (const Light& from : scene_.lights) {
             LightAt light;
             light.color = color(from.color);
-            light.direction = from.headlight ? shoulder(camera) : vector(from.direction);
+            light.direction = from.headlight     ? of_viewer(camera, {0.6, 0.8, 1})
+                              : from.with_camera ? of_viewer(camera, vector(from.direction))
+                                                 : vector(from.direction);
             light.is_point = from.is_point;
+            if (from.radius) light.radius = radius(from);
             if (from.falloff) light.falloff = positive(*from.falloff, "the distance");
             lights.push_back(light);
             if (light.is_point) continue;
@@ -238,6 +241,11 @@ public:
     }
 
 private:
+    double radius(const Light& light) const {
+        if (light.is_point) return not_negative(*light.radius, "the radius");
+        constexpr double widest = 45; // degrees
+        return std::tan(glm::radians(within(*light.radius, widest)));
+    }
     double positive(TrackId track, const char* what) const {
         const double value = number(track);
         if (!(value > 0)) fail(track, fmt::format("{} must be above 0, not {}", what, value));
@@ -277,8 +285,8 @@ private:
                std::sin(e) * pole;
     }
 
-    // The direction to a light above the viewer's right shoulder.
-    static glm::dvec3 shoulder(const CameraAt& camera) {
+    // What is `v` to the viewer's right, up and back, in world coordinates.
+    static glm::dvec3 of_viewer(const CameraAt& camera, const glm::dvec3& v) {
         const glm::dvec3 back = glm::normalize(camera.position - camera.target);
         glm::dvec3 right = glm::cross(camera.up, back);
         if (glm::length(right) < 1e-9 * glm::length(camera.up)) {
@@ -286,7 +294,7 @@ private:
                                back);
         }
         right = glm::normalize(right);
-        return back + 0.6 * right + 0.8 * glm::cross(back, right);
+        return v.z * back + v.x * right + v.y * glm::cross(back, right);
     }
 
     const Scene& scene_;
@@ -307,6 +315,7 @@ SceneAt in_formula_coordinates(SceneAt scene) {
         light.direction =
             light.is_point ? scene.placement.to_local(light.direction) : to_local * light.direction;
         light.falloff /= scene.placement.scale;
+        if (light.is_point) light.radius /= scene.placement.scale;
     }
     scene.fog.density *= scene.placement.scale;
     scene.fog.start /= scene.placement.scale;
@@ -339,6 +348,8 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     if (scene.material.inside) now.inside_color = read.color(*scene.material.inside);
     if (scene.ground) now.ground = read.ground(*scene.ground);
     if (scene.fog) now.fog = read.fog(*scene.fog);
+    if (scene.ambient)
+        now.ambient = {read.color(scene.ambient->top), read.color(scene.ambient->bottom)};
     if (scene.occlusion) {
         now.occlusion = read.occlusion(*scene.occlusion, now.bounds.radius * now.placement.scale);
     }

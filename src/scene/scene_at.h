@@ -50,6 +50,7 @@ struct LightAt {
     glm::dvec3 color{1};
     bool is_point = false;
     double falloff = 0; // distance at which a point light has its colour; 0: everywhere
+    double radius = 0;  // of its disc: tangent of the angle; of a point light world units
 };
 
 struct GroundAt {
@@ -60,6 +61,10 @@ struct GroundAt {
 struct FogAt {
     double density = 0, start = 0;
     glm::dvec3 color{0};
+};
+
+struct AmbientAt {
+    glm::dvec3 top{0}, bottom{0};
 };
 
 struct OcclusionAt {
@@ -84,6 +89,7 @@ struct SceneAt {
     glm::dvec3 inside_color{1}; // of a surface with two colours
     GroundAt ground;            // these where the scene has them
     FogAt fog;
+    AmbientAt ambient;
     OcclusionAt occlusion;
     std::optional<EnvironmentAt> environment;
     // Blinn-Phong: shininess, specular. GGX: roughness, metallic, specular. The rest is 0.

@@ -23,7 +23,7 @@ inline constexpr const char* fingerprint_key = "isomotion:fingerprint";
 image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& now,
                                const animation::Values& values, int frame, image::Format format);
 
-// Of the file: of its pixels, given by their fingerprint, its encoding and its metadata.
+// Fingerprint of a file: of its pixels, given by their fingerprint, its encoding and its metadata.
 std::string file_fingerprint(const std::string& pixels, const std::string& renderer,
                              image::Format format, const image::Metadata& metadata);
 

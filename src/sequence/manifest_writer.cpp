@@ -100,7 +100,7 @@ ManifestWriter::ManifestWriter(const SequenceName& name, const Sequence& sequenc
 }
 
 void ManifestWriter::join(const Sequence& wanted) {
-    // Of those who join at the same time, one after the other has this file.
+    // Those who join at the same time have this file one after the other.
     base::PartialFile file(sequence_file(folder_));
     const std::optional<Sequence> there = sequence_there(folder_);
     if (there && there->format.pattern != wanted.format.pattern) {

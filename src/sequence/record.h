@@ -27,7 +27,7 @@ struct Provenance {
     bool operator==(const Provenance&) const = default;
 };
 
-// Of all files of a sequence.
+// What all files of a sequence have in common.
 struct SequenceFormat {
     std::string pattern; // name.####.png
     int width = 0, height = 0;
@@ -53,7 +53,7 @@ std::string difference(const Sequence& first, const Sequence& second);
 inline constexpr std::array audit_names{"right", "wrong", "undecided"};
 using AuditCounts = std::array<std::int64_t, audit_names.size()>;
 
-// Of the frames that were audited.
+// Findings in the frames that were audited.
 audit::Findings findings(const AuditCounts& counts);
 
 struct FrameRecord {

@@ -1,8 +1,8 @@
 #include "sequence/scene_fingerprint.h"
 
 #include "base/fingerprint.h"
-#include "synthesis/effect.h"
 #include "scene/source_print.h"
+#include "synthesis/effect.h"
 
 namespace isomotion::sequence {
 namespace {
@@ -41,12 +41,14 @@ std::string scene_fingerprint(const scene::Scene& scene) {
     for (const animation::Track& track : animation.tracks()) scene::add(print, track);
     for (std::size_t a = 0; a < animation.arrays().size(); ++a)
         scene::add_array(print, animation, a);
-    for (const synthesis::Effect effect : synthesis::effects(scene)) print.add(synthesis::name(effect));
+    for (const synthesis::Effect effect : synthesis::effects(scene))
+        print.add(synthesis::name(effect));
     print.add(std::to_string(int(scene.surface.bounds.shape)));
     add(print, scene.isolation);
     add_numbers(print, {double(scene.camera.projection), scene.camera.shutter});
     for (const scene::Light& light : scene.lights) {
         add_numbers(print, {double(light.is_point), double(light.shadow), double(light.headlight)});
+        if (light.with_camera) print.add("with the camera");
     }
     if (const auto& paint = scene.material.paint) {
         print.add(paint->value->text);

@@ -21,7 +21,7 @@ struct Verification {
     std::vector<int> changed;    // since they were recorded
     std::vector<int> unrecorded; // there, but nobody says what they are
     std::vector<int> repainted;  // of whole ones: their pixels are not those that were recorded
-    // Of whole ones, those made otherwise than the sequence: by "scene", "version", "renderer", ...
+    // Whole ones that were made otherwise than the sequence: by "scene", "version", "renderer", ...
     std::map<std::string, std::vector<int>> differing;
     // Frames' files that the sequence was never asked for.
     std::vector<int> foreign;

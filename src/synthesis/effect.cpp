@@ -139,6 +139,22 @@ const std::array table{
                  "camera.aperture: from points of the lens",
                  [](const Scene& s) { return s.camera.aperture.has_value(); },
                  [](Scene& s) { s.camera.aperture.reset(); }},
+    EffectTraits{Effect::light_size, "light-size",
+                 "lights.radius: soft shadows, from points of the light",
+                 [](const Scene& s) {
+                     return std::ranges::any_of(
+                         s.lights, [](const Light& light) { return light.radius.has_value(); });
+                 },
+                 [](Scene& s) {
+                     for (Light& light : s.lights) light.radius.reset();
+                 }},
+    EffectTraits{Effect::ambient, "ambient", "[ambient]: light from everywhere, of two colours",
+                 [](const Scene& s) { return s.ambient.has_value(); },
+                 [](Scene& s) { s.ambient.reset(); }, true, "", "ambient",
+                 [](const Scene&, const SceneAt& now, Uniforms& to) {
+                     add(to, "ambient_top", now.ambient.top);
+                     add(to, "ambient_bottom", now.ambient.bottom);
+                 }},
 };
 
 } // namespace

@@ -30,6 +30,8 @@ enum class Effect {
     samples,
     motion_blur,
     depth_of_field,
+    light_size,
+    ambient,
 };
 
 struct EffectTraits {

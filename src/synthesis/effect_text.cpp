@@ -21,8 +21,9 @@ std::string lit(const scene::Scene& scene, const char* name, bool with_shadows) 
                 : "    vec3 albedo = surface_color(hit);\n";
     // Metal has no matt part that light from everywhere could come back from.
     const bool metal = scene.material.model == scene::Material::Model::ggx;
-    text += fmt::format("    vec3 sum = 0.12 * albedo{}{};\n", metal ? " * (1.0 - gloss.y)" : "",
-                        occluded ? " * openness(p)" : "");
+    text += fmt::format("    vec3 sum = {} * albedo{}{};\n",
+                        scene.ambient ? "ambient(p.normal)" : "0.12",
+                        metal ? " * (1.0 - gloss.y)" : "", occluded ? " * openness(p)" : "");
     text += "    for (int k = 0; k < LIGHTS; ++k) {\n"
             "        LightRay light = light_at(k, p.position);\n";
     text += scene.ground

@@ -28,7 +28,8 @@ struct FirstRoot {
     bool after_is_hit = false; // of a touching one: a certain root in [low, high], else a miss
     float low = 0, high = 0;   // rounded outward
     float touch_low = 0, touch_high = 0;
-    // Of F in the middle of a hit's enclosure, where gradients() was asked for; 0: not known.
+    // Gradient of F in the middle of a hit's enclosure, where gradients() was asked for; 0: not
+    // known.
     std::array<float, 3> gradient{};
 };
 
@@ -49,7 +50,7 @@ public:
     explicit RootFinder(const elements::FieldByPlace::Frame& field, Budget budget = {});
 
     void find(std::span<const Tube> tubes, std::span<FirstRoot> roots);
-    // Of the hits among them.
+    // Finds the gradients of the hits among them.
     void gradients(std::span<const Tube> tubes, std::span<FirstRoot> roots);
 
     std::int64_t evaluations() const { return evaluations_; }

@@ -264,9 +264,9 @@ void PrintTo(const Cheap& cheap, std::ostream* out) { *out << cheap.animation; }
 class CertifyAnimation : public testing::TestWithParam<Cheap> {};
 
 TEST_P(CertifyAnimation, IsNotContradictedByTruth) {
-    const scene::Scene scene =
-        scene::load(GetParam().animation, {"isolation.certify=true", "output.samples=1",
-                                           fmt::format("output.size=[{},{}]", side, side)});
+    const scene::Scene scene = scene::load(
+        GetParam().animation, {"look=none", "isolation.certify=true", "output.samples=1",
+                               fmt::format("output.size=[{},{}]", side, side)});
     const int frame = scene.output.poster;
     const scene::SceneAt now =
         scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(frame)));

@@ -24,8 +24,8 @@ TEST_P(HermiteOfCatalogue, NoCertainPixelIsWrong) {
           Known{"blobby75"}, Known{"chmutov_8"}, Known{"goursat"}, Known{"heart"}, Known{"kummer"},
           Known{"tangle"}, Known{"wyvill_soft_objects"}, Known{"superquadric", 36}}) {
         SCOPED_TRACE(known.name);
-        const scene::Scene scene =
-            scene::load(known.name, {"output.size=[64,64]", "isolation.method=\"hermite\""});
+        const scene::Scene scene = scene::load(
+            known.name, {"look=none", "output.size=[64,64]", "isolation.method=\"hermite\""});
         const int frame = scene.output.poster;
         const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
         const render::Picture picture = render::draw(*context, scene, frame);

@@ -67,7 +67,7 @@ BENCHMARK(render_to_png)->Arg(10)->Iterations(1)->Repetitions(3)->Unit(benchmark
 
 void frame_time_and_memory(benchmark::State& state) {
     const auto context = gpu::Context::create();
-    const scene::Scene scene = scene::load("blobby75", {"output.size=[64,64]"});
+    const scene::Scene scene = scene::load("blobby75", {"look=none", "output.size=[64,64]"});
     render::Renderer renderer(*context, scene, {64, 64, {}, {}});
     renderer.draw(scene::at(scene, scene.timeline.values(1))); // the driver makes its code here
     for (auto _ : state) {
@@ -118,7 +118,7 @@ void first_frame(benchmark::State& state, const scene::Scene& scene) {
 }
 
 void first_frame_of_blobby75(benchmark::State& state) {
-    first_frame(state, scene::load("blobby75", {"output.size=[32,32]"}));
+    first_frame(state, scene::load("blobby75", {"look=none", "output.size=[32,32]"}));
 }
 BENCHMARK(first_frame_of_blobby75)->UseManualTime()->Iterations(3)->Unit(benchmark::kSecond);
 

@@ -15,7 +15,8 @@ namespace isomotion {
 namespace {
 
 void row(const std::string& name, const std::string& file, int size) {
-    const scene::Scene scene = scene::load(file, {fmt::format("output.size=[{0}, {0}]", size)});
+    const scene::Scene scene =
+        scene::load(file, {"look=none", fmt::format("output.size=[{0}, {0}]", size)});
     const scene::SceneAt now = scene::at(scene, scene.timeline.values(scene.output.poster));
     const auto start = std::chrono::steady_clock::now();
     const truth::Truth truth = truth::certify(scene, now, size, size);

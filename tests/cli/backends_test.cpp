@@ -66,16 +66,16 @@ position = [5, 0, 0]
 const std::string every_channel = "z,n,p,verdict,evaluations,velocity";
 
 const BackEndScene scenes[] = {
-    {"fused_pass", {"twisting_superquadric", "--frames", "20"}},
-    {"beams_and_lists", {"blobby75", "--frames", "31", "--method", "hermite"}},
-    {"beams_of_lights", {"chmutov_12_two_lights", "--frames", "20"}},
-    {"mirrors_in_a_studio", {"blobby75_chrome", "--frames", "38"}},
+    {"fused_pass", {"twisting_superquadric", "--set", "look=none", "--frames", "20"}},
+    {"beams_and_lists", {"blobby75", "--set", "look=none", "--frames", "31", "--method", "hermite"}},
+    {"beams_of_lights", {"chmutov_12_two_lights", "--set", "output.samples=1", "--frames", "20"}},
+    {"mirrors_in_a_studio", {"blobby75_chrome", "--set", "output.samples=1", "--frames", "38"}},
     {"effects", {"effects.toml", "--frames", "7"}},
     {"compute_stage", {"effects.toml", "--frames", "7", "--stage", "compute"}},
     {"array_in_a_texture", {"long_array.toml", "--frames", "1"}},
     {"proofs",
-     {"barth_sextic", "--frames", "31", "--certify", "--channels", every_channel + ",proof"}},
-    {"proofs_of_sums", {"blobby75", "--frames", "61", "--certify", "--channels", "z,proof"}},
+     {"barth_sextic", "--set", "look=none", "--frames", "31", "--certify", "--channels", every_channel + ",proof"}},
+    {"proofs_of_sums", {"blobby75", "--set", "look=none", "--frames", "61", "--certify", "--channels", "z,proof"}},
     {"marching", {"goursat", "--frames", "1", "--method", "marching"}},
     {"amp_sign", {"goursat", "--frames", "1", "--method", "amp-sign"}},
     {"amp_taylor", {"goursat", "--frames", "1", "--method", "amp-taylor"}},

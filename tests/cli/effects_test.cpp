@@ -51,6 +51,34 @@ TEST_F(Effects, ARangeThatIsShownIsTold) {
                 HasSubstr("\n3 frames kept from an earlier run\n"));
 }
 
+TEST_F(Effects, OfALookAreToldAndLeftOutOnDemand) {
+    const Ending looks = run({"list", "looks"});
+    for (const char* look : {"studio", "clay", "night", "chrome"})
+        EXPECT_THAT("\n" + looks.out, HasSubstr(std::string("\n") + look + ' '));
+    std::ofstream(*this / "plain.toml")
+        << "[surface]\nformula = \"x^2 + y^2 + z^2 - 1\"\nbounds = { sphere = 1.5 }\n"
+           "[output]\nsize = [24, 24]\n";
+    std::ofstream(*this / "looked.toml")
+        << "look = \"studio\"\n"
+           "[surface]\nformula = \"x^2 + y^2 + z^2 - 1\"\nbounds = { sphere = 1.5 }\n"
+           "[output]\nsize = [24, 24]\n";
+    EXPECT_THAT(run({"show", "looked.toml"}).out,
+                testing::ContainsRegex("\nlook      studio: sets .*lights.*output\\.samples"));
+    EXPECT_THAT(run({"show", "plain.toml"}).out, Not(HasSubstr("\nlook ")));
+    render({"plain.toml", "-o", "plain.png"});
+    render({"looked.toml", "-o", "looked.png"});
+    render({"looked.toml", "--set", "look=none", "-o", "none.png"});
+    const auto red = [&](const char* name) {
+        return image::decode(*this / name).find("R")->samples;
+    };
+    EXPECT_EQ(red("none.png"), red("plain.png"));
+    EXPECT_NE(red("looked.png"), red("plain.png"));
+    const Ending priced = run({"accuracy", "looked.toml", "--set", "look=clay", "--effects",
+                               "--size", "24x24", "--repeat", "1"});
+    for (const char* effect : {"shadows", "occlusion", "ambient", "samples", "light-size"})
+        EXPECT_THAT(priced.out, HasSubstr(std::string("\n") + effect + ' '));
+}
+
 TEST_F(Effects, HaveTheirPrices) {
     Words words = with_scene("accuracy", "[fog]\ndensity = 0.1\n[occlusion]\n");
     words.insert(words.end(), {"--effects", "--size", "32x32", "--repeat", "1"});

@@ -35,7 +35,8 @@ protected:
         const auto picture = [&](bool beam) {
             const scene::Scene scene =
                 scene_of(text + "\n" + lights + ground,
-                         {"material.color=[1,1,1]", fmt::format("isolation.method=\"{}\"", method),
+                         {"look=none", "material.color=[1,1,1]",
+                          fmt::format("isolation.method=\"{}\"", method),
                           fmt::format("isolation.beam={}", beam),
                           fmt::format("output.size=[{},{}]", size[0], size[1])});
             return draw(context(), scene, scene.output.poster, plan);

@@ -53,6 +53,7 @@ const std::vector<Named> every_effect{
     {"[ground]\nheight = -1\n", "effects/ground.glsl", "ground_plane"},
     {"[fog]\ndensity = 0.1\n", "effects/fog.glsl", "in_fog"},
     {"[occlusion]\n", "effects/occlusion.glsl", "openness"},
+    {"[ambient]\ntop = [1, 0, 0]\n", "effects/ambient.glsl", "ambient_top"},
     {"[material]\nreflection = \"sky\"\n", "effects/sky_flat.glsl", "mirrored("},
     {"[material]\nmodel = \"ggx\"\n", "effects/brdf_ggx.glsl", "least_roughness"},
     {"[material]\nmodel = \"blinn-phong\"\n", "effects/brdf_blinn_phong.glsl", "shininess"},

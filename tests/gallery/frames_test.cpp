@@ -27,7 +27,7 @@ double difference(const image::Frame& a, const image::Frame& b) {
 TEST_P(GalleryFrames, AreMissesAndHitsAndLoopsClose) {
     for (const std::string& name : animations_of(GetParam())) {
         SCOPED_TRACE(name);
-        const scene::Scene scene = scene::load(name, {"output.size=[48,48]"});
+        const scene::Scene scene = scene::load(name, {"look=none", "output.size=[48,48]"});
         const int frames = scene.timeline.frames;
         Renderer renderer(*context, scene, {side, side, {}, {}});
         std::int64_t most_hits = 0, least_hits = side * side;

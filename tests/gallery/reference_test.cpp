@@ -25,7 +25,7 @@ TEST_P(GalleryReference, PostersLookAsTheyDid) {
     const auto folder = std::filesystem::path(ISOMOTION_SOURCE_DIR) / "tests/gallery/reference";
     for (const std::string& name : animations_of(GetParam())) {
         SCOPED_TRACE(name);
-        const scene::Scene scene = scene::load(name, {"output.size=[96,96]"});
+        const scene::Scene scene = scene::load(name, {"look=none", "output.size=[96,96]"});
         image::Frame drawn = draw(*context, scene, scene.output.poster).frame;
         drawn.channels.resize(4); // R G B A: what a PNG holds
         const auto file = folder / (name + ".png");

@@ -34,6 +34,8 @@ ALL = QUICK + [
     ("csg.toml", 1, []),
     ("ground.toml", 3, []),
     ("lens.toml", 1, []),
+    ("look.toml", 2, []),
+    ("look.toml", 2, [CAMERA]),
     ("moved.toml", 2, []),
 ]
 SCENES = {
@@ -100,6 +102,26 @@ projection = "perspective"
 [output]
 samples = 4
 """,
+    # A look, its lights with the camera and of a size, in a surface that is turned.
+    "look.toml": """look = "studio"
+[time]
+frames = 3
+[surface]
+formula = "(sqrt(x^2 + y^2) - 1)^2 + z^2 - 0.1"
+transform = { rotate = [20, "30*t", 10], scale = 2, translate = [1, 0, 0] }
+[[lights]]
+direction = [1, 1, 1]
+with_camera = true
+shadow = true
+radius = 12
+[[lights]]
+position = [3, -4, 5]
+falloff = 4
+shadow = true
+radius = 0.6
+[output]
+samples = 4
+""",
     # A placement far away, parallel rays, no light of its own.
     "moved.toml": """[time]
 frames = 3
@@ -131,6 +153,9 @@ def tally_of(rendered):
 
 
 def compare(given, folder, driven, checks, name, frame, changes, held={}):
+    # One picture a frame shows where a pixel differs.
+    if not name.endswith(".toml"):
+        changes = ["look=none", "output.samples=1", *changes]
     settings = [word for change in changes for word in ("--set", change)]
     scene = scene_file(name, folder)
     file = pages.made(given.program, scene, os.path.join(folder, "page.html"), *settings)
@@ -142,7 +167,7 @@ def compare(given, folder, driven, checks, name, frame, changes, held={}):
     with open(os.path.join(folder, f"r.{frame:04}.png"), "rb") as rendered:
         wanted = png.read(rendered.read())
     page = driven.page(SIDE, SIDE)
-    samples = 4 if name == "lens.toml" else 1
+    samples = 4 if name in ("lens.toml", "look.toml") else 1
     page.open(file, f"?ui=0&tally&samples={samples}",
               f"#f={frame}" + "".join(f"&{name}={value}" for name, value in held.items()))
     page.until_at_rest()

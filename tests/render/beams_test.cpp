@@ -114,7 +114,7 @@ TEST_P(Beams, LoseNoHitOfAnyAnimation) {
     int scenes = 0;
     for (const auto& name : scene::animation_names()) {
         SCOPED_TRACE(name);
-        scene::Scene scene = scene::load(name, {size});
+        scene::Scene scene = scene::load(name, {"look=none", size});
         // What is compared is the eye's rays.
         scene.material.reflection = scene::Material::Reflection::none;
         scene.material.paint.reset();
@@ -139,7 +139,7 @@ constexpr const char* kinds[] = {"torus", "cayley", "superquadric", "blobby75",
 
 TEST_P(Beams, LoseNoHitWhereverTheCameraIs) {
     for (const char* name : kinds) {
-        const scene::Scene scene = scene::load(name, {size});
+        const scene::Scene scene = scene::load(name, {"look=none", size});
         Views views(*context, scene);
         const scene::SceneAt now = moment(scene);
         const glm::dvec3 target = now.camera.target;
@@ -169,7 +169,7 @@ TEST_P(Beams, LoseNoHitWhereverTheCameraIs) {
 
 TEST_P(Beams, LoseNoHitOfAnyAimOfALens) {
     for (const char* name : {"torus", "superquadric", "blobby75"}) {
-        const scene::Scene scene = scene::load(name, {size});
+        const scene::Scene scene = scene::load(name, {"look=none", size});
         Views views(*context, scene);
         scene::SceneAt now = moment(scene);
         const double distance = glm::length(now.camera.position - now.camera.target);
@@ -206,8 +206,8 @@ TEST_P(Beams, LoseNoHitOfAnyAimOfALens) {
 TEST_P(Beams, PicturesOfAnySizeAndTiling) {
     for (const auto& [width, height] :
          {std::pair{1, 1}, {3, 7}, {8, 8}, {9, 17}, {64, 65}, {129, 5}, {300, 270}}) {
-        const scene::Scene scene =
-            scene::load("blobby75", {fmt::format("output.size=[{},{}]", width, height)});
+        const scene::Scene scene = scene::load(
+            "blobby75", {"look=none", fmt::format("output.size=[{},{}]", width, height)});
         Views views(*context, scene);
         const Comparison result = compare(views, moment(scene));
         if (std::min(width, height) > 8) {
@@ -217,8 +217,8 @@ TEST_P(Beams, PicturesOfAnySizeAndTiling) {
         EXPECT_EQ(result.later, 0) << width << " x " << height;
     }
     for (const char* name : {"torus", "blobby75"}) {
-        const scene::Scene scene =
-            scene::load(name, {size, "isolation.method=\"hermite\"", "isolation.beam=true"});
+        const scene::Scene scene = scene::load(
+            name, {"look=none", size, "isolation.method=\"hermite\"", "isolation.beam=true"});
         const int frame = scene.output.poster;
         const Picture whole = draw(*context, scene, frame);
         for (const MarchPlan plan :

@@ -14,7 +14,7 @@ namespace {
 class InFlight : public Drawing {
 protected:
     static scene::Scene scene_of(const char* name) {
-        return scene::load(name, {"output.size=[61,43]"});
+        return scene::load(name, {"look=none", "output.size=[61,43]"});
     }
     static scene::SceneAt at(const scene::Scene& scene, int frame) {
         return scene::at(scene, scene.timeline.values(frame));
@@ -137,9 +137,10 @@ TEST_P(InFlight, NoneIsLeftWhereOneIsGivenUp) {
 
 // Each renderer has textures of its own in units that another of the context may give to others.
 TEST_P(InFlight, RenderersOfOneContextKeepTheirSurroundings) {
-    const std::string text = "[surface]\nformula = 'x^2 + y^2 + z^2 - 1'\nbounds = { sphere = 1.2 }\n"
-                             "[environment]\nmap = 'studio.exr'\n[material]\nmodel = 'ggx'\n"
-                             "reflection = 'self'\n";
+    const std::string text =
+        "[surface]\nformula = 'x^2 + y^2 + z^2 - 1'\nbounds = { sphere = 1.2 }\n"
+        "[environment]\nmap = 'studio.exr'\n[material]\nmodel = 'ggx'\n"
+        "reflection = 'self'\n";
     const scene::Scene scene = render::scene_of(text);
     scene::Scene other = scene;
     other.isolation.method = scene::Method::amp_sign;

@@ -38,7 +38,7 @@ void OneDraw::expect_same(const char* name) {
     for (const scene::Method method : scene::methods_for(*scene::load(name).surface.field)) {
         SCOPED_TRACE(fmt::format("{} {}", name, scene::name(method)));
         const scene::Scene scene =
-            scene::load(name, {"output.size=[61,43]",
+            scene::load(name, {"look=none", "output.size=[61,43]",
                                fmt::format("isolation.method=\"{}\"", scene::name(method))});
         const int frame = scene.output.poster;
         const Picture one = in_passes(scene, frame, 60'000);
@@ -78,7 +78,7 @@ TEST_P(OneDraw, IsThePictureOfPassesForSums) {
 // Once a ray has not ended in one draw, pictures after it go through passes: nothing shows.
 TEST_P(OneDraw, TheNextFrameIsTheSameByEither) {
     // With a uniform of its own: the colour of the other side.
-    const scene::Scene scene = scene::load("barth_sextic", {"output.size=[40,30]"});
+    const scene::Scene scene = scene::load("barth_sextic", {"look=none", "output.size=[40,30]"});
     const auto now = [&](int frame) { return scene::at(scene, scene.timeline.values(frame)); };
     Renderer renderer(*context, scene, {40, 30, every_channel, MarchPlan{40, 30, 4}});
     const Picture first = renderer.draw(now(1)), again = renderer.draw(now(1));

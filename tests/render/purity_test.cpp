@@ -14,7 +14,7 @@ TEST_P(Purity, TilesAndPassesChangeNoBit) {
     for (const char* method : {"marching", "amp-sign", "amp-taylor"}) {
         SCOPED_TRACE(method);
         const scene::Scene scene =
-            scene::load("blobby75", {"output.size=[70,50]",
+            scene::load("blobby75", {"look=none", "output.size=[70,50]",
                                      std::string("isolation.method=\"") + method + "\""});
         const Picture whole = draw(*context, scene, 31);
         for (const MarchPlan plan :
@@ -29,7 +29,8 @@ TEST_P(Purity, TilesAndPassesChangeNoBit) {
 }
 
 TEST_P(Purity, FramesDoNotDependOnWhatWasDrawnBefore) {
-    const scene::Scene scene = scene::load("twisting_superquadric", {"output.size=[64,64]"});
+    const scene::Scene scene =
+        scene::load("twisting_superquadric", {"look=none", "output.size=[64,64]"});
     Renderer renderer(*context, scene, {64, 64, every_channel, {}});
     const auto frame = [&](int number) {
         return renderer.draw(scene::at(scene, scene.timeline.values(number))).frame;
@@ -42,8 +43,9 @@ TEST_P(Purity, FramesDoNotDependOnWhatWasDrawnBefore) {
 }
 
 TEST_P(Purity, TwoRenderersTakeTurns) {
-    const scene::Scene a = scene::load("twisting_superquadric", {"output.size=[48,48]"});
-    const scene::Scene b = scene::load("blobby75", {"output.size=[48,32]"});
+    const scene::Scene a =
+        scene::load("twisting_superquadric", {"look=none", "output.size=[48,48]"});
+    const scene::Scene b = scene::load("blobby75", {"look=none", "output.size=[48,32]"});
     const image::Frame only_a = draw(*context, a, 20).frame, only_b = draw(*context, b, 20).frame;
     Renderer first(*context, a, {48, 48, every_channel, {}});
     Renderer second(*context, b, {48, 32, every_channel, {}});
@@ -54,7 +56,8 @@ TEST_P(Purity, TwoRenderersTakeTurns) {
 }
 
 TEST_P(Purity, FingerprintsTellPicturesApart) {
-    const scene::Scene scene = scene::load("twisting_superquadric", {"output.size=[16,16]"});
+    const scene::Scene scene =
+        scene::load("twisting_superquadric", {"look=none", "output.size=[16,16]"});
     const auto print = [&](const scene::Scene& s, int frame) {
         return Renderer(*context, s, {s.output.width, s.output.height, {}, {}})
             .prepare(s, frame)
@@ -67,7 +70,7 @@ TEST_P(Purity, FingerprintsTellPicturesApart) {
                                "output.size=[16,17]", "isolation.safety=9", "isolation.beam=true",
                                "isolation.method=\"marching\"", "output.background=[0,0,0]"}) {
         const scene::Scene changed =
-            scene::load("twisting_superquadric", {"output.size=[16,16]", change});
+            scene::load("twisting_superquadric", {"look=none", "output.size=[16,16]", change});
         EXPECT_NE(base, print(changed, 10)) << change;
     }
 }

@@ -30,7 +30,7 @@ TEST_P(Reference, GalleryFramesLookAsTheyDid) {
                                                   {"twisting_superquadric", 31}}) {
         const auto file = folder / (name + "." + std::to_string(frame) + ".png");
         SCOPED_TRACE(file.filename().string());
-        const scene::Scene scene = scene::load(name, {"output.size=[96,96]"});
+        const scene::Scene scene = scene::load(name, {"look=none", "output.size=[96,96]"});
         const Picture picture = draw(*context, scene, frame);
         image::Frame drawn = picture.frame;
         drawn.channels.resize(4); // R G B A: what a PNG holds

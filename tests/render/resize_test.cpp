@@ -19,7 +19,7 @@ Picture drawn_small_tiled(gpu::Context& context, const scene::Scene& scene, int 
 // Lists of elements, beams and a plain formula; sizes that tiles of 128 do not divide.
 TEST_P(Resize, DrawsWhatARendererOfThatSizeDraws) {
     for (const char* name : {"blobby75", "barth_sextic", "superquadric"}) {
-        const scene::Scene scene = scene::load(name, {"output.size=[200,150]"});
+        const scene::Scene scene = scene::load(name, {"look=none", "output.size=[200,150]"});
         const Picture whole = draw(*context, scene, 40);
         const Picture tiled = drawn_small_tiled(*context, scene, 40);
         EXPECT_GT(count(whole, Verdict::hit), 1000) << name;

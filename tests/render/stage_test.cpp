@@ -70,7 +70,7 @@ TEST_P(StageOf, ChangesLastBitsAtMostWhateverTheMethod) {
             const bool is_weak =
                 method == scene::Method::chebyshev && name == std::string_view("barth_decic");
             expect_same(
-                scene::load(name, {"output.size=[61,43]",
+                scene::load(name, {"look=none", "output.size=[61,43]",
                                    fmt::format("isolation.method=\"{}\"", scene::name(method))}),
                 31, {}, is_weak ? 4 : 1);
         }
@@ -78,7 +78,7 @@ TEST_P(StageOf, ChangesLastBitsAtMostWhateverTheMethod) {
 }
 
 TEST_P(StageOf, ChangesLastBitsAtMostWhateverTheTilesAndPasses) {
-    const scene::Scene scene = scene::load("blobby75", {"output.size=[70,50]"});
+    const scene::Scene scene = scene::load("blobby75", {"look=none", "output.size=[70,50]"});
     for (const MarchPlan plan : {MarchPlan{70, 50, 1}, MarchPlan{16, 16, 700}, MarchPlan{33, 17, 3},
                                  MarchPlan{64, 8, 50}, MarchPlan{7, 7, 64}}) {
         SCOPED_TRACE(
@@ -111,8 +111,8 @@ TEST_P(StageOf, ChangesLastBitsAtMostOfWhatIsLong) {
 // then differs in its last bits, from which hermite takes its steps. Measured on llvmpipe: of 6603
 // pixels 58 took up to 2 evaluations more or fewer, and one hit moved by 3e-8.
 TEST_P(StageOf, MovesHitsByLastBitsAtMost) {
-    const scene::Scene scene =
-        scene::load("falling_drops", {"output.size=[93,71]", "isolation.method=\"hermite\""});
+    const scene::Scene scene = scene::load(
+        "falling_drops", {"look=none", "output.size=[93,71]", "isolation.method=\"hermite\""});
     const Picture fragment = draw_by(StageChoice::fragment, scene, 55);
     const Picture compute = draw_by(StageChoice::compute, scene, 55);
     EXPECT_GT(count(fragment, Verdict::hit), 1000);

@@ -33,8 +33,9 @@ scene::SceneAt moved(scene::SceneAt now, double scale, const glm::dvec3& by) {
 class Placed : public testing::TestWithParam<std::string> {};
 
 TEST_P(Placed, GivesTheSameVerdicts) {
-    const scene::Scene scene = scene::load(
-        ISOMOTION_SOURCE_DIR "/animations/" + GetParam() + ".toml", {"output.size=[64, 64]"});
+    const scene::Scene scene =
+        scene::load(ISOMOTION_SOURCE_DIR "/animations/" + GetParam() + ".toml",
+                    {"look=none", "output.size=[64, 64]"});
     const auto context = gpu::Context::create();
     render::Renderer renderer(*context, scene, {64, 64, {synthesis::Channel::verdict}, {}});
     const scene::SceneAt now = scene::at(scene, scene.timeline.values(scene.output.poster));

@@ -30,7 +30,7 @@ std::string emit_glsl(const Program& program, const GlslSignature& signature,
 std::string glsl_literal(double value);
 // A double literal, which reads back to `value`, finite.
 std::string glsl_double_literal(double value);
-// Of array<k>_least, where all elements are there.
+// The value of array<k>_least where all elements are there.
 std::string glsl_least_of_none();
 // "parameters[2].y" for index 9.
 std::string glsl_parameter(int index);

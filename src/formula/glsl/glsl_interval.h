@@ -48,7 +48,7 @@ std::string emit_interval_glsl(const Program& program, const IntervalSignature& 
 // for, other than arithmetic.glsl.
 std::set<std::string> interval_kernels_used(const Program& program);
 
-// Of floats; on doubles each vec stands for a dvec.
+// Functions on floats; on doubles each vec stands for a dvec.
 
 // vec2 field_interval(vec2 x, vec2 y, vec2 z)
 std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,

@@ -17,12 +17,12 @@ bool may_be_unbounded(Op op);
 // 0 where a base or an exponent is above 0: at 0^0 powers jump from 1 to 0, or to a pole.
 NodeId unless_0_to_the_0(Graph& graph, NodeId base, NodeId exponent);
 
-// Of one operation, over a box where its arguments are continuous: the entire line where it may
-// jump from one value to another, lack a value or be cut off.
+// Decoration of one operation, over a box where its arguments are continuous: the entire line where
+// it may jump from one value to another, lack a value or be cut off.
 NodeId unless_continuous(Graph& graph, NodeId operation);
 
-// Of all operations below `root`: 0 over boxes where the root has a value everywhere, is continuous
-// and nowhere cut off ("dac" of IEEE 1788).
+// Decoration of all operations below `root`: 0 over boxes where the root has a value everywhere, is
+// continuous and nowhere cut off ("dac" of IEEE 1788).
 NodeId jumps(Graph& graph, NodeId root);
 
 // ... over boxes without points where the root has no value: logarithms and real powers of negative

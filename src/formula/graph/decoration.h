@@ -29,12 +29,13 @@ inline NodeId unless_bounded(Graph& g, NodeId node) {
                         g.unary(Op::abs, node));
 }
 
-// Of what goes through the elements for the least: 0 where the same one has it everywhere.
+// Decoration of what goes through the elements for the least: 0 where the same one has it
+// everywhere.
 inline NodeId unless_one_is_least(Graph& g, const Node& node) {
     return unless_one_value(g, g.which(node.index, node.children[0]));
 }
 
-// Of any element of each array that it is of.
+// The decoration for any element of each array that it is of.
 inline NodeId of_any_element(Graph& g, NodeId decoration) {
     while (const std::uint32_t arrays = g[decoration].arrays)
         decoration = g.sum(std::countr_zero(arrays), decoration);

@@ -15,7 +15,7 @@ namespace isomotion::formula {
 // their base.
 std::optional<int> degree(const Graph& graph, NodeId root);
 
-// Of each node up to `root`.
+// The degree of each node up to `root`.
 std::vector<std::optional<int>> degrees(const Graph& graph, NodeId root);
 
 } // namespace isomotion::formula

@@ -10,15 +10,16 @@ namespace isomotion::formula::limits {
 
 inline constexpr std::size_t formula_bytes = 500'000; // of one text, expressions of t too
 inline constexpr std::size_t name_bytes = 64;         // of a parameter, array, field, definition
-// Of parentheses, calls, signs and powers; the parser recurses for each. An open parenthesis counts
-// twice, as an expression and as a factor.
+// Depth of parentheses, calls, signs and powers; the parser recurses for each. An open parenthesis
+// counts twice, as an expression and as a factor.
 inline constexpr int nesting = 400;
 inline constexpr std::size_t formula_nodes = 100'000; // of the graph as it was read
-// Of one graph with all its derivatives: those of a formula that is small enough may be too large,
-// as the second derivatives of high Chebyshev polynomials.
+// Nodes of one graph with all its derivatives: those of a formula that is small enough may be too
+// large, as the second derivatives of high Chebyshev polynomials.
 inline constexpr std::size_t graph_nodes = 2'000'000;
 inline constexpr int chebyshev_degree = 1000;
-// Of parameters or fields each of which names the next: rules of time are made by recursion.
+// Length of a chain of parameters or fields each of which names the next: rules of time are made by
+// recursion.
 inline constexpr std::size_t chain = 200;
 // One bit each in Node::arrays.
 inline constexpr int arrays = 32;

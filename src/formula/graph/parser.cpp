@@ -130,7 +130,8 @@ private:
         }
     }
 
-    // Of a product without a sign: 2x, (x+1)(y+1), a sin(x). Within bars the next one closes.
+    // Whether a product without a sign goes on: 2x, (x+1)(y+1), a sin(x). Within bars the next one
+    // closes.
     bool begins_factor() const {
         return is_name_start(peek()) || peek() == '(' || text_.substr(at_).starts_with("π") ||
                (peek() == '|' && open_bars_ == 0);

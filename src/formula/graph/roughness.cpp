@@ -18,7 +18,7 @@ bool is_0_at_kink(const Graph& g, const Node& node) {
            (g.is_constant(node.children[0], 0) || g.is_constant(node.children[1], 0));
 }
 
-// Of nodes whose every use is a power that is smooth at their kink.
+// Marks nodes whose every use is a power that is smooth at their kink.
 std::vector<bool> smoothed(const Graph& g, NodeId root) {
     struct Power {
         NodeId of = 0;

@@ -22,7 +22,7 @@ double above(double result) {
     return larger(result, -largest_finite) + error_of(larger(result, -largest_finite));
 }
 
-// Of functions that return 0 only where they are 0: their sign is right.
+// For functions that return 0 only where they are 0: their sign is right.
 Interval around(double low, double high) {
     return {low >= 0 ? larger(below(low), 0.0) : below(low),
             high <= 0 ? smaller(above(high), 0.0) : above(high)};

@@ -105,13 +105,13 @@ class Painter {
         this.table.bind("environment_map", texture);
     }
 
-    // What does not depend on the camera, but for lights at the viewer's shoulder.
-    upload(frame, view) {
+    // What does not depend on the camera, and the lights.
+    upload(frame, view, aim) {
         const { data, table } = this;
         const held = this.look.held(frame);
         table.setBlock("Parameters", held?.parameters ?? data.floats("parameters", frame));
         const shading = data.floats("shading", frame);
-        for (const k of data.about.headlights) shading.set(shoulder(view), 4 * (2 + k));
+        moveLights(shading, data.about, data.view(frame), view, aim);
         table.setBlock("Shading", shading);
         this.background = Array.from(shading.subarray(4, 8));
         const key = held?.key ?? frame;
@@ -147,7 +147,7 @@ class Painter {
     async drawPicture(frame, view, width, height, aim, go) {
         const { data, tile, screen, table } = this;
         const { settings, beams } = data.about;
-        this.upload(frame, view);
+        this.upload(frame, view, aim);
         table.setBlock("Frame", frameBlock(view, settings, width, height, aim));
         const inputs = {
             background: this.background,

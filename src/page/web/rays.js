@@ -97,14 +97,3 @@ function beamRange(view, width, height, aim, block) {
         4 * rounding,
     ];
 }
-
-// The direction to a light above the viewer's right shoulder, which scenes without lights have.
-function shoulder(view) {
-    const back = normalized(sub(view.position, view.target));
-    let right = cross(view.up, back);
-    if (length(right) < 1e-9 * length(view.up))
-        right = cross(Math.abs(back[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0], back);
-    right = normalized(right);
-    const direction = add(add(back, times(0.6, right)), times(0.8, cross(back, right)));
-    return turnedBack(view.rotate, normalized(direction));
-}

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/sample_pattern.h"
+#include "scene/light_points.h"
 
 namespace isomotion::player {
 namespace {
@@ -60,9 +61,13 @@ void FrameScheduler::post(const Session& session, double scale, int samples, boo
     const auto first = std::make_shared<const scene::SceneAt>(session.at(request.frame));
     for (const render::Sample& sample : render::sample_pattern(samples)) {
         const double part = shutter * sample.part;
-        const auto moment =
-            part == 0 ? first
-                      : std::make_shared<const scene::SceneAt>(session.at(request.frame, part));
+        auto moment = part == 0
+                          ? first
+                          : std::make_shared<const scene::SceneAt>(session.at(request.frame, part));
+        if (scene::is_lit_by_discs(*moment)) {
+            moment =
+                std::make_shared<const scene::SceneAt>(scene::lit_from(*moment, sample.aim.lens));
+        }
         request.samples.push_back({moment, sample.aim});
     }
     thread_.draw(std::move(request));

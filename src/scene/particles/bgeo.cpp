@@ -25,7 +25,7 @@ ParticleTable read_bgeo(const Bytes& bytes, const ParticleRequest& request) {
     const std::size_t attributes = in.count("the number of point attributes");
     in.take(3 * 4, "the header"); // attributes of vertices, primitives and the whole
 
-    // Of a point: x y z w, then its attributes, in words of four bytes.
+    // A point has x y z w, then its attributes, in words of four bytes.
     std::vector<std::string> names{"x", "y", "z"};
     struct Place {
         std::size_t word;

@@ -12,7 +12,7 @@
 namespace isomotion::scene {
 namespace {
 
-// Of the records of an array, or of its numbers.
+// A field of an array's records, or the array's numbers.
 struct Field {
     std::string name;
     std::string type; // "<f4"

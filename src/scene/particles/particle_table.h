@@ -35,7 +35,7 @@ struct RawColumn {
 
 struct ParticleColumn {
     std::string name;
-    // Of a text the numbers themselves, none where nobody wanted the column.
+    // In a table from a text the numbers themselves, none where nobody wanted the column.
     std::variant<std::vector<double>, RawColumn> values;
 };
 
@@ -60,7 +60,7 @@ struct Wanted {
     // How many numbers are kept of each particle; without it one for each column that is read.
     std::optional<std::size_t> kept{};
 
-    // Of so many particles.
+    // How many numbers so many particles have.
     double numbers(std::size_t count) const;
 };
 

@@ -13,7 +13,7 @@ constexpr std::string_view blanks = " \t\r\n\v\f";
 
 bool is_blank(char c) { return blanks.find(c) != blanks.npos; }
 
-// Of a message.
+// A word as messages show it.
 std::string shortened(std::string_view word) {
     constexpr std::size_t most = 60;
     return word.size() <= most ? std::string(word) : fmt::format("{}...", word.substr(0, most));

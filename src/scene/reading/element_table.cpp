@@ -45,7 +45,7 @@ private:
         throw SceneError(
             fmt::format("{}: {}{}", here(row), column.empty() ? "" : column + ": ", message));
     }
-    // Of the same file.
+    // Another row of the same file.
     std::string other(std::size_t row) const {
         return table_.lines.empty() ? fmt::format("particle {}", row + 1)
                                     : fmt::format("line {}", table_.lines[row]);

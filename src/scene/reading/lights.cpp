@@ -30,10 +30,12 @@ Light read_light(const toml::node& at, const std::string& key, TrackTable& track
         light.falloff = tracks.add(key + ".falloff", *section.track("falloff"), falloff);
     }
     light.shadow = section.boolean("shadow").value_or(false);
-    if (const toml::node* radius = section.table().get("radius")) {
-        fail(*radius, key + ".radius",
-             "lights have no size and shadows no soft edge; for a softer one give several lights "
-             "side by side, each with a part of the color and shadow = true, or [occlusion]");
+    if (const toml::node* radius = section.find("radius"))
+        light.radius = tracks.add(key + ".radius", *section.track("radius"), radius);
+    light.with_camera = section.boolean("with_camera").value_or(false);
+    if (light.with_camera && light.is_point) {
+        fail(*section.find("with_camera"), key + ".with_camera",
+             "is of a light with a direction: to the viewer's right, up and back");
     }
     section.refuse_rest();
     return light;
@@ -69,10 +71,11 @@ void read_surroundings(Section& document, Scene& scene, TrackTable& tracks) {
         return tracks.add(section.dotted(name),
                           at ? *section.track(name) : animation::TrackSource(preset), at);
     };
-    const auto color = [&](Section& section, const std::array<double, 3>& preset) {
-        const toml::node* at = section.find("color");
-        const std::string key = section.dotted("color");
-        return at ? tracks.add(key, *section.vector("color"), at)
+    const auto color = [&](Section& section, const std::string& name,
+                           const std::array<double, 3>& preset) {
+        const toml::node* at = section.find(name);
+        const std::string key = section.dotted(name);
+        return at ? tracks.add(key, *section.vector(name), at)
                   : tracks.add(key, preset[0], preset[1], preset[2]);
     };
     if (auto section = document.section("ground")) {
@@ -81,7 +84,7 @@ void read_surroundings(Section& document, Scene& scene, TrackTable& tracks) {
             fail(section->table(), "ground", "needs height = the ground's z in world coordinates");
         }
         ground.height = number(*section, "height", 0);
-        ground.color = color(*section, {0.5, 0.5, 0.5});
+        ground.color = color(*section, "color", {0.5, 0.5, 0.5});
         scene.ground = ground;
         section->refuse_rest();
     }
@@ -92,8 +95,21 @@ void read_surroundings(Section& document, Scene& scene, TrackTable& tracks) {
         }
         fog.density = number(*section, "density", 0);
         fog.start = number(*section, "start", 0);
-        fog.color = color(*section, scene.output.background);
+        fog.color = color(*section, "color", scene.output.background);
         scene.fog = fog;
+        section->refuse_rest();
+    }
+    if (auto section = document.section("ambient")) {
+        if (!section->has("top")) {
+            fail(section->table(), "ambient",
+                 "needs top = [r, g, b], the light from above; from below comes the same, or "
+                 "bottom");
+        }
+        Ambient ambient;
+        ambient.top = color(*section, "top", {});
+        const bool has_bottom = section->find("bottom") != nullptr;
+        ambient.bottom = has_bottom ? color(*section, "bottom", {}) : ambient.top;
+        scene.ambient = ambient;
         section->refuse_rest();
     }
     if (auto section = document.section("occlusion")) {

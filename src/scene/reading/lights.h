@@ -1,4 +1,4 @@
-// Reads [[lights]], [ground], [fog] and [occlusion].
+// Reads [[lights]], [ground], [fog], [ambient] and [occlusion].
 #pragma once
 
 #include "scene/reading/document.h"

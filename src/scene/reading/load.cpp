@@ -20,6 +20,7 @@
 #include "scene/reading/environment.h"
 #include "scene/reading/formula_scene.h"
 #include "scene/reading/lights.h"
+#include "scene/reading/look.h"
 #include "scene/reading/material.h"
 #include "scene/reading/mistakes.h"
 #include "scene/reading/named_file.h"
@@ -82,9 +83,11 @@ void override_key(toml::table& document, const Override& setting) {
     } catch (const toml::parse_error&) {
         parsed.insert("value", value);
     }
-    // A whole camera instead of the scene's.
+    // A whole camera instead of the scene's; another look.
     const bool is_camera = path == "camera" && parsed.get("value")->is_table();
-    if (!is_camera && path.find('.') == path.npos) path = "parameters." + path;
+    const bool is_look =
+        path == "look" && parsed.get("value")->is_string() && !document.at_path("parameters.look");
+    if (!is_camera && !is_look && path.find('.') == path.npos) path = "parameters." + path;
     // parse() without a path leaves lines but no file; documents tell by that it was the command
     // line.
     toml::table* table = &document;
@@ -194,7 +197,9 @@ void read_output(Section& document, Scene& scene) {
     Output& output = scene.output;
     output.background = {0.86, 0.86, 0.9};
     // One picture shows no blur.
-    output.samples = scene.camera.shutter > 0 || scene.camera.aperture ? 16 : 1;
+    const bool has_wide_light =
+        std::ranges::any_of(scene.lights, [](const Light& light) { return bool(light.radius); });
+    output.samples = scene.camera.shutter > 0 || scene.camera.aperture || has_wide_light ? 16 : 1;
     auto section = document.section("output");
     if (!section) return;
     if (const toml::node* node = section->find("size")) {
@@ -353,6 +358,7 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     scene.file = file;
     Section document(root, "");
     scene.title = read_title(document, scene.file);
+    document.find("look"); // what it set is in the document
     TrackTable tracks;
     std::uint64_t seed = 0;
     read_time(document, scene, seed);
@@ -432,7 +438,10 @@ Scene read_scene(toml::table& root, const fs::path& file, const std::vector<Over
                  const base::Confines& within) {
     for (const Override& setting : overrides) override_key(root, setting);
     try {
-        return read_with_bounds(root, file, within);
+        NamedLook look = put_look(root);
+        Scene scene = read_with_bounds(root, file, within);
+        scene.look = std::move(look);
+        return scene;
     } catch (const PlacedError& first) {
         throw SceneError(all_mistakes(root, first, [&](Rereading again) {
             read_document_scene(root, file, within,

@@ -11,8 +11,8 @@ namespace isomotion::scene {
 namespace {
 
 constexpr std::string_view sections[] = {
-    "title",  "time",     "surface", "parameters", "arrays",    "isolation",   "camera",
-    "lights", "material", "ground",  "fog",        "occlusion", "environment", "output"};
+    "title",    "time",   "surface", "parameters", "arrays",    "isolation",   "camera", "lights",
+    "material", "ground", "fog",     "ambient",    "occlusion", "environment", "output"};
 
 std::string quoted(const std::string& text) {
     std::string all = "\"";

@@ -64,7 +64,7 @@ public:
         return box;
     }
 
-    // Of the bounds, if they are a sphere.
+    // Whether a box is outside of the bounds, if they are a sphere.
     bool is_outside(const SpaceBox& box) const {
         return is_sphere() && squared_distance(box).lo > squared_radius().hi;
     }
@@ -290,7 +290,7 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
     const auto column = [&](int i, int j) -> Column& {
         return columns[std::size_t(j) * std::size_t(cubes + 1) + std::size_t(i)];
     };
-    // Of the vertex with this number in a column.
+    // Index of the vertex with this number in a column.
     const auto index = [&](int i, int j, int number) {
         std::array<int, 3> at{};
         at[axis] = leaf.cell.at[axis] * cubes + (rises ? number : cubes - number);

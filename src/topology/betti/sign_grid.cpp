@@ -109,8 +109,8 @@ template<class Emit> void each_run(std::span<const Word> row, int side, Part par
     if (first >= 0) emit(first, side - 1);
 }
 
-// Of two rows, the upper one before the lower in y, in z or in both: a vertex has two neighbours
-// there, at its own x and the one after.
+// Unites two rows, the upper one before the lower in y, in z or in both: a vertex has two
+// neighbours there, at its own x and the one after.
 void unite_rows(std::span<const Run> lower, std::span<Run> upper, DisjointSets& sets) {
     for (std::size_t i = 0, j = 0; i < lower.size() && j < upper.size();) {
         const Run& a = lower[i];
@@ -121,7 +121,7 @@ void unite_rows(std::span<const Run> lower, std::span<Run> upper, DisjointSets& 
     }
 }
 
-// Of the complement with all that is outside of the grid.
+// Components, of the complement with all that is outside of the grid.
 int components(const SignGrid& grid, Part part) {
     const int side = grid.side();
     DisjointSets sets;

@@ -61,7 +61,8 @@ bool bridge(MorseGraph& graph, std::span<const DescentPath> ends, PointField& fi
 
 } // namespace
 
-// Of one thread: made once for each piece, then given the values of one event after the other.
+// The fields of one thread: made once for each piece, then given the values of one event after the
+// other.
 struct EventPaths::Fields {
     std::map<const TimedFormula*, std::unique_ptr<PointField>> points;
     std::map<const TimedFormula*, std::shared_ptr<FrameField>> boxes;
@@ -131,7 +132,7 @@ Sides EventPaths::sides(Fields& fields, std::size_t which, int effort,
                         const std::function<bool()>& stopped) const {
     const Event& event = events_[which];
     const bool is_solid = event.index == 1;
-    // Of a critical point of index 2 on a wall the sides are the inside and the outside.
+    // The sides of a critical point of index 2 on a wall are the inside and the outside.
     if (event.index != 1 && (event.index != 2 || event.stratum != 3)) return Sides::unknown;
     const TimedFormula& piece = piece_of(mid(event.time));
     // At a knot another piece has a rule of its own.

@@ -61,7 +61,7 @@ private:
         return box;
     }
 
-    // Of the smallest part that holds the box.
+    // Elements of the smallest part that holds the box.
     const Elements& near(const SpaceBox& box) {
         if (everything_.rest.empty()) return everything_; // nothing to leave out
         for (int depth = deepest; depth > 0; --depth) {

@@ -11,7 +11,7 @@ namespace {
 
 using formula::Interval;
 
-// Of the two kinds of an event, the one that changes b1.
+// The one of an event's two kinds that changes b1.
 Kind by_path(const Event& event) {
     if (event.index == 1) return event.grows ? Kind::tunnel_forms : Kind::tunnel_breaks;
     return event.grows ? Kind::tunnel_closes : Kind::tunnel_opens;
@@ -166,7 +166,8 @@ private:
     std::vector<Gap> gaps(const Checkpoint& from, const Checkpoint& to) const {
         std::vector<Gap> found;
         double end = from.time; // of all events so far
-        // Of all events from each on: the order is that of the middles of their times.
+        // The least time of all events from each on: the order is that of the middles of their
+        // times.
         std::vector<double> begins(to.at - from.at + 1, to.time);
         for (std::size_t k = to.at; k-- > from.at;) {
             begins[k - from.at] = std::min(begins[k - from.at + 1], timeline_.events[k].time.lo);

@@ -226,7 +226,7 @@ private:
             }
             const BoxKey whole = boxes_[now].key;
             for (int k = 0; k < 8; ++k) {
-                // Of one of its size or larger the halves that touch the face.
+                // A box of its size or larger gives the halves that touch the face.
                 if ((k >> axis & 1) == (high ? 1 : 0)) continue;
                 const auto part = numbers_.at(whole.part(k).packed());
                 if (touch(boxes_[part].where, boxes_[number].where)) open.push_back(part);

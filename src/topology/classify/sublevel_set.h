@@ -32,7 +32,7 @@ public:
     // these are convex.
     bool may_hold(const SpacePoint& p) const { return !is_solid_ || snapshot_.is_inside(p); }
     bool is_outside(const SpaceBox& box) const { return !is_solid_ && snapshot_.is_outside(box); }
-    // Of the bounds, which are convex.
+    // Whether all is inside the bounds, which are convex.
     bool is_all_inside(const SpaceBox& box) const;
     bool is_all_outside(const SpaceBox& box) const { return snapshot_.is_outside(box); }
 

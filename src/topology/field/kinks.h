@@ -69,8 +69,8 @@ public:
     std::optional<std::vector<const Branch*>> strata(const SpaceBox& place, formula::Interval clock,
                                                      std::size_t most);
 
-    // Of a formula among those: L, with multipliers for inputs from first_multiplier_input on, and
-    // an input besides that is added to each |h|, from first_height_input on.
+    // The root of a formula among those: L, with multipliers for inputs from first_multiplier_input
+    // on, and an input besides that is added to each |h|, from first_height_input on.
     static formula::NodeId root(const Branch& branch);
     static std::span<const Kink> kinks(const Branch& branch);
     static std::span<const formula::Interval> ranges(const Branch& branch); // of multipliers

@@ -37,7 +37,7 @@ bool reads(const Motion& motion, int input) {
     });
 }
 
-// Of each node: no input below it.
+// For each node, whether there is no input below it.
 std::vector<bool> resting(const Graph& graph, std::span<const NodeId> below) {
     std::vector<bool> rests(graph.size(), false);
     for (const NodeId id : below) {
@@ -163,7 +163,7 @@ std::optional<Motion> through_one_track(const scene::Scene& scene, const animati
     return std::nullopt;
 }
 
-// Of one piece: operations that may step from one value to another. Where they do there is no
+// Finds operations of one piece that may step from one value to another. Where they do there is no
 // derivative.
 void find_steps(const Motion& motion, std::vector<std::string>& doubts) {
     const std::vector<NodeId> below = formula::nodes_below(motion.graph, roots(motion));

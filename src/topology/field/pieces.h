@@ -19,7 +19,7 @@ public:
     enum class Sign { negative, positive, mixed };
     struct Over {
         Sign sign = Sign::mixed; // of G, as in frame_field.h
-        // Of each formula that may be 0 in the box, all slopes. None where G may jump, or there are
+        // All slopes of each formula that may be 0 in the box. None where G may jump, or there are
         // more formulas than it is worth to ask.
         std::vector<Box> gradients;
     };
@@ -28,7 +28,7 @@ public:
     formula::Interval value(const SpaceBox& box);
 
     const Elements& everything() const { return whole_.everything(); }
-    // Of sums the elements that matter in a box: of a formula without kinks, else all of them.
+    // Elements of sums that matter in a box, for a formula without kinks; else all of them.
     bool has_kinks() const { return tree_.has_kinks(); }
     Elements nearer(const Elements& near, const SpaceBox& box) { return whole_.nearer(near, box); }
 

@@ -17,8 +17,8 @@ namespace isomotion::topology {
 struct KinkedPoint {
     std::shared_ptr<const Selection> of;
     CriticalPoint point; // of its field
-    // Of F across the kinks: how many directions it falls in, to both sides (Agrachev, Pallaschke
-    // and Scholtes 1997).
+    // The index of F across the kinks: how many directions it falls in, to both sides (Agrachev,
+    // Pallaschke and Scholtes 1997).
     int index_across = 0;
     std::vector<char> path; // tells formulas apart
 };

@@ -217,7 +217,7 @@ private:
         }
     }
 
-    // Of boxes of one size, whether second derivatives have ended enough of them so far; every
+    // Whether, among boxes of one size, second derivatives have ended enough of them so far; every
     // sixteenth is tried all the same.
     bool is_worth_hessians(const Box& box) {
         Hessians& hessians = hessians_[size_class(box)];

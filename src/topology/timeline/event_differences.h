@@ -14,7 +14,7 @@ struct Tolerance {
     double place = 0; // formula coordinates
 };
 
-// Of the bounds; 1 where they have none.
+// The diagonal of the bounds; 1 where they have none.
 double diagonal(const TimelineHeader& header);
 
 // Places may differ by a millionth of the diagonal of the bounds of what was found, or by the part

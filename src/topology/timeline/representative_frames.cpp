@@ -22,7 +22,7 @@ double distance(const Betti& a, const Betti& b) {
            apart(a.voids, b.voids);
 }
 
-// Of a span against those chosen; time counts a little, so that a still topology spreads frames.
+// Gain of a span over those chosen; time counts a little, so that a still topology spreads frames.
 double gain(const QuietSpan& span, const std::vector<QuietSpan>& spans, double range) {
     double least = 1e300;
     for (const QuietSpan& other : spans) {

@@ -72,7 +72,7 @@ Subject surface(const std::string& name) {
 }
 
 Subject animation(const std::string& name, std::vector<int> frames) {
-    return {name, scene::load(ISOMOTION_SOURCE_DIR "/animations/" + name + ".toml"),
+    return {name, scene::load(ISOMOTION_SOURCE_DIR "/animations/" + name + ".toml", {"look=none"}),
             std::move(frames)};
 }
 

@@ -44,6 +44,24 @@ TEST_F(At, DirectionsToLightsHaveLengthOne) {
     EXPECT_DOUBLE_EQ(glm::length(now.lights.at(1).direction), 1);
 }
 
+// What is given to the right, up and back is that wherever the camera stands.
+TEST_F(At, ALightMayGoWithTheCamera) {
+    for (const char* position : {"[4, 0, 0]", "[0, -4, 1]", "[-1, 2, -7]", "[0, 0, 3]"}) {
+        std::string text = ball_with(11, std::string("position = ") + position);
+        text += "[[lights]]\ndirection = [0.6, 0.8, 1]\nwith_camera = true\n"
+                "[[lights]]\ndirection = [0, 0, \"2 + t\"]\nwith_camera = true\n";
+        const SceneAt now = at_time(loaded(text), 1);
+        const SceneAt plain =
+            at_time(loaded(ball_with(11, std::string("position = ") + position)), 1);
+        EXPECT_EQ(now.lights.at(0).direction, plain.lights.at(0).direction) << position;
+        const glm::dvec3 back = glm::normalize(now.camera.position - now.camera.target);
+        EXPECT_LT(glm::length(now.lights.at(1).direction - back), 1e-15) << position;
+    }
+    EXPECT_EQ(mistake(ball_and("[[lights]]\nposition = [1, 0, 0]\nwith_camera = true")),
+              "scene.toml:17: lights[0].with_camera: is of a light with a direction: to the "
+              "viewer's right, up and back");
+}
+
 // Without a light of its own a scene is lit from above the viewer's right shoulder.
 TEST_F(At, TheHeadlightFollowsTheCamera) {
     for (const char* position : {"[4, 0, 0]", "[0, -4, 1]", "[-1, 2, -7]", "[1e6, 1e6, 0]"}) {

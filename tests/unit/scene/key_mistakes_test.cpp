@@ -49,8 +49,8 @@ TEST_F(KeyMistakes, UnknownKeysFarFromAnyAreToldWhatThereIs) {
          "elevation, focus, fov, height, position, projection, shutter, "
          "target, up, zoom"},
         {ball_and("[weather]\nrain = 1"),
-         "scene.toml:15: weather: unknown key; known here: arrays, "
-         "camera, environment, fog, ground, isolation, lights, "
+         "scene.toml:15: weather: unknown key; known here: ambient, arrays, "
+         "camera, environment, fog, ground, isolation, lights, look, "
          "material, occlusion, output, parameters, surface, time, title"},
     });
 }
@@ -102,8 +102,9 @@ TEST_F(KeyMistakes, SectionsThatAreNoTables) {
         {"surface = 3\n", "scene.toml:1: surface: must be a table: [surface]"},
         {"camera = [1, 2]\n" + ball_with(10, "[old]"),
          "scene.toml:1: camera: must be a table: [camera]\n"
-         "scene.toml:11: old: unknown key; known here: arrays, camera, environment, fog, ground, "
-         "isolation, lights, material, occlusion, output, parameters, surface, time, title"},
+         "scene.toml:11: old: unknown key; known here: ambient, arrays, camera, environment, "
+         "fog, ground, isolation, lights, look, material, occlusion, output, parameters, surface, "
+         "time, title"},
         {ball_with(7, "bounds = 3"),
          "scene.toml:7: surface.bounds: must be a table: [surface.bounds]"},
         {"arrays = 3\n" + ball(), "scene.toml:1: arrays: must be a table: [arrays]"},

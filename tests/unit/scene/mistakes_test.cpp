@@ -79,11 +79,5 @@ TEST_F(SeveralMistakes, SecondsAreFrames) {
               "scene.toml:4: time.seconds: is 0 frames; a scene has from 1 to 10000000");
 }
 
-TEST_F(SeveralMistakes, ALightsRadiusIsToldWhatThereIsInstead) {
-    EXPECT_THAT(mistake(ball_and("[[lights]]\ndirection = [0, 0, 1]\nradius = 0.2")),
-                testing::StartsWith("scene.toml:17: lights[0].radius: lights have no size and "
-                                    "shadows no soft edge; for a softer one give several lights"));
-}
-
 } // namespace
 } // namespace isomotion::scene

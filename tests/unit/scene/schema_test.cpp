@@ -48,6 +48,8 @@ const Case cases[] = {
      "[surface]\nformula = 'x'\n[material.colormap]\nvalue = 'x'\nrange = [0, 1]\n{} = 1\n"},
     {"ground", "/properties/ground", "[surface]\nformula = 'x'\n[ground]\nheight = 0\n{} = 1\n"},
     {"fog", "/properties/fog", "[surface]\nformula = 'x'\n[fog]\ndensity = 1\n{} = 1\n"},
+    {"ambient", "/properties/ambient",
+     "[surface]\nformula = 'x'\n[ambient]\ntop = [1, 1, 1]\n{} = 1\n"},
     {"occlusion", "/properties/occlusion", "[surface]\nformula = 'x'\n[occlusion]\n{} = 1\n"},
     {"environment", "/properties/environment",
      "[surface]\nformula = 'x'\n[environment]\nmap = 'studio.exr'\n{} = 1\n"},
@@ -108,6 +110,12 @@ TEST(Schema, EverySectionIsHeldAgainstTheReader) {
         if (!has_own_keys) continue;
         EXPECT_TRUE(checked.contains(name)) << name;
     }
+}
+
+TEST(Schema, HasTheLooksThatThereAre) {
+    Names names{"none"};
+    for (const std::string& look : look_names()) names.insert(look);
+    EXPECT_EQ(schema().at("/properties/look/enum"_json_pointer).get<Names>(), names);
 }
 
 TEST(Schema, HasTheFormerNames) {

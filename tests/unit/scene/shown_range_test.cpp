@@ -69,7 +69,8 @@ TEST_F(ShownRange, OfOneValueHasItInTheMiddle) {
 
 TEST_F(ShownRange, WhatIsNoNumberDoesNotCount) {
     expect("y + 1e-9*log(y)", 0, 1, 0.1);
-    for (const char* value : {"log(-x^2 - 1)", "y + (-1 - x^2)^0.3", "x*1e300"}) { // the GPU's are floats
+    for (const char* value :
+         {"log(-x^2 - 1)", "y + (-1 - x^2)^0.3", "x*1e300"}) { // the GPU's are floats
         EXPECT_THAT(mistake(ball_and(
                         fmt::format("[material.colormap]\nvalue = '{}'\nrange = 'auto'", value))),
                     testing::StartsWith("scene.toml:17: material.colormap.range: the value is no "

@@ -45,7 +45,7 @@ protected:
         }
     }
 
-    Session session{scene::load("torus")};
+    Session session{scene::load("torus", {"look=none"})};
     std::unique_ptr<gpu::Context> context_;
     std::optional<DrawThread> thread;
     std::optional<FrameScheduler> scheduler;

@@ -1,0 +1,16 @@
+// Lights that have a size, one point of them at a time: the mean over the pictures of a frame has
+// soft shadows.
+#pragma once
+
+#include "scene/scene_at.h"
+
+namespace isomotion::scene {
+
+// Whether some light has a radius: else every point lights alike.
+bool is_lit_by_discs(const SceneAt& now);
+
+// The scene lit from another point of every light that has a radius. `disc` is in the unit disc;
+// its middle leaves the scene as it is.
+SceneAt lit_from(SceneAt now, const glm::dvec2& disc);
+
+} // namespace isomotion::scene
