@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "synthesis/paint_text.h"
+#include "synthesis/section_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -105,6 +106,21 @@ double turns_beside_lists(const scene::Scene& scene, const synthesis::Passes& pa
     return over_boxes ? synthesis::most_cells_of_box * turns : turns;
 }
 
+// Of the evaluations that a draw has room for, those of each part that sections leave of a ray:
+// what a march may take, beside F where parts begin and end.
+int of_a_part(const scene::Scene& scene, const synthesis::Passes& passes, int evaluations) {
+    if (scene.sections.empty()) return evaluations;
+    const int shared =
+        (evaluations - synthesis::samples_at_sections(scene)) / synthesis::parts_of_a_ray(scene);
+    const int fewest = std::max(passes.degree + 1, 1);
+    if (shared >= fewest) return shared;
+    throw std::length_error(fmt::format(
+        "a draw has room for {} evaluations of the formula at a pixel, and {} sections take {}: "
+        "draw fewer elements, or fewer sections",
+        evaluations, scene.sections.size(),
+        synthesis::samples_at_sections(scene) + fewest * synthesis::parts_of_a_ray(scene)));
+}
+
 MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& passes, int width,
                         int height, int max_texture_size, const std::optional<MarchPlan>& wanted) {
     const std::vector<int> counts = capacities(passes);
@@ -134,6 +150,7 @@ MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& pass
         chosen.evaluations_per_pass = evaluations_with_polynomial(passes.degree, cost.iterations,
                                                                   chosen.evaluations_per_pass);
     }
+    chosen.evaluations_per_pass = of_a_part(scene, passes, chosen.evaluations_per_pass);
     return chosen;
 }
 
@@ -142,7 +159,7 @@ int without_lists(const scene::Scene& scene, const synthesis::Passes& passes, in
         synthesis::cost(*scene.surface.field, passes.samples, capacities(passes));
     const int fitting = int(loop_iterations_per_pass / (1 + all.iterations));
     const int fewest = std::min(passes.degree + 1, planned);
-    return std::clamp(fitting, fewest, planned);
+    return std::clamp(of_a_part(scene, passes, fitting), fewest, planned);
 }
 
 // Of an array whose elements are found by place, as many as the loops that shade a pixel can take.
@@ -164,7 +181,8 @@ float budget_of_elements(const scene::Scene& scene, const synthesis::Passes& pas
     const auto once = std::vector<int>(passes.arrays.size(), 1);
     const double loops =
         std::max(1.0, synthesis::cost(*scene.surface.field, passes.samples, once).iterations);
-    return float((1 - part_of_others) * loop_iterations_per_pass / loops);
+    return float((1 - part_of_others) * loop_iterations_per_pass / loops /
+                 synthesis::parts_of_a_ray(scene));
 }
 
 } // namespace

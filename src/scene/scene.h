@@ -125,6 +125,17 @@ struct Occlusion {
     TrackId strength = 0;         // 0: none, 1: full
 };
 
+// Takes a half-space or a ball away from the solid F < 0; world coordinates. See cut.h.
+struct Cut {
+    bool is_ball = false;
+    // Of a half-space: away from what is left; a point of its plane; how far beyond it that is.
+    Vec3Track normal{}, point{};
+    TrackId offset = 0;
+    // Of a ball.
+    Vec3Track centre{};
+    TrackId radius = 0;
+};
+
 // Colours the surface by a number: `low` is at the beginning of the map and `high` at its end.
 struct Paint {
     std::shared_ptr<const formula::Paint> value;
@@ -148,6 +159,7 @@ struct Material {
     std::shared_ptr<const formula::Paint> color_by_place;
     Reflection reflection = Reflection::none; // of what is around, and of the surface itself
     std::optional<Vec3Track> inside;          // seen from where F < 0
+    std::optional<Vec3Track> cap;             // of caps, where sections cut; else as inside
     std::optional<Paint> paint;               // instead of all
     // Each only where the model has it.
     std::optional<TrackId> shininess;           // exponent, 0 to max_shininess
@@ -216,6 +228,7 @@ struct Scene {
     Camera camera;
     std::vector<Light> lights; // at least one
     Material material;
+    std::vector<Cut> sections;
     std::optional<Ground> ground;
     std::optional<Fog> fog;
     std::optional<Occlusion> occlusion;

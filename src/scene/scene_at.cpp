@@ -215,6 +215,16 @@ public:
 
     GroundAt ground(const Ground& from) const { return {number(from.height), color(from.color)}; }
 
+    SectionAt section(const Cut& from) const {
+        if (from.is_ball)
+            return {true, vector(from.centre), not_negative(from.radius, "the radius")};
+        const glm::dvec3 normal = vector(from.normal);
+        const double length = glm::length(normal);
+        if (!(length > 0)) fail(from.normal[0], "the normal has length 0, and no direction");
+        return {false, normal / length,
+                glm::dot(normal / length, vector(from.point)) + number(from.offset)};
+    }
+
     FogAt fog(const Fog& from) const {
         return {not_negative(from.density, "the density"), not_negative(from.start, "the start"),
                 color(from.color)};
@@ -308,6 +318,8 @@ SceneAt in_formula_coordinates(SceneAt scene) {
             light.is_point ? scene.placement.to_local(light.direction) : to_local * light.direction;
         light.falloff /= scene.placement.scale;
     }
+    for (SectionAt& section : scene.sections)
+        section = in_formula_coordinates(section, scene.placement);
     scene.fog.density *= scene.placement.scale;
     scene.fog.start /= scene.placement.scale;
     scene.occlusion.reach /= scene.placement.scale;
@@ -337,6 +349,8 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     now.material_color = read.color(scene.material.color);
     if (scene.material.paint) now.paint_range = read.range(*scene.material.paint);
     if (scene.material.inside) now.inside_color = read.color(*scene.material.inside);
+    if (scene.material.cap) now.cap_color = read.color(*scene.material.cap);
+    for (const Cut& cut : scene.sections) now.sections.push_back(read.section(cut));
     if (scene.ground) now.ground = read.ground(*scene.ground);
     if (scene.fog) now.fog = read.fog(*scene.fog);
     if (scene.occlusion) {

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include "scene/cut.h"
 #include "scene/scene.h"
 
 namespace isomotion::scene {
@@ -81,8 +82,10 @@ struct SceneAt {
     CameraAt camera;
     std::vector<LightAt> lights;
     glm::dvec3 material_color{1};
-    glm::dvec3 inside_color{1}; // of a surface with two colours
-    GroundAt ground;            // these where the scene has them
+    glm::dvec3 inside_color{1};      // of a surface with two colours
+    glm::dvec3 cap_color{1};         // of one whose caps have a colour of their own
+    std::vector<SectionAt> sections; // world
+    GroundAt ground;                 // these where the scene has them
     FogAt fog;
     OcclusionAt occlusion;
     std::optional<EnvironmentAt> environment;

@@ -162,7 +162,10 @@ Sight sight(const Scene& scene, const SceneAt& now) {
     }
     const glm::dvec3 eye = now.placement.to_local(now.camera.position);
     const bool is_perspective = now.camera.projection == Camera::Projection::perspective;
-    if (is_perspective && is_in(now.bounds, eye) && has_end) {
+    const bool is_cut_off = std::ranges::any_of(now.sections, [&](const SectionAt& section) {
+        return section.value(now.camera.position) > 0;
+    });
+    if (is_perspective && is_in(now.bounds, eye) && has_end && !is_cut_off) {
         const double at_eye = f_at({eye})[0];
         found.eye_in_solid = below > 0.5 ? at_eye > 0 : at_eye < 0;
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "synthesis/section_text.h"
+
 namespace isomotion::synthesis {
 namespace {
 
@@ -139,6 +141,14 @@ const std::array table{
                  "camera.aperture: from points of the lens",
                  [](const Scene& s) { return s.camera.aperture.has_value(); },
                  [](Scene& s) { s.camera.aperture.reset(); }},
+    EffectTraits{Effect::sections, "sections", "[[sections]]: what is cut off the solid",
+                 [](const Scene& s) { return !s.sections.empty(); },
+                 [](Scene& s) { s.sections.clear(); }, false, "", "",
+                 [](const Scene& s, const SceneAt& now, Uniforms& to) {
+                     to.push_back(sections_uniform(now));
+                     if (!has_cap_color(s)) return;
+                     add(to, "cap_color", s.material.cap ? now.cap_color : now.inside_color);
+                 }},
 };
 
 } // namespace

@@ -30,6 +30,7 @@ enum class Effect {
     samples,
     motion_blur,
     depth_of_field,
+    sections,
 };
 
 struct EffectTraits {

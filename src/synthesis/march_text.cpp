@@ -6,6 +6,7 @@
 #include "synthesis/bernstein_text.h"
 #include "synthesis/cells_text.h"
 #include "synthesis/effect_text.h"
+#include "synthesis/section_text.h"
 
 namespace isomotion::synthesis {
 namespace {
@@ -110,6 +111,7 @@ void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin) {
         text.file("effects/mirror_ray.glsl");
     }
     text.file("march/state.glsl");
+    add_parts(text, scene);
 }
 
 void define_state(ShaderText& text, const Passes& passes) {
@@ -127,7 +129,7 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes
     add_turn(text, scene, passes);
     if (array_with_grid(passes)) text.define("GRID", 1);
     if (passes_free_cells(scene, passes)) add_way_past_free_cells(text);
-    text.file("march/march.glsl");
+    add_march_through_parts(text, scene, "march/march.glsl");
 }
 
 Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when) {
@@ -177,6 +179,8 @@ Pass shadow_pass(const scene::Scene& scene, const Passes& passes) {
     if (array_with_grid(passes)) text.define("GRID", 1);
     if (passes_free_cells(scene, passes)) add_way_past_free_cells(text);
     text.file(fmt::format("march/{}.glsl", method.any_hit));
+    add_crossings(text, scene);
+    if (!scene.sections.empty()) text.file("section/shadow.glsl");
     text.file("effects/shadow.glsl");
     text.file_of_stage("stage/march.frag", "stage/march.comp");
     return std::move(text).pass(Role::shadow, "shadow", When::until_rays_end);

@@ -110,6 +110,8 @@ MaterialParts read_material(Section& document, const SurfaceParts& parts, TrackT
     auto own = document.section("material");
     read_colors(own, parts, read, tracks);
     if (own) {
+        if (const toml::node* cap = own->find("cap_color"))
+            material.cap = tracks.add("material.cap_color", *own->vector("cap_color"), cap);
         material.model = read_model(*own);
         read_gloss(*own, material, tracks);
         read_reflection(*own, material);
