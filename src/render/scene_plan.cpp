@@ -53,12 +53,18 @@ double shade_iterations(const scene::Scene& scene, const synthesis::Passes& pass
                         const std::vector<int>& counts) {
     const double gradient =
         passes.march_takes_gradient ? 0.0 : loops_of(scene.surface.field->gradient, counts);
+    const auto loops_of_paint = [&](const formula::Paint& paint) {
+        const bool all = synthesis::sums_all_elements(paint, passes);
+        return loops_of(paint.value, all ? capacities(passes) : counts);
+    };
+    const int colours = colours_of_a_pixel(scene);
+    double sum = gradient;
+    if (const auto& contours = scene.material.contours)
+        sum += colours * loops_of_paint(*contours->value);
     const formula::Paint* paint = synthesis::painting(scene);
-    if (!paint) return gradient;
+    if (!paint) return sum;
     const double curvature = paint->hessian ? gradient + loops_of(*paint->hessian, counts) : 0.0;
-    const bool all = synthesis::sums_all_elements(*paint, passes);
-    return gradient + colours_of_a_pixel(scene) *
-                          (curvature + loops_of(paint->value, all ? capacities(passes) : counts));
+    return sum + colours * (curvature + loops_of_paint(*paint));
 }
 
 // The passes that don't march must fit the loop limit, too; they know no lists.

@@ -145,6 +145,14 @@ struct Paint {
     ColorMap map = ColorMap::blue_yellow;
 };
 
+// Lines on the surface where a number of the place is a multiple of `every`, `from` being one.
+struct Contours {
+    std::shared_ptr<const formula::Paint> value; // with its slopes: formula/contours.h
+    TrackId every = 0, from = 0;
+    TrackId width = 0; // pixels
+    Vec3Track color{};
+};
+
 // `color` is seen from where F > 0. Only a surface with `inside` has two colours.
 struct Material {
     enum class Reflection { none, sky, self };
@@ -161,6 +169,7 @@ struct Material {
     std::optional<Vec3Track> inside;          // seen from where F < 0
     std::optional<Vec3Track> cap;             // of caps, where sections cut; else as inside
     std::optional<Paint> paint;               // instead of all
+    std::optional<Contours> contours;         // over them
     // Each only where the model has it.
     std::optional<TrackId> shininess;           // exponent, 0 to max_shininess
     std::optional<TrackId> roughness, metallic; // 0..1

@@ -225,6 +225,11 @@ public:
                 glm::dot(normal / length, vector(from.point)) + number(from.offset)};
     }
 
+    ContoursAt contours(const Contours& from) const {
+        return {positive(from.every, "how far contours are apart"), number(from.from),
+                not_negative(from.width, "the width"), color(from.color)};
+    }
+
     FogAt fog(const Fog& from) const {
         return {not_negative(from.density, "the density"), not_negative(from.start, "the start"),
                 color(from.color)};
@@ -351,6 +356,7 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     if (scene.material.inside) now.inside_color = read.color(*scene.material.inside);
     if (scene.material.cap) now.cap_color = read.color(*scene.material.cap);
     for (const Cut& cut : scene.sections) now.sections.push_back(read.section(cut));
+    if (scene.material.contours) now.contours = read.contours(*scene.material.contours);
     if (scene.ground) now.ground = read.ground(*scene.ground);
     if (scene.fog) now.fog = read.fog(*scene.fog);
     if (scene.occlusion) {

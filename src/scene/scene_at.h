@@ -53,6 +53,12 @@ struct LightAt {
     double falloff = 0; // distance at which a point light has its colour; 0: everywhere
 };
 
+struct ContoursAt {
+    double every = 1, from = 0;
+    double width = 1; // pixels
+    glm::dvec3 color{0};
+};
+
 struct GroundAt {
     double height = 0;
     glm::dvec3 color{0};
@@ -85,6 +91,7 @@ struct SceneAt {
     glm::dvec3 inside_color{1};      // of a surface with two colours
     glm::dvec3 cap_color{1};         // of one whose caps have a colour of their own
     std::vector<SectionAt> sections; // world
+    ContoursAt contours;             // where the material has them
     GroundAt ground;                 // these where the scene has them
     FogAt fog;
     OcclusionAt occlusion;

@@ -1,8 +1,8 @@
 #include "sequence/scene_fingerprint.h"
 
 #include "base/fingerprint.h"
-#include "synthesis/effect.h"
 #include "scene/source_print.h"
+#include "synthesis/effect.h"
 
 namespace isomotion::sequence {
 namespace {
@@ -41,7 +41,8 @@ std::string scene_fingerprint(const scene::Scene& scene) {
     for (const animation::Track& track : animation.tracks()) scene::add(print, track);
     for (std::size_t a = 0; a < animation.arrays().size(); ++a)
         scene::add_array(print, animation, a);
-    for (const synthesis::Effect effect : synthesis::effects(scene)) print.add(synthesis::name(effect));
+    for (const synthesis::Effect effect : synthesis::effects(scene))
+        print.add(synthesis::name(effect));
     print.add(std::to_string(int(scene.surface.bounds.shape)));
     add(print, scene.isolation);
     add_numbers(print, {double(scene.camera.projection), scene.camera.shutter});
@@ -54,6 +55,7 @@ std::string scene_fingerprint(const scene::Scene& scene) {
         if (paint->shown) add_numbers(print, {paint->shown->least, paint->shown->most});
     }
     if (const auto& color = scene.material.color_by_place) print.add(color->text);
+    if (const auto& contours = scene.material.contours) print.add(contours->value->text);
     if (scene.environment) {
         print.add(scene.environment->map.filename().string());
         add_numbers(print, {double(scene.environment->background)});

@@ -149,6 +149,16 @@ const std::array table{
                      if (!has_cap_color(s)) return;
                      add(to, "cap_color", s.material.cap ? now.cap_color : now.inside_color);
                  }},
+    EffectTraits{Effect::contours, "contours", "material.contours: lines where a number is whole",
+                 [](const Scene& s) { return s.material.contours.has_value(); },
+                 [](Scene& s) { s.material.contours.reset(); }, false, "", "",
+                 [](const Scene& s, const SceneAt& now, Uniforms& to) {
+                     const scene::ContoursAt& lines = now.contours;
+                     add(to, "contours", {lines.every, lines.from, lines.width});
+                     add(to, "contour_color", lines.color);
+                     if (s.material.contours->value->uses("t"))
+                         to.push_back({"contour_time", float(now.time)});
+                 }},
 };
 
 } // namespace

@@ -31,6 +31,7 @@ enum class Effect {
     motion_blur,
     depth_of_field,
     sections,
+    contours,
 };
 
 struct EffectTraits {

@@ -70,6 +70,7 @@ void add_matter_color(ShaderText& text, const scene::Scene& scene) {
 void add_color(ShaderText& text, const scene::Scene& scene) {
     std::vector<std::string> over;
     if (has_cap_color(scene)) over.emplace_back("section/color.glsl");
+    if (scene.material.contours) over.emplace_back("effects/contours.glsl");
     for (std::size_t k = 0; k <= over.size(); ++k) {
         const bool is_last = k == over.size();
         std::string names = k == 0 ? "" : fmt::format("#define color_below color_{}\n", k - 1);
@@ -113,7 +114,7 @@ Pass fused_pass(const scene::Scene& scene, const Passes& passes) {
     text.define("LIGHTS", int(scene.lights.size()));
     std::vector<FieldFunction> functions = passes.samples;
     if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
-    add_field(text, *scene.surface.field, passes, functions);
+    add_field(text, *scene.surface.field, passes, functions, painting_functions(scene, passes));
     add_ray(text, scene);
     add_march(text, scene, passes, Origin::eye);
     add_picture(text, scene);
@@ -182,7 +183,7 @@ Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
         functions.push_back(FieldFunction::gradient);
     }
     if (from_surface && scene.occlusion) functions.push_back(FieldFunction::value);
-    if (!functions.empty() || paint) {
+    if (!functions.empty() || paint || scene.material.contours) {
         add_field(text, field, passes, functions, painting_functions(scene, passes));
     } else {
         text.file("math/bits.glsl");

@@ -19,6 +19,7 @@ Cut read_cut(const toml::node& at, const std::string& key, TrackTable& tracks) {
         const std::string dotted = section.dotted(name);
         return node ? tracks.add(dotted, *section.vector(name), node) : tracks.add(dotted, 0, 0, 0);
     };
+    for (const char* known : {"normal", "point", "offset", "sphere", "centre"}) section.find(known);
     const bool has_plane = section.has("normal"), has_ball = section.has("sphere");
     if (has_plane == has_ball) {
         fail(at, key,
