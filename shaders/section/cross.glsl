@@ -5,13 +5,6 @@
 // where F < 0: behind, if the part ended in the solid, or ahead, if the next one begins in it.
 const int PHASE_CROSS = 6;
 
-// What cap_of() tells.
-RayState end_on_cap(RayState s, float t, int section) {
-    s.low = t;
-    s.refinements = -1 - section;
-    return finish(s, VERDICT_HIT);
-}
-
 RayState at_crossing(RayState s, float t, int behind) {
     s.low = t;
     s.refinements = behind;

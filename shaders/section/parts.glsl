@@ -41,7 +41,7 @@ Part part_from(Ray ray, float from) {
         for (int k = 0; k < SECTIONS; ++k) {
             if (!is_ball(k)) continue;
             vec2 within = in_ball(ray, sections[k]);
-            if (within.x <= part.begin && part.begin < within.y) {
+            if (within.x <= part.begin && part.begin <= within.y) {
                 part.begin = within.y;
                 part.begin_cut = k;
             }

@@ -31,7 +31,6 @@ void add_sections(ShaderText& text, const scene::Scene& scene) {
 
 void add_parts(ShaderText& text, const scene::Scene& scene) {
     if (scene.sections.empty()) return;
-    add_sections(text, scene);
     text.file("section/parts.glsl");
     text.file("section/cap.glsl");
 }
@@ -54,17 +53,33 @@ void add_crossings(ShaderText& text, const scene::Scene& scene) {
     text.file("section/cross.glsl");
 }
 
-void add_march_through_parts(ShaderText& text, const scene::Scene& scene, const std::string& file) {
+void begin_turn_of_part(ShaderText& text) {
+    text.generated("the method's turn by another name", "#define turn turn_of_method\n");
+}
+
+void end_turn_of_part(ShaderText& text) {
+    text.generated("and that of a part by its", "#undef turn\n");
+    text.file("section/first_sample.glsl");
+}
+
+void add_march_through_parts(ShaderText& text, const scene::Scene& scene, const std::string& file,
+                             bool samples_tell) {
     if (scene.sections.empty()) {
         text.file(file);
         return;
     }
     text.generated("the march of one part by other names",
-                   "#define begin begin_part\n#define march march_part\n");
+                   samples_tell ? "#define march march_part\n"
+                                : "#define begin begin_part\n#define march march_part\n");
     text.file(file);
     text.generated("and that of all by these", "#undef begin\n#undef march\n");
-    add_crossings(text, scene);
-    text.file("section/march.glsl");
+    if (samples_tell) {
+        text.define("PARTS", parts_of_a_ray(scene));
+        text.file("section/march_by_samples.glsl");
+    } else {
+        add_crossings(text, scene);
+        text.file("section/march.glsl");
+    }
 }
 
 void add_gradient_of_rest(ShaderText& text, const scene::Scene& scene, const std::string& file) {

@@ -21,8 +21,13 @@ void add_parts(ShaderText& text, const scene::Scene& scene);
 void add_sections_over_boxes(ShaderText& text, const scene::Scene& scene);
 // How rays come from one part to the next. After what samples F.
 void add_crossings(ShaderText& text, const scene::Scene& scene);
-// The file of a march, which knows one part of a ray, as march through all of them.
-void add_march_through_parts(ShaderText& text, const scene::Scene& scene, const std::string& file);
+// About the text of a method's turn, whose first sample tells whether a part begins with a cap.
+void begin_turn_of_part(ShaderText& text);
+void end_turn_of_part(ShaderText& text);
+// The file of a march, which knows one part of a ray, as march through all of them. `samples_tell`:
+// what it samples tells of caps; else the ends of parts are sampled beside.
+void add_march_through_parts(ShaderText& text, const scene::Scene& scene, const std::string& file,
+                             bool samples_tell);
 // The file with the gradient of F, as that of what is left of the solid.
 void add_gradient_of_rest(ShaderText& text, const scene::Scene& scene, const std::string& file);
 

@@ -244,15 +244,19 @@ TEST(Section, ShadowsAreThoseOfWhatIsLeft) {
         const glm::dvec3 p(value(dark, "P.X", k), value(dark, "P.Y", k), value(dark, "P.Z", k));
         const glm::dvec3 n(value(dark, "N.X", k), value(dark, "N.Y", k), value(dark, "N.Z", k));
         const double facing = glm::dot(n, light);
-        if (facing < 0.05) continue;
+        // Where light grazes, beginning a twentieth of a pixel off the bowl changes much.
+        if (facing < 0.2) continue;
         const glm::dvec3 from = p - glm::dvec3(1, 0, 0);
         const glm::dvec3 leaves = p - 2 * glm::dot(from, light) * light;
         const double off = glm::length(leaves) - 1;
-        if (std::abs(off) < 0.01) continue;
+        if (std::abs(off) < 0.02) continue;
         const double expected = 0.12 + (off < 0 ? 0 : facing);
         in_shadow += off < 0;
         lit_caps += off > 0;
-        wrong += std::abs(value(dark, "R", k) - expected) > 1e-3;
+        if (std::abs(value(dark, "R", k) - expected) <= 1e-3) continue;
+        ++wrong;
+        ADD_FAILURE() << fmt::format("{} in place of {} at ({}, {}, {}), facing {}, off {}",
+                                     value(dark, "R", k), expected, p.x, p.y, p.z, facing, off);
     }
     EXPECT_EQ(wrong, 0);
     EXPECT_GT(in_shadow, 30);
@@ -266,8 +270,9 @@ TEST(Section, OcclusionOfAFlatCapIsNone) {
     const Picture open = with_caps(scene_of(text));
     const Picture occluded = with_caps(scene_of(text + "[occlusion]\n"));
     for (std::size_t k = 0; k < 64 * 64; ++k) {
-        if (value(open, "cap", k) == 1)
+        if (value(open, "cap", k) == 1) {
             ASSERT_NEAR(value(open, "R", k), value(occluded, "R", k), 1e-5) << k;
+        }
     }
 }
 

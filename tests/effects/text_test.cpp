@@ -71,7 +71,7 @@ TEST(EffectText, SectionsAreWhereTheyAreNamedAndOnlyThere) {
     for (const std::string& file : plain.files())
         EXPECT_FALSE(file.starts_with("section/")) << file;
     EXPECT_THAT(all_of(plain), testing::Not(testing::HasSubstr("#define SECTIONS")));
-    EXPECT_THAT(cut.files(), testing::Contains("section/march.glsl"));
+    EXPECT_THAT(cut.files(), testing::Contains("section/parts.glsl"));
     EXPECT_TRUE(cut.has(Role::fused)) << "as cheap a picture as before";
     const Passes moved = passes_of("[[sections]]\nnormal = [3, 1, 0]\npoint = [1, 1, 1]\n");
     EXPECT_EQ(all_of(cut), all_of(moved));

@@ -97,11 +97,11 @@ TEST(CutRays, OfAHalfBallFromEverywhere) {
                              "position = [0.4, 0.1, 0.2]\ntarget = [-1, 0, 0]\nfov = 80"};
     for (const char* camera : cameras) {
         const Tally tally = check(half_space({1, 0.1, 0.2}, 0.1), camera);
-        EXPECT_GT(tally.hits, 300) << camera;
+        EXPECT_GT(tally.hits, 150) << camera;
         EXPECT_LT(tally.uncertain, 30) << camera;
     }
-    EXPECT_GT(check(half_space({1, 0, 0}, 0), cameras[0]).caps, 200);
-    EXPECT_GT(check(half_space({0.2, 0, 1}, 0.3), cameras[1]).caps, 200);
+    EXPECT_GT(check(half_space({1, 0, 0}, 0), cameras[0]).caps, 100);
+    EXPECT_GT(check(half_space({0.2, 0, 1}, 0.3), cameras[1]).caps, 80);
 }
 
 TEST(CutRays, OfAllAndOfNone) {

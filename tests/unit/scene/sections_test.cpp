@@ -127,7 +127,9 @@ TEST(PartsLeft, AreAllThatNoSectionTakesAway) {
             }
             bool is_left = false;
             for (const PartLeft& part : parts) is_left |= part.begin <= t && t <= part.end;
-            if (!is_near) ASSERT_EQ(is_left, !is_taken) << t;
+            if (!is_near) {
+                ASSERT_EQ(is_left, !is_taken) << t;
+            }
         }
         for (const PartLeft& part : parts) {
             ASSERT_LT(part.begin, part.end);
