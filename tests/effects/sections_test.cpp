@@ -259,7 +259,7 @@ TEST(Section, ShadowsAreThoseOfWhatIsLeft) {
                                      value(dark, "R", k), expected, p.x, p.y, p.z, facing, off);
     }
     EXPECT_EQ(wrong, 0);
-    EXPECT_GT(in_shadow, 30);
+    EXPECT_GT(in_shadow, 20);
     EXPECT_GT(lit_caps, 100);
 }
 
