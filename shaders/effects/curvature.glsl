@@ -5,6 +5,9 @@ vec3 surface_gradient(RayState s, vec3 position);
 
 // Mean and Gaussian; not numbers where the gradient vanishes.
 vec2 curvatures(Hit hit) {
+#ifdef SECTIONS
+    if (hit.cap >= 0) return section_curvatures(hit.cap);
+#endif
     vec3 g = surface_gradient(load_state(), hit.position);
     // Neither depends on the scale of F, which may be far from float's middle.
     float scale = max(max(abs(g.x), abs(g.y)), abs(g.z));

@@ -32,8 +32,11 @@ float offset_from(SurfacePoint p) {
 
 SurfacePoint end_of_ray(Ray ray, RayState s) {
     vec3 position = ray_point(ray, s.low);
-    SurfacePoint p = SurfacePoint(position, 0.0, -ray.direction, s.verdict, false, false, 0.0, s.low,
-                                  footprint_at(position));
+    SurfacePoint p = point_at(position, 0.0, -ray.direction, s.verdict, false, false, 0.0, s.low,
+                              footprint_at(position));
+#ifdef SECTIONS
+    p.cap = cap_of(s);
+#endif
     if (s.verdict != VERDICT_HIT) return p;
     vec3 g = surface_gradient(s, position);
     // Before clamping, which turns NaN into a number on some drivers.
@@ -49,5 +52,8 @@ SurfacePoint end_of_ray(Ray ray, RayState s) {
         p.verdict = VERDICT_ZERO_GRADIENT; // a hit all the same: lit as if it faced the viewer
     }
     p.offset = offset_from(p);
+#ifdef SECTIONS
+    if (p.cap >= 0) p.offset = offset_from_cap(position, p.normal, p.cap, p.inside, p.pixel);
+#endif
     return p;
 }

@@ -10,5 +10,5 @@ SurfacePoint before_ground(Ray ray, SurfacePoint p) {
     vec3 position = ray_point(ray, t);
     vec3 normal = slope > 0.0 ? -ground_plane.xyz : ground_plane.xyz;
     float pixel = footprint_at(position);
-    return SurfacePoint(position, 0.05 * pixel, normal, VERDICT_MISS, false, true, 1.0, t, pixel);
+    return point_at(position, 0.05 * pixel, normal, VERDICT_MISS, false, true, 1.0, t, pixel);
 }

@@ -15,4 +15,9 @@ void main() {
     vec4 p = vec4(ray_point(ray, s.low), 1.0);
     vec3 q = vec3(dot(move_x, p), dot(move_y, p), dot(move_z, p));
     field_there = vec4(field_gradient(q), field(q));
+#ifdef SECTIONS
+    // Sections of the other time.
+    int cap = cap_of(s);
+    if (cap >= 0) field_there = vec4(section_gradient(cap, q), section_value(cap, q));
+#endif
 }

@@ -8,7 +8,11 @@ float openness(SurfacePoint p) {
     for (int k = 1; k <= samples; ++k) {
         float way = clamp(occlusion.x, 1.0e-30, 1.0e30) * float(k) / float(samples);
         float f = field(p.position + way * p.normal) * (p.inside ? -1.0 : 1.0);
-        float distance = clamp(f / max(p.steepness, 1.0e-30), 0.0, way);
+        float off = f / max(p.steepness, 1.0e-30);
+#ifdef SECTIONS
+        off = distance_to_rest(p.position + way * p.normal, p.inside, off);
+#endif
+        float distance = clamp(off, 0.0, way);
         float weight = exp2(-float(k));
         if (!im_is_nan(f)) missing += weight * (way - distance) / way;
         most += weight;

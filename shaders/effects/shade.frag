@@ -7,7 +7,7 @@ void main() {
     Ray ray = pixel_ray();
     RayState s = load_state();
     SurfacePoint p = load_surface();
-    Hit hit = Hit(p.position, p.normal, p.t, p.inside);
+    Hit hit = hit_of(p);
     if (is_on_surface(p) || p.on_ground) {
         color = vec4(shade(ray, p, hit), 1.0);
     } else if (p.verdict == VERDICT_NAN) {

@@ -65,6 +65,20 @@ void march_pixel() {
         Ray ray = shadow_ray(p, s.refinements);
         if (begins) s.low = s.high = ray.t_near;
         int outcome = ray.t_near < ray.t_far ? RAY_GOES_ON : RAY_IS_FREE;
+#ifdef SECTIONS
+        if (begins) s = at_shadow_crossing(s, ray.t_near, -1);
+        bool crosses = s.phase == PHASE_CROSS && outcome == RAY_GOES_ON;
+        if (crosses && turns <= 0) break; // in the next pass
+        RayState crossing = cross_sections(crossing_of(s, crosses), ray);
+        if (crosses) {
+            outcome = outcome_of(crossing);
+            s = on_part(s, crossing);
+            turns -= crossing.evaluations;
+        }
+        Part part = part_from(ray, s.low);
+        bool is_part = outcome == RAY_GOES_ON && part.begin < part.end;
+        ray.t_far = part.end;
+#endif
         while (turns > 0 && outcome == RAY_GOES_ON) {
             s.evaluations += 1;
 #ifdef PASSES_FREE
@@ -96,6 +110,13 @@ void march_pixel() {
         if (outcome == RAY_IS_SOLVED) outcome = any_hit_solved(s, ray);
         begins = false;
         if (outcome == RAY_GOES_ON && turns > 0) continue;
+#endif
+#ifdef SECTIONS
+        if (outcome == RAY_IS_FREE && is_part && part.end_cut >= 0) {
+            s = at_shadow_crossing(s, part.end, part.end_cut);
+            begins = false;
+            continue;
+        }
 #endif
         if (outcome == RAY_GOES_ON) break; // in the next pass
         if (outcome == RAY_IS_HIDDEN) s.verdict += 1 << s.refinements;

@@ -8,4 +8,7 @@ void store_surface(SurfacePoint p) {
     surface_0 = vec4(p.position, p.offset);
     surface_1 = vec4(p.normal, float(code));
     surface_2 = vec4(p.steepness, p.t, p.pixel, 0.0);
+#ifdef SECTIONS
+    surface_2.w = float(p.cap + 1);
+#endif
 }

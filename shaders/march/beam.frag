@@ -55,7 +55,12 @@ void main() {
         rest_and_factor_interval(x, y, z, rest, factor);
         f += vec2(-3.5, 3.5) * LEFT_OUT * im_abs(rest).y;
 #endif
-        if (!inside || f.x > 0.0 || f.y < 0.0) {
+        bool free = f.x > 0.0 || f.y < 0.0;
+#ifdef SECTIONS
+        vec2 cut = sections_over(x, y, z, beam.w);
+        free = f.x > 0.0 || cut.x > 0.0 || f.y < 0.0 && cut.y < 0.0;
+#endif
+        if (!inside || free) {
             if (backwards) high = a; else low = b;
             piece *= 2.0;
         } else {

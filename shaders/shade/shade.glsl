@@ -10,7 +10,10 @@ float magnitude(vec3 g) {
 
 void shade_ray(Ray ray, RayState s) {
     color = background;
-    Hit hit = Hit(ray_point(ray, s.low), -ray.direction, s.low, false);
+    Hit hit = hit_at(ray_point(ray, s.low), -ray.direction, s.low, false);
+#ifdef SECTIONS
+    hit.cap = cap_of(s);
+#endif
     int verdict = s.verdict;
     if (verdict == VERDICT_HIT) {
         vec3 g = surface_gradient(s, hit.position);

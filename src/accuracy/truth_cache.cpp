@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // Changes with the certifying itself: what older programs wrote is not read.
-constexpr std::string_view version = "isomotion truth 3";
+constexpr std::string_view version = "isomotion truth 4";
 
 static_assert(std::is_trivially_copyable_v<truth::FirstRoot>);
 
@@ -28,6 +28,10 @@ std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, in
     for (const auto& array : now.bindings.arrays) {
         add_values({double(array.count)});
         for (const auto& field : array.fields) print.add_values(std::span(field));
+    }
+    for (const scene::SectionAt& section : now.sections) {
+        add_values({double(section.is_ball), section.where.x, section.where.y, section.where.z,
+                    section.reach});
     }
     const scene::CameraAt& camera = now.camera;
     const scene::PlacementAt& place = now.placement;

@@ -108,7 +108,8 @@ std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& argument
     settings.push_back(fmt::format("output.size=[{0},{0}]", thumbnail_size));
     std::vector<topology::Thumbnail> thumbnails;
     try {
-        const scene::Scene scene = scene::load(arguments.scene, settings, arguments.reach);
+        scene::Scene scene = scene::load(arguments.scene, settings, arguments.reach);
+        scene.sections.clear(); // the topology is that of the whole surface
         const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
         render::Renderer renderer(*context, scene, {thumbnail_size, thumbnail_size, {}, {}, {}});
         const auto frames = topology::representative_frames(record, most_thumbnails);
@@ -206,6 +207,9 @@ int topology_of(const TopologyArguments& arguments) {
     check_amount("--dt", arguments.dt, "seconds, 0 or more: 1e-9");
     gpu::parse_backend(arguments.backend);
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
+    if (!scene.sections.empty() && !arguments.quiet) {
+        message("sections cut what is seen; the topology is that of the whole surface\n");
+    }
     const auto frames = span_of(arguments.frames, scene);
     std::optional<topology::Expectation> expectation;
     if (!arguments.check.empty()) {

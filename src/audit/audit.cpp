@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "truth/cut_rays.h"
 #include "truth/tube.h"
 
 namespace isomotion::audit {
@@ -109,6 +110,7 @@ Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& a
                        std::shared_ptr<const elements::ElementGrid> grid) {
     const auto begin = std::chrono::steady_clock::now();
     const truth::Tubes tubes(now, width, height, aim);
+    const truth::Sections sections(now);
     const truth::EnclosedField::Frame field = field_.at(now, 1, std::move(grid));
     truth::RootFinder finder = field.finder(budget);
     Findings found;
@@ -119,7 +121,7 @@ Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& a
         for (const render::Ending& ending : some)
             of_rays.push_back(tubes.at(ending.column, ending.row));
         std::vector<truth::FirstRoot> roots(of_rays.size());
-        finder.find(of_rays, roots);
+        truth::find_first(finder, sections, of_rays, roots);
         for (std::size_t k = 0; k < some.size(); ++k)
             count(some[k], roots[k], of_rays[k].footprint, frame, found);
         rays_ += std::int64_t(some.size());

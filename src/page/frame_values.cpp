@@ -78,6 +78,9 @@ template<glm::length_t n>
 std::span<const float> floats_of(const glm::vec<n, float, glm::defaultp>& value) {
     return {glm::value_ptr(value), std::size_t(n)};
 }
+std::span<const float> floats_of(const std::vector<glm::vec4>& values) {
+    return {glm::value_ptr(values.front()), 4 * values.size()};
+}
 template<class Other> std::span<const float> floats_of(const Other&) {
     throw std::logic_error("effects' uniforms are floats");
 }

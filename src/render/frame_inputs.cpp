@@ -139,6 +139,8 @@ void PictureInputs::add_to(base::Fingerprint& print) const {
         const auto& [now, motion_about, frame_before, frame_after, before, after] = *of_motion;
         for (const scene::SceneAt* at : {&now, &motion_about.before, &motion_about.after}) {
             add_places(print, *at);
+            if (!at->sections.empty())
+                print.add_values(std::span<const glm::vec4>(scene::packed(at->sections)));
         }
         add_value(print, motion_about.seconds);
         add_value(print, frame_before);

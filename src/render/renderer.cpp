@@ -317,7 +317,7 @@ struct Renderer::Parts {
         table.bind_numbered("state_texture", rays);
         const auto field_at = [&](const FieldInputs& then, const scene::SceneAt& there) {
             field->upload(table, then);
-            return moved->field_there(table, tile, motion.now.placement, there.placement);
+            return moved->field_there(table, tile, motion.now.placement, there);
         };
         const std::vector<float> before = field_at(motion.before, motion.motion.before);
         const std::vector<float> after = field_at(motion.after, motion.motion.after);

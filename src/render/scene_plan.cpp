@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "synthesis/paint_text.h"
+#include "synthesis/section_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -52,12 +53,18 @@ double shade_iterations(const scene::Scene& scene, const synthesis::Passes& pass
                         const std::vector<int>& counts) {
     const double gradient =
         passes.march_takes_gradient ? 0.0 : loops_of(scene.surface.field->gradient, counts);
+    const auto loops_of_paint = [&](const formula::Paint& paint) {
+        const bool all = synthesis::sums_all_elements(paint, passes);
+        return loops_of(paint.value, all ? capacities(passes) : counts);
+    };
+    const int colours = colours_of_a_pixel(scene);
+    double sum = gradient;
+    if (const auto& contours = scene.material.contours)
+        sum += colours * loops_of_paint(*contours->value);
     const formula::Paint* paint = synthesis::painting(scene);
-    if (!paint) return gradient;
+    if (!paint) return sum;
     const double curvature = paint->hessian ? gradient + loops_of(*paint->hessian, counts) : 0.0;
-    const bool all = synthesis::sums_all_elements(*paint, passes);
-    return gradient + colours_of_a_pixel(scene) *
-                          (curvature + loops_of(paint->value, all ? capacities(passes) : counts));
+    return sum + colours * (curvature + loops_of_paint(*paint));
 }
 
 // The passes that don't march must fit the loop limit, too; they know no lists.
@@ -105,6 +112,21 @@ double turns_beside_lists(const scene::Scene& scene, const synthesis::Passes& pa
     return over_boxes ? synthesis::most_cells_of_box * turns : turns;
 }
 
+// Of the evaluations that a draw has room for, those of each part that sections leave of a ray:
+// what a march may take, beside F where parts begin and end.
+int of_a_part(const scene::Scene& scene, const synthesis::Passes& passes, int evaluations) {
+    if (scene.sections.empty()) return evaluations;
+    const int shared =
+        (evaluations - synthesis::samples_at_sections(scene)) / synthesis::parts_of_a_ray(scene);
+    const int fewest = std::max(passes.degree + 1, 1);
+    if (shared >= fewest) return shared;
+    throw std::length_error(fmt::format(
+        "a draw has room for {} evaluations of the formula at a pixel, and {} sections take {}: "
+        "draw fewer elements, or fewer sections",
+        evaluations, scene.sections.size(),
+        synthesis::samples_at_sections(scene) + fewest * synthesis::parts_of_a_ray(scene)));
+}
+
 MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& passes, int width,
                         int height, int max_texture_size, const std::optional<MarchPlan>& wanted) {
     const std::vector<int> counts = capacities(passes);
@@ -134,6 +156,7 @@ MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& pass
         chosen.evaluations_per_pass = evaluations_with_polynomial(passes.degree, cost.iterations,
                                                                   chosen.evaluations_per_pass);
     }
+    chosen.evaluations_per_pass = of_a_part(scene, passes, chosen.evaluations_per_pass);
     return chosen;
 }
 
@@ -142,7 +165,7 @@ int without_lists(const scene::Scene& scene, const synthesis::Passes& passes, in
         synthesis::cost(*scene.surface.field, passes.samples, capacities(passes));
     const int fitting = int(loop_iterations_per_pass / (1 + all.iterations));
     const int fewest = std::min(passes.degree + 1, planned);
-    return std::clamp(fitting, fewest, planned);
+    return std::clamp(of_a_part(scene, passes, fitting), fewest, planned);
 }
 
 // Elements of an array found by place: as many as the loops that shade a pixel can take.
@@ -164,7 +187,8 @@ float budget_of_elements(const scene::Scene& scene, const synthesis::Passes& pas
     const auto once = std::vector<int>(passes.arrays.size(), 1);
     const double loops =
         std::max(1.0, synthesis::cost(*scene.surface.field, passes.samples, once).iterations);
-    return float((1 - part_of_others) * loop_iterations_per_pass / loops);
+    return float((1 - part_of_others) * loop_iterations_per_pass / loops /
+                 synthesis::parts_of_a_ray(scene));
 }
 
 } // namespace

@@ -2,16 +2,23 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "synthesis/section_text.h"
+
 namespace isomotion::render {
 
 std::vector<float> VelocityPass::field_there(PassTable& table, const gpu::Rectangle& tile,
                                              const scene::PlacementAt& from,
-                                             const scene::PlacementAt& to) const {
-    const auto rows = change_of_place(from, to);
+                                             const scene::SceneAt& to) const {
+    const auto rows = change_of_place(from, to.placement);
     const gpu::Program& program = table.program(synthesis::Role::motion);
     program.set("move_x", rows[0]);
     program.set("move_y", rows[1]);
     program.set("move_z", rows[2]);
+    if (!to.sections.empty()) {
+        const synthesis::Uniform there = synthesis::sections_uniform(to);
+        program.set(there.name,
+                    std::span<const glm::vec4>(std::get<std::vector<glm::vec4>>(there.value)));
+    }
     table.draw(program, tile, field_);
     return field_.read(0, 0, 0, tile.width, tile.height);
 }

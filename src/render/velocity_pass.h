@@ -19,10 +19,9 @@ public:
 
     // The gradient and the value of F, whose parameters and elements at another time are uploaded,
     // where the rays that are bound ended: four floats a pixel. That is, in formula coordinates, at
-    // `from`, and in those of the other time at `to`.
+    // `from`, and in those of the other time at `to`. On caps it is their section's.
     std::vector<float> field_there(PassTable& table, const gpu::Rectangle& tile,
-                                   const scene::PlacementAt& from,
-                                   const scene::PlacementAt& to) const;
+                                   const scene::PlacementAt& from, const scene::SceneAt& to) const;
 
 private:
     gpu::Target field_;

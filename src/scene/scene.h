@@ -135,6 +135,17 @@ struct Occlusion {
     TrackId strength = 0;         // 0: none, 1: full
 };
 
+// Takes a half-space or a ball away from the solid F < 0; world coordinates. See cut.h.
+struct Cut {
+    bool is_ball = false;
+    // Of a half-space: away from what is left; a point of its plane; how far beyond it that is.
+    Vec3Track normal{}, point{};
+    TrackId offset = 0;
+    // Of a ball.
+    Vec3Track centre{};
+    TrackId radius = 0;
+};
+
 // Colours the surface by a number: `low` is at the beginning of the map and `high` at its end.
 struct Paint {
     std::shared_ptr<const formula::Paint> value;
@@ -142,6 +153,14 @@ struct Paint {
     std::optional<Range> shown; // in place of both: what the surface shows, see shown_range.h
     bool met = true;            // ...and whether it shows anything
     ColorMap map = ColorMap::blue_yellow;
+};
+
+// Lines on the surface where a number of the place is a multiple of `every`, `from` being one.
+struct Contours {
+    std::shared_ptr<const formula::Paint> value; // with its slopes: formula/contours.h
+    TrackId every = 0, from = 0;
+    TrackId width = 0; // pixels
+    Vec3Track color{};
 };
 
 // `color` is seen from where F > 0. Only a surface with `inside` has two colours.
@@ -158,7 +177,9 @@ struct Material {
     std::shared_ptr<const formula::Paint> color_by_place;
     Reflection reflection = Reflection::none; // of what is around, and of the surface itself
     std::optional<Vec3Track> inside;          // seen from where F < 0
+    std::optional<Vec3Track> cap;             // of caps, where sections cut; else as inside
     std::optional<Paint> paint;               // instead of all
+    std::optional<Contours> contours;         // over them
     // Each only where the model has it.
     std::optional<TrackId> shininess;           // exponent, 0 to max_shininess
     std::optional<TrackId> roughness, metallic; // 0..1
@@ -232,6 +253,7 @@ struct Scene {
     Camera camera;
     std::vector<Light> lights; // at least one
     Material material;
+    std::vector<Cut> sections;
     std::optional<Ground> ground;
     std::optional<Fog> fog;
     std::optional<Ambient> ambient; // without it a little white

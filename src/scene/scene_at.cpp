@@ -218,6 +218,21 @@ public:
 
     GroundAt ground(const Ground& from) const { return {number(from.height), color(from.color)}; }
 
+    SectionAt section(const Cut& from) const {
+        if (from.is_ball)
+            return {true, vector(from.centre), not_negative(from.radius, "the radius")};
+        const glm::dvec3 normal = vector(from.normal);
+        const double length = glm::length(normal);
+        if (!(length > 0)) fail(from.normal[0], "the normal has length 0, and no direction");
+        return {false, normal / length,
+                glm::dot(normal / length, vector(from.point)) + number(from.offset)};
+    }
+
+    ContoursAt contours(const Contours& from) const {
+        return {positive(from.every, "how far contours are apart"), number(from.from),
+                not_negative(from.width, "the width"), color(from.color)};
+    }
+
     FogAt fog(const Fog& from) const {
         return {not_negative(from.density, "the density"), not_negative(from.start, "the start"),
                 color(from.color)};
@@ -317,6 +332,8 @@ SceneAt in_formula_coordinates(SceneAt scene) {
         light.falloff /= scene.placement.scale;
         if (light.is_point) light.radius /= scene.placement.scale;
     }
+    for (SectionAt& section : scene.sections)
+        section = in_formula_coordinates(section, scene.placement);
     scene.fog.density *= scene.placement.scale;
     scene.fog.start /= scene.placement.scale;
     scene.occlusion.reach /= scene.placement.scale;
@@ -346,6 +363,9 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     now.material_color = read.color(scene.material.color);
     if (scene.material.paint) now.paint_range = read.range(*scene.material.paint);
     if (scene.material.inside) now.inside_color = read.color(*scene.material.inside);
+    if (scene.material.cap) now.cap_color = read.color(*scene.material.cap);
+    for (const Cut& cut : scene.sections) now.sections.push_back(read.section(cut));
+    if (scene.material.contours) now.contours = read.contours(*scene.material.contours);
     if (scene.ground) now.ground = read.ground(*scene.ground);
     if (scene.fog) now.fog = read.fog(*scene.fog);
     if (scene.ambient)

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include "scene/cut.h"
 #include "scene/scene.h"
 
 namespace isomotion::scene {
@@ -53,6 +54,12 @@ struct LightAt {
     double radius = 0;  // of its disc: tangent of the angle; of a point light world units
 };
 
+struct ContoursAt {
+    double every = 1, from = 0;
+    double width = 1; // pixels
+    glm::dvec3 color{0};
+};
+
 struct GroundAt {
     double height = 0;
     glm::dvec3 color{0};
@@ -86,8 +93,11 @@ struct SceneAt {
     CameraAt camera;
     std::vector<LightAt> lights;
     glm::dvec3 material_color{1};
-    glm::dvec3 inside_color{1}; // of a surface with two colours
-    GroundAt ground;            // these where the scene has them
+    glm::dvec3 inside_color{1};      // of a surface with two colours
+    glm::dvec3 cap_color{1};         // of one whose caps have a colour of their own
+    std::vector<SectionAt> sections; // world
+    ContoursAt contours;             // where the material has them
+    GroundAt ground;                 // these where the scene has them
     FogAt fog;
     AmbientAt ambient;
     OcclusionAt occlusion;

@@ -63,6 +63,12 @@ Way way_of(const Rays& rays, const BoundsAt& bounds, double u, double v) {
     return way;
 }
 
+// A place on a ray, and the section on whose cap it is.
+struct Met {
+    double t = 0;
+    std::optional<int> cap;
+};
+
 // The scene at one time, as a ray meets it.
 class MetSurface {
 public:
@@ -75,8 +81,53 @@ public:
         , elements_(elements)
         , paint_sums_all_(paint_sums_all) {
         if (paint.hessian) hessian_.emplace(*paint.hessian);
+        for (const SectionAt& section : now.sections)
+            sections_.push_back(in_formula_coordinates(section, now.placement));
     }
 
+    // What is met first of what sections leave.
+    std::optional<Met> met(const Way& way) {
+        if (sections_.empty()) {
+            const auto t = root(way);
+            return t ? std::optional(Met{*t, {}}) : std::nullopt;
+        }
+        for (const PartLeft& part :
+             parts_left(sections_, way.anchor, way.direction, way.near, way.far)) {
+            if (part.begin_cut && value(way, part.begin) < 0)
+                return Met{part.begin, part.begin_cut};
+            if (const auto t = root({way.anchor, way.direction, part.begin, part.end}))
+                return Met{*t, {}};
+            if (part.end_cut && value(way, part.end) < 0) return Met{part.end, part.end_cut};
+        }
+        return std::nullopt;
+    }
+
+    double number(const Way& way, const Met& met) {
+        const glm::dvec3 p = way.at(met.t);
+        const std::array<double, 3> at{p.x, p.y, p.z};
+        const auto& bindings = elements_.at(p);
+        std::array<double, 3> g = field_.gradient(bindings, at);
+        formula::Curvatures curved;
+        if (met.cap) {
+            const SectionAt& section = sections_[std::size_t(*met.cap)];
+            const glm::dvec3 of_section = section.gradient(p);
+            g = {of_section.x, of_section.y, of_section.z};
+            if (section.is_ball) curved = {-1 / section.reach, 1 / (section.reach * section.reach)};
+        } else if (hessian_) {
+            std::array<double, 6> second{};
+            hessian_->point(bindings, at, second);
+            curved = formula::curvatures(g, second);
+        }
+        const glm::dvec3 n = glm::normalize(now_.placement.rotate * glm::dvec3(g[0], g[1], g[2]));
+        const std::array<double, 10> inputs{
+            // paint_names
+            p.x, p.y, p.z, n.x, n.y, n.z, curved.mean, curved.gaussian, 0, now_.time};
+        double number = 0;
+        paint_.point(paint_sums_all_ ? elements_.all() : bindings, inputs, {&number, 1});
+        return number;
+    }
+
+private:
     // Where F first changes its sign along the way, other than at a pole.
     std::optional<double> root(const Way& way) {
         const std::vector<double> f = values(way, way.near, way.far, Effort::pieces);
@@ -90,27 +141,8 @@ public:
         return std::nullopt;
     }
 
-    double number(const Way& way, double t) {
-        const glm::dvec3 p = way.at(t);
-        const std::array<double, 3> at{p.x, p.y, p.z};
-        const auto& bindings = elements_.at(p);
-        const auto g = field_.gradient(bindings, at);
-        const glm::dvec3 n = glm::normalize(now_.placement.rotate * glm::dvec3(g[0], g[1], g[2]));
-        formula::Curvatures curved;
-        if (hessian_) {
-            std::array<double, 6> second{};
-            hessian_->point(bindings, at, second);
-            curved = formula::curvatures(g, second);
-        }
-        const std::array<double, 10> inputs{
-            // paint_names
-            p.x, p.y, p.z, n.x, n.y, n.z, curved.mean, curved.gaussian, 0, now_.time};
-        double number = 0;
-        paint_.point(paint_sums_all_ ? elements_.all() : bindings, inputs, {&number, 1});
-        return number;
-    }
+    double value(const Way& way, double t) { return values(way, t, t, 0).front(); }
 
-private:
     static bool changes(double f, double next) { return f * next <= 0 && f != 0; }
 
     std::optional<double> root_in(const Way& way, double low, double length, double f_low,
@@ -135,7 +167,7 @@ private:
     std::vector<double> values(const Way& way, double low, double high, int parts) {
         std::array<std::vector<double>, 3> places;
         for (int k = 0; k <= parts; ++k) {
-            const glm::dvec3 p = way.at(low + (high - low) * k / parts);
+            const glm::dvec3 p = way.at(low + (high - low) * k / std::max(parts, 1));
             for (int axis = 0; axis < 3; ++axis) places[std::size_t(axis)].push_back(p[axis]);
         }
         std::vector<double> found(places[0].size());
@@ -159,6 +191,7 @@ private:
     const SceneAt& now_;
     NearElements& elements_;
     bool paint_sums_all_;
+    std::vector<SectionAt> sections_; // formula coordinates
 };
 
 double work(const formula::Program& program, std::span<const int> counts) {
@@ -226,10 +259,10 @@ public:
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
         const Way way = way_of(rays_, bounds_, at.x, at.y);
         if (!(way.near < way.far)) return none;
-        const auto t = surface_.root(way);
-        if (!t) return none;
+        const auto met = surface_.met(way);
+        if (!met) return none;
         met_ = true;
-        return surface_.number(way, *t);
+        return surface_.number(way, *met);
     }
 
     bool met() const { return met_; }

@@ -47,6 +47,12 @@ glm::dvec3 on_faces(const BoundsAt& bounds, int k) {
     return bounds.min + at * (bounds.max - bounds.min);
 }
 
+// Whether a section takes a place of the world away.
+bool is_cut_off(const SceneAt& now, const glm::dvec3& world) {
+    return std::ranges::any_of(now.sections,
+                               [&](const SectionAt& section) { return section.value(world) > 0; });
+}
+
 // F's values, if intervals keep them off 0 everywhere in the bounds.
 class Enclosing {
 public:
@@ -142,7 +148,15 @@ Sight sight(const Scene& scene, const SceneAt& now) {
         const glm::dvec3 p = now.bounds.min + unit * (now.bounds.max - now.bounds.min);
         if (is_in(now.bounds, p)) inside.push_back(p);
     }
-    for (const double f : f_at(inside)) tell(f);
+    int in_solid = 0, left = 0;
+    const std::vector<double> values = f_at(inside);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        tell(values[k]);
+        if (!(values[k] < 0)) continue;
+        ++in_solid;
+        left += !is_cut_off(now, now.placement.to_world(inside[k]));
+    }
+    found.is_cut_away = in_solid > 0 && left == 0;
     const double below = below_0(now.bounds, tell).value_or(0);
     found.changes_sign = found.least < 0 && found.most > 0;
     found.cut = std::min(below, 1 - below);
@@ -162,7 +176,8 @@ Sight sight(const Scene& scene, const SceneAt& now) {
     }
     const glm::dvec3 eye = now.placement.to_local(now.camera.position);
     const bool is_perspective = now.camera.projection == Camera::Projection::perspective;
-    if (is_perspective && is_in(now.bounds, eye) && has_end) {
+    const bool is_outside = is_cut_off(now, now.camera.position);
+    if (is_perspective && is_in(now.bounds, eye) && has_end && !is_outside) {
         const double at_eye = f_at({eye})[0];
         found.eye_in_solid = below > 0.5 ? at_eye > 0 : at_eye < 0;
     }
@@ -174,6 +189,9 @@ std::string why_nothing_is_seen(const Sight& sight) {
         return fmt::format(
             "there is no surface: F is {:.4g} to {:.4g} everywhere within the bounds",
             sight.values->lo, sight.values->hi);
+    if (sight.is_cut_away)
+        return "the sections take all of the solid away, where F < 0, at the points that were "
+               "tried";
     if (sight.changes_sign)
         return "F changes its sign within the bounds, but no ray meets a zero there: the camera "
                "looks elsewhere, or F jumps or has a pole";

@@ -21,6 +21,7 @@ struct Sight {
     // Bounds so many times as large would cut nothing, though these do. Not told of surfaces with a
     // colour for the other side: they are to be seen from there.
     std::optional<double> closed_by;
+    bool is_cut_away = false;  // sections leave none of the solid F < 0 at these points
     bool eye_in_solid = false; // where F has that sign; not told where a surface has no end
 };
 

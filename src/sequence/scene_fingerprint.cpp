@@ -56,6 +56,7 @@ std::string scene_fingerprint(const scene::Scene& scene) {
         if (paint->shown) add_numbers(print, {paint->shown->least, paint->shown->most});
     }
     if (const auto& color = scene.material.color_by_place) print.add(color->text);
+    if (const auto& contours = scene.material.contours) print.add(contours->value->text);
     if (scene.environment) {
         print.add(scene.environment->map.filename().string());
         add_numbers(print, {double(scene.environment->background)});

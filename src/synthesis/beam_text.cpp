@@ -6,6 +6,7 @@
 
 #include "formula/glsl/glsl_interval.h"
 #include "formula/linear_sum.h"
+#include "synthesis/section_text.h"
 #include "synthesis/shader_text.h"
 
 namespace isomotion::synthesis {
@@ -115,6 +116,7 @@ Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
     }
     text.file("frame.glsl");
     add_boxes(text, scene, parent);
+    add_sections_over_boxes(text, scene);
     if (makes_lists) text.file("march/beam_list.glsl");
     text.file("march/beam.frag");
     Pass pass = std::move(text).pass(

@@ -15,6 +15,7 @@ enum class Channel {
     evaluations,
     velocity,
     proof,
+    cap,
     ending, // what a proof needs to know of a ray; no layer of a file
 };
 
@@ -33,6 +34,7 @@ inline const std::vector<ChannelName>& channel_names() {
         {Channel::evaluations, "evaluations", {"evaluations"}},
         {Channel::velocity, "velocity", {"velocity.N", "velocity.X", "velocity.Y"}},
         {Channel::proof, "proof", {"proof", "proof.T"}},
+        {Channel::cap, "cap", {"cap"}},
     };
     return names;
 }

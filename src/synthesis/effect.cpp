@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "synthesis/section_text.h"
+
 namespace isomotion::synthesis {
 namespace {
 
@@ -154,6 +156,24 @@ const std::array table{
                  [](const Scene&, const SceneAt& now, Uniforms& to) {
                      add(to, "ambient_top", now.ambient.top);
                      add(to, "ambient_bottom", now.ambient.bottom);
+                 }},
+    EffectTraits{Effect::sections, "sections", "[[sections]]: what is cut off the solid",
+                 [](const Scene& s) { return !s.sections.empty(); },
+                 [](Scene& s) { s.sections.clear(); }, false, "", "",
+                 [](const Scene& s, const SceneAt& now, Uniforms& to) {
+                     to.push_back(sections_uniform(now));
+                     if (!has_cap_color(s)) return;
+                     add(to, "cap_color", s.material.cap ? now.cap_color : now.inside_color);
+                 }},
+    EffectTraits{Effect::contours, "contours", "material.contours: lines where a number is whole",
+                 [](const Scene& s) { return s.material.contours.has_value(); },
+                 [](Scene& s) { s.material.contours.reset(); }, false, "", "",
+                 [](const Scene& s, const SceneAt& now, Uniforms& to) {
+                     const scene::ContoursAt& lines = now.contours;
+                     add(to, "contours", {lines.every, lines.from, lines.width});
+                     add(to, "contour_color", lines.color);
+                     if (s.material.contours->value->uses("t"))
+                         to.push_back({"contour_time", float(now.time)});
                  }},
 };
 

@@ -32,6 +32,8 @@ enum class Effect {
     depth_of_field,
     light_size,
     ambient,
+    sections,
+    contours,
 };
 
 struct EffectTraits {

@@ -58,7 +58,7 @@ std::string mirrored(const scene::Scene& scene) {
                         around("direction"));
     if (scene.material.reflection == Reflection::self) {
         text += fmt::format("    SurfacePoint q = load_mirrored();\n"
-                            "    Hit other = Hit(q.position, q.normal, q.t, q.inside);\n"
+                            "    Hit other = hit_of(q);\n"
                             "    if (is_on_surface(q) || q.on_ground) seen = lit_again(q, other, "
                             "-direction);\n"
                             "    if (is_on_surface(q)) {{\n"
@@ -93,6 +93,8 @@ void add_shading(ShaderText& text, const scene::Scene& scene) {
     const Reflection reflection = scene.material.reflection;
     const bool has_shadows = shadow_mask(scene) != 0;
     add_lights(text, scene);
+    text.file("effects/hit_of.glsl");
+    if (!scene.sections.empty()) text.file("section/distance.glsl");
     if (scene.material.model == scene::Material::Model::lambert) {
         text.file("effects/brdf_lambert.glsl");
     }

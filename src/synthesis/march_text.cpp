@@ -6,6 +6,7 @@
 #include "synthesis/bernstein_text.h"
 #include "synthesis/cells_text.h"
 #include "synthesis/effect_text.h"
+#include "synthesis/section_text.h"
 
 namespace isomotion::synthesis {
 namespace {
@@ -96,6 +97,7 @@ std::vector<FieldFunction> samples_of(const scene::Scene& scene, bool march_take
 
 void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin) {
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+    add_sections(text, scene);
     text.file_of_stage("frame.glsl", "stage/frame.glsl");
     text.file("march/verdict.glsl");
     text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
@@ -110,11 +112,23 @@ void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin) {
         text.file("effects/mirror_ray.glsl");
     }
     text.file("march/state.glsl");
+    add_parts(text, scene);
 }
 
 void define_state(ShaderText& text, const Passes& passes) {
     if (passes.state_textures == 3) text.define("THREE_SAMPLES", 1);
     if (passes.degree > 0) text.define("DEGREE", passes.degree);
+}
+
+// Whether the first sample of a march tells the sign of F where the ray begins, and the last one
+// where it leaves: then caps take no sample of their own. Breaks, free cells and polynomials leave
+// other values in a ray's state.
+bool samples_tell_caps(const scene::Scene& scene, const Passes& passes) {
+    const scene::MethodTraits& method = scene::traits(scene.isolation.method);
+    if (passes_free_cells(scene, passes) || passes.degree > 0) return false;
+    if (method.samples == scene::Samples::value_and_bounds)
+        return passes.samples.back() != FieldFunction::breaks;
+    return method.steps == scene::Steps::cubics && !meets_rough_places(scene);
 }
 
 void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes, Origin origin) {
@@ -124,10 +138,13 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes
     add_isolation(text, scene, passes);
     text.file(passes.march_takes_gradient ? "march/gradient_at_root.glsl"
                                           : "march/end_at_root.glsl");
+    const bool cuts = !scene.sections.empty(), tells = samples_tell_caps(scene, passes);
+    if (cuts && tells) begin_turn_of_part(text);
     add_turn(text, scene, passes);
+    if (cuts && tells) end_turn_of_part(text);
     if (array_with_grid(passes)) text.define("GRID", 1);
     if (passes_free_cells(scene, passes)) add_way_past_free_cells(text);
-    text.file("march/march.glsl");
+    add_march_through_parts(text, scene, "march/march.glsl", tells);
 }
 
 Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when) {
@@ -177,6 +194,8 @@ Pass shadow_pass(const scene::Scene& scene, const Passes& passes) {
     if (array_with_grid(passes)) text.define("GRID", 1);
     if (passes_free_cells(scene, passes)) add_way_past_free_cells(text);
     text.file(fmt::format("march/{}.glsl", method.any_hit));
+    add_crossings(text, scene);
+    if (!scene.sections.empty()) text.file("section/shadow.glsl");
     text.file("effects/shadow.glsl");
     text.file_of_stage("stage/march.frag", "stage/march.comp");
     return std::move(text).pass(Role::shadow, "shadow", When::until_rays_end);

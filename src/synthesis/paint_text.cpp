@@ -1,5 +1,6 @@
 #include "synthesis/paint_text.h"
 
+#include "formula/contours.h"
 #include "formula/element_weights.h"
 #include "formula/hessian.h"
 #include "synthesis/shader_text.h"
@@ -27,9 +28,15 @@ bool sums_all_elements(const formula::Paint& paint, const FieldStorage& storage)
 std::vector<GeneratedFunction> painting_functions(const scene::Scene& scene,
                                                   const FieldStorage& storage) {
     const formula::Paint* paint = painting(scene);
-    if (!paint) return {};
     const formula::ArrayPacking& packing = scene.surface.field->packing;
     std::vector<GeneratedFunction> functions;
+    if (const auto& contours = scene.material.contours) {
+        const formula::Paint& value = *contours->value;
+        functions.push_back({value.text, formula::kernels_used(value.value),
+                             formula::glsl_contour_value(value, packing),
+                             sums_all_elements(value, storage)});
+    }
+    if (!paint) return functions;
     if (paint->hessian) {
         functions.push_back({"second derivatives", formula::kernels_used(*paint->hessian),
                              formula::glsl_hessian(*paint->hessian, packing)});

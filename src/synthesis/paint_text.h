@@ -16,7 +16,7 @@ const formula::Paint* painting(const scene::Scene& scene);
 // otherwise than the field, so lists may leave out some that matter.
 bool sums_all_elements(const formula::Paint& paint, const FieldStorage& storage);
 
-// What is generated for it, to be put beside the field's functions.
+// What is generated for it and for contours, to be put beside the field's functions.
 std::vector<GeneratedFunction> painting_functions(const scene::Scene& scene,
                                                   const FieldStorage& storage);
 

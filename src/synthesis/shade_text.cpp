@@ -8,6 +8,7 @@
 #include "synthesis/effect.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/paint_text.h"
+#include "synthesis/section_text.h"
 
 namespace isomotion::synthesis {
 namespace {
@@ -27,17 +28,20 @@ constexpr ChannelShader channel_shaders[] = {
     {Channel::depth, "channels/depth.glsl", "write_depth", "DEPTH_LOCATION"},
     {Channel::normal, "channels/normal.glsl", "write_normal", "NORMAL_LOCATION"},
     {Channel::position, "channels/position.glsl", "write_position", "POSITION_LOCATION"},
+    {Channel::cap, "channels/cap.glsl", "write_cap", "CAP_LOCATION"},
     {Channel::ending, "channels/ending.glsl", "write_ending", "ENDING_LOCATION"},
 };
 
 // write_channels(), to the attachments from the third on.
-void add_channels(ShaderText& text, const std::vector<Channel>& written) {
+void add_channels(ShaderText& text, const scene::Scene& scene,
+                  const std::vector<Channel>& written) {
     std::string calls;
     int location = 2;
     for (const ChannelShader& shader : channel_shaders) {
         if (!contains(written, shader.channel)) continue;
         text.define(shader.location, location++);
-        text.file(shader.file);
+        const bool lacks_caps = shader.channel == Channel::cap && scene.sections.empty();
+        text.file(lacks_caps ? "channels/no_cap.glsl" : shader.file);
         calls += fmt::format("    {}(ray, hit, verdict);\n", shader.function);
     }
     text.generated("generated: the channels asked for",
@@ -48,13 +52,39 @@ bool has_flat_shading(const scene::Scene& scene) {
     return scene.lights.size() == 1 && !keeps_surfaces(scene);
 }
 
-void add_gradient(ShaderText& text, const Passes& passes) {
-    text.file(passes.march_takes_gradient ? "shade/gradient_from_state.glsl"
-                                          : "shade/gradient_from_field.glsl");
+void add_gradient(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
+    add_gradient_of_rest(text, scene,
+                         passes.march_takes_gradient ? "shade/gradient_from_state.glsl"
+                                                     : "shade/gradient_from_field.glsl");
 }
 
-void add_side_color(ShaderText& text, const scene::Scene& scene) {
-    text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
+void add_matter_color(ShaderText& text, const scene::Scene& scene) {
+    if (painting(scene)) {
+        add_painting(text, scene);
+    } else {
+        text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
+    }
+}
+
+// surface_color(): that of the matter, and over it, each by what is below, what else there is.
+void add_color(ShaderText& text, const scene::Scene& scene) {
+    std::vector<std::string> over;
+    if (has_cap_color(scene)) over.emplace_back("section/color.glsl");
+    if (scene.material.contours) over.emplace_back("effects/contours.glsl");
+    for (std::size_t k = 0; k <= over.size(); ++k) {
+        const bool is_last = k == over.size();
+        std::string names = k == 0 ? "" : fmt::format("#define color_below color_{}\n", k - 1);
+        if (!is_last) names += fmt::format("#define surface_color color_{}\n", k);
+        if (!names.empty()) text.generated("one colour over another", names);
+        if (k == 0) {
+            add_matter_color(text, scene);
+        } else {
+            text.file(over[k - 1]);
+        }
+        if (!is_last)
+            text.generated("by the names of the next",
+                           "#undef surface_color\n#undef color_below\n");
+    }
 }
 
 // Shading, Hit and the record of a pixel.
@@ -84,14 +114,14 @@ Pass fused_pass(const scene::Scene& scene, const Passes& passes) {
     text.define("LIGHTS", int(scene.lights.size()));
     std::vector<FieldFunction> functions = passes.samples;
     if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
-    add_field(text, *scene.surface.field, passes, functions);
+    add_field(text, *scene.surface.field, passes, functions, painting_functions(scene, passes));
     add_ray(text, scene);
     add_march(text, scene, passes, Origin::eye);
     add_picture(text, scene);
-    add_side_color(text, scene);
+    add_color(text, scene);
     text.file("shade/lambert.glsl");
-    add_gradient(text, passes);
-    add_channels(text, passes.attachments);
+    add_gradient(text, scene, passes);
+    add_channels(text, scene, passes.attachments);
     text.file("shade/shade.glsl");
     text.file("shade/fused.frag");
     return std::move(text).pass(Role::fused, "fused", When::once_a_tile, has_flat_shading(scene));
@@ -121,7 +151,8 @@ Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin
         text.file("effects/eye_begin.glsl");
         text.file("effects/surface_point.glsl");
     }
-    add_gradient(text, passes);
+    add_gradient(text, scene, passes);
+    if (!scene.sections.empty()) text.file("section/distance.glsl");
     text.file("effects/end_of_ray.glsl");
     text.file("effects/store_surface.glsl");
     if (scene.ground) text.file("effects/ground.glsl");
@@ -152,18 +183,14 @@ Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
         functions.push_back(FieldFunction::gradient);
     }
     if (from_surface && scene.occlusion) functions.push_back(FieldFunction::value);
-    if (!functions.empty() || paint) {
+    if (!functions.empty() || paint || scene.material.contours) {
         add_field(text, field, passes, functions, painting_functions(scene, passes));
     } else {
         text.file("math/bits.glsl");
     }
     add_ray(text, scene);
     add_picture(text, scene);
-    if (paint) {
-        add_painting(text, scene);
-    } else {
-        add_side_color(text, scene);
-    }
+    add_color(text, scene);
     if (from_surface) {
         text.file("effects/eye_begin.glsl");
         text.file("effects/surface_point.glsl");
@@ -172,8 +199,8 @@ Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
     } else {
         text.file("shade/lambert.glsl");
     }
-    if (needs_gradient) add_gradient(text, passes);
-    add_channels(text, passes.attachments);
+    if (needs_gradient) add_gradient(text, scene, passes);
+    add_channels(text, scene, passes.attachments);
     if (!from_surface) text.file("shade/shade.glsl");
     text.file(from_surface ? "effects/shade.frag" : "shade/shade.frag");
     return std::move(text).pass(Role::shade, "shade", when, has_flat_shading(scene));

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "base/workers.h"
+#include "truth/cut_rays.h"
 #include "truth/field_at_frame.h"
 
 namespace isomotion::truth {
@@ -20,6 +21,7 @@ Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, i
     EnclosedField field(scene);
     const EnclosedField::Frame frame = field.at(now, wanted);
     const Tubes tubes(now, width, height);
+    const Sections sections(now);
     Truth truth{width, height, {}, 0};
     truth.roots.resize(std::size_t(width) * std::size_t(height));
 
@@ -33,7 +35,7 @@ Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, i
             const std::int64_t before = finder.evaluations();
             const std::span<FirstRoot> roots =
                 std::span(truth.roots).subspan(row * std::size_t(width), std::size_t(width));
-            finder.find(row_of_tubes, roots);
+            find_first(finder, sections, row_of_tubes, roots);
             finder.gradients(row_of_tubes, roots);
             const std::lock_guard lock(counting);
             truth.evaluations += finder.evaluations() - before;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "truth/outward.h"
+
 namespace isomotion::truth {
 namespace {
 
@@ -25,15 +27,6 @@ double least_between(double at_begin, double at_end, const Interval& slope, doub
 }
 
 Interval times(const Interval& f, int sign) { return sign < 0 ? Interval{-f.hi, -f.lo} : f; }
-
-float below(double value) {
-    const float rounded = float(value);
-    return double(rounded) <= value ? rounded : std::nextafter(rounded, -HUGE_VALF);
-}
-float above(double value) {
-    const float rounded = float(value);
-    return double(rounded) >= value ? rounded : std::nextafter(rounded, HUGE_VALF);
-}
 
 } // namespace
 
@@ -230,7 +223,7 @@ void RootFinder::gradients(std::span<const Tube> tubes, std::span<FirstRoot> roo
     Request places;
     std::vector<FirstRoot*> hits;
     for (std::size_t k = 0; k < roots.size(); ++k) {
-        if (roots[k].answer != Answer::hit) continue;
+        if (roots[k].answer != Answer::hit || roots[k].cap >= 0) continue;
         hits.push_back(&roots[k]);
         const double t = 0.5 * (double(roots[k].low) + double(roots[k].high));
         for (int axis = 0; axis < 3; ++axis)
@@ -249,19 +242,25 @@ void RootFinder::gradients(std::span<const Tube> tubes, std::span<FirstRoot> roo
 // in its middle and at most the gradient times the radius more. Near nodes and where large terms
 // cancel that is far less than what the terms' own enclosures leave.
 void RootFinder::sharpen(std::vector<Lane>& lanes, Request& points) {
-    Request middles, sections;
     std::vector<std::size_t> uncertain;
     for (std::size_t k = 0; k < lanes.size(); ++k) {
         if (sign_of(points.outputs[0][k]) != 0) continue;
         uncertain.push_back(k);
         lanes[k].evaluations += 1;
+    }
+    sharpen(uncertain, points);
+}
+
+void RootFinder::sharpen(std::span<const std::size_t> uncertain, Request& points) {
+    if (uncertain.empty()) return;
+    Request middles, sections;
+    for (const std::size_t k : uncertain) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Interval box = points.inputs[axis][k];
             sections.inputs[axis].push_back(box);
             middles.inputs[axis].push_back(mid(box));
         }
     }
-    if (uncertain.empty()) return;
     middles.evaluate(value_, bindings_, 3, 1);
     sections.evaluate(gradient_, bindings_, 3, 3);
     for (std::size_t u = 0; u < uncertain.size(); ++u) {
@@ -273,6 +272,22 @@ void RootFinder::sharpen(std::vector<Lane>& lanes, Request& points) {
         Interval& known = points.outputs[0][uncertain[u]];
         known = intersect(known, f);
     }
+}
+
+std::vector<int> RootFinder::signs(std::span<const Tube> tubes) {
+    std::vector<int> signs;
+    if (tubes.empty()) return signs;
+    Request pieces;
+    for (const Tube& tube : tubes) pieces.add(tube, tube.near, tube.far, false);
+    pieces.evaluate(value_, bindings_, 3, 1);
+    std::vector<std::size_t> uncertain;
+    for (std::size_t k = 0; k < tubes.size(); ++k) {
+        if (sign_of(pieces.outputs[0][k]) == 0) uncertain.push_back(k);
+    }
+    sharpen(uncertain, pieces);
+    for (const Interval& f : pieces.outputs[0]) signs.push_back(sign_of(f));
+    evaluations_ += std::int64_t(tubes.size() + uncertain.size());
+    return signs;
 }
 
 void RootFinder::begin(Lane& lane, const Interval& f) const {

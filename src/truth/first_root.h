@@ -16,8 +16,9 @@
 namespace isomotion::truth {
 
 enum class Answer : std::uint8_t {
-    miss,      // no root
-    hit,       // the first root is in [low, high], a simple one, and nothing touches zero before
+    miss,      // no root, and no cap
+    hit,       // the first root is in [low, high], a simple one, and nothing touches zero before;
+               // or the first of what sections leave is a cap there
     touching,  // before what `after` says there may be roots in [touch_low, touch_high]: of even
                // order, or a change of sign that may be a jump or a pole
     undecided, // the budget of evaluations ended; no root before `low`
@@ -31,6 +32,7 @@ struct FirstRoot {
     // Gradient of F in the middle of a hit's enclosure, where gradients() was asked for; 0: not
     // known.
     std::array<float, 3> gradient{};
+    std::int32_t cap = -1; // the section on whose cap a hit is, see cut_rays.h
 };
 
 struct Budget {
@@ -50,7 +52,10 @@ public:
     explicit RootFinder(const elements::FieldByPlace::Frame& field, Budget budget = {});
 
     void find(std::span<const Tube> tubes, std::span<FirstRoot> roots);
-    // Finds the gradients of the hits among them.
+    // The signs of F over the whole tubes, from `near` to `far`: 0 where it may be 0 or has no
+    // value.
+    std::vector<int> signs(std::span<const Tube> tubes);
+    // Finds the gradients of the hits among them but caps.
     void gradients(std::span<const Tube> tubes, std::span<FirstRoot> roots);
 
     std::int64_t evaluations() const { return evaluations_; }
@@ -61,6 +66,7 @@ private:
     static constexpr std::size_t lanes_together = 64;
 
     void sharpen(std::vector<Lane>& lanes, Request& points);
+    void sharpen(std::span<const std::size_t> uncertain, Request& points);
     void begin(Lane& lane, const formula::Interval& f) const;
     void resume(Lane& lane, const formula::Interval& f) const;
     void march(Lane& lane, const formula::Interval& at_b, const formula::Interval& f,

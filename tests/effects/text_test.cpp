@@ -63,7 +63,20 @@ const std::vector<Named> every_effect{
     {"[material.colormap]\nvalue = \"nz\"\nrange = [-1, 1]\n", "effects/paint.glsl", "paint_range"},
     {"[material]\ncolor = [\"nz\", 1, 0]\n", "effects/color_by_place.glsl", "color_value"},
     {"[material]\nreflection = \"self\"\n", "effects/mirror_ray.glsl", "load_mirrored"},
+    {"[material.contours]\nvalue = \"z\"\nevery = 1\n", "effects/contours.glsl", "on_contours"},
 };
+
+// They change what rays run through, and are in no shader of a scene without them.
+TEST(EffectText, SectionsAreWhereTheyAreNamedAndOnlyThere) {
+    const Passes plain = passes_of(""), cut = passes_of("[[sections]]\nnormal = [1, 0, 0]\n");
+    for (const std::string& file : plain.files())
+        EXPECT_FALSE(file.starts_with("section/")) << file;
+    EXPECT_THAT(all_of(plain), testing::Not(testing::HasSubstr("#define SECTIONS")));
+    EXPECT_THAT(cut.files(), testing::Contains("section/parts.glsl"));
+    EXPECT_TRUE(cut.has(Role::fused)) << "as cheap a picture as before";
+    const Passes moved = passes_of("[[sections]]\nnormal = [3, 1, 0]\npoint = [1, 1, 1]\n");
+    EXPECT_EQ(all_of(cut), all_of(moved));
+}
 
 TEST_P(EffectText, IsThereWhereItIsNamedAndOnlyThere) {
     const Passes named = passes_of(GetParam().scene);

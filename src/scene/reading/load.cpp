@@ -25,6 +25,7 @@
 #include "scene/reading/mistakes.h"
 #include "scene/reading/named_file.h"
 #include "scene/reading/scene_text.h"
+#include "scene/reading/sections.h"
 #include "scene/reading/space.h"
 #include "scene/reading/surface.h"
 #include "scene/reading/surfer.h"
@@ -377,6 +378,12 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
         read_isolation(catalogue, scene.isolation, given);
     }
     read_isolation(document, scene.isolation, given);
+    scene.sections = read_sections(document, tracks);
+    if (scene.isolation.certify && !scene.sections.empty()) {
+        fail(*document.find("sections"), "isolation.certify",
+             "the GPU's proofs know no sections; leave one of the two out (audits and `accuracy` "
+             "know them)");
+    }
     document.refuse_rest();
 
     scene.timeline.animation = tracks.animate(parts->arrays, seed);

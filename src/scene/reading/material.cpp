@@ -110,10 +110,13 @@ MaterialParts read_material(Section& document, const SurfaceParts& parts, TrackT
     auto own = document.section("material");
     read_colors(own, parts, read, tracks);
     if (own) {
+        if (const toml::node* cap = own->find("cap_color"))
+            material.cap = tracks.add("material.cap_color", *own->vector("cap_color"), cap);
         material.model = read_model(*own);
         read_gloss(*own, material, tracks);
         read_reflection(*own, material);
         if (auto paint = own->section("colormap")) read.colormap = read_paint(*paint, tracks);
+        if (auto lines = own->section("contours")) read.contours = read_contours(*lines, tracks);
         own->refuse_rest();
     }
     return read;
@@ -122,6 +125,7 @@ MaterialParts read_material(Section& document, const SurfaceParts& parts, TrackT
 void make_paints(const MaterialParts& parts, const SurfaceParts& surface,
                  const animation::Animation& animation, Material& material) {
     if (parts.colormap) material.paint = make_paint(*parts.colormap, surface);
+    if (parts.contours) material.contours = make_contours(*parts.contours, surface);
     // Elements' colours are not asked for where a map colours the surface.
     if (!parts.colormap || parts.color.is_of_place())
         material.color_by_place = make_color(parts.color, surface, animation);
@@ -131,6 +135,7 @@ std::vector<const formula::Paint*> paints_of(const Material& material) {
     std::vector<const formula::Paint*> paints;
     if (material.paint) paints.push_back(material.paint->value.get());
     if (material.color_by_place) paints.push_back(material.color_by_place.get());
+    if (material.contours) paints.push_back(material.contours->value.get());
     return paints;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/reading/color.h"
+#include "scene/reading/contours.h"
 #include "scene/reading/paint.h"
 #include "scene/reading/surface.h"
 
@@ -12,6 +13,7 @@ struct MaterialParts {
     Material material; // without its expressions
     ColorParts color;
     std::optional<PaintParts> colormap;
+    std::optional<ContourParts> contours;
 };
 
 // Reads the section and adds its tracks. Colours that the scene leaves out come from the catalogue;

@@ -51,7 +51,7 @@ TEST_F(KeyMistakes, UnknownKeysFarFromAnyAreToldWhatThereIs) {
         {ball_and("[weather]\nrain = 1"),
          "scene.toml:15: weather: unknown key; known here: ambient, arrays, "
          "camera, environment, fog, ground, isolation, lights, look, "
-         "material, occlusion, output, parameters, surface, time, title"},
+         "material, occlusion, output, parameters, sections, surface, time, title"},
     });
 }
 
@@ -103,7 +103,8 @@ TEST_F(KeyMistakes, SectionsThatAreNoTables) {
         {"camera = [1, 2]\n" + ball_with(10, "[old]"),
          "scene.toml:1: camera: must be a table: [camera]\n"
          "scene.toml:11: old: unknown key; known here: ambient, arrays, camera, environment, "
-         "fog, ground, isolation, lights, look, material, occlusion, output, parameters, surface, "
+         "fog, ground, isolation, lights, look, material, occlusion, output, parameters, sections, "
+         "surface, "
          "time, title"},
         {ball_with(7, "bounds = 3"),
          "scene.toml:7: surface.bounds: must be a table: [surface.bounds]"},

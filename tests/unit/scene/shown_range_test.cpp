@@ -37,6 +37,20 @@ TEST_F(ShownRange, IsThatOfWhatIsSeen) {
            {"radius=2", "surface.bounds.sphere=3", "camera.position=[8, 0, 0]"});
 }
 
+// The cap of the ball that is seen is at x = 0.5, and what is behind its rim is hidden but for x >
+// 1/4.
+TEST_F(ShownRange, IsThatOfWhatSectionsLeave) {
+    const auto cut = [&](const std::string& value, const std::string& section) {
+        return range(ball_and("[[sections]]\n" + section + "\n"), value);
+    };
+    const glm::dvec2 flat = cut("x", "normal = [1, 0, 0]\noffset = 0.5");
+    EXPECT_NEAR(flat.x, 0.25, 0.1);
+    EXPECT_NEAR(flat.y, 0.5, 0.01);
+    EXPECT_NEAR(cut("mean_curvature", "normal = [1, 0, 0]\noffset = 0.5").x, 0, 0.1);
+    EXPECT_NEAR(cut("mean_curvature", "sphere = 0.5\ncentre = [1, 0, 0]").x, -2, 0.3);
+    EXPECT_NEAR(cut("x", "sphere = 0.5\ncentre = [1, 0, 0]").y, 0.87, 0.1);
+}
+
 // World and formula, as the shader has them.
 TEST_F(ShownRange, OfAPlacedSurface) {
     const std::vector<Override> placed{"surface.transform={rotate = [0, 0, 90], scale = 10}",

@@ -38,6 +38,19 @@ TEST_F(Sighting, AFormulaWithAZeroIsNotSaidToHaveNone) {
     }
 }
 
+TEST_F(Sighting, SectionsThatTakeAllAwayAreTold) {
+    const auto cut = [&](const std::string& section) {
+        return of("x^2 + y^2 + z^2 - 1", "{ sphere = 1.5 }", "[[sections]]\n" + section);
+    };
+    EXPECT_THAT(why_nothing_is_seen(cut("normal = [1, 0, 0]\noffset = -1.2\n")),
+                testing::HasSubstr("the sections take all of the solid away"));
+    EXPECT_FALSE(cut("normal = [1, 0, 0]\noffset = -0.5\n").is_cut_away);
+    // An eye in what is cut off stands in no solid.
+    const std::string eye = "[camera]\nposition = [0.5, 0, 0]\n";
+    EXPECT_TRUE(cut("sphere = 0.1\n" + eye).eye_in_solid);
+    EXPECT_FALSE(cut("normal = [1, 0, 0]\n" + eye).eye_in_solid);
+}
+
 TEST_F(Sighting, AClosedSurfaceThatIsCutIsASlip) {
     const Sight cut = of("x^2 + y^2 + (z - 1)^2 - 0.7", "{ sphere = 1.5 }");
     EXPECT_GT(cut.cut, 0.01);

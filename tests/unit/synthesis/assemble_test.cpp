@@ -97,7 +97,9 @@ const std::vector<Called> calls{
     {"", ""},
     {"reflection = 'self'\n", "[[lights]]\ndirection = [#, 1, 0]\nshadow = true\n"},
     {"back_color = [#, 0, 0]\n", "[fog]\ndensity = #\n[ground]\nheight = -#\n[occlusion]\n"},
-    {"", "[material.colormap]\nvalue = 'nz'\nrange = [-#, 1]\n"}};
+    {"", "[material.colormap]\nvalue = 'nz'\nrange = [-#, 1]\n"},
+    {"cap_color = [#, 0, 0]\n", "[[sections]]\nnormal = [#, 1, 0]\noffset = #\n[[sections]]\n"
+                                "sphere = #\n[material.contours]\nvalue = 'z'\nevery = #\n"}};
 
 scene::Scene called(std::string scene, const Called& more, const std::string& value) {
     const std::string head = "[material]\n";
@@ -330,7 +332,8 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         add(painted);
     }
     for (const auto& effects : every_effect) {
-        const Passes called = assemble(scene_of(surface_text("x") + effects), {Channel::velocity});
+        const Passes called =
+            assemble(scene_of(surface_text("x") + effects), {Channel::velocity, Channel::cap});
         add(called);
     }
     std::vector<std::string> texts{surface_text("x^3 - y", every_bounds[0], "chebyshev") +
@@ -339,6 +342,7 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         texts.push_back(surface_text("x", bounds) + "certify = true\n");
         texts.push_back(surface_text(all_kernels, bounds) + "certify = true\n");
         texts.push_back(surface_text("x", bounds, "hermite"));
+        texts.push_back(surface_text("x", bounds, "hermite") + every_effect.back());
         texts.push_back(surface_text("abs(x)", bounds, "hermite"));            // with kinks alone
         texts.push_back(surface_text("(x^2 - y)^2 - z^3", bounds, "hermite")); // squares
         texts.push_back(blobs_text(75, bounds, "hermite"));

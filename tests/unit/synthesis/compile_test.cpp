@@ -38,6 +38,14 @@ std::vector<Text> fragment_texts() {
             add(method + " in " + bounds, assemble(scene, every_channel));
         }
     }
+    constexpr const char* knife = "[[sections]]\nnormal = [1, 0, 't']\n[[sections]]\nsphere = 1\n";
+    constexpr const char* lines = "[material]\ncap_color = [1, 0, 0]\n[material.contours]\n"
+                                  "value = 'sum(links, px*z) + t'\nevery = 1\n";
+    for (const auto& method : every_method) {
+        const auto cut =
+            scene_of(surface_text(formula, every_bounds[0], method) + two_arrays + knife + lines);
+        add(method + ", cut", assemble(cut, {Channel::position, Channel::cap}));
+    }
     const auto scene = scene_of(surface_text("x"));
     add("no channels", assemble(scene));
     for (const auto& paint : every_paint) {

@@ -68,7 +68,12 @@ inline const std::vector<std::string> every_effect{
     "[[lights]]\nposition = [2, 0, 0]\n[material]\nmodel = 'ggx'\nreflection = 'self'\n"
     "[environment]\nmap = 'studio.exr'\n",
     "[material]\nmodel = 'blinn-phong'\nreflection = 'sky'\n"
-    "[output]\nbackground = { top = [0, 0, 1], bottom = [1, 1, 1] }\n"};
+    "[output]\nbackground = { top = [0, 0, 1], bottom = [1, 1, 1] }\n",
+    "[[sections]]\nnormal = [1, 0, 0]\n[material]\nback_color = [1, 0, 0]\n"
+    "[material.contours]\nvalue = 'z'\nevery = 0.1\n",
+    "[[sections]]\nnormal = [1, 0, 0]\n[[sections]]\nsphere = 1\n[occlusion]\n"
+    "[material]\nreflection = 'self'\n[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n"
+    "[material.colormap]\nvalue = 'mean_curvature'\nrange = [-1, 1]\n"};
 
 inline std::string surface_text(const std::string& formula,
                                 const std::string& bounds = every_bounds[0],

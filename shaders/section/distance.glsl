@@ -1,0 +1,17 @@
+// How far off what is left of the solid a place is, or within it, `of_matter` being how far off F is
+// 0: what occlusion asks. Needs sections.glsl.
+float distance_to_rest(vec3 place, bool inside, float of_matter) {
+    float cut = sections_value(place);
+    return inside ? min(of_matter, -cut) : max(of_matter, cut);
+}
+
+// As offset_from() of end_of_ray.glsl, off a cap.
+float offset_from_cap(vec3 position, vec3 normal, int cap, bool inside, float pixel) {
+    float offset = 0.05 * pixel;
+    for (int k = 0; k < 8; ++k) {
+        float value = section_value(cap, position + offset * normal);
+        if (inside ? value < 0.0 : value > 0.0) break;
+        offset *= 2.0;
+    }
+    return offset;
+}

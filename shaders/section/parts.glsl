@@ -1,0 +1,60 @@
+// The parts of a ray that sections leave. Needs ray.glsl and sections.glsl.
+
+// At its ends, the section that ends it there, or -1.
+struct Part {
+    float begin, end; // empty if begin >= end
+    int begin_cut, end_cut;
+};
+
+// Where the ray is in a ball, empty as (1, 0). As clip_sphere.glsl has it.
+vec2 in_ball(Ray ray, vec4 ball) {
+    vec3 from = ray.anchor - ball.xyz;
+    float middle = -dot(from, ray.direction);
+    vec3 foot = from + middle * ray.direction;
+    float square = ball.w * ball.w - dot(foot, foot);
+    float half_chord = sqrt(max(square, 0.0));
+    return square > 0.0 ? vec2(middle - half_chord, middle + half_chord) : vec2(1.0, 0.0);
+}
+
+// The first part from t = from on.
+Part part_from(Ray ray, float from) {
+    Part part = Part(from, ray.t_far, -1, -1);
+    // Half-spaces leave one interval.
+    for (int k = 0; k < SECTIONS; ++k) {
+        if (is_ball(k)) continue;
+        float height = section_value(k, ray.anchor), slope = dot(sections[k].xyz, ray.direction);
+        bool is_parallel = abs(slope) < 1.0e-12;
+        float at = is_parallel ? 0.0 : -height / slope;
+        if (is_parallel && height > 0.0) part.end = from - 1.0;
+        if (!is_parallel && slope < 0.0 && at >= part.begin) {
+            part.begin = at;
+            part.begin_cut = k;
+        }
+        if (!is_parallel && slope > 0.0 && at <= part.end) {
+            part.end = at;
+            part.end_cut = k;
+        }
+    }
+#if SECTION_BALLS != 0
+    // One ball may end in the next.
+    for (int turn = 0; turn < SECTIONS; ++turn) {
+        for (int k = 0; k < SECTIONS; ++k) {
+            if (!is_ball(k)) continue;
+            vec2 within = in_ball(ray, sections[k]);
+            if (within.x <= part.begin && part.begin <= within.y) {
+                part.begin = within.y;
+                part.begin_cut = k;
+            }
+        }
+    }
+    for (int k = 0; k < SECTIONS; ++k) {
+        if (!is_ball(k)) continue;
+        vec2 within = in_ball(ray, sections[k]);
+        if (within.x < within.y && within.x > part.begin && within.x <= part.end) {
+            part.end = within.x;
+            part.end_cut = k;
+        }
+    }
+#endif
+    return part;
+}

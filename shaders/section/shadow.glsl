@@ -1,0 +1,30 @@
+// What shadow rays make of a crossing. Needs cross.glsl and any_hit(). As `refinements` counts
+// their lights, `high` tells which section is behind.
+
+RayState at_shadow_crossing(RayState s, float t, int behind) {
+    s.phase = PHASE_CROSS;
+    s.low = t;
+    s.high = float(behind);
+    return s;
+}
+
+// The same of an eye's ray; of one that doesn't cross, none.
+RayState crossing_of(RayState s, bool crosses) {
+    RayState crossing = at_crossing(state_at(s.low), s.low, int(s.high));
+    if (!crosses) return finish(crossing, VERDICT_MISS);
+    return crossing;
+}
+
+int outcome_of(RayState crossing) {
+    if (crossing.phase != PHASE_DONE) return RAY_GOES_ON;
+    return crossing.verdict == VERDICT_HIT ? RAY_IS_HIDDEN : RAY_IS_FREE;
+}
+
+// The state of a light's ray where the next part begins; it counts lights and evaluations.
+RayState on_part(RayState s, RayState crossing) {
+    RayState fresh = state_at(crossing.low);
+    fresh.verdict = s.verdict;
+    fresh.refinements = s.refinements;
+    fresh.evaluations = s.evaluations + crossing.evaluations;
+    return fresh;
+}
