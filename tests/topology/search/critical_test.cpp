@@ -356,6 +356,9 @@ TEST(Events, OfABallThatRunsAgainstASphereAreOnTheSphere) {
     // A ball of radius 1 reaches a sphere of radius 2 when its centre is at 1, and leaves it at 3.
     const Moving ball{"(x - p)^2 + y^2 + z^2 - 1", "{ sphere = 2 }", "p = \"t\""};
     EXPECT_TRUE(events_of(ball, 0, 0.9).events.empty());
+    // What is born in a corner of the box around the sphere is outside.
+    const Moving corner{"(x - 1.5)^2 + (y - 1.5)^2 + z^2 - s", "{ sphere = 2 }", "s = \"t - 0.1\""};
+    EXPECT_TRUE(events_of(corner, 0, 0.11).events.empty());
     const Timeline timeline = events_of(ball, 0, 4);
     EXPECT_TRUE(timeline.is_proved) << described(timeline);
     ASSERT_EQ(timeline.events.size(), 2u) << described(timeline);
