@@ -3,57 +3,37 @@
 
 #include <gtest/gtest.h>
 
-#include "topology/analyse.h"
 #include "topology/betti/frame_signs.h"
-#include "topology/moving.h"
 #include "topology/solids.h"
 #include "topology/timeline/steps.h"
+#include "topology/told.h"
 
 namespace isomotion::topology {
 namespace {
 
 const std::string around = "{ box = [[-2.1, -2.2, -2.3], [2.4, 2.5, 2.2]] }";
-const std::string second = "[time]\nfps = 10\nframes = 11\n";
-
-struct Told {
-    double time;
-    Kind kind;
-};
-
-void expect_timeline(const std::string& formula, const std::string& parameters, const Betti& start,
-                     const std::vector<Told>& events, const Betti& end) {
-    SCOPED_TRACE(formula);
-    const Moving moving{formula, around, parameters, second};
-    const Timeline timeline = analyse(moving.scene());
-    SCOPED_TRACE(described(timeline));
-    EXPECT_TRUE(timeline.is_complete());
-    EXPECT_EQ(timeline.start, start);
-    EXPECT_EQ(timeline.end, end);
-    ASSERT_EQ(timeline.events.size(), events.size());
-    for (std::size_t k = 0; k < events.size(); ++k) {
-        EXPECT_NEAR(middle(timeline.events[k].time), events[k].time, 1e-12);
-        EXPECT_EQ(timeline.events[k].kind, events[k].kind);
-        EXPECT_TRUE(timeline.events[k].is_proved);
-    }
+void expect_around(const std::string& formula, const std::string& parameters, const Betti& start,
+                   const std::vector<Told>& told, const Betti& end) {
+    expect_timeline({formula, around, parameters, in_a_second}, start, told, end);
 }
 
 TEST(KinkedTimelines, AreThoseMadeByHand) {
     const Betti ball{1, 0, 0};
-    expect_timeline("min((x - s)^2 + y^2 + z^2 - 0.25, (x + s)^2 + y^2 + z^2 - 0.25)",
-                    "s = \"0.8 - 0.6*t\"", {2, 0, 0}, {{0.5, Kind::merge}}, ball);
-    expect_timeline("max(x^2 + y^2 + z^2 - 1, 0.25 - (x - s)^2 - y^2 - z^2)", "s = \"t - 0.25\"",
-                    {1, 0, 1}, {{0.75, Kind::void_opens}}, ball);
-    expect_timeline("(sqrt(x^2 + y^2) - R)^2 + z^2 - 0.09", "R = \"0.2 + 0.6*t\"", ball,
-                    {{1.0 / 6, Kind::tunnel_opens}}, {1, 1, 0});
+    expect_around("min((x - s)^2 + y^2 + z^2 - 0.25, (x + s)^2 + y^2 + z^2 - 0.25)",
+                  "s = \"0.8 - 0.6*t\"", {2, 0, 0}, {{0.5, Kind::merge}}, ball);
+    expect_around("max(x^2 + y^2 + z^2 - 1, 0.25 - (x - s)^2 - y^2 - z^2)", "s = \"t - 0.25\"",
+                  {1, 0, 1}, {{0.75, Kind::void_opens}}, ball);
+    expect_around("(sqrt(x^2 + y^2) - R)^2 + z^2 - 0.09", "R = \"0.2 + 0.6*t\"", ball,
+                  {{1.0 / 6, Kind::tunnel_opens}}, {1, 1, 0});
     // Two drills through a cube at right angles: two tunnels, three where they meet.
-    expect_timeline("max(max(max(abs(x), abs(y)), abs(z)) - 1, "
-                    "max(0.0625 - x^2 - (y - s)^2, 0.0625 - (y + s)^2 - z^2))",
-                    "s = \"0.5 - t\"", {1, 2, 0},
-                    {{0.25, Kind::tunnel_opens}, {0.75, Kind::tunnel_closes}}, {1, 2, 0});
+    expect_around("max(max(max(abs(x), abs(y)), abs(z)) - 1, "
+                  "max(0.0625 - x^2 - (y - s)^2, 0.0625 - (y + s)^2 - z^2))",
+                  "s = \"0.5 - t\"", {1, 2, 0},
+                  {{0.25, Kind::tunnel_opens}, {0.75, Kind::tunnel_closes}}, {1, 2, 0});
     // Two balls about the ends of a rod that a third one cuts.
-    expect_timeline("max(min(min((x-1)^2 + y^2 + z^2, (x+1)^2 + y^2 + z^2) - 0.25, "
-                    "max(abs(x) - 1, y^2 + z^2 - 0.04)), s^2 - x^2 - (y-0.3)^2 - z^2)",
-                    "s = \"0.05 + 0.6*t\"", ball, {{0.75, Kind::split}}, {2, 0, 0});
+    expect_around("max(min(min((x-1)^2 + y^2 + z^2, (x+1)^2 + y^2 + z^2) - 0.25, "
+                  "max(abs(x) - 1, y^2 + z^2 - 0.04)), s^2 - x^2 - (y-0.3)^2 - z^2)",
+                  "s = \"0.05 + 0.6*t\"", ball, {{0.75, Kind::split}}, {2, 0, 0});
 }
 
 class RandomSolid {
@@ -64,7 +44,7 @@ public:
     Moving moving() {
         const std::string formula = tree(3);
         return {formula, "{ box = [[-3.11, -3.05, -3.17], [3.07, 3.13, 3.03]] }", parameters_,
-                second};
+                in_a_second};
     }
 
 private:

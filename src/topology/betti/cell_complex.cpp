@@ -8,12 +8,6 @@
 namespace isomotion::topology {
 namespace {
 
-std::uint64_t packed(const CellKey& key) {
-    std::uint64_t bits = std::uint64_t(key.axes == 0 ? 0 : key.level) << 3 | key.axes;
-    for (const int at : key.at) bits = bits << (CellKey::deepest + 1) | std::uint64_t(at);
-    return bits;
-}
-
 class UnionFind {
 public:
     explicit UnionFind(std::size_t count)
@@ -81,6 +75,19 @@ std::vector<CellKey> CellKey::parts() const {
     return all;
 }
 
+CellComplex::Packed CellComplex::packed(const CellKey& key) {
+    const std::uint64_t level = key.axes == 0 ? 0 : std::uint64_t(key.level);
+    return {level << 35 | std::uint64_t(key.axes) << 32 | std::uint64_t(key.at[0]),
+            std::uint64_t(key.at[1]) << 32 | std::uint64_t(key.at[2])};
+}
+
+// Fibonacci's multiplier; the high bits, which it mixes best, are folded into the low ones.
+std::size_t CellComplex::Hash::operator()(const Packed& key) const {
+    constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;
+    const std::uint64_t mixed = (key[0] * golden ^ key[1]) * golden;
+    return std::size_t(mixed ^ mixed >> 32);
+}
+
 CellComplex::Cell& CellComplex::cell(const CellKey& key) { return cells_[packed(key)]; }
 
 // Whatever a new cell is a part of is divided.
@@ -124,7 +131,7 @@ bool CellComplex::list(const Limits& limits) {
                 now.fact = ask_(key);
                 depth_ = std::max(depth_, key.level);
                 if (now.fact.kind == CellFact::Kind::unknown) {
-                    if (dimension == 0 || key.level >= limits.depth) return false;
+                    if (dimension == 0 || key.level >= limits.depth_of(dimension)) return false;
                     now.is_divided = true;
                 }
             }
@@ -166,7 +173,7 @@ bool CellComplex::settle(const CellKey& key) {
     for (std::size_t k = 0; k < 3; ++k) {
         if (now.fact.sinks_to[k] != 0) smallest(key.facet(k, now.fact.sinks_to[k] > 0), open);
     }
-    std::map<std::uint64_t, std::size_t> number;
+    std::map<Packed, std::size_t> number;
     std::vector<std::pair<std::size_t, std::size_t>> incident;
     int euler = 0;
     for (std::size_t next = 0; next < open.size(); ++next) {
@@ -248,7 +255,7 @@ std::optional<Betti> CellComplex::betti(const Limits& limits) {
             for (const CellKey& key : cells) {
                 if (settle(key)) continue;
                 failed_ = key;
-                if (key.level >= limits.depth) return std::nullopt;
+                if (key.level >= limits.depth_of(key.dimension())) return std::nullopt;
                 cell(key).is_divided = true;
                 is_settled = false;
             }

@@ -21,7 +21,7 @@ namespace isomotion::topology {
 
 // A cell: it is as long as the box divided by 2^level along its axes, and a point along the others.
 struct CellKey {
-    static constexpr int deepest = 17; // places are counted in the box's 2^-17th parts
+    static constexpr int deepest = 30; // places are counted in the box's 2^-30th parts
     static constexpr int whole = 1 << deepest;
 
     int level = 0;
@@ -60,11 +60,16 @@ public:
     explicit CellComplex(Ask ask)
         : ask_(std::move(ask)) {}
 
-    // Cells that may be asked for, and how often each side of the box is halved at most.
+    // Cells that may be asked for, and how often the sides of boxes and of faces are halved at
+    // most. Edges may be shorter: where two surfaces cross, an edge that passes by has to be as
+    // short as it is near.
     struct Limits {
         std::size_t cells = 400'000;
-        int depth = CellKey::deepest;
+        int depth = 17;
+        int depth_of_edges = CellKey::deepest;
         std::function<bool()> stopped{};
+
+        int depth_of(int dimension) const { return dimension == 1 ? depth_of_edges : depth; }
     };
     // The Betti numbers of S; empty where the limits don't do, with the cell in `failed`.
     std::optional<Betti> betti(const Limits& limits);
@@ -81,6 +86,12 @@ private:
         int number = 0;       // among the listed
     };
     using Cells = std::vector<CellKey>;
+    // Tells cells apart.
+    using Packed = std::array<std::uint64_t, 2>;
+    static Packed packed(const CellKey& key);
+    struct Hash {
+        std::size_t operator()(const Packed& key) const;
+    };
 
     Cell& cell(const CellKey& key);
     bool list(const Limits& limits);
@@ -91,7 +102,7 @@ private:
     Betti count();
 
     Ask ask_;
-    std::unordered_map<std::uint64_t, Cell> cells_;
+    std::unordered_map<Packed, Cell, Hash> cells_;
     std::array<Cells, 4> listed_; // by dimension
     CellKey failed_;
     std::size_t asked_ = 0;

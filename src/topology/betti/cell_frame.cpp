@@ -1,6 +1,7 @@
 #include "topology/betti/cell_frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "topology/betti/cell_complex.h"
@@ -12,15 +13,20 @@ namespace {
 
 using formula::Interval;
 
-// A formula with kinks has no other proof.
-constexpr std::size_t most_cells = 100'000, most_cells_with_kinks = 400'000;
+// There is no other proof of a formula with kinks, nor of a surface that reaches a sphere.
+constexpr std::size_t most_cells = 100'000, most_cells_without_other_proof = 400'000;
 
 // Where the cells are. What is symmetric or has round numbers would touch faces of equal cells:
-// sides are divided a little off the middle.
+// sides are divided a little off the middle. Of a sphere they fill a box that it doesn't touch.
 class CellPlaces {
 public:
     explicit CellPlaces(const scene::BoundsAt& bounds)
-        : bounds_(bounds) {}
+        : bounds_(bounds) {
+        constexpr double margin = 0x1p-6;
+        if (!is_sphere()) return;
+        bounds_.min -= margin * bounds.radius;
+        bounds_.max += margin * bounds.radius;
+    }
 
     SpaceBox box(const CellKey& key) const {
         SpaceBox box;
@@ -28,12 +34,19 @@ public:
         return box;
     }
 
-    // Places outside of and inside of the bounds, if these are a sphere.
+    // Places outside of and inside of the bounds, if these are a sphere. It is outside itself.
     bool is_outside(const SpaceBox& box) const {
-        return is_sphere() && squared_distance(box).lo > squared_radius().hi;
+        return is_sphere() && squared_distance(box).lo >= squared_radius().hi;
     }
     bool is_inside(const SpaceBox& box) const {
-        return !is_sphere() || squared_distance(box).hi <= squared_radius().lo;
+        return !is_sphere() || squared_distance(box).hi < squared_radius().lo;
+    }
+    // The slopes of the squared distance from the sphere's centre.
+    Box outwards(const SpaceBox& box) const {
+        Box slopes{};
+        for (std::size_t k = 0; k < 3; ++k)
+            slopes[k] = Interval(2) * (box[k] - Interval(bounds_.centre[int(k)]));
+        return slopes;
     }
 
 private:
@@ -56,8 +69,24 @@ private:
         return sum;
     }
 
-    const scene::BoundsAt& bounds_;
+    scene::BoundsAt bounds_;
 };
+
+double length_of_middle(const Box& gradient) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += mid(gradient[k]) * mid(gradient[k]);
+    return std::sqrt(sum);
+}
+
+// Slopes in a unit like that of the others: a direction is sought from all of them.
+Box alike(Box slopes, std::span<const Box> others) {
+    double sum = 0;
+    for (const Box& other : others) sum += length_of_middle(other);
+    const double scale = sum / (double(others.size()) * length_of_middle(slopes));
+    if (!(scale > 0) || !std::isfinite(scale)) return slopes;
+    for (std::size_t k = 0; k < 3; ++k) slopes[k] = Interval(scale) * slopes[k];
+    return slopes;
+}
 
 std::vector<std::size_t> axes_of(const CellKey& key) {
     std::vector<std::size_t> axes;
@@ -95,26 +124,63 @@ private:
     std::map<std::pair<int, std::array<int, 3>>, Elements> known_;
 };
 
-CellFact fact_of(Pieces& pieces, NearElements& near, const CellPlaces& places, const CellKey& key) {
+// The solid in cells: where G < 0 inside of the bounds. Of a sphere that is where the greater one
+// of G and h, the squared distance from its centre less its radius squared, is negative.
+class SolidInCells {
+public:
+    SolidInCells(const SpaceFormula& formula, const scene::BoundsAt& bounds)
+        : pieces_(formula)
+        , places_(bounds)
+        , near_(pieces_, places_) {}
+
+    CellFact fact(const CellKey& key);
+
+    SpaceBox box(const CellKey& key) const { return places_.box(key); }
+    bool has_kinks() const { return pieces_.has_kinks(); }
+    bool may_reach_sphere() const { return may_reach_sphere_; } // in a cell that was asked for
+
+private:
     using Kind = CellFact::Kind;
-    const SpaceBox box = places.box(key);
-    if (places.is_outside(box)) return {Kind::outside, {}};
-    if (key.axes == 0) {
-        const Interval value = pieces.value(box);
-        if (value.lo >= 0) return {Kind::outside, {}};
-        // The solid must keep off a sphere.
-        const bool is_inside = value.hi < 0 && places.is_inside(box);
-        return {is_inside ? Kind::inside : Kind::unknown, {}};
-    }
-    Pieces::Over over = pieces.over(box, near.of(key));
+    using Sign = Pieces::Sign;
+
+    Pieces::Over over(const CellKey& key, const SpaceBox& box);
+
+    Pieces pieces_;
+    CellPlaces places_;
+    NearElements near_;
+    bool may_reach_sphere_ = false;
+};
+
+Pieces::Over SolidInCells::over(const CellKey& key, const SpaceBox& box) {
+    Pieces::Over over = pieces_.over(box, near_.of(key));
     // What is left out of sums blurs where the surface nearly touches a small face or edge.
-    const bool is_blurred = key.dimension() < 3 && key.level > 9 && !pieces.has_kinks() &&
-                            over.sign == Pieces::Sign::mixed &&
+    const bool is_blurred = key.dimension() < 3 && key.level > 9 && !pieces_.has_kinks() &&
+                            over.sign == Sign::mixed &&
                             !rising_direction(over.gradients, axes_of(key));
-    if (is_blurred) over = pieces.over(box, pieces.everything());
-    if (over.sign == Pieces::Sign::positive) return {Kind::outside, {}};
-    if (!places.is_inside(box)) return {};
-    if (over.sign == Pieces::Sign::negative) return {Kind::inside, {}};
+    return is_blurred ? pieces_.over(box, pieces_.everything()) : over;
+}
+
+CellFact SolidInCells::fact(const CellKey& key) {
+    const SpaceBox box = places_.box(key);
+    if (places_.is_outside(box)) return {Kind::outside, {}};
+    const bool is_inside = places_.is_inside(box);
+    if (key.axes == 0) {
+        const Interval value = pieces_.value(box);
+        if (value.lo >= 0) return {Kind::outside, {}};
+        return {value.hi < 0 && is_inside ? Kind::inside : Kind::unknown, {}};
+    }
+    Pieces::Over over = this->over(key, box);
+    if (over.sign == Sign::positive) return {Kind::outside, {}};
+    if (over.sign == Sign::negative) {
+        if (is_inside) return {Kind::inside, {}};
+        over.gradients.clear();
+    } else if (over.gradients.empty()) {
+        return {};
+    }
+    if (!is_inside) {
+        may_reach_sphere_ = true;
+        over.gradients.push_back(alike(places_.outwards(box), over.gradients));
+    }
     const auto direction = rising_direction(over.gradients, axes_of(key));
     if (!direction) return {};
     CellFact fact{Kind::sinking, {}};
@@ -127,20 +193,26 @@ CellFact fact_of(Pieces& pieces, NearElements& near, const CellPlaces& places, c
 
 CertifiedFrame certify_by_cells(const SpaceFormula& formula, const scene::BoundsAt& bounds,
                                 const FrameLimits& limits) {
-    Pieces pieces(formula);
-    const CellPlaces places(bounds);
-    NearElements near(pieces, places);
-    CellComplex complex([&](const CellKey& key) { return fact_of(pieces, near, places, key); });
+    SolidInCells solid(formula, bounds);
+    CellComplex complex([&](const CellKey& key) { return solid.fact(key); });
+    const auto count = [&](std::size_t most) {
+        return complex.betti({.cells = most, .stopped = limits.stopped});
+    };
+    const auto has_other_proof = [&] { return !solid.has_kinks() && !solid.may_reach_sphere(); };
+    std::size_t most = solid.has_kinks() ? most_cells_without_other_proof : most_cells;
     CertifiedFrame frame;
-    const std::size_t most = pieces.has_kinks() ? most_cells_with_kinks : most_cells;
-    frame.betti = complex.betti({.cells = most, .stopped = limits.stopped});
+    frame.betti = count(most);
+    if (!frame.betti && complex.asked() > most && !has_other_proof()) {
+        most = most_cells_without_other_proof;
+        frame.betti = count(most);
+    }
     frame.depth = complex.depth();
     frame.boxes = int(complex.asked());
     if (frame.betti) return frame;
     frame.why = limits.stopped && limits.stopped() ? "interrupted"
                 : complex.asked() > most           ? "too many boxes"
                                                    : "not settled at the greatest depth";
-    frame.where = places.box(complex.failed());
+    frame.where = solid.box(complex.failed());
     return frame;
 }
 

@@ -7,7 +7,7 @@
 // The proof of this is in docs/topology-proofs.md.
 //
 // The solid is what the bounds hold of {G < 0}, G as in frame_field.h. A surface may reach the
-// bounds if they are a box; reaching a sphere, it is not proved.
+// bounds; of one that reaches a sphere cells prove it (cell_frame.h).
 #pragma once
 
 #include <functional>

@@ -111,8 +111,10 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
     if (driver) by = {*driver, g.input(clock_input)};
     animation::Rules rules(scene.timeline.animation, within, g,
                            g.input(driver ? time_input : clock_input), by);
-    const auto in_place = [&](Graph&, const Node& node, NodeId rebuilt) {
-        return rules.in_place(node, rebuilt);
+    // A track without a value leaves the formula none, though min or 0*c would hide it.
+    const auto in_place = [&](Graph& to, const Node& node, NodeId rebuilt) {
+        const NodeId made = rules.in_place(node, rebuilt);
+        return made == rebuilt ? made : formula::with_gaps(to, made);
     };
     const formula::Field& field = *scene.surface.field;
     // Where F has no value stays so when a number in place of a name lets that vanish: 0*log(x).

@@ -255,8 +255,6 @@ Enclosures::Place Enclosures::place(const Box& box) {
     return inside ? Place::inside : Place::unknown;
 }
 
-Interval Enclosures::reach(const Box& box) { return conditions(box).back(); }
-
 std::vector<Interval> Enclosures::inward(const Box& box) {
     inward_.point(all().bindings, box, inward_values_);
     return inward_values_;

@@ -75,8 +75,6 @@ public:
 
     enum class Place { outside, inside, unknown };
     Place place(const Box& box); // in the stratum
-    // r^2 - |x - c|^2 of the sphere that bounds the inside.
-    formula::Interval reach(const Box& box);
     // The derivatives of F inwards along the fixed axes.
     std::vector<formula::Interval> inward(const Box& box);
 

@@ -177,9 +177,14 @@ ArbVerifier::ArbVerifier(const scene::Scene& scene, Side side, Interval range)
     : motions_(motions(scene, side, range, Clock::time)) {
     for (const Motion& motion : motions_.pieces) {
         if (!motion.moves) continue;
-        const std::vector<Stratum> strata =
-            motion.shape == scene::Bounds::Shape::box ? strata_of_box() : std::vector{Stratum{}};
-        for (const Stratum& stratum : strata) systems_.push_back(system(motion, stratum));
+        if (motion.shape == scene::Bounds::Shape::box) {
+            for (const Stratum& stratum : strata_of_box())
+                systems_.push_back(system(motion, stratum));
+            continue;
+        }
+        systems_.push_back(system(motion, Stratum{}));
+        for (const SphereChart& chart : SphereChart::all())
+            systems_.push_back(on_chart(motion, chart));
     }
 }
 
@@ -189,18 +194,22 @@ ArbVerifier::System ArbVerifier::system(const Motion& motion, const Stratum& str
     made.clock = motion.clock;
     made.bindings = &motion.bindings;
     formula::Graph g = motion.graph;
-    std::vector<NodeId> walls(motion.low.begin(), motion.low.end());
-    walls.insert(walls.end(), motion.high.begin(), motion.high.end());
-    made.walls = formula::schedule(g, walls);
     std::array<NodeId, 3> stands_for{};
+    std::vector<NodeId> free;
     for (std::size_t k = 0; k < 3; ++k) {
         const Stratum::End end = stratum.axes[k];
-        if (end == Stratum::End::free) made.unknowns.push_back(k);
+        if (end == Stratum::End::free) {
+            made.unknowns.push_back(k);
+            free.push_back(g.input(int(k)));
+        }
         stands_for[k] = end == Stratum::End::free  ? g.input(int(k))
                         : end == Stratum::End::low ? motion.low[k]
                                                    : motion.high[k];
     }
     made.unknowns.push_back(clock_input);
+    made.place = formula::schedule(g, stands_for);
+    made.coordinates = formula::schedule(g, free);
+    made.ahead = formula::schedule(g, std::array{g.constant(1)});
     const NodeId field =
         formula::substitute(g, g, std::array{motion.field},
                             [&](formula::Graph&, const formula::Node& node, NodeId rebuilt) {
@@ -213,42 +222,66 @@ ArbVerifier::System ArbVerifier::system(const Motion& motion, const Stratum& str
     return made;
 }
 
-// The event against the walls that the stratum is on.
-ArbVerifier::Answer ArbVerifier::on_walls(const System& system, const Event& event,
-                                          const Ball& time, long precision) {
+ArbVerifier::System ArbVerifier::on_chart(const Motion& motion, const SphereChart& chart) {
+    System made = system(chart.motion(motion), SphereChart::wall());
+    made.bindings = &motion.bindings;
+    formula::Graph g = motion.graph;
+    made.place = formula::schedule(g, chart.place(g, motion, g.constant(1)));
+    const SphereChart::Seen seen = chart.seen(g, motion);
+    made.coordinates = formula::schedule(g, seen.coordinates);
+    made.ahead = formula::schedule(g, std::array{seen.ahead});
+    return made;
+}
+
+// Those of all points in the event's box of place and time.
+Balls ArbVerifier::unknowns(const System& system, const Event& event, long precision) {
     std::array<Ball, 4> inputs;
-    inputs[clock_input] = time;
-    Balls walls(6);
-    ball::BallProgram(system.walls).evaluate(*system.bindings, inputs, walls, precision);
+    for (std::size_t k = 0; k < 3; ++k) inputs[k] = Ball(event.where[k].lo, event.where[k].hi);
+    inputs[clock_input] = Ball(event.time.lo, event.time.hi);
+    Balls found(system.unknowns.size() - 1);
+    ball::BallProgram(system.coordinates).evaluate(*system.bindings, inputs, found, precision);
+    found.push_back(inputs[clock_input]);
+    return found;
+}
+
+// What the unknowns stand for against the event's box of place and time.
+ArbVerifier::Answer ArbVerifier::in_box(const System& system, const Event& event,
+                                        std::span<const Ball> unknowns, long precision) {
+    std::array<Ball, 4> inputs;
+    for (std::size_t k = 0; k < unknowns.size(); ++k) inputs[system.unknowns[k]] = unknowns[k];
+    Balls at(3);
+    ball::BallProgram(system.place).evaluate(*system.bindings, inputs, at, precision);
+    at.push_back(unknowns.back());
     Answer answer = Answer::holds;
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (system.stratum.axes[k] == Stratum::End::free) continue;
-        const Ball& wall = walls[system.stratum.axes[k] == Stratum::End::low ? k : 3 + k];
-        const Interval where = event.where[k];
-        if (wall.is_apart_from(where.lo, where.hi)) return Answer::fails;
-        if (!wall.is_in(where.lo, where.hi)) answer = Answer::open;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Interval side = k < 3 ? event.where[k] : event.time;
+        if (at[k].is_apart_from(side.lo, side.hi)) return Answer::fails;
+        if (!at[k].is_in(side.lo, side.hi)) answer = Answer::open;
     }
     return answer;
 }
 
 bool ArbVerifier::may_hold(const System& system, const Event& event) {
-    return system.stratum.dimension() == event.stratum && contains(system.clock, event.time) &&
-           on_walls(system, event, Ball(event.time.lo, event.time.hi), first_precision) !=
-               Answer::fails;
+    if (system.stratum.dimension() != event.stratum || !contains(system.clock, event.time))
+        return false;
+    std::array<Ball, 4> inputs;
+    for (std::size_t k = 0; k < 3; ++k) inputs[k] = Ball(event.where[k].lo, event.where[k].hi);
+    inputs[clock_input] = Ball(event.time.lo, event.time.hi);
+    Balls ahead(1);
+    ball::BallProgram(system.ahead).evaluate(*system.bindings, inputs, ahead, first_precision);
+    return ahead[0].sign() > 0 && in_box(system, event, unknowns(system, event, first_precision),
+                                         first_precision) != Answer::fails;
 }
 
 ArbVerifier::Answer ArbVerifier::verify(const System& system, const Event& event, long precision) {
     const std::size_t n = system.unknowns.size();
-    const auto enclosure = [&](std::size_t k) {
-        const std::size_t unknown = system.unknowns[k];
-        return unknown == clock_input ? event.time : event.where[unknown];
-    };
     // The event's box, wider: its root may be next to its walls.
-    Balls wide;
-    for (std::size_t k = 0; k < n; ++k) {
-        const Interval side = enclosure(k);
-        Ball& ball = wide.emplace_back(side.lo, side.hi);
-        Ball margin(3 * (side.hi - side.lo)), least(std::max(1.0, magnitude(side)));
+    Balls wide = unknowns(system, event, precision);
+    for (Ball& ball : wide) {
+        if (!ball.is_finite()) return Answer::open;
+        Ball margin, least(std::max(1.0, std::abs(middle_of(ball))));
+        arb_get_rad_arb(margin.get(), ball.get());
+        arb_mul_si(margin.get(), margin.get(), 6, precision);
         arb_mul_2exp_si(least.get(), least.get(), -precision / 2);
         arb_add(margin.get(), margin.get(), least.get(), precision);
         arb_add_error(ball.get(), margin.get());
@@ -267,17 +300,7 @@ ArbVerifier::Answer ArbVerifier::verify(const System& system, const Event& event
     if (are_apart(root, wide)) return Answer::fails;
     if (!is_inside(root, wide)) return Answer::open;
     // Now `wide` holds one root, which is closed in on until it is in the event's box or apart.
-    const auto place = [&] {
-        Answer answer = on_walls(system, event, root.back(), precision);
-        for (std::size_t k = 0; k < n; ++k) {
-            const Interval side = enclosure(k);
-            if (root[k].is_apart_from(side.lo, side.hi)) return Answer::fails;
-            if (answer == Answer::holds && !root[k].is_in(side.lo, side.hi)) {
-                answer = Answer::open;
-            }
-        }
-        return answer;
-    };
+    const auto place = [&] { return in_box(system, event, root, precision); };
     Answer is_inside_box = place();
     for (int k = 0; k < most_contractions && is_inside_box == Answer::open; ++k) {
         const Balls next = krawczyk(root);

@@ -12,6 +12,7 @@
 #include "scene/scene.h"
 #include "topology/field/motion.h"
 #include "topology/field/moving_field.h"
+#include "topology/field/sphere_chart.h"
 #include "topology/timeline/event.h"
 
 namespace isomotion::ball {
@@ -33,20 +34,25 @@ public:
     Answer verify(const Event& event) const;
 
 private:
-    // One piece of the motion in one stratum.
+    // One piece of the motion in one stratum. Its coordinates are x, y, z or those of a chart.
     struct System {
         Stratum stratum;
         formula::Interval clock;
-        std::vector<std::size_t> unknowns; // of x, y, z, time
-        formula::Program walls;            // low and high along x, y, z
-        formula::Program jet;              // inputs x, y, z, time
+        std::vector<std::size_t> unknowns; // of the coordinates and the time
+        formula::Program place;            // x, y, z of the coordinates
+        formula::Program coordinates;      // the unknown ones of x, y, z: where `ahead` is above 0
+        formula::Program ahead;
+        formula::Program jet; // by the unknowns
         const formula::Bindings<double>* bindings;
     };
     static System system(const Motion& motion, const Stratum& stratum);
+    static System on_chart(const Motion& motion, const SphereChart& chart);
+    static std::vector<ball::Ball> unknowns(const System& system, const Event& event,
+                                            long precision);
     static Answer verify(const System& system, const Event& event, long precision);
     static bool may_hold(const System& system, const Event& event);
-    static Answer on_walls(const System& system, const Event& event, const ball::Ball& time,
-                           long precision);
+    static Answer in_box(const System& system, const Event& event,
+                         std::span<const ball::Ball> unknowns, long precision);
 
     Motions motions_;
     std::vector<System> systems_;

@@ -9,13 +9,13 @@
 #include "topology/field/monotone_track.h"
 #include "topology/field/motion.h"
 #include "topology/field/moving_field.h"
+#include "topology/field/sphere_chart.h"
 #include "topology/search/comoving_fit.h"
 #include "topology/search/kinked_search.h"
 #include "topology/search/krawczyk.h"
 #include "topology/search/morse.h"
 #include "topology/search/search.h"
 #include "topology/search/seeded.h"
-#include "topology/search/sphere.h"
 #include "topology/search/stratum_places.h"
 #include "topology/timeline/advice.h"
 
@@ -27,13 +27,80 @@ namespace why = unresolved;
 
 int sign_of(const Interval& a) { return a.lo > 0 ? 1 : a.hi < 0 ? -1 : 0; }
 
-// Searches the strata of one piece of the motion, and turns points into events.
+// Points on a sphere, each once: charts overlap.
+class OnSphere {
+public:
+    enum class Known { no, yes, unclear };
+
+    // Whether the point is one that was added from another chart. `path` tells formulas apart.
+    Known find(const SphereChart& chart, const CriticalPoint& point, std::size_t clock,
+               std::span<const char> path) const {
+        const SpaceBox direction = chart.direction(point.where[0], point.where[1]);
+        Known known = Known::no;
+        for (const Found& other : found_) {
+            if (other.chart == chart) continue;
+            const auto at = other.chart.coordinates(direction);
+            if (!at) continue;
+            const std::array<Interval, 3> here{(*at)[0], (*at)[1], point.where[clock]};
+            const auto are_all = [&](const std::array<Interval, 3>& there, auto&& is) {
+                return is(there[0], here[0]) && is(there[1], here[1]) && is(there[2], here[2]);
+            };
+            if (!are_all(other.where,
+                         [](Interval a, Interval b) { return !is_empty(intersect(a, b)); }))
+                continue;
+            const bool is_it =
+                std::ranges::equal(path, other.path) &&
+                are_all(other.alone, [](Interval a, Interval b) { return contains(a, b); });
+            if (is_it) return Known::yes;
+            known = Known::unclear;
+        }
+        return known;
+    }
+
+    void add(const SphereChart& chart, const CriticalPoint& point, std::size_t clock,
+             std::span<const char> path) {
+        const auto of = [&](const Box& box) { return std::array{box[0], box[1], box[clock]}; };
+        found_.push_back({chart, {path.begin(), path.end()}, of(point.where), of(point.alone)});
+    }
+
+private:
+    struct Found {
+        SphereChart chart;
+        std::vector<char> path;
+        std::array<Interval, 3> where, alone; // u, v and the clock
+    };
+    std::vector<Found> found_;
+};
+
+// What is searched of one piece of the motion: strata of its bounds. A chart of a sphere has a
+// motion of its own.
+struct Part {
+    Motion motion;
+    std::vector<Stratum> strata;
+    std::optional<SphereChart> chart{};
+};
+
+std::vector<Part> parts_of(const Motion& motion) {
+    if (motion.shape == scene::Bounds::Shape::box) return {{motion, strata_of_box()}};
+    std::vector<Part> parts{{motion, {Stratum{}}}};
+    for (const SphereChart& chart : SphereChart::all())
+        parts.push_back({chart.motion(motion), {SphereChart::wall()}, chart});
+    return parts;
+}
+
+// Searches the strata of one part, and turns points into events.
 class Stratified {
 public:
-    Stratified(const Motion& motion, const MonotoneTrack* driven, Timeline& timeline)
-        : motion_(motion)
+    // `whole` is the motion that the part is of.
+    Stratified(const Part& part, const Motion& whole, const MonotoneTrack* driven,
+               Timeline& timeline, OnSphere& on_sphere)
+        : motion_(part.motion)
+        , chart_(part.chart)
         , track_(driven)
-        , timeline_(timeline) {}
+        , timeline_(timeline)
+        , on_sphere_(on_sphere) {
+        if (chart_) sphere_.emplace(whole, *chart_);
+    }
 
     void add(const MovingField& field, const SearchResult& found) {
         Enclosures enclosures(field);
@@ -46,7 +113,7 @@ public:
     void add(const KinkedResult& found) {
         for (const KinkedPoint& kinked : found.points) {
             Enclosures enclosures(kinked.of->field());
-            add(kinked.of->field(), enclosures, kinked.point, kinked.index_across);
+            add(kinked.of->field(), enclosures, kinked.point, kinked.index_across, kinked.path);
         }
         for (const Box& box : found.unresolved) {
             unresolved(*found.field, box,
@@ -54,16 +121,16 @@ public:
         }
     }
 
-    void add_reaching(const MovingField& field, const std::function<bool()>& stopped) {
-        constexpr std::size_t most = 4096;
-        const std::vector<Box> boxes =
-            merged(on_the_sphere(field, most, stopped), field.domain(), 1e-6);
-        for (const Box& box : boxes) unresolved(field, box, why::reaches_sphere);
+private:
+    // In space.
+    SpaceBox place(const MovingField& field, const Box& box) {
+        if (sphere_) return sphere_->at(box[0], box[1], box[field.clock()]);
+        return StratumPlaces(motion_, field.stratum()).at(field, box);
     }
 
-private:
-    SpaceBox place(const MovingField& field, const Box& box) const {
-        return StratumPlaces(motion_, field.stratum()).at(field, box);
+    // In another chart's part of the sphere: what is there is found by that one.
+    bool is_beyond(const Box& box) const {
+        return chart_ && SphereChart::is_beyond(box[0], box[1]);
     }
 
     bool may_have_kink(const MovingField& field, const Box& box) {
@@ -73,7 +140,7 @@ private:
                 formula::anywhere(graph, {formula::roughness(graph, motion_.field).kinks, {}, {}});
             rough_ = formula::schedule(graph, std::array{rough});
         }
-        const std::array<Interval, 3> at = place(field, box);
+        const SpaceBox at = StratumPlaces(motion_, field.stratum()).at(field, box);
         const std::array<Interval, 4> inputs{at[0], at[1], at[2], box[field.clock()]};
         Interval value;
         formula::Evaluator<Interval>(*rough_).point(formula::convert<Interval>(motion_.bindings),
@@ -91,6 +158,7 @@ private:
     bool rests(Interval time) const { return width(time) > 1e-4 * width(timeline_.range); }
 
     void unresolved(const MovingField& field, const Box& box, const std::string& why) {
+        if (is_beyond(box)) return;
         for (const MonotoneTrack::Time& time : times(box[field.clock()])) {
             timeline_.unresolved.push_back({time.at, place(field, box), why, {}, {}});
         }
@@ -98,7 +166,8 @@ private:
 
     // `across` is the part of the index that kinks have.
     void add(const MovingField& field, Enclosures& enclosures, const CriticalPoint& point,
-             int across = 0) {
+             int across = 0, std::span<const char> path = {}) {
+        if (is_beyond(point.where)) return;
         const std::size_t d = field.clock();
         const int multipliers = int(d) - field.dimension();
         switch (enclosures.place(point.where)) {
@@ -123,6 +192,13 @@ private:
                 return unresolved(field, point.where, why::touches_edge);
             }
             changes_solid &= inward.lo > 0;
+        }
+        if (chart_) {
+            const OnSphere::Known known = on_sphere_.find(*chart_, point, d, path);
+            if (known == OnSphere::Known::yes) return;
+            if (known == OnSphere::Known::unclear)
+                return unresolved(field, point.where, why::degenerate);
+            on_sphere_.add(*chart_, point, d, path);
         }
         for (const MonotoneTrack::Time& time : times(clock)) {
             const std::array<Interval, 3> where = place(field, point.where);
@@ -155,15 +231,13 @@ private:
     }
 
     const Motion& motion_;
+    std::optional<SphereChart> chart_;
+    std::optional<SpherePlaces> sphere_; // with the chart
     const MonotoneTrack* track_;
     Timeline& timeline_;
+    OnSphere& on_sphere_;
     std::optional<formula::Program> rough_; // once it was asked for
 };
-
-std::vector<Stratum> strata(const Motion& motion) {
-    if (motion.shape == scene::Bounds::Shape::box) return strata_of_box();
-    return {Stratum{}};
-}
 
 // About how much of the time a stratum takes.
 double effort(const Stratum& stratum) { return std::pow(8, stratum.dimension()); }
@@ -190,39 +264,41 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range,
         if (!motion.moves || is_stopped()) continue;
         std::optional<MonotoneTrack> driven;
         if (motion.driver) driven.emplace(scene, *motion.driver, range);
-        Stratified events(motion, driven ? &*driven : nullptr, timeline);
-        const std::vector<Stratum> parts = strata(motion);
+        const std::vector<Part> parts = parts_of(motion);
         double whole = 0;
-        for (const Stratum& part : parts) whole += effort(part);
+        for (const Part& part : parts) {
+            for (const Stratum& stratum : part.strata) whole += effort(stratum);
+        }
         whole *= double(all.pieces.size());
         const bool is_kinked = how.seeds == 0 && KinkTree(bound_formula(motion), 3).has_kinks();
-        for (const Stratum& part : parts) {
-            const double share = effort(part) / whole;
-            std::function<void(double)> progress;
-            if (how.progress) {
-                progress = [&how, done, share](double of_this) {
-                    how.progress(done + of_this * share);
-                };
-            }
-            const SearchOptions searching{how.smallest, how.threads, how.stopped, progress};
-            done += share;
-            if (is_kinked) {
-                const KinkedResult found = search_kinked(motion, part, searching);
+        OnSphere on_sphere;
+        for (const Part& part : parts) {
+            Stratified events(part, motion, driven ? &*driven : nullptr, timeline, on_sphere);
+            for (const Stratum& stratum : part.strata) {
+                const double share = effort(stratum) / whole;
+                std::function<void(double)> progress;
+                if (how.progress) {
+                    progress = [&how, done, share](double of_this) {
+                        how.progress(done + of_this * share);
+                    };
+                }
+                const SearchOptions searching{how.smallest, how.threads, how.stopped, progress};
+                done += share;
+                if (is_kinked) {
+                    const KinkedResult found = search_kinked(part.motion, stratum, searching);
+                    if (cost) cost->boxes += found.work.boxes;
+                    events.add(found);
+                    continue;
+                }
+                const MovingField field = how.seeds > 0 ? MovingField(part.motion, stratum)
+                                                        : comoving_field(part.motion, stratum);
+                const SearchResult found =
+                    how.seeds > 0
+                        ? from_seeds(field, {how.seeds, how.threads, how.stopped, progress})
+                        : search(field, searching);
                 if (cost) cost->boxes += found.work.boxes;
-                events.add(found);
-                if (motion.shape == scene::Bounds::Shape::sphere)
-                    events.add_reaching(*found.field, how.stopped);
-                continue;
+                events.add(field, found);
             }
-            const MovingField field =
-                how.seeds > 0 ? MovingField(motion, part) : comoving_field(motion, part);
-            const SearchResult found =
-                how.seeds > 0 ? from_seeds(field, {how.seeds, how.threads, how.stopped, progress})
-                              : search(field, searching);
-            if (cost) cost->boxes += found.work.boxes;
-            events.add(field, found);
-            if (motion.shape == scene::Bounds::Shape::sphere)
-                events.add_reaching(field, how.stopped);
         }
     }
     if (is_stopped()) timeline.doubts.emplace_back("the search was interrupted");

@@ -31,8 +31,7 @@ struct SearchCost {
 // missing. Start, end and the Betti numbers between are left to others.
 //
 // Times are those of the real functions that the scene's text says, not of the floats in which
-// frames are drawn. Of a sphere for bounds the inside is searched; where the surface may reach the
-// sphere that is unresolved.
+// frames are drawn. A sphere for bounds has two strata, its inside and itself.
 Timeline find_events(const scene::Scene& scene, Side side, formula::Interval range,
                      const EventSearchOptions& how = {}, SearchCost* cost = nullptr);
 

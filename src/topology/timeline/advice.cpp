@@ -25,8 +25,6 @@ constexpr Advice of_places[] = {
     {unresolved::index,
      "change a parameter by a little: an event is proved where the surface is not singular along a "
      "curve"},
-    {unresolved::reaches_sphere,
-     "take larger bounds, or a box: what happens on the faces of a box is proved"},
     {unresolved::on_edge, "take bounds that are a little larger or smaller"},
     {unresolved::touches_edge, "take bounds that are a little larger or smaller"},
     {unresolved::rule_changes,

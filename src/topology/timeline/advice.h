@@ -21,7 +21,6 @@ inline constexpr const char on_edge[] = "a critical point is on the edge of the 
 inline constexpr const char index[] = "the index of a critical point is not certain";
 inline constexpr const char touches_edge[] =
     "the surface touches an edge of the bounds from both sides";
-inline constexpr const char reaches_sphere[] = "the surface may reach the sphere";
 inline constexpr const char rule_changes[] =
     "the surface is singular where the motion changes its rule or ends";
 inline constexpr const char rests[] = "the surface rests, or nearly, where it is singular";

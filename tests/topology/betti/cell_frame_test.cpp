@@ -59,8 +59,57 @@ TEST(CellFrame, TakesTheSolidToTheWalls) {
     EXPECT_EQ(by_cells(still("max(z - 0.3, 0.3 - x^2 - y^2)", cube)).betti, (Betti{1, 1, 0}));
     EXPECT_EQ(by_cells(still("max(z - 0.3, -z - 0.35)", cube)).betti, (Betti{1, 0, 0}));
     EXPECT_EQ(by_cells(still("x^2 + y^2 + z^2 - 1", "{ sphere = 1.5 }")).betti, (Betti{1, 0, 0}));
-    // It reaches a sphere.
-    EXPECT_FALSE(by_cells(still("(x-0.5)^2 + y^2 + z^2 - 1", "{ sphere = 1.2 }")).betti);
+}
+
+TEST(CellFrame, TakesTheSolidToASphere) {
+    const struct {
+        const char* formula;
+        Betti betti;
+    } known[] = {
+        {"(x-0.5)^2 + y^2 + z^2 - 1", {1, 0, 0}},
+        {"x - 0.3*y + 0.2*z - 0.1", {1, 0, 0}},
+        {"0.16 - (x-0.2)^2 - y^2", {1, 1, 0}},
+        {"0.04 - (x-0.2)^2 - y^2 - (z-0.1)^2", {1, 0, 1}},
+        {"0.16 - (x-1.1)^2 - y^2 - z^2", {1, 0, 0}},
+        {"0.01 - ((x-0.5)^2 + y^2 - 0.01)*((x+0.5)^2 + y^2 - 0.01)", {1, 2, 0}},
+        {"0.2 - abs(z - 0.1*x)", {2, 0, 0}},
+        {"abs(z - 0.1*x) - 0.2", {1, 0, 0}},
+        {"max(abs(z) - 0.2, 0.1 - x^2 - y^2)", {1, 1, 0}},
+    };
+    for (const auto& [formula, betti] : known) {
+        SCOPED_TRACE(formula);
+        const StillScene frame(still(formula, "{ sphere = 1.2 }"), 0);
+        const CertifiedFrame proved =
+            certify_by_cells(frame.formula(Side::negative), frame.bounds, {});
+        ASSERT_TRUE(proved.betti) << proved.why;
+        EXPECT_EQ(*proved.betti, betti);
+    }
+}
+
+// The same solid as the greater of two functions in a box.
+TEST(CellFrame, TakesASphereForAWall) {
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> number(-1, 1);
+        std::string formula = fmt::format("{:.3f}", 0.1 * number(random));
+        for (int wave = 0; wave < 4; ++wave) {
+            formula += fmt::format(" + {:.3f}*sin({:.3f}*x + {:.3f}*y + {:.3f}*z + {:.3f})",
+                                   number(random), 2 * number(random), 2 * number(random),
+                                   2 * number(random), 3 * number(random));
+        }
+        SCOPED_TRACE(fmt::format("seed {}: {}", seed, formula));
+        const StillScene in_ball(still(formula, "{ sphere = 1.7, centre = [0.1, -0.2, 0] }"), 0);
+        const StillScene in_box(
+            still(fmt::format("max({}, (x - 0.1)^2 + (y + 0.2)^2 + z^2 - 1.7^2)", formula), cube),
+            0);
+        const CertifiedFrame a =
+            certify_by_cells(in_ball.formula(Side::negative), in_ball.bounds, {});
+        const CertifiedFrame b =
+            certify_by_cells(in_box.formula(Side::negative), in_box.bounds, {});
+        ASSERT_TRUE(a.betti) << a.why;
+        ASSERT_TRUE(b.betti) << b.why;
+        EXPECT_EQ(*a.betti, *b.betti);
+    }
 }
 
 TEST(CellFrame, ProvesNothingOfSingularPoints) {

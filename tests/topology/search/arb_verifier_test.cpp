@@ -39,6 +39,10 @@ const std::vector<Case> cases{
      {"sin(x)*cos(y) + sin(y)*cos(z) + sin(z)*cos(x) - c",
       "{ box = [[-3.6, -3.6, -3.6], [3.6, 3.6, 3.6]] }", "c = \"t - 2\""},
      {0, 4}},
+    {"Ball",
+     {"sin(2*x)*cos(2*y) + sin(2*y)*cos(2*z) + sin(2*z)*cos(2*x) - c",
+      "{ sphere = \"1.3 + 0.1*c\", centre = [0.1, \"0.2*c\", -0.3] }", "c = \"t - 2\""},
+     {0, 4}},
     // A wall that moves away from what it cuts, and pieces between keys.
     {"Wall",
      {"x^2 + y^2 + z^2 - 1", "{ box = [[-2, -2, \"w\"], [2, 2, 2]] }",

@@ -352,16 +352,33 @@ TEST(Events, OfABallThatRunsAgainstAWallAreOnTheWall) {
     }
 }
 
-TEST(Events, WhereTheSurfaceReachesTheSphereAreUnresolved) {
-    // A ball of radius 1 leaves a sphere of radius 2 when its centre is at 1.
+TEST(Events, OfABallThatRunsAgainstASphereAreOnTheSphere) {
+    // A ball of radius 1 reaches a sphere of radius 2 when its centre is at 1, and leaves it at 3.
     const Moving ball{"(x - p)^2 + y^2 + z^2 - 1", "{ sphere = 2 }", "p = \"t\""};
-    EXPECT_TRUE(events_of(ball, 0, 0.9).is_proved) << described(events_of(ball, 0, 0.9));
-    const Timeline timeline = events_of(ball, 0, 2);
+    EXPECT_TRUE(events_of(ball, 0, 0.9).events.empty());
+    // What is born in a corner of the box around the sphere is outside.
+    const Moving corner{"(x - 1.5)^2 + (y - 1.5)^2 + z^2 - s", "{ sphere = 2 }", "s = \"t - 0.1\""};
+    EXPECT_TRUE(events_of(corner, 0, 0.11).events.empty());
+    const Timeline timeline = events_of(ball, 0, 4);
+    EXPECT_TRUE(timeline.is_proved) << described(timeline);
+    ASSERT_EQ(timeline.events.size(), 2u) << described(timeline);
+    const std::array<Kind, 2> kinds{Kind::none, Kind::death};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Event& event = timeline.events[k];
+        EXPECT_EQ(event.stratum, 2);
+        EXPECT_EQ(event.kind, kinds[k]);
+        EXPECT_NEAR(middle(event.time), k == 0 ? 1 : 3, 1e-12);
+        EXPECT_NEAR(middle(event.where[0]), 2, 1e-12);
+    }
+}
+
+// A sphere that is the surface, at one moment: all of it is singular.
+TEST(Events, OfASphereThatTheSurfaceCoversAreUnresolved) {
+    const Moving ball{"x^2 + y^2 + z^2 - r^2", "{ sphere = 2 }", "r = \"1 + t\""};
+    const Timeline timeline = events_of(ball, 0.5, 1.5);
     EXPECT_FALSE(timeline.is_proved);
     ASSERT_FALSE(timeline.unresolved.empty());
-    EXPECT_LE(timeline.unresolved.front().time.lo, 1);
-    EXPECT_GE(timeline.unresolved.front().time.lo, 0.8);
-    EXPECT_GE(timeline.unresolved.back().time.hi, 2);
+    for (const Unresolved& place : timeline.unresolved) EXPECT_TRUE(contains(place.time, 1.0));
 }
 
 TEST(Events, DoNotDependOnTheNumberOfThreads) {

@@ -20,10 +20,10 @@ TEST(Advice, IsNoneForWhatIsComplete) { EXPECT_THAT(advice(story().timeline), Is
 
 TEST(Advice, IsOneSentenceForEachReason) {
     const std::vector<const char*> reasons{
-        unresolved::degenerate,   unresolved::kink,           unresolved::kinks_meet,
-        unresolved::on_edge,      unresolved::index,          unresolved::touches_edge,
-        unresolved::rule_changes, unresolved::reaches_sphere, unresolved::rests,
-        unresolved::turns,        unresolved::jumps,          unresolved::no_bounds};
+        unresolved::degenerate,   unresolved::kink,     unresolved::kinks_meet,
+        unresolved::on_edge,      unresolved::index,    unresolved::touches_edge,
+        unresolved::rule_changes, unresolved::rests,    unresolved::turns,
+        unresolved::jumps,        unresolved::no_bounds};
     for (const char* why : reasons)
         EXPECT_THAT(advice(with_unresolved({why, why})), SizeIs(1)) << why;
     // Bounds that are touched at an edge or a point have the same.
