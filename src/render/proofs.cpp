@@ -15,15 +15,21 @@ namespace {
 
 using synthesis::ProofBounds, synthesis::Role;
 
-formula::Cost cost_of_piece(const synthesis::Passes& passes, const scene::Scene& scene,
-                            const std::vector<synthesis::FieldFunction>& samples) {
+// Elements that a piece goes through.
+std::vector<int> elements_of_piece(const synthesis::Passes& passes) {
     std::vector<int> counts = elements_by_place(passes);
     if (const auto array = synthesis::array_with_grid(passes)) {
         constexpr int cells = 4; // that a piece meets
         int& elements = counts[std::size_t(*array)];
         elements = std::min(cells * elements, passes.arrays[std::size_t(*array)].capacity);
     }
-    return synthesis::cost(*scene.surface.field, samples, counts);
+    return counts;
+}
+
+formula::Cost cost_of_piece(const synthesis::Passes& passes, const scene::Scene& scene,
+                            ProofBounds bounds) {
+    return synthesis::cost_of_piece(*scene.surface.field, passes, bounds,
+                                    elements_of_piece(passes));
 }
 
 bool fits_a_shader(const formula::Cost& piece) {
@@ -38,11 +44,6 @@ formula::Cost cost_that_fits(const formula::Cost& piece) {
                         piece.iterations, loop_iterations_per_pass - 1));
     }
     return piece;
-}
-
-std::vector<synthesis::FieldFunction>
-samples_of(const scene::Scene& scene, const synthesis::Passes& passes, ProofBounds bounds) {
-    return synthesis::proof_samples(*scene.surface.field, passes, bounds);
 }
 
 // That one draw may bound on each of so many rays.
@@ -97,10 +98,10 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const
     , may_take_doubles_(in_doubles)
     , block_pieces_(std::min(
           most_pieces_of_block,
-          pieces_of_draw(cost_of_piece(passes, scene, synthesis::block_proof_samples()),
-                         double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
-    , natural_{Role::proof, cost_that_fits(cost_of_piece(
-                                passes, scene, samples_of(scene, passes, ProofBounds::natural)))}
+          pieces_of_draw(
+              synthesis::cost_of_block_piece(*scene.surface.field, elements_of_piece(passes)),
+              double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
+    , natural_{Role::proof, cost_that_fits(cost_of_piece(passes, scene, ProofBounds::natural))}
     , ending_(attachment_of(passes, synthesis::Channel::ending))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
@@ -169,8 +170,7 @@ const std::optional<Proofs::Pieces>& Proofs::closer(const PassTable& table) {
     if (!closer_) {
         const bool in_doubles = may_take_doubles_ && can_trust_doubles(table.spare_unit());
         const auto bounds = in_doubles ? ProofBounds::in_doubles : ProofBounds::by_gradient;
-        const formula::Cost piece =
-            cost_of_piece(passes_, scene_, samples_of(scene_, passes_, bounds));
+        const formula::Cost piece = cost_of_piece(passes_, scene_, bounds);
         closer_.emplace();
         if (fits_a_shader(piece)) {
             *closer_ = Pieces{in_doubles ? Role::double_proof : Role::sharp_proof, piece};

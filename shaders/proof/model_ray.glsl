@@ -1,0 +1,93 @@
+// Models of F along all that float32 may make of a ray, over a piece of it: c.x + s c.y + s^2 c.z
+// with s from -1 at its beginning to 1 at its end; how it changes with the points' coordinates, by
+// as much as rounding moves each; and how far F may be off all that. Needs interval/arithmetic.glsl
+// and model_point.glsl.
+//
+// Coefficients of products are off by at most 3 of 2^-p times the product of both sums of sizes, as
+// are those that are left out; those of sums by one of their own.
+#undef MODEL
+#define MODEL Model
+struct Model {
+    REAL3 c, aside;
+    REAL error;
+};
+
+// Of what changes along the piece.
+REAL md_change(Model a) {
+    return abs(a.c.y) + abs(a.c.z);
+}
+
+REAL md_size(Model a) {
+    return md_sum(a.c) + md_sum(a.aside);
+}
+
+// How far F may be off the quadratic.
+REAL md_off(Model a) {
+    return md_up(a.error + md_sum(a.aside));
+}
+
+Model md_of_Model(REAL value, REAL rounding) {
+    return Model(REAL3(value, 0.0, 0.0), REAL3(0.0), md_up(rounding * abs(value)));
+}
+
+Model md_negate(Model a) {
+    return Model(-a.c, -a.aside, a.error);
+}
+
+Model md_add(Model a, Model b) {
+    precise REAL3 c = a.c + b.c;
+    precise REAL3 aside = a.aside + b.aside;
+    return Model(c, aside,
+                 md_up(a.error + b.error + IM_ROUNDING * (md_sum(c) + md_sum(aside))));
+}
+
+Model md_shift(Model a, REAL by, REAL rounding) {
+    precise REAL c = a.c.x + by;
+    REAL off = rounding * abs(by) + IM_ROUNDING * abs(c);
+    return Model(REAL3(c, a.c.y, a.c.z), a.aside, md_up(a.error + off));
+}
+
+Model md_scale(REAL by, Model a, REAL rounding) {
+    precise REAL3 c = by * a.c;
+    precise REAL3 aside = by * a.aside;
+    REAL most = rounding + IM_ROUNDING;
+    return Model(c, aside, md_up(abs(by) * (a.error + most * (md_size(a) + a.error))));
+}
+
+Model md_multiply(Model a, Model b) {
+    precise REAL c0 = a.c.x * b.c.x;
+    precise REAL c1 = a.c.x * b.c.y + a.c.y * b.c.x;
+    precise REAL c2 = a.c.x * b.c.z + a.c.y * b.c.y + a.c.z * b.c.x;
+    precise REAL c3 = a.c.y * b.c.z + a.c.z * b.c.y;
+    precise REAL c4 = a.c.z * b.c.z;
+    precise REAL3 aside = a.c.x * b.aside + b.c.x * a.aside;
+    REAL change_a = md_change(a), change_b = md_change(b);
+    REAL aside_a = md_sum(a.aside), aside_b = md_sum(b.aside);
+    REAL size_a = abs(a.c.x) + change_a + aside_a, size_b = abs(b.c.x) + change_b + aside_b;
+    REAL error = a.error * (size_b + b.error) + size_a * b.error + abs(c3) + abs(c4) +
+                 aside_a * (change_b + aside_b) + change_a * aside_b +
+                 4.0 * IM_ROUNDING * size_a * size_b;
+    return Model(REAL3(c0, c1, c2), aside, md_up(error));
+}
+
+Model md_square(Model a) {
+    precise REAL c0 = a.c.x * a.c.x;
+    precise REAL c1 = 2.0 * a.c.x * a.c.y;
+    precise REAL c2 = 2.0 * a.c.x * a.c.z + a.c.y * a.c.y;
+    precise REAL c3 = 2.0 * a.c.y * a.c.z;
+    precise REAL c4 = a.c.z * a.c.z;
+    precise REAL3 aside = 2.0 * a.c.x * a.aside;
+    REAL change = md_change(a), sum = md_sum(a.aside), size = abs(a.c.x) + change + sum;
+    REAL error = a.error * (2.0 * size + a.error) + abs(c3) + c4 + sum * (2.0 * change + sum) +
+                 4.0 * IM_ROUNDING * size * size;
+    return Model(REAL3(c0, c1, c2), aside, md_up(error));
+}
+
+REAL2 md_range(Model a) {
+    REAL off = md_up(md_change(a) + md_sum(a.aside) + a.error + IM_ROUNDING * abs(a.c.x));
+    return REAL2(a.c.x - off, a.c.x + off);
+}
+
+Model md_without_bound(Model a) {
+    return Model(a.c, a.aside, IM_INFINITY);
+}
