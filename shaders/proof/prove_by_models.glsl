@@ -71,9 +71,10 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
         s.value = 0.0;
         s.at_root = false;
         if (s.settled <= ray.t_near) s = conclude(s, hit ? PROOF_HIT : PROOF_MISS);
-        succeeds = length >= 0.25 * shortest_piece;
+        // Else hardly on.
+        succeeds = at_root || is_free || length >= 0.25 * shortest_piece;
     }
-    if (!succeeds) {
+    if (!succeeds && s.outcome == PROOF_UNFINISHED) {
         REAL part = at_root ? (shorter > 0.03 ? min(shorter, 0.7) : REAL(0.03)) : REAL(0.3);
         s.piece = float(part * (at_root ? REAL(s.piece) : high - low));
         bool bounded = size + error < IM_SATURATION;
