@@ -40,7 +40,9 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     REAL error = md_off(f), size = md_size(f), rounding = 8.0 * IM_ROUNDING * size;
 
     // The root. Half a millionth more than float32 can lose in these lines.
-    REAL bends = 1.7 * abs(f.c.z), rest = SLOPE_OF_REST * f.error + md_sum(f.aside);
+    REAL turns = md_sum(f.turn), apart = min(half_piece * tube.y / tube.x * 1.00001, 1.0);
+    REAL bends = 1.7 * abs(f.c.z);
+    REAL rest = SLOPE_OF_REST * f.error + apart * (md_sum(f.aside) + turns) + turns;
     precise REAL steepness = abs(f.c.y) - 1.000001 * (bends + rest) - rounding;
         precise REAL off = uncertain / steepness * half_piece * 1.000002 + 4.76837158e-7 * abs(high);
     bool isolates = steepness > 0.0 && off <= tube.w && off <= PART_OF_ROOT * half_piece &&
@@ -75,7 +77,7 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
         succeeds = at_root || is_free || length >= 0.25 * shortest_piece;
     }
     if (!succeeds && s.outcome == PROOF_UNFINISHED) {
-        REAL part = at_root ? (shorter > 0.03 ? min(shorter, 0.7) : REAL(0.03)) : REAL(0.3);
+        REAL part = at_root ? (shorter > 0.2 ? min(shorter, 0.7) : REAL(0.2)) : REAL(0.3);
         s.piece = float(part * (at_root ? REAL(s.piece) : high - low));
         bool bounded = size + error < IM_SATURATION;
         int why = !bounded ? PROOF_UNBOUNDED : at_root ? PROOF_SIGN : PROOF_HIDDEN;

@@ -5,6 +5,7 @@
 // MODEL_DEGREE / sqrt(1 - s^2), 1.9 MODEL_DEGREE here, times the most that it comes to within the
 // piece.
 //
-// What the points of another of the rays add is more than that by a linear function of s, whose
-// slope is no more than the most that it comes to.
+// What the points of another of the rays add is more than that by (aside + s turn) times linear
+// functions of s, which come to 1 at most within the piece. So do their slopes, which are no more
+// than the rays' directions differ, either.
 #define SLOPE_OF_REST (1.9 * float(MODEL_DEGREE))
