@@ -22,9 +22,8 @@ ProofState resume_proof(ProofState s) {
     return s;
 }
 
-// The part of a root's piece to both sides that its slope is told of, see slope_of_rest.glsl; less
-// what rounding does to its ends.
-const float PART_OF_ROOT = 0.84;
+// The part of a root's piece to both sides that is settled by it, for rounding.
+const float PART_OF_ROOT = 0.98;
 
 // `uncertain`: what F can be at the root, while the proof is about it.
 ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
@@ -40,9 +39,10 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     REAL error = md_off(f), size = md_size(f), rounding = 8.0 * IM_ROUNDING * size;
 
     // The root. Half a millionth more than float32 can lose in these lines.
+    // The directions of the rays differ by no more than this, in s, of what the points do.
     REAL turns = md_sum(f.turn), apart = min(half_piece * tube.y / tube.x * 1.00001, 1.0);
-    REAL bends = 1.7 * abs(f.c.z);
-    REAL rest = SLOPE_OF_REST * f.error + apart * (md_sum(f.aside) + turns) + turns;
+    REAL bends = 2.0 * abs(f.c.z);
+    REAL rest = f.slope_error + apart * (md_sum(f.aside) + turns) + turns;
     precise REAL steepness = abs(f.c.y) - 1.000001 * (bends + rest) - rounding;
         precise REAL off = uncertain / steepness * half_piece * 1.000002 + 4.76837158e-7 * abs(high);
     bool isolates = steepness > 0.0 && off <= tube.w && off <= PART_OF_ROOT * half_piece &&

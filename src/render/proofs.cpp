@@ -53,8 +53,8 @@ int pieces_of_draw(const formula::Cost& piece, double rays) {
     return int(std::clamp(std::min(by_work, by_loops), 1.0, double(Proofs::most_pieces)));
 }
 
-int blocks_across(int pixels) {
-    return (pixels + synthesis::proved_block - 1) / synthesis::proved_block;
+int blocks_across(int pixels, int block = synthesis::proved_block) {
+    return (pixels + block - 1) / block;
 }
 
 // Of the outcomes of pixels, four numbers each.
@@ -103,6 +103,8 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const
               double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
     , natural_{Role::proof, cost_that_fits(cost_of_piece(passes, scene, ProofBounds::natural))}
     , ending_(attachment_of(passes, synthesis::Channel::ending))
+    , of_coarse_blocks_(blocks_across(plan.tile_width, synthesis::coarse_proved_block),
+                        blocks_across(plan.tile_height, synthesis::coarse_proved_block))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
     , going_on_(plan.tile_width, plan.tile_height)
@@ -114,17 +116,23 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const
 void Proofs::upload(PassTable& table, const ProofRays& rays) {
     frame_.update(std::as_bytes(std::span(&rays.frame, 1)));
     table.bind("ProofFrame", frame_);
-    const gpu::Program& blocks = table.program(Role::block_proof);
-    blocks.set("beam", rays.beam);
-    blocks.set("block_pieces", block_pieces_);
+    const auto set_blocks = [&](Role role, const glm::vec4& beam) {
+        const gpu::Program& blocks = table.program(role);
+        blocks.set("beam", beam);
+        blocks.set("block_pieces", block_pieces_);
+    };
+    set_blocks(Role::block_proof, rays.beam);
+    if (passes_.has(Role::coarse_block_proof))
+        set_blocks(Role::coarse_block_proof, rays.coarse_beam);
     const auto set = [&](Role role, const RayThickness& thickness) {
         const gpu::Program& program = table.program(role);
         program.set("tube", thickness.tube);
         program.set("shortest_piece", thickness.shortest_piece);
         program.set("most_pieces", most_pieces);
     };
-    for (const Role role : {Role::block_proof, Role::first_proof, Role::proof}) {
-        set(role, rays.of_floats);
+    for (const Role role :
+         {Role::coarse_block_proof, Role::block_proof, Role::first_proof, Role::proof}) {
+        if (passes_.has(role)) set(role, rays.of_floats);
     }
     if (!closer_ || !*closer_) return;
     const Role role = (*closer_)->role;
@@ -143,8 +151,17 @@ void Proofs::draw_and_keep(PassTable& table, const gpu::Program& program,
 }
 
 void Proofs::begin(PassTable& table, const gpu::Rectangle& tile) {
-    table.draw(table.program(Role::block_proof),
-               {tile.x, tile.y, blocks_across(tile.width), blocks_across(tile.height)}, of_blocks_);
+    const auto draw_blocks = [&](Role role, int block, const gpu::Target& into) {
+        table.draw(
+            table.program(role),
+            {tile.x, tile.y, blocks_across(tile.width, block), blocks_across(tile.height, block)},
+            into);
+    };
+    if (passes_.has(Role::coarse_block_proof)) {
+        draw_blocks(Role::coarse_block_proof, synthesis::coarse_proved_block, of_coarse_blocks_);
+        table.bind("coarse_block_texture", of_coarse_blocks_.texture(0));
+    }
+    draw_blocks(Role::block_proof, synthesis::proved_block, of_blocks_);
     draw_and_keep(table, table.program(Role::first_proof), tile);
 }
 

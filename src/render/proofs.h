@@ -89,7 +89,7 @@ private:
     Pieces natural_;
     std::optional<std::optional<Pieces>> closer_; // once it was asked for
     int ending_;                                  // among the picture's attachments
-    gpu::Target of_blocks_, kept_, going_on_;
+    gpu::Target of_coarse_blocks_, of_blocks_, kept_, going_on_;
     std::optional<gpu::DepthMask> own_mask_;
     const gpu::DepthMask& mask_; // of the last two
     gpu::UniformBuffer frame_;

@@ -39,8 +39,6 @@ void add_value_models(ShaderText& text, const formula::Field& field,
 void add_piece_models(ShaderText& text, const formula::Field& field, const std::string& file,
                       formula::Numbers numbers = formula::Numbers::floats) {
     add_models(text, field, "Model", file, numbers);
-    text.define("MODEL_DEGREE", std::max(2, formula::modelled_degree(field)));
-    text.file("proof/slope_of_rest.glsl");
     text.file("proof/first_reach.glsl");
 }
 
@@ -98,15 +96,18 @@ void add_value_at(ShaderText& text, ProofBounds bounds) {
                                              : "proof/value_by_gradient.glsl");
 }
 
-Pass block_proof(const scene::Scene& scene, const Passes& passes) {
+Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
     const formula::Field& field = *scene.surface.field;
     const bool by_models = goes_by_models(field, ProofBounds::natural);
+    const bool is_coarse = role == Role::coarse_block_proof;
+    const int block = is_coarse ? coarse_proved_block : proved_block;
     ShaderText text;
-    text.define("BLOCK", proved_block);
-    text.define("RAYS", proved_block * proved_block);
+    text.define("BLOCK", block);
+    text.define("RAYS", block * block);
     text.define("SQUARES_APART", beam_square);
     text.file("march/beam_place.glsl");
     if (by_models) {
+        text.define(is_coarse ? "COARSE" : "COARSE_BLOCK", coarse_proved_block);
         add_enclosures(text, field, passes, {});
         add_piece_models(text, field, "proof/model_block.glsl");
     } else {
@@ -117,9 +118,10 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes) {
     text.file("march/verdict.glsl");
     text.file("proof/ending.glsl");
     text.file("proof/rounding.glsl");
-    add_beam_of_block(text, scene, passes, proved_block);
+    add_beam_of_block(text, scene, passes, block);
     text.file(by_models ? "proof/block_by_models.frag" : "proof/block.frag");
-    return std::move(text).pass(Role::block_proof, "block proof", When::once_a_tile);
+    return std::move(text).pass(role, is_coarse ? "coarse block proof" : "block proof",
+                                When::once_a_tile);
 }
 
 Pass first_proof(const scene::Scene& scene, const Passes& passes) {
@@ -220,7 +222,9 @@ formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& sto
 std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes) {
     std::vector<Pass> list;
     list.push_back(proof_mask(scene, passes));
-    list.push_back(block_proof(scene, passes));
+    if (goes_by_models(*scene.surface.field, ProofBounds::natural))
+        list.push_back(block_proof(scene, passes, Role::coarse_block_proof));
+    list.push_back(block_proof(scene, passes, Role::block_proof));
     list.push_back(first_proof(scene, passes));
     list.push_back(proof(scene, passes, ProofBounds::natural));
     list.push_back(proof_copy());

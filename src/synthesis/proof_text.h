@@ -15,6 +15,8 @@ enum class ProofBounds { natural, by_gradient, in_doubles };
 
 // Pixels across the blocks whose rays are proved together.
 inline constexpr int proved_block = 4;
+// And of larger ones, of which what is before all roots is proved first, where models tell it.
+inline constexpr int coarse_proved_block = 16;
 
 // What a piece of a block's proof takes, and one of a single ray's.
 formula::Cost cost_of_block_piece(const formula::Field& field, std::span<const int> counts);
