@@ -162,23 +162,36 @@ void Proofs::begin(PassTable& table, const gpu::Rectangle& tile) {
         table.bind("coarse_block_texture", of_coarse_blocks_.texture(0));
     }
     draw_blocks(Role::block_proof, synthesis::proved_block, of_blocks_);
-    draw_and_keep(table, table.program(Role::first_proof), tile);
+    drawn_.begin();
+    mask_.apply(kept_, [&] { table.draw(table.program(Role::first_proof), tile); });
+    drawn_.end();
+}
+
+std::uint32_t Proofs::take_finished_off(PassTable& table, const gpu::Rectangle& tile) {
+    table.bind("proof_texture", kept_.texture(0));
+    drawn_.begin();
+    mask_.remove(going_on_, [&] { table.draw(table.program(Role::proof_unmask), tile); });
+    drawn_.end();
+    return drawn_.passed();
 }
 
 void Proofs::prove_rays(PassTable& table, const Pieces& by, Start start, std::uint32_t rays,
                         const gpu::Rectangle& tile) {
     const gpu::Program& program = table.program(by.role);
-    // No more rays have something to prove than in the draw before. A ray that had all its pieces
-    // has nothing. Where elements are found by place a pass may end after any piece.
+    // A ray that had all its pieces has nothing to prove. Where elements are found by place a pass
+    // may end after any piece.
     const bool by_place = synthesis::array_with_grid(passes_).has_value();
     for (int left = most_pieces; left > 0 && rays > 0; start = Start::go_on) {
-        table.bind("proof_texture", kept_.texture(0));
-        mask_.remove(going_on_, [&] { table.draw(table.program(Role::proof_unmask), tile); });
+        const std::uint32_t finished = take_finished_off(table, tile);
+        // Those that are tried again are counted without them.
+        if (start == Start::go_on) rays -= std::min(finished, rays);
+        if (rays == 0) break;
         const int pieces = pieces_of_draw(by.cost, rays);
         program.set("pieces_per_pass", pieces);
         program.set("start", int(start));
         draw_and_keep(table, program, tile);
         left -= by_place ? 1 : pieces;
+        // Those that went on.
         if (left > 0) rays = drawn_.passed();
     }
 }
