@@ -27,3 +27,13 @@ MODEL md_min(MODEL a, MODEL b) {
 MODEL md_max(MODEL a, MODEL b) {
     return md_negate(md_min(md_negate(a), md_negate(b)));
 }
+
+// a where it is certainly below or above what it is cut off at: beyond that F is another on paper.
+MODEL md_below(MODEL a, MODEL end) {
+    if (!(md_range(a).y < md_range(end).x)) a = md_without_bound(a);
+    return a;
+}
+
+MODEL md_above(MODEL a, MODEL end) {
+    return md_negate(md_below(md_negate(a), md_negate(end)));
+}

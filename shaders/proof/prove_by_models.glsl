@@ -29,10 +29,13 @@ const float PART_OF_ROOT = 0.98;
 ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     bool at_root = s.at_root;
     REAL high = s.settled;
-    REAL low = float(max(s.settled - s.piece, ray.t_near));
+    // A root's piece is to reach hardly farther than the ray does: tube.x holds there.
+    REAL beyond = max(ray.t_far, -ray.t_near) - high;
+    float piece = at_root ? float(min(s.piece, max(beyond, tube.w))) : s.piece;
+    REAL low = float(max(s.settled - piece, ray.t_near));
     REAL middle = at_root ? high : 0.5 * (low + high);
     // Of pieces before, a bit more than its ends need.
-    REAL half_piece = at_root ? REAL(s.piece / PART_OF_ROOT)
+    REAL half_piece = at_root ? REAL(piece / PART_OF_ROOT)
                               : 0.500001 * (high - low) + IM_DRIVER_ERROR * abs(middle);
     Model f = model_of_piece(ray, middle, half_piece);
     s.pieces += 1;
@@ -44,7 +47,7 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     REAL bends = 2.0 * abs(f.c.z);
     REAL rest = f.slope_error + apart * (md_sum(f.aside) + turns) + turns;
     precise REAL steepness = abs(f.c.y) - 1.000001 * (bends + rest) - rounding;
-        precise REAL off = uncertain / steepness * half_piece * 1.000002 + 4.76837158e-7 * abs(high);
+    precise REAL off = uncertain / steepness * half_piece * 1.000002 + 4.76837158e-7 * abs(high);
     bool isolates = steepness > 0.0 && off <= tube.w && off <= PART_OF_ROOT * half_piece &&
                     high - off > 2.0 * tube.z - ray.to_eye &&
                     inside_bounds(vec3(ray_point(ray, high - off))) &&
@@ -78,7 +81,7 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     }
     if (!succeeds && s.outcome == PROOF_UNFINISHED) {
         REAL part = at_root ? (shorter > 0.2 ? min(shorter, 0.7) : REAL(0.2)) : REAL(0.3);
-        s.piece = float(part * (at_root ? REAL(s.piece) : high - low));
+        s.piece = float(part * (at_root ? REAL(piece) : high - low));
         bool bounded = size + error < IM_SATURATION;
         int why = !bounded ? PROOF_UNBOUNDED : at_root ? PROOF_SIGN : PROOF_HIDDEN;
         if (at_root && hopeless || !(s.piece >= shortest_piece)) s = conclude(s, why);

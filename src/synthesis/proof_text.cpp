@@ -119,6 +119,10 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
     text.file("proof/ending.glsl");
     text.file("proof/rounding.glsl");
     add_beam_of_block(text, scene, passes, block);
+    if (by_models) {
+        text.file("proof/piece_of_block.glsl");
+        text.file("proof/ends_of_block.glsl");
+    }
     text.file(by_models ? "proof/block_by_models.frag" : "proof/block.frag");
     return std::move(text).pass(role, is_coarse ? "coarse block proof" : "block proof",
                                 When::once_a_tile);

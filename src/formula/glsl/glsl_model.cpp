@@ -93,9 +93,15 @@ private:
         case Op::divide:
             return divided(a, b);
         case Op::min:
-            return fmt::format("md_min({}, {})", model(a), model(b));
+            return a.is_number == b.is_number
+                       ? fmt::format("md_min({}, {})", model(a), model(b))
+                       : fmt::format("md_below({}, {})", model(a.is_number ? b : a),
+                                     model(a.is_number ? a : b));
         case Op::max:
-            return fmt::format("md_max({}, {})", model(a), model(b));
+            return a.is_number == b.is_number
+                       ? fmt::format("md_max({}, {})", model(a), model(b))
+                       : fmt::format("md_above({}, {})", model(a.is_number ? b : a),
+                                     model(a.is_number ? a : b));
         default:
             return {};
         }
@@ -143,9 +149,10 @@ private:
 
 int modelled_degree(const Field& field) {
     const auto found = degree(field.graph, field.root);
-    // Beyond it what is left out changes too fast.
+    // Beyond them what is left out is too much, and compiling takes too long.
     constexpr int most = 64;
-    if (!found || *found > most) return 0;
+    constexpr std::size_t longest = 400;
+    if (!found || *found > most || field.value.instructions.size() > longest) return 0;
     return ModelWriter(field.value, "Model", Numbers::floats).write() ? std::max(*found, 1) : 0;
 }
 

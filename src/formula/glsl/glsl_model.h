@@ -11,8 +11,8 @@
 
 namespace isomotion::formula {
 
-// The degree of a polynomial in x, y and z that has models: the program adds and multiplies, and
-// goes through no array. 0 of other fields.
+// The degree of a polynomial in x, y and z that has models: the program is not long, adds and
+// multiplies, and goes through no array. 0 of other fields.
 int modelled_degree(const Field& field);
 
 // Model field_model(Model x, Model y, Model z) of the type that is called `type`, of a field with

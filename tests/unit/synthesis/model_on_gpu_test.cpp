@@ -232,7 +232,7 @@ protected:
     // Expects what models tell of F, and returns how many times the largest that F was seen to be
     // off them they allow, in the mean.
     static double hold(Random& random, const std::string& text, bool is_block,
-                       std::vector<double> sizes) {
+                       const std::vector<double>& sizes) {
         const Kind& kind = is_block ? block : ray;
         const Errors errors = is_block ? Errors{7, 11} : Errors{3, 7};
         const auto of_model = is_block ? of_block : of_ray;
@@ -292,7 +292,7 @@ TEST_P(Models, FIsOffThemByNoMoreThanTheyTell) {
 TEST_P(Models, AllowLittleMoreThanFIsOff) {
     Random random;
     for (const bool is_block : {true, false}) {
-        EXPECT_LT(hold(random, "(x^2 + y^2 + z^2 + 0.3)^3 - x^2*z^3 - y*z + x", is_block, 0.02),
+        EXPECT_LT(hold(random, "(x^2 + y^2 + z^2 + 0.3)^3 - x^2*z^3 - y*z + x", is_block, {0.02}),
                   30);
     }
 }
