@@ -68,7 +68,7 @@ void main() {
         }
         open = settled < 1.0 && part * way_length > 0.25 * beam.z;
     }
-    bool settles = settled >= 1.0 || !(low < high);
+    bool settles = settled >= 1.0 || low >= high;
     slope = all_miss && settles ? -1.0 : settles ? slope : 0.0;
     float settled_to = low + settled * way_length - margin;
 #ifdef COARSE

@@ -14,7 +14,8 @@ vec2 place_in_block(int k) {
 
 #ifdef COARSE
 Ends ends_of(ivec2 block) {
-    float nearest_eye = abs(dot(ray_axis.xyz, normalize(cross(ray_right.xyz, ray_up.xyz))));
+    vec3 forward = normalize(cross(normalize(ray_right.xyz), normalize(ray_up.xyz)));
+    float nearest_eye = abs(dot(ray_axis.xyz, forward));
     return Ends(0, RAYS, vec2(0.0), 0.0, 0.0, 0.999 * nearest_eye);
 }
 
@@ -25,7 +26,8 @@ float settled_before(ivec2 block, float low) {
 uniform sampler2D coarse_block_texture;
 
 float settled_before(ivec2 block, float low) {
-    return max(texelFetch(coarse_block_texture, block * BLOCK / COARSE_BLOCK, 0).x, low);
+    float coarse = texelFetch(coarse_block_texture, block * BLOCK / COARSE_BLOCK, 0).x;
+    return coarse > low ? coarse : low; // also if that is not a number
 }
 
 Ends ends_of(ivec2 block) {
