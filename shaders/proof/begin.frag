@@ -10,14 +10,15 @@ void main() {
     vec2 f = value_at(ray, t);
     float uncertain = max(-f.x, f.y);
 
-    precise float slope = block.z / ray.to_eye * 0.999999;
+    precise float slope = block.w / ray.to_eye * 0.999999;
     precise float off = uncertain / slope * 1.000002 + 4.76837158e-7 * abs(t);
     float margin = 2.0 * tube.z;
+    // F is monotone from there to 2 tube.w and the margin behind t.
     bool isolates = ended.hit && slope > 0.0 && off <= tube.w &&
-                    t - off > block.x * ray.to_eye + margin &&
-                    t + off < block.y * ray.to_eye - margin && t - off > margin - ray.to_eye &&
+                    t - off > settled_by_block(block) * ray.to_eye + margin &&
+                    t - off > margin - ray.to_eye &&
                     inside_bounds(ray_point(ray, t - off)) && inside_bounds(ray_point(ray, t + off));
-    bool misses = ended.miss && block.z < 0.0;
+    bool misses = ended.miss && block.w < 0.0;
 
     int outcome = isolates ? PROOF_HIT : misses ? PROOF_MISS : PROOF_UNFINISHED;
     if (outcome == PROOF_UNFINISHED && t < ray.t_near) outcome = ended.hit ? PROOF_SIGN : PROOF_MISS;

@@ -5,8 +5,9 @@
 // of them from there to behind the last root, what is left to each ray is whether its root is close
 // to where it was found: begin.frag. The proofs of other single rays begin where this one ends.
 
-// From where on in tau F may be 0, and to where it is monotone; its least slope there, in tau, or 0
-// if it is not, or -1 where no ray hits, proved.
+// From where on in tau F may be 0: with u and v from -1 to 1 across the block, .x + (.y u + .z v). In
+// .w the least slope in tau of F, which is monotone from there to behind the last root by as much as
+// begin.frag takes for granted, or 0 if it is not; or -1 where no ray hits, proved.
 layout(location = 0) out vec4 block_proof;
 
 uniform int block_pieces; // at most
@@ -74,5 +75,5 @@ void main() {
         open = open && HAS_ELEMENTS_LEFT;
     }
     bool missed = all_miss && settled >= high;
-    block_proof = vec4(settled, high, missed ? -1.0 : monotone ? slope : 0.0, 0.0);
+    block_proof = vec4(settled, 0.0, 0.0, missed ? -1.0 : monotone ? slope : 0.0);
 }

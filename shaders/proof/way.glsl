@@ -6,10 +6,16 @@ vec4 load_block() {
     return texelFetch(block_texture, ivec2(pixel_centre) / PROVED_BLOCK, 0);
 }
 
+// From where on in tau, see block.frag.
+float settled_by_block(vec4 block) {
+    vec2 place = vec2(ivec2(pixel_centre) % PROVED_BLOCK) * (2.0 / float(PROVED_BLOCK - 1)) - 1.0;
+    return block.x + dot(block.yz, place);
+}
+
 Ray ray_to_prove() {
     Ray ray = pixel_ray();
     enter_beam(ray);
-    ray.t_near = max(ray.t_near, load_block().x * ray.to_eye) - tube.z;
+    ray.t_near = max(ray.t_near, settled_by_block(load_block()) * ray.to_eye) - tube.z;
     ray.t_far += tube.z;
     return ray;
 }

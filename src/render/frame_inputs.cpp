@@ -126,10 +126,11 @@ void PictureInputs::add_to(base::Fingerprint& print) const {
         add_value(print, to_light);
     }
     if (of_proofs) {
-        const auto& [frame, beam, floats, doubles, in_range] = *of_proofs;
+        const auto& [frame, beam, coarse_beam, floats, doubles, in_range] = *of_proofs;
         add_value(print, in_range);
         add_value(print, frame);
         add_value(print, beam);
+        add_value(print, coarse_beam);
         for (const auto& [tube, shortest_piece] : {floats, doubles}) {
             add_value(print, tube);
             add_value(print, shortest_piece);

@@ -27,6 +27,7 @@ ProofRays proof_rays(const scene::Scene& scene, const scene::SceneAt& now, int w
     const double footprint = 2 * glm::length(rays.up) / height;
     ProofRays found;
     found.beam = beam_range(now, width, height, aim, synthesis::proved_block);
+    found.coarse_beam = beam_range(now, width, height, aim, synthesis::coarse_proved_block);
     // The ends of a ray's part are off by what its beam's pieces are.
     const double margin = found.beam.w, rounding = margin / beam_roundings;
     const scene::RayRounding of_rays = scene::ray_rounding(rays, now.bounds, scene::Norm::length);

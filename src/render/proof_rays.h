@@ -12,8 +12,8 @@ struct RayThickness {
 };
 
 struct ProofRays {
-    FrameBlock frame;  // the frame's, in bounds that are wider by what rounding may do
-    glm::vec4 beam{0}; // of blocks of rays: see beam_range()
+    FrameBlock frame; // the frame's, in bounds that are wider by what rounding may do
+    glm::vec4 beam{0}, coarse_beam{0}; // of blocks of rays: see beam_range()
     RayThickness of_floats, of_doubles;
     bool in_range = true; // else nothing is known of what float32 makes of them
 };

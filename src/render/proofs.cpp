@@ -15,15 +15,21 @@ namespace {
 
 using synthesis::ProofBounds, synthesis::Role;
 
-formula::Cost cost_of_piece(const synthesis::Passes& passes, const scene::Scene& scene,
-                            const std::vector<synthesis::FieldFunction>& samples) {
+// Elements that a piece goes through.
+std::vector<int> elements_of_piece(const synthesis::Passes& passes) {
     std::vector<int> counts = elements_by_place(passes);
     if (const auto array = synthesis::array_with_grid(passes)) {
         constexpr int cells = 4; // that a piece meets
         int& elements = counts[std::size_t(*array)];
         elements = std::min(cells * elements, passes.arrays[std::size_t(*array)].capacity);
     }
-    return synthesis::cost(*scene.surface.field, samples, counts);
+    return counts;
+}
+
+formula::Cost cost_of_piece(const synthesis::Passes& passes, const scene::Scene& scene,
+                            ProofBounds bounds) {
+    return synthesis::cost_of_piece(*scene.surface.field, passes, bounds,
+                                    elements_of_piece(passes));
 }
 
 bool fits_a_shader(const formula::Cost& piece) {
@@ -40,11 +46,6 @@ formula::Cost cost_that_fits(const formula::Cost& piece) {
     return piece;
 }
 
-std::vector<synthesis::FieldFunction>
-samples_of(const scene::Scene& scene, const synthesis::Passes& passes, ProofBounds bounds) {
-    return synthesis::proof_samples(*scene.surface.field, passes, bounds);
-}
-
 // That one draw may bound on each of so many rays.
 int pieces_of_draw(const formula::Cost& piece, double rays) {
     const double by_loops = loop_iterations_per_pass / (1 + piece.iterations);
@@ -52,8 +53,8 @@ int pieces_of_draw(const formula::Cost& piece, double rays) {
     return int(std::clamp(std::min(by_work, by_loops), 1.0, double(Proofs::most_pieces)));
 }
 
-int blocks_across(int pixels) {
-    return (pixels + synthesis::proved_block - 1) / synthesis::proved_block;
+int blocks_across(int pixels, int block = synthesis::proved_block) {
+    return (pixels + block - 1) / block;
 }
 
 // Counts open pixels among outcomes of four numbers each.
@@ -97,11 +98,13 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const
     , may_take_doubles_(in_doubles)
     , block_pieces_(std::min(
           most_pieces_of_block,
-          pieces_of_draw(cost_of_piece(passes, scene, synthesis::block_proof_samples()),
-                         double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
-    , natural_{Role::proof, cost_that_fits(cost_of_piece(
-                                passes, scene, samples_of(scene, passes, ProofBounds::natural)))}
+          pieces_of_draw(
+              synthesis::cost_of_block_piece(*scene.surface.field, elements_of_piece(passes)),
+              double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
+    , natural_{Role::proof, cost_that_fits(cost_of_piece(passes, scene, ProofBounds::natural))}
     , ending_(attachment_of(passes, synthesis::Channel::ending))
+    , of_coarse_blocks_(blocks_across(plan.tile_width, synthesis::coarse_proved_block),
+                        blocks_across(plan.tile_height, synthesis::coarse_proved_block))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
     , going_on_(plan.tile_width, plan.tile_height)
@@ -113,17 +116,23 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const
 void Proofs::upload(PassTable& table, const ProofRays& rays) {
     frame_.update(std::as_bytes(std::span(&rays.frame, 1)));
     table.bind("ProofFrame", frame_);
-    const gpu::Program& blocks = table.program(Role::block_proof);
-    blocks.set("beam", rays.beam);
-    blocks.set("block_pieces", block_pieces_);
+    const auto set_blocks = [&](Role role, const glm::vec4& beam) {
+        const gpu::Program& blocks = table.program(role);
+        blocks.set("beam", beam);
+        blocks.set("block_pieces", block_pieces_);
+    };
+    set_blocks(Role::block_proof, rays.beam);
+    if (passes_.has(Role::coarse_block_proof))
+        set_blocks(Role::coarse_block_proof, rays.coarse_beam);
     const auto set = [&](Role role, const RayThickness& thickness) {
         const gpu::Program& program = table.program(role);
         program.set("tube", thickness.tube);
         program.set("shortest_piece", thickness.shortest_piece);
         program.set("most_pieces", most_pieces);
     };
-    for (const Role role : {Role::block_proof, Role::first_proof, Role::proof}) {
-        set(role, rays.of_floats);
+    for (const Role role :
+         {Role::coarse_block_proof, Role::block_proof, Role::first_proof, Role::proof}) {
+        if (passes_.has(role)) set(role, rays.of_floats);
     }
     if (!closer_ || !*closer_) return;
     const Role role = (*closer_)->role;
@@ -142,25 +151,47 @@ void Proofs::draw_and_keep(PassTable& table, const gpu::Program& program,
 }
 
 void Proofs::begin(PassTable& table, const gpu::Rectangle& tile) {
-    table.draw(table.program(Role::block_proof),
-               {tile.x, tile.y, blocks_across(tile.width), blocks_across(tile.height)}, of_blocks_);
-    draw_and_keep(table, table.program(Role::first_proof), tile);
+    const auto draw_blocks = [&](Role role, int block, const gpu::Target& into) {
+        table.draw(
+            table.program(role),
+            {tile.x, tile.y, blocks_across(tile.width, block), blocks_across(tile.height, block)},
+            into);
+    };
+    if (passes_.has(Role::coarse_block_proof)) {
+        draw_blocks(Role::coarse_block_proof, synthesis::coarse_proved_block, of_coarse_blocks_);
+        table.bind("coarse_block_texture", of_coarse_blocks_.texture(0));
+    }
+    draw_blocks(Role::block_proof, synthesis::proved_block, of_blocks_);
+    drawn_.begin();
+    mask_.apply(kept_, [&] { table.draw(table.program(Role::first_proof), tile); });
+    drawn_.end();
+}
+
+std::uint32_t Proofs::take_finished_off(PassTable& table, const gpu::Rectangle& tile) {
+    table.bind("proof_texture", kept_.texture(0));
+    drawn_.begin();
+    mask_.remove(going_on_, [&] { table.draw(table.program(Role::proof_unmask), tile); });
+    drawn_.end();
+    return drawn_.passed();
 }
 
 void Proofs::prove_rays(PassTable& table, const Pieces& by, Start start, std::uint32_t rays,
                         const gpu::Rectangle& tile) {
     const gpu::Program& program = table.program(by.role);
-    // No more rays have something to prove than in the draw before. A ray that had all its pieces
-    // has nothing. Where elements are found by place a pass may end after any piece.
+    // A ray that had all its pieces has nothing to prove. Where elements are found by place a pass
+    // may end after any piece.
     const bool by_place = synthesis::array_with_grid(passes_).has_value();
     for (int left = most_pieces; left > 0 && rays > 0; start = Start::go_on) {
-        table.bind("proof_texture", kept_.texture(0));
-        mask_.remove(going_on_, [&] { table.draw(table.program(Role::proof_unmask), tile); });
+        const std::uint32_t finished = take_finished_off(table, tile);
+        // Those that are tried again are counted without them.
+        if (start == Start::go_on) rays -= std::min(finished, rays);
+        if (rays == 0) break;
         const int pieces = pieces_of_draw(by.cost, rays);
         program.set("pieces_per_pass", pieces);
         program.set("start", int(start));
         draw_and_keep(table, program, tile);
         left -= by_place ? 1 : pieces;
+        // Those that went on.
         if (left > 0) rays = drawn_.passed();
     }
 }
@@ -169,8 +200,7 @@ const std::optional<Proofs::Pieces>& Proofs::closer(const PassTable& table) {
     if (!closer_) {
         const bool in_doubles = may_take_doubles_ && can_trust_doubles(table.spare_unit());
         const auto bounds = in_doubles ? ProofBounds::in_doubles : ProofBounds::by_gradient;
-        const formula::Cost piece =
-            cost_of_piece(passes_, scene_, samples_of(scene_, passes_, bounds));
+        const formula::Cost piece = cost_of_piece(passes_, scene_, bounds);
         closer_.emplace();
         if (fits_a_shader(piece)) {
             *closer_ = Pieces{in_doubles ? Role::double_proof : Role::sharp_proof, piece};

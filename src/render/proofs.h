@@ -78,6 +78,8 @@ private:
     void draw_and_keep(PassTable& table, const gpu::Program& program, const gpu::Rectangle& tile);
     // Begins with blocks of rays, then with single ones, where the mask has them.
     void begin(PassTable& table, const gpu::Rectangle& tile);
+    // Takes rays with nothing left to prove off the mask; so many.
+    std::uint32_t take_finished_off(PassTable& table, const gpu::Rectangle& tile);
     // Draws passes until the proofs that wait for these are finished, of so many rays at most.
     void prove_rays(PassTable& table, const Pieces& by, Start start, std::uint32_t rays,
                     const gpu::Rectangle& tile);
@@ -89,11 +91,11 @@ private:
     Pieces natural_;
     std::optional<std::optional<Pieces>> closer_; // once it was asked for
     int ending_;                                  // among the picture's attachments
-    gpu::Target of_blocks_, kept_, going_on_;
+    gpu::Target of_coarse_blocks_, of_blocks_, kept_, going_on_;
     std::optional<gpu::DepthMask> own_mask_;
     const gpu::DepthMask& mask_; // of the last two
     gpu::UniformBuffer frame_;
-    gpu::SamplesQuery drawn_; // rays, by the last draw
+    gpu::SamplesQuery drawn_; // rays
 };
 
 } // namespace isomotion::render

@@ -27,14 +27,15 @@ enum class Role {
     shade,          // makes the picture from finished rays
     motion,         // F and its gradient at another time, where rays ended
     // Proofs, of scenes that ask for them: see render/proofs.h.
-    proof_mask,   // depth lets proofs run where rays have something to prove
-    block_proof,  // proves blocks of rays together
-    first_proof,  // begins the proofs of single rays
-    proof,        // takes them some pieces on
-    proof_copy,   // copies those that went on to where all are kept
-    proof_unmask, // depth keeps finished ones from running
-    sharp_proof,  // tries again what is open, by bounds through the gradient
-    double_proof, // the same in doubles
+    proof_mask,         // depth lets proofs run where rays have something to prove
+    coarse_block_proof, // proves what is before all roots of larger blocks of rays
+    block_proof,        // proves blocks of rays together
+    first_proof,        // begins the proofs of single rays
+    proof,              // takes them some pieces on
+    proof_copy,         // copies those that went on to where all are kept
+    proof_unmask,       // depth keeps finished ones from running
+    sharp_proof,        // tries again what is open, by bounds through the gradient
+    double_proof,       // the same in doubles
 };
 
 enum class When {

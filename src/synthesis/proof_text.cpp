@@ -1,11 +1,49 @@
 #include "synthesis/proof_text.h"
 
+#include <algorithm>
+
 #include "formula/enclosure.h"
+#include "formula/glsl/glsl_model.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/shader_text.h"
 
 namespace isomotion::synthesis {
 namespace {
+
+// Operations on numbers that one on models counts as: of a ray's, and of a block's.
+constexpr double model_operations = 36, block_model_operations = 90;
+
+// Whether F is proved by models (formula/glsl/glsl_model.h) rather than by bounds on it and its
+// slope. Where doubles aren't to be had, bounds are what tries again what models leave open.
+bool goes_by_models(const formula::Field& field, ProofBounds bounds) {
+    return bounds != ProofBounds::by_gradient && formula::modelled_degree(field) > 0;
+}
+
+// Each needs what add_enclosures adds.
+void add_models(ShaderText& text, const formula::Field& field, const std::string& type,
+                const std::string& file, formula::Numbers numbers) {
+    text.file("proof/model_errors.glsl");
+    text.file(file);
+    text.file_again("proof/model_operations.glsl");
+    text.generated("generated: F on models", formula::glsl_value_model(field, type, numbers));
+}
+
+// Of points.
+void add_value_models(ShaderText& text, const formula::Field& field,
+                      formula::Numbers numbers = formula::Numbers::floats) {
+    add_models(text, field, "PointModel", "proof/model_point.glsl", numbers);
+    text.file("proof/value_by_model.glsl");
+}
+
+// Of pieces: of a ray's, or of a block's beam.
+void add_piece_models(ShaderText& text, const formula::Field& field, const std::string& file,
+                      formula::Numbers numbers = formula::Numbers::floats) {
+    add_models(text, field, "Model", file, numbers);
+    text.file("proof/first_reach.glsl");
+}
+
+// What a proof by bounds asks of the field.
+std::vector<FieldFunction> samples_of_block() { return {FieldFunction::directional_interval}; }
 
 // A ray and how it ended.
 void add_ended_ray(ShaderText& text, const scene::Scene& scene) {
@@ -30,6 +68,14 @@ bool takes_hessian(const formula::Field& field, const FieldStorage& storage, Pro
            formula::hessian_program(field);
 }
 
+std::vector<FieldFunction> samples_of_ray(const formula::Field& field, const FieldStorage& storage,
+                                          ProofBounds bounds) {
+    std::vector samples{FieldFunction::value_interval, FieldFunction::directional_interval};
+    if (bounds != ProofBounds::natural) samples.push_back(FieldFunction::gradient_interval);
+    if (takes_hessian(field, storage, bounds)) samples.push_back(FieldFunction::hessian_interval);
+    return samples;
+}
+
 // What its proof begins with: the part it is of, the boxes around it, what F can be in one.
 void add_proof(ShaderText& text, const scene::Scene& scene, const Passes& passes,
                ProofBounds bounds) {
@@ -43,32 +89,58 @@ void add_proof(ShaderText& text, const scene::Scene& scene, const Passes& passes
     text.file(bounds == ProofBounds::in_doubles ? "proof/in_doubles.glsl" : "proof/in_floats.glsl");
     text.file("proof/tube.glsl");
     text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");
+}
+
+void add_value_at(ShaderText& text, ProofBounds bounds) {
     text.file(bounds == ProofBounds::natural ? "proof/value_over_box.glsl"
                                              : "proof/value_by_gradient.glsl");
 }
 
-Pass block_proof(const scene::Scene& scene, const Passes& passes) {
+Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
+    const formula::Field& field = *scene.surface.field;
+    const bool by_models = goes_by_models(field, ProofBounds::natural);
+    const bool is_coarse = role == Role::coarse_block_proof;
+    const int block = is_coarse ? coarse_proved_block : proved_block;
     ShaderText text;
-    text.define("BLOCK", proved_block);
-    text.define("RAYS", proved_block * proved_block);
+    text.define("BLOCK", block);
+    text.define("RAYS", block * block);
     text.define("SQUARES_APART", beam_square);
     text.file("march/beam_place.glsl");
-    add_enclosures(text, *scene.surface.field, passes, block_proof_samples());
+    if (by_models) {
+        text.define(is_coarse ? "COARSE" : "COARSE_BLOCK", coarse_proved_block);
+        add_enclosures(text, field, passes, {});
+        add_piece_models(text, field, "proof/model_block.glsl");
+    } else {
+        add_enclosures(text, field, passes, samples_of_block());
+    }
     add_by_place(text, passes);
     text.file("frame.glsl");
     text.file("march/verdict.glsl");
     text.file("proof/ending.glsl");
     text.file("proof/rounding.glsl");
-    add_beam_of_block(text, scene, passes, proved_block);
-    text.file("proof/block.frag");
-    return std::move(text).pass(Role::block_proof, "block proof", When::once_a_tile);
+    add_beam_of_block(text, scene, passes, block);
+    if (by_models) {
+        text.file("proof/piece_of_block.glsl");
+        text.file("proof/ends_of_block.glsl");
+    }
+    text.file(by_models ? "proof/block_by_models.frag" : "proof/block.frag");
+    return std::move(text).pass(role, is_coarse ? "coarse block proof" : "block proof",
+                                When::once_a_tile);
 }
 
 Pass first_proof(const scene::Scene& scene, const Passes& passes) {
+    const formula::Field& field = *scene.surface.field;
     ShaderText text;
-    add_enclosures(text, *scene.surface.field, passes,
-                   {FieldFunction::value_interval, FieldFunction::gradient_interval});
-    add_proof(text, scene, passes, ProofBounds::by_gradient);
+    if (goes_by_models(field, ProofBounds::natural)) {
+        add_enclosures(text, field, passes, {});
+        add_proof(text, scene, passes, ProofBounds::natural);
+        add_value_models(text, field);
+    } else {
+        add_enclosures(text, field, passes,
+                       {FieldFunction::value_interval, FieldFunction::gradient_interval});
+        add_proof(text, scene, passes, ProofBounds::by_gradient);
+        add_value_at(text, ProofBounds::by_gradient);
+    }
     text.file("proof/begin.frag");
     return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile);
 }
@@ -77,16 +149,27 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
     const formula::Field& field = *scene.surface.field;
     ShaderText text;
     const bool in_doubles = bounds == ProofBounds::in_doubles;
+    const auto numbers = in_doubles ? formula::Numbers::doubles : formula::Numbers::floats;
     if (in_doubles) text.version(400);
-    add_enclosures(text, field, passes, proof_samples(field, passes, bounds),
-                   in_doubles ? formula::Numbers::doubles : formula::Numbers::floats);
-    add_by_place(text, passes);
-    add_proof(text, scene, passes, bounds);
-    text.file("proof/directional.glsl");
-    text.file(takes_hessian(field, passes, bounds) ? "proof/bounds_by_hessian.glsl"
-                                                   : "proof/bounds_over_box.glsl");
-    text.file("proof/prove.glsl");
-    text.file("proof/proof.frag");
+    if (goes_by_models(field, bounds)) {
+        add_enclosures(text, field, passes, {}, numbers);
+        add_by_place(text, passes);
+        add_proof(text, scene, passes, bounds);
+        add_value_models(text, field, numbers);
+        add_piece_models(text, field, "proof/model_ray.glsl", numbers);
+        text.file("proof/model_of_piece.glsl");
+        text.file("proof/prove_by_models.glsl");
+    } else {
+        add_enclosures(text, field, passes, samples_of_ray(field, passes, bounds), numbers);
+        add_by_place(text, passes);
+        add_proof(text, scene, passes, bounds);
+        add_value_at(text, bounds);
+        text.file("proof/directional.glsl");
+        text.file(takes_hessian(field, passes, bounds) ? "proof/bounds_by_hessian.glsl"
+                                                       : "proof/bounds_over_box.glsl");
+        text.file("proof/prove.glsl");
+    }
+    text.file(goes_by_models(field, bounds) ? "proof/proof_by_models.frag" : "proof/proof.frag");
     switch (bounds) {
     case ProofBounds::natural:
         break;
@@ -123,20 +206,29 @@ Pass proof_copy() {
 
 } // namespace
 
-std::vector<FieldFunction> block_proof_samples() { return {FieldFunction::directional_interval}; }
+formula::Cost cost_of_block_piece(const formula::Field& field, std::span<const int> counts) {
+    if (!goes_by_models(field, ProofBounds::natural))
+        return cost(field, samples_of_block(), counts);
+    formula::Cost piece = cost(field, {FieldFunction::value}, counts);
+    piece.operations *= block_model_operations;
+    return piece;
+}
 
-std::vector<FieldFunction> proof_samples(const formula::Field& field, const FieldStorage& storage,
-                                         ProofBounds bounds) {
-    std::vector samples{FieldFunction::value_interval, FieldFunction::directional_interval};
-    if (bounds != ProofBounds::natural) samples.push_back(FieldFunction::gradient_interval);
-    if (takes_hessian(field, storage, bounds)) samples.push_back(FieldFunction::hessian_interval);
-    return samples;
+formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& storage,
+                            ProofBounds bounds, std::span<const int> counts) {
+    if (!goes_by_models(field, bounds))
+        return cost(field, samples_of_ray(field, storage, bounds), counts);
+    formula::Cost piece = cost(field, {FieldFunction::value}, counts);
+    piece.operations *= model_operations;
+    return piece;
 }
 
 std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes) {
     std::vector<Pass> list;
     list.push_back(proof_mask(scene, passes));
-    list.push_back(block_proof(scene, passes));
+    if (goes_by_models(*scene.surface.field, ProofBounds::natural))
+        list.push_back(block_proof(scene, passes, Role::coarse_block_proof));
+    list.push_back(block_proof(scene, passes, Role::block_proof));
     list.push_back(first_proof(scene, passes));
     list.push_back(proof(scene, passes, ProofBounds::natural));
     list.push_back(proof_copy());

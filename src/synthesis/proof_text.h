@@ -1,6 +1,7 @@
 // Shaders that prove where rays ended, see render/proofs.h and shaders/proof/.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
@@ -14,11 +15,13 @@ enum class ProofBounds { natural, by_gradient, in_doubles };
 
 // Pixels across the blocks whose rays are proved together.
 inline constexpr int proved_block = 4;
+// And of larger ones, of which what is before all roots is proved first, where models tell it.
+inline constexpr int coarse_proved_block = 16;
 
-// What proofs ask of the field: those of blocks, and a piece of those of single rays.
-std::vector<FieldFunction> block_proof_samples();
-std::vector<FieldFunction> proof_samples(const formula::Field& field, const FieldStorage& storage,
-                                         ProofBounds bounds);
+// What a piece of a block's proof takes, and one of a single ray's.
+formula::Cost cost_of_block_piece(const formula::Field& field, std::span<const int> counts);
+formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& storage,
+                            ProofBounds bounds, std::span<const int> counts);
 
 // All passes of proofs; the beams of `passes` must be there.
 std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes);

@@ -124,6 +124,8 @@ TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
             for (const Pass& pass : assemble(one, {}, stage).list) roles.insert(pass.role);
         }
     }
+    const Passes polynomial = assemble(scene_of(surface_text("x") + "certify = true\n"));
+    for (const Pass& pass : polynomial.list) roles.insert(pass.role);
     EXPECT_EQ(roles.size(), std::size_t(Role::double_proof) + 1) << "a role that no scene has";
 }
 
@@ -234,7 +236,11 @@ TEST_F(Assemble, ProofsAddAChannelToThePictureAndChangeNoOtherShader) {
             EXPECT_EQ(is_proof(pass.role), !plain.find(pass.role, pass.level)) << pass.name;
         }
         EXPECT_EQ(proving.attachments.size(), plain.attachments.size() + 1);
-        EXPECT_THAT(text_of(proving, Role::proof), HasSubstr("proof/prove.glsl"));
+        EXPECT_THAT(text_of(proving, Role::proof), HasSubstr("proof/prove_by_models.glsl"));
+        const Passes by_bounds =
+            assemble(scene_of(surface_text("exp(x)*y - 1", bounds) + "certify = true\n"));
+        EXPECT_THAT(text_of(by_bounds, Role::proof), HasSubstr("proof/prove.glsl"));
+        EXPECT_FALSE(by_bounds.has(Role::coarse_block_proof));
         for (const auto& name : plain.files()) EXPECT_FALSE(name.starts_with("proof/")) << name;
     }
 }
@@ -353,6 +359,8 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
               "exp(-" + d + ")^2", "(9*" + d + " - 1)^2*exp(-20*" + d + ")"}) {
             texts.push_back(blobs_text(5000, bounds, "hermite", term));
         }
+        std::string sum = blobs_text(9, bounds, "hermite", d + "*y"); // a polynomial
+        texts.push_back(sum.insert(sum.find("[arrays"), "certify = true\n"));
         std::string proved = blobs_text(5000, bounds, "hermite");
         texts.push_back(proved.insert(proved.find("[arrays"), "certify = true\n"));
     }

@@ -1,0 +1,78 @@
+// Proves a block of BLOCK x BLOCK rays of a polynomial F at once, as far as that goes, by models of
+// F over pieces of their beam: as block.frag, but for three things. Pieces lie between planes, the
+// last of which leans as the surface does that the rays hit, so that a thin piece holds all roots.
+// That piece comes first. Of another one the beginning is settled as far as its quadratic keeps off
+// 0, less the error of the model.
+//
+// Larger blocks come before (COARSE), of which only what is before all roots is told.
+
+layout(location = 0) out vec4 block_proof; // as of block.frag
+
+uniform int block_pieces; // at most
+
+void main() {
+    ivec2 block = ivec2(pixel_centre);
+    Beam boxes = beam_of(block);
+    Across way = across_block(block);
+    Part whole = parent_part(block);
+    Ends ends = ends_of(block);
+    bool all_hit = ends.hits == RAYS, all_miss = ends.misses == RAYS;
+    float margin = 2.0 * tube.z / ends.nearest_eye;
+    float around = 2.0 * tube.w / ends.nearest_eye + margin;
+    float low = settled_before(block, whole.low - margin), high = whole.high + margin;
+    bool open = low < high && ends.hits + ends.misses > 0, roots = open && all_hit;
+    // The piece with the roots, above the leaning plane.
+    // Roots are to be as far from its ends as begin.frag takes for granted.
+    float beside = around + 0.3 * beam.z + 0.05 * (ends.last - ends.first);
+    float last = all_hit ? ends.last + beside : high, leans = abs(ends.lean.x) + abs(ends.lean.y);
+    // What is before, from low to here, in parts of it for each ray.
+    float first = all_hit ? ends.first - beside : high;
+    if (all_hit) low = min(low, first - leans - around);
+    // beam.w holds hardly farther than the bounds.
+    open = open && low > beam.x - 0.5 * (beam.y - beam.x);
+
+    float way_length = first - low;
+    float settled = 0.0, part = 1.0, slope = 0.0;
+    for (int k = 0; k < block_pieces && open; ++k) {
+        float to = min(settled + part, 1.0);
+        float middle = 0.5 * (settled + to), half_part = 0.500001 * (to - settled) + IM_DRIVER_ERROR;
+        float off = IM_DRIVER_ERROR * (abs(low) + abs(first)); // of its ends
+        Piece piece = Piece(low + middle * way_length, half_part * way_length + off,
+                            middle * ends.lean, half_part * ends.lean);
+        if (roots)
+            piece = Piece(0.5 * (first + last), 0.500001 * (last - first) + off, ends.lean, vec2(0.0));
+        Model f = model_of_piece(way, piece);
+        float size = md_size(f), rounding = 8.0 * IM_ROUNDING * size;
+        // The beginning, in y.
+        bool below = f.c - f.l.z + f.d.z < 0.0;
+        float upright = below ? -1.0 : 1.0;
+        float c = upright * f.c, l = upright * f.l.z, d = upright * f.d.z;
+        vec2 bend = min(upright * f.d.xy, 0.0);
+        float aside = abs(f.l.x) + abs(f.l.y) + md_sum(f.o) - bend.x - bend.y + f.error;
+        precise float g0 = c - l + d - 1.000001 * aside;
+        precise float g1 = l - 2.0 * d;
+        float reach = first_reach(g0, g1, d, 64.0 * IM_ROUNDING * size);
+        if (roots) {
+            float bends = 2.0 * abs(f.d.z) + abs(f.o.y) + abs(f.o.z);
+            precise float least = abs(f.l.z) - 1.000001 * (bends + f.slope_error) - rounding;
+            slope = least > 0.0 ? 0.999999 * least / piece.half_length : 0.0;
+            roots = false;
+        } else {
+            vec2 x, y, z;
+            float reaches = piece.half_length + leans * (middle + half_part);
+            box_around(boxes, piece.middle - reaches, piece.middle + reaches, x, y, z);
+            bool is_free = reach >= 2.0 || !meets_bounds(x, y, z);
+            float done = is_free ? 1.0 : reach > 0.05 ? 0.499 * reach : 0.0;
+            part = (is_free ? 2.0 : done > 0.0 ? max(done, 0.2) : 0.3) * (to - settled);
+            settled = is_free ? to : max(settled + done * (to - settled) - IM_DRIVER_ERROR, 0.0);
+        }
+        open = settled < 1.0 && part * way_length > 0.25 * beam.z;
+    }
+    bool settles = settled >= 1.0 || low >= high;
+    slope = all_miss && settles ? -1.0 : settles ? slope : 0.0;
+    float settled_to = low + settled * way_length - margin;
+#ifdef COARSE
+    if (settles) settled_to = IM_SATURATION;
+#endif
+    block_proof = vec4(settled_to, settled * ends.lean, slope);
+}

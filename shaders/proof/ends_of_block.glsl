@@ -1,0 +1,60 @@
+// Where the rays of a block end, and what larger blocks tell of it.
+
+// Where in tau the rays end.
+struct Ends {
+    int hits, misses;
+    vec2 lean;         // of the plane through the hits
+    float first, last; // of hits, above the plane
+    float nearest_eye;
+};
+
+vec2 place_in_block(int k) {
+    return vec2(k % BLOCK, k / BLOCK) * (2.0 / float(BLOCK - 1)) - 1.0;
+}
+
+#ifdef COARSE
+Ends ends_of(ivec2 block) {
+    vec3 forward = normalize(cross(normalize(ray_right.xyz), normalize(ray_up.xyz)));
+    float nearest_eye = abs(dot(ray_axis.xyz, forward));
+    return Ends(0, RAYS, vec2(0.0), 0.0, 0.0, 0.999 * nearest_eye);
+}
+
+float settled_before(ivec2 block, float low) {
+    return low;
+}
+#else
+uniform sampler2D coarse_block_texture;
+
+float settled_before(ivec2 block, float low) {
+    float coarse = texelFetch(coarse_block_texture, block * BLOCK / COARSE_BLOCK, 0).x;
+    return coarse > low ? coarse : low; // also if that is not a number
+}
+
+Ends ends_of(ivec2 block) {
+    Ends ends = Ends(0, 0, vec2(0.0), IM_SATURATION, -IM_SATURATION, IM_SATURATION);
+    float taus[RAYS];
+    float squares = 0.0;
+    for (int k = 0; k < RAYS; ++k) {
+        ivec2 pixel = block * BLOCK + ivec2(k % BLOCK, k / BLOCK);
+        Ending ended = load_ending(pixel);
+        vec2 at = (vec2(pixel) + 0.5 + picture.zw) * picture.xy - 1.0;
+        vec3 across = at.x * ray_right.xyz + at.y * ray_up.xyz;
+        float to_eye = length(ray_axis.xyz + ray_axis.w * across);
+        vec2 place = place_in_block(k);
+        taus[k] = ended.t / to_eye;
+        ends.hits += int(ended.hit);
+        ends.misses += int(ended.miss);
+        ends.lean += taus[k] * place;
+        squares += place.x * place.x;
+        ends.nearest_eye = min(ends.nearest_eye, to_eye);
+    }
+    ends.lean = ends.hits == RAYS ? ends.lean / squares : vec2(0.0);
+    if (ends.hits < RAYS) return ends;
+    for (int k = 0; k < RAYS; ++k) {
+        float above = taus[k] - dot(ends.lean, place_in_block(k));
+        ends.first = min(ends.first, above);
+        ends.last = max(ends.last, above);
+    }
+    return ends;
+}
+#endif

@@ -1,0 +1,91 @@
+// Proves where a ray of a polynomial F ended, by models of F over pieces of all that float32 may
+// make of it; as prove.glsl, but that a piece's quadratic tells more than bounds do.
+//
+// First the root, in the middle of a piece: where the model's slope keeps off 0, what F can be at
+// the root over the least slope tells where each ray has its one root (Newton's step, Moore 1966).
+// Then what is before, backwards from there: F keeps off 0 as far as the quadratic does, less the
+// error of the model.
+
+uniform int pieces_per_pass;
+uniform int most_pieces;
+
+ProofState conclude(ProofState s, int outcome) {
+    s.outcome = outcome;
+    return s;
+}
+
+// Goes on where a proof was given up.
+ProofState resume_proof(ProofState s) {
+    s.piece = max(s.at_root ? 32.0 * tube.w : 4.0 * s.piece, shortest_piece);
+    s.outcome = PROOF_UNFINISHED;
+    s.pieces = 0;
+    return s;
+}
+
+// The part of a root's piece to both sides that is settled by it, for rounding.
+const float PART_OF_ROOT = 0.98;
+
+// `uncertain`: what F can be at the root, while the proof is about it.
+ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
+    bool at_root = s.at_root;
+    REAL high = s.settled;
+    // A root's piece is to reach hardly farther than the ray does: tube.x holds there.
+    REAL beyond = max(ray.t_far, -ray.t_near) - high;
+    float piece = at_root ? float(min(s.piece, max(beyond, tube.w))) : s.piece;
+    REAL low = float(max(s.settled - piece, ray.t_near));
+    REAL middle = at_root ? high : 0.5 * (low + high);
+    // Of pieces before, a bit more than its ends need.
+    REAL half_piece = at_root ? REAL(piece / PART_OF_ROOT)
+                              : 0.500001 * (high - low) + IM_DRIVER_ERROR * abs(middle);
+    Model f = model_of_piece(ray, middle, half_piece);
+    s.pieces += 1;
+    REAL error = md_off(f), size = md_size(f), rounding = 8.0 * IM_ROUNDING * size;
+
+    // The root. Half a millionth more than float32 can lose in these lines.
+    // The directions of the rays differ by no more than this, in s, of what the points do.
+    REAL turns = md_sum(f.turn), apart = min(half_piece * tube.y / tube.x * 1.00001, 1.0);
+    REAL bends = 2.0 * abs(f.c.z);
+    REAL rest = f.slope_error + apart * (md_sum(f.aside) + turns) + turns;
+    precise REAL steepness = abs(f.c.y) - 1.000001 * (bends + rest) - rounding;
+    precise REAL off = uncertain / steepness * half_piece * 1.000002 + 4.76837158e-7 * abs(high);
+    bool isolates = steepness > 0.0 && off <= tube.w && off <= PART_OF_ROOT * half_piece &&
+                    high - off > 2.0 * tube.z - ray.to_eye &&
+                    inside_bounds(vec3(ray_point(ray, high - off))) &&
+                    inside_bounds(vec3(ray_point(ray, high + off)));
+    // No shorter piece could bring the root close enough.
+    bool hopeless = uncertain * half_piece > 1.2 * tube.w * (abs(f.c.y) + bends + rest);
+    REAL by_bend = 0.5 * abs(f.c.y) / bends, by_rest = 0.5 * sqrt(abs(f.c.y) / rest);
+    REAL shorter = min(by_bend, by_rest);
+
+    // What is before, upright: F > 0 at the end. In y, from there backwards.
+    bool below = f.c.x + f.c.y + f.c.z < 0.0;
+    REAL3 c = below ? -f.c : f.c;
+    precise REAL g0 = c.x + c.y + c.z - error;
+    precise REAL g1 = -c.y - 2.0 * c.z;
+    REAL reach = first_reach(g0, g1, c.z, 64.0 * IM_ROUNDING * size);
+    bool is_free = reach >= 2.0;
+
+    bool succeeds = at_root ? isolates : reach > 0.05;
+    if (succeeds) {
+        // A part of a piece less what rounding does to its ends, to a float no lower.
+        REAL part_done = high - 0.499 * reach * (high - low) + IM_DRIVER_ERROR * abs(middle);
+        s.settled = at_root || is_free ? float(low)
+                                       : float(part_done + 4.76837158e-7 * abs(part_done));
+        REAL length = high - s.settled;
+        s.piece = float(max((at_root ? 2.0 : is_free ? 2.5 : 1.0) * length, shortest_piece));
+        s.value = 0.0;
+        s.at_root = false;
+        if (s.settled <= ray.t_near) s = conclude(s, hit ? PROOF_HIT : PROOF_MISS);
+        // Else hardly on.
+        succeeds = at_root || is_free || length >= 0.25 * shortest_piece;
+    }
+    if (!succeeds && s.outcome == PROOF_UNFINISHED) {
+        REAL part = at_root ? (shorter > 0.2 ? min(shorter, 0.7) : REAL(0.2)) : REAL(0.3);
+        s.piece = float(part * (at_root ? REAL(piece) : high - low));
+        bool bounded = size + error < IM_SATURATION;
+        int why = !bounded ? PROOF_UNBOUNDED : at_root ? PROOF_SIGN : PROOF_HIDDEN;
+        if (at_root && hopeless || !(s.piece >= shortest_piece)) s = conclude(s, why);
+    }
+    if (s.outcome == PROOF_UNFINISHED && s.pieces >= most_pieces) s = conclude(s, PROOF_BUDGET);
+    return s;
+}
