@@ -6,17 +6,21 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/new_file.h"
+#include "base/printable.h"
+#include "farm/shell.h"
 #include "scene/data_folder.h"
+#include "scene/limits.h"
 
 namespace isomotion::app {
 namespace fs = std::filesystem;
 namespace {
 
-// {0}: where the schema of scene files is; {1}: the scene's title; {2}: its file.
+// {0}: where the schema of scene files is; {1}: the scene's title; {2}: its file, {3}: its
+// movie's, as words of a shell.
 constexpr const char* new_scene = R"toml(#:schema {0}
 # A scene of isomotion.
 #     isomotion play {2}                    watch it; it is read again when you save it
-#     isomotion render {2} --movie {1}.mp4
+#     isomotion render {2} --movie {3}
 # Every key is in docs/scene-file.md, what a formula may say in docs/formulas.md.
 
 title = "{1}"
@@ -60,18 +64,19 @@ int make_scene(const std::string& name) {
     fs::path file = name;
     if (file.extension() != ".toml") file += ".toml";
     const std::string title = file.stem().string();
-    if (title.find_first_of("\"\\\n\r") != title.npos) {
-        throw std::invalid_argument(
-            fmt::format("{}: name it by letters, digits, - and _, as ring", file.string()));
+    if (!base::is_one_printable_line(file.string()) || title.find_first_of("\"\\") != title.npos ||
+        title.size() > scene::limits::title_bytes) {
+        throw std::invalid_argument(fmt::format("{}: name it by letters, digits, - and _, as ring",
+                                                base::printable_line(file.string())));
     }
-    write_new_file(file,
-                   fmt::format(fmt::runtime(new_scene),
-                               scene::data_folder().string() + "/animations/scene.schema.json",
-                               title, file.string()));
+    write_new_file(
+        file, fmt::format(fmt::runtime(new_scene),
+                          scene::data_folder().string() + "/animations/scene.schema.json", title,
+                          farm::shell_word(file.string()), farm::shell_word(title + ".mp4")));
     print_result("{0}: a scene to start from\n"
                  "    isomotion play {0}      in a window; saved changes show at once\n"
                  "    isomotion render {0}    into files\n",
-                 file.string());
+                 farm::shell_word(file.string()));
     return exit_done;
 }
 

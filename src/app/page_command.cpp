@@ -41,7 +41,12 @@ void write(const fs::path& file, const std::string& text) {
 }
 
 fs::path file_of(const PageArguments& arguments, const scene::Scene& scene) {
-    if (!arguments.output.empty()) return arguments.output;
+    if (!arguments.output.empty()) {
+        const fs::path file = arguments.output;
+        if (file.extension() == ".html" || file.extension() == ".htm") return file;
+        throw std::invalid_argument(
+            fmt::format("-o {0}: a page is an HTML file, as {0}.html", arguments.output));
+    }
     return scene.formula.empty() ? fs::path(scene.file.stem().string() + ".html")
                                  : fs::path("formula.html");
 }
@@ -156,22 +161,18 @@ int write_gallery(const PageArguments& arguments) {
     std::vector<page::GalleryEntry> entries;
     std::vector<std::string> left_out;
     for (const std::string& name : names) {
-        const scene::Scene scene = scene::load(name, {"output.size=[256,256]"});
         progress.show(int(entries.size() + left_out.size()), name);
-        const auto leave_out = [&](const std::exception& error) {
-            left_out.push_back(fmt::format("{}: {}", scene.title, error.what()));
-        };
         try {
-            write(folder / (name + ".html"), page::page(scene));
+            const scene::Scene scene = scene::load(name, {"output.size=[256,256]"});
+            const std::string text = page::page(scene);
+            base::write_whole(folder / (name + ".png"), poster_of(*context, scene));
+            write(folder / (name + ".html"), text);
+            entries.push_back({name, scene.title});
         } catch (const scene::SceneError& error) {
-            leave_out(error);
-            continue;
+            left_out.push_back(fmt::format("{}: {}", name, error.what()));
         } catch (const std::length_error& error) { // shaders too long
-            leave_out(error);
-            continue;
+            left_out.push_back(fmt::format("{}: {}", name, error.what()));
         }
-        base::write_whole(folder / (name + ".png"), poster_of(*context, scene));
-        entries.push_back({name, scene.title});
     }
     write(folder / "index.html", page::gallery_index(entries, left_out));
     if (!arguments.quiet)

@@ -61,6 +61,19 @@ TEST_F(NewUser, ANewSceneIsRenderedAndNeverWrittenOver) {
               "ring.toml: is there already and is not written over; name another file\n");
     EXPECT_EQ(bytes("ring.toml"), before);
     EXPECT_EQ(run({"new", "a\"b"}).code, 2);
+    EXPECT_EQ(run({"new", "a\tb"}).code, 2);
+    EXPECT_EQ(run({"new", "a\nb/c"}).code, 2);
+    EXPECT_THAT(run({"new", "my ring"}).out, HasSubstr("isomotion render 'my ring.toml'"));
+    EXPECT_EQ(run({"show", "my ring.toml"}).code, 0);
+}
+
+TEST_F(NewUser, APageIsWrittenOverNothingButPages) {
+    run({"new", "ring"});
+    const std::string before = bytes("ring.toml");
+    const Ending refused = run({"page", "ring.toml", "-o", "ring.toml"});
+    EXPECT_EQ(refused.code, 2) << refused;
+    EXPECT_THAT(refused.err, HasSubstr("-o ring.toml: a page is an HTML file"));
+    EXPECT_EQ(bytes("ring.toml"), before);
 }
 
 TEST_F(NewUser, AFormulaIsWrittenAsTheSceneFileThatItIs) {

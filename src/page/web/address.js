@@ -39,12 +39,12 @@ function readAddress(hash, about, viewAt) {
     if (azimuth === undefined || elevation === undefined || !(distance > 0))
         return { frame, values };
     const own = viewAt(frame ?? 1);
-    const target = (parts.get("t") ?? "").split(",").map(Number);
-    const camera = cameraAt({
+    const target = (parts.get("t") ?? "").split(",").map((part) => part.trim() === "" ? NaN : Number(part));
+    const camera = usable(cameraAt({
         azimuth, distance, up: own.up,
         elevation: clamp(elevation, poleDistance - 90, 90 - poleDistance),
         target: target.length === 3 && target.every(Number.isFinite) ? target : own.target,
         height: number("h") > 0 ? number("h") : own.height,
-    });
+    }), own);
     return { frame, values, camera };
 }

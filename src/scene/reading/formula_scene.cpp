@@ -1,9 +1,51 @@
 #include "scene/reading/formula_scene.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
-#include <regex>
+#include <string_view>
+#include <vector>
 
 namespace isomotion::scene {
+namespace {
+
+struct Word {
+    std::size_t at = 0;
+    std::string_view text;
+};
+
+// The names in a formula: 2t is 2 times t, and 2e3 a number.
+std::vector<Word> words_of(std::string_view formula) {
+    const auto is_digit = [&](std::size_t k) {
+        return k < formula.size() && std::isdigit(static_cast<unsigned char>(formula[k]));
+    };
+    const auto is_letter = [&](std::size_t k) {
+        return k < formula.size() &&
+               (std::isalpha(static_cast<unsigned char>(formula[k])) || formula[k] == '_');
+    };
+    std::vector<Word> words;
+    for (std::size_t k = 0; k < formula.size();) {
+        if (is_letter(k)) {
+            std::size_t end = k;
+            while (is_letter(end) || is_digit(end)) ++end;
+            words.push_back({k, formula.substr(k, end - k)});
+            k = end;
+            continue;
+        }
+        const bool is_number = is_digit(k);
+        ++k;
+        if (!is_number) continue;
+        while (is_digit(k) || (k < formula.size() && formula[k] == '.')) ++k;
+        if (k >= formula.size() || (formula[k] != 'e' && formula[k] != 'E')) continue;
+        const bool is_signed =
+            k + 1 < formula.size() && (formula[k + 1] == '+' || formula[k + 1] == '-');
+        if (is_digit(k + 1 + std::size_t(is_signed))) k += 2;
+        while (is_digit(k)) ++k;
+    }
+    return words;
+}
+
+} // namespace
 
 bool is_formula(const std::string& name) {
     const auto extension = std::filesystem::path(name).extension();
@@ -12,12 +54,29 @@ bool is_formula(const std::string& name) {
 }
 
 toml::table scene_of_formula(const std::string& formula) {
-    const std::string timed = std::regex_replace(formula, std::regex(R"(\bt\b)"), "time");
-    toml::table root{{"title", formula}, {"surface", toml::table{{"formula", timed}}}};
-    if (timed != formula) {
-        root.insert("parameters", toml::table{{"time", "t"}});
-        root.insert("time", toml::table{{"frames", 120}, {"fps", 30}});
+    const std::vector<Word> words = words_of(formula);
+    const auto is_used = [&](std::string_view name) {
+        return std::ranges::count(words, name, &Word::text) > 0;
+    };
+    toml::table root{{"title", formula}};
+    if (!is_used("t")) {
+        root.insert("surface", toml::table{{"formula", formula}});
+        return root;
     }
+    // The formula's t is a parameter, whose name no other has.
+    std::string time = "time";
+    while (is_used(time)) time += "_";
+    std::string timed;
+    std::size_t end = 0;
+    for (const Word& word : words) {
+        if (word.text != "t") continue;
+        timed += formula.substr(end, word.at - end) + time;
+        end = word.at + 1;
+    }
+    timed += formula.substr(end);
+    root.insert("surface", toml::table{{"formula", timed}});
+    root.insert("parameters", toml::table{{time, "t"}});
+    root.insert("time", toml::table{{"frames", 120}, {"fps", 30}});
     return root;
 }
 

@@ -65,11 +65,18 @@ Path value_of(const toml::table& root, const Path& path) {
 }
 
 // A right value in place of one that others are read by: parameters are named in other values,
-// frames are counted, and a camera with a position has no orbit.
+// frames are counted, unless their seconds are, and a camera with a position has no orbit.
 void put_stand_in(toml::table& table, const Path& path) {
     if (path.size() == 2 && path[0] == "parameters") table.insert(path[1], 1.0);
-    if (path == Path{"time", "frames"}) table.insert("frames", 1'000'000);
+    if (path == Path{"time", "frames"} && !table.contains("seconds"))
+        table.insert("frames", 1'000'000);
     if (path == Path{"camera", "position"}) table.insert("position", toml::array{3, 2, 1});
+}
+
+// A right one in place of a table of a list: the others keep their numbers.
+toml::table listed_stand_in(const Path& path) {
+    if (path[0] == "sections") return {{"sphere", 0}};
+    return {{"direction", toml::array{0, 0, 1}}};
 }
 
 void take_out(toml::table& root, const Path& path, bool has_stand_in) {
@@ -79,7 +86,8 @@ void take_out(toml::table& root, const Path& path, bool has_stand_in) {
                                     : parent->as_array()->get(std::stoul(path[k]));
     }
     if (toml::array* list = parent->as_array()) {
-        list->erase(list->begin() + std::ptrdiff_t(std::stoul(path.back())));
+        const auto at = list->begin() + std::ptrdiff_t(std::stoul(path.back()));
+        list->replace(at, listed_stand_in(path));
         return;
     }
     parent->as_table()->erase(path.back());
@@ -102,7 +110,13 @@ std::string all_mistakes(toml::table& root, const PlacedError& first,
         Path path;
         const bool is_here = find_path(root, mistake.at(), path);
         const auto is_below = [&](const Path& other) { return begins_with(other, path); };
-        if (std::ranges::any_of(out, is_below) && !std::ranges::count(out, path)) return false;
+        if (std::ranges::any_of(out, is_below) && !std::ranges::count(out, path)) {
+            // What misses a key that was taken out goes as well, untold.
+            if (!is_here || path.empty() || decides_all(path)) return false;
+            take_out(root, path, false);
+            out.push_back(path);
+            return true;
+        }
         Path value = is_here ? value_of(root, path) : path;
         const bool is_again = std::ranges::count(out, value) > 0;
         if (!is_again) told.push_back({mistake.line(), mistake.what()});

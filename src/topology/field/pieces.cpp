@@ -15,6 +15,7 @@ using formula::NodeId;
 using formula::Op;
 
 constexpr std::size_t most_pieces = 64, most_multipliers = 6;
+constexpr std::size_t most_kept = 512; // fields of pieces
 
 // Multipliers may be anything in their ranges.
 SpaceFormula alone(const BoundFormula& from, const KinkTree::Branch& piece, Side solid) {
@@ -79,6 +80,7 @@ Pieces::Over Pieces::over(const SpaceBox& box, const Elements& near) {
     if (over.sign != Sign::mixed || may_jump(box)) return over;
     const auto pieces = tree_.pieces(box, Interval(0), most_pieces);
     if (!pieces) return over;
+    if (fields_.size() > most_kept) fields_.clear(); // made again where they are asked for
     bool may_be_negative = false, may_be_positive = false;
     for (const KinkTree::Branch* piece : *pieces) {
         FrameField& of_piece = field(*piece);

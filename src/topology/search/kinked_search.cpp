@@ -67,6 +67,10 @@ public:
     Enclosures& enclosures() { return enclosures_; }
     KinkTree& tree() { return tree_; }
     SpaceBox place(const Box& box) const { return places_.at(whole_, box); }
+    // Formulas are made again where they are asked for later: a search may meet very many.
+    void forget_formulas() {
+        if (formulas_.size() > most_kept) formulas_.clear();
+    }
     Formula& formula(const Branch& branch) {
         auto& made = formulas_[&branch];
         if (!made) {
@@ -77,6 +81,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t most_kept = 512;
+
     const Motion& motion_;
     Stratum stratum_;
     KinkTree tree_;
@@ -98,6 +104,7 @@ public:
         std::vector<Box> open{box};
         while (!open.empty()) {
             if (searching_.stopped && searching_.stopped()) break;
+            worker_.forget_formulas();
             const Box now = open.back();
             open.pop_back();
             ++found_.work.boxes;

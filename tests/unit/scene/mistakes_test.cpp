@@ -48,6 +48,31 @@ TEST_F(SeveralMistakes, OneThatFollowsFromAnotherIsNotTold) {
               "scene.toml:1: surface: needs formula = \"...\", or use = \"name\" of the catalogue");
 }
 
+// A light that is wrong as a whole leaves the others their numbers.
+TEST_F(SeveralMistakes, OfAListKeepTheirNumbers) {
+    const std::string words = mistake("[surface]\nformula = \"x\"\nbounds = { sphere = 1 }\n"
+                                      "[[lights]]\ncolor = [1, 1, 1]\n"
+                                      "[[lights]]\ncolor = [1, 1, 1]\n"
+                                      "[[lights]]\ndirection = [0, 0, 1]\nshadow = 3\n");
+    EXPECT_THAT(words, testing::HasSubstr("scene.toml:4: lights[0]: "));
+    EXPECT_THAT(words, testing::HasSubstr("scene.toml:6: lights[1]: "));
+    EXPECT_THAT(words, testing::HasSubstr("scene.toml:10: lights[2].shadow: "));
+}
+
+TEST_F(SeveralMistakes, NameNoNumberThatNobodyWrote) {
+    EXPECT_EQ(mistake("[surface]\nformula = \"x\"\n[time]\nframes = \"a\"\nseconds = 2\n"),
+              "scene.toml:4: time.frames: must be an integer");
+}
+
+// A section that misses what was taken out of it goes, too, and what follows is read.
+TEST_F(SeveralMistakes, GoOnBehindAKeyThatIsNeeded) {
+    const std::string words =
+        mistake("[surface]\nformula = \"x\"\nbounds = { sphere = 1 }\n[camera]\nfov = \"a(\"\n"
+                "[environment]\nmap = \"nothere.hdr\"\n");
+    EXPECT_THAT(words, testing::HasSubstr("scene.toml:5: camera.fov: "));
+    EXPECT_THAT(words, testing::HasSubstr("scene.toml:7: environment.map: "));
+}
+
 TEST_F(SeveralMistakes, OfValuesThatWereSetComeFirst) {
     EXPECT_EQ(mistake(ball_with(12, "fob = 40"), {"output.size=3"}),
               "--set: output.size: must be [width, height], integers from 1 to 16384\n"

@@ -27,6 +27,21 @@ time = "t"
     EXPECT_EQ(scene_file_text("x^2 + y^2 + z^2 = a + 0.3*sin(9*x + t)", {"a=1.1"}), text);
 }
 
+// t is the time wherever a formula may have it, and takes no other parameter's name.
+TEST(FormulaScene, FindsTheTimeInAFormula) {
+    for (const char* formula : {"x^2 + y^2 + z^2 = 1 + 0.1*sin(2t)", "x^2+y^2+z^2=1+2.5e-1t",
+                                "x^2 + y^2 + z^2 = t", "x^2 + y^2 + z^2 = 1 + 0.1(t)"}) {
+        const Scene scene = load(formula);
+        EXPECT_EQ(scene.timeline.frames, 120) << formula;
+        EXPECT_EQ(scene.timeline.values(1).tracks.size(), 1u) << formula;
+    }
+    EXPECT_EQ(load("x^2 + y^2 + z^2 = 1e3").timeline.frames, 1);
+    const Scene both = load("x^2 + y^2 + z^2 = 1 + t^2 + time", {"time=0.25"});
+    const animation::Values values = both.timeline.values(31); // a second
+    EXPECT_EQ(both.timeline.frames, 120);
+    EXPECT_THAT(values.tracks, testing::UnorderedElementsAre(0.25, 1));
+}
+
 // Of formulas and of the gallery: read again, text and values are the same.
 TEST(SceneFileText, IsReadAgainAsTheSameScene) {
     for (const char* name : {"x^2/4 + (y-1)^2 + z^2 = 1 + 0.1*sin(t)", "z = x*y", "blobby75",
