@@ -64,7 +64,8 @@ int make_scene(const std::string& name) {
     fs::path file = name;
     if (file.extension() != ".toml") file += ".toml";
     const std::string title = file.stem().string();
-    if (!base::is_one_printable_line(file.string()) || title.find_first_of("\"\\") != title.npos ||
+    if (title.empty() || title.front() == '-' || title.front() == '.' ||
+        !base::is_one_printable_line(file.string()) || title.find_first_of("\"\\") != title.npos ||
         title.size() > scene::limits::title_bytes) {
         throw std::invalid_argument(fmt::format("{}: name it by letters, digits, - and _, as ring",
                                                 base::printable_line(file.string())));

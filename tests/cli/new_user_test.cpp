@@ -62,6 +62,8 @@ TEST_F(NewUser, ANewSceneIsRenderedAndNeverWrittenOver) {
     EXPECT_EQ(bytes("ring.toml"), before);
     EXPECT_EQ(run({"new", "a\"b"}).code, 2);
     EXPECT_EQ(run({"new", "a\tb"}).code, 2);
+    EXPECT_EQ(run({"new", "-"}).code, 2);
+    EXPECT_EQ(run({"new", ".toml"}).code, 2);
     EXPECT_EQ(run({"new", "a\nb/c"}).code, 2);
     EXPECT_THAT(run({"new", "my ring"}).out, HasSubstr("isomotion render 'my ring.toml'"));
     EXPECT_EQ(run({"show", "my ring.toml"}).code, 0);

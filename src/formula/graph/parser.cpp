@@ -407,8 +407,11 @@ private:
         const Function* function = find_function(name);
         const std::string call =
             fmt::format("{}({})", name, function ? function->arguments : "...");
-        fail(begin, peek() == '^' ? fmt::format("the power of a function: write '{}^...'", call)
-                                  : fmt::format("{} needs parentheses: write '{}'", name, call));
+        const std::string_view rest = text_.substr(at_);
+        const bool is_power =
+            rest.starts_with('^') || rest.starts_with("²") || rest.starts_with("³");
+        fail(begin, is_power ? fmt::format("the power of a function: write '{}^...'", call)
+                             : fmt::format("{} needs parentheses: write '{}'", name, call));
     }
 
     [[noreturn]] void fail_unknown(std::string_view word, std::size_t begin) const {
@@ -433,13 +436,17 @@ private:
             }
         }
         const std::string near = base::nearest_name(word, known);
-        const std::string hint = near.empty() ? fmt::format("; known: {}", join(known))
-                                              : fmt::format("; did you mean '{}'?", near);
+        const std::string hint = word == "t"    ? "; time moves parameters: name one here, as T, "
+                                                  "and write T = \"t\" under [parameters]"
+                                 : near.empty() ? fmt::format("; known: {}", join(known))
+                                                : fmt::format("; did you mean '{}'?", near);
         fail(begin, fmt::format("unknown name '{}'{}", word, hint));
     }
 
     [[noreturn]] void fail_unexpected() const {
         if (at_ == text_.size()) fail(at_, "the formula ends too early");
+        if (peek() == '=' && at_ > 0 && text_[at_ - 1] == '=')
+            fail(at_, "unexpected second '=': write one");
         if (peek() == '=')
             fail(at_, "unexpected '=': an expression has a value, and equals nothing");
         if (std::isdigit(static_cast<unsigned char>(peek())) || peek() == '|')
@@ -447,7 +454,11 @@ private:
         if (peek() == ')') fail(at_, "this ')' closes nothing");
         std::size_t length = 1; // a whole UTF-8 character
         while (at_ + length < text_.size() && continues_character(text_[at_ + length])) ++length;
-        fail(at_, fmt::format("unexpected '{}'", text_.substr(at_, length)));
+        const std::string_view sign = text_.substr(at_, length);
+        const bool compares = sign == "<" || sign == ">" || sign == "≤" || sign == "≥";
+        fail(at_,
+             fmt::format("unexpected '{}'{}", sign,
+                         compares ? ": a surface is where both sides are equal: write '='" : ""));
     }
 
     [[noreturn]] void fail(std::size_t offset, const std::string& message) const {

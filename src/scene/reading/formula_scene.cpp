@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/printable.h"
+
 namespace isomotion::scene {
 namespace {
 
@@ -45,6 +47,26 @@ std::vector<Word> words_of(std::string_view formula) {
     return words;
 }
 
+// What a window and a page are headed by: of a long formula the beginning.
+std::string title_of(std::string_view formula) {
+    constexpr std::size_t longest = 200; // bytes
+    std::string title;
+    for (const char c : formula) {
+        const bool is_space = std::isspace(static_cast<unsigned char>(c));
+        if (!is_space)
+            title += c;
+        else if (!title.empty() && title.back() != ' ')
+            title += ' ';
+    }
+    if (title.ends_with(' ')) title.pop_back();
+    if (title.size() > longest) {
+        std::size_t end = longest;
+        while ((static_cast<unsigned char>(title[end]) & 0xc0) == 0x80) --end; // whole characters
+        title = title.substr(0, end) + "...";
+    }
+    return base::printable_line(title);
+}
+
 } // namespace
 
 bool is_formula(const std::string& name) {
@@ -58,7 +80,7 @@ toml::table scene_of_formula(const std::string& formula) {
     const auto is_used = [&](std::string_view name) {
         return std::ranges::count(words, name, &Word::text) > 0;
     };
-    toml::table root{{"title", formula}};
+    toml::table root{{"title", title_of(formula)}};
     if (!is_used("t")) {
         root.insert("surface", toml::table{{"formula", formula}});
         return root;

@@ -30,7 +30,9 @@ TEST_F(ExpressionMistakes, Formulas) {
          "    \n"
          "    ^"},
         {ball_with(6, "formula = \"t*x - radius\""),
-         "scene.toml:6: surface.formula: unknown name 't'; known: x, y, z, radius, pi\n"
+         "scene.toml:6: surface.formula: unknown name 't'; time moves parameters: name one here, "
+         "as "
+         "T, and write T = \"t\" under [parameters]\n"
          "    t*x - radius\n"
          "    ^"},
     });

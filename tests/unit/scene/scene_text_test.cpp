@@ -27,6 +27,16 @@ time = "t"
     EXPECT_EQ(scene_file_text("x^2 + y^2 + z^2 = a + 0.3*sin(9*x + t)", {"a=1.1"}), text);
 }
 
+TEST(FormulaScene, HasTheBeginningOfALongFormulaAsItsTitle) {
+    std::string formula = "x^2 + y^2\n  + z^2 = 1";
+    EXPECT_EQ(load(formula).title, "x^2 + y^2 + z^2 = 1");
+    for (int k = 0; k < 300; ++k) formula += " + 0*x";
+    const std::string title = load(formula).title;
+    EXPECT_LT(title.size(), 210u);
+    EXPECT_THAT(title, testing::StartsWith("x^2 + y^2 + z^2 = 1 + 0*x"));
+    EXPECT_THAT(title, testing::EndsWith("..."));
+}
+
 // t is the time wherever a formula may have it, and takes no other parameter's name.
 TEST(FormulaScene, FindsTheTimeInAFormula) {
     for (const char* formula : {"x^2 + y^2 + z^2 = 1 + 0.1*sin(2t)", "x^2+y^2+z^2=1+2.5e-1t",
