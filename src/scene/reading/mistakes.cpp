@@ -75,8 +75,8 @@ void put_stand_in(toml::table& table, const Path& path) {
 
 // A right one in place of a table of a list: the others keep their numbers.
 toml::table listed_stand_in(const Path& path) {
-    if (path[0] == "sections") return {{"sphere", 0}};
-    return {{"direction", toml::array{0, 0, 1}}};
+    if (path[0] == "sections") return toml::table{{"sphere", 0}};
+    return toml::table{{"direction", toml::array{0, 0, 1}}};
 }
 
 void take_out(toml::table& root, const Path& path, bool has_stand_in) {
