@@ -26,7 +26,7 @@ TEST(SceneFingerprint, EveryChangeShows) {
         "output.samples=4",
         "output.background=\"transparent\"",
         "material.color=[1,0,0]",
-        "material.model=\"ggx\"",
+        "material.model=\"lambert\"",
         "isolation.method=\"amp-sign\"",
         "isolation.step=0.0123",
         "isolation.certify=true",

@@ -64,7 +64,7 @@ inline const std::vector<std::string> every_paint{
 // Effects, so that all files are called for.
 inline const std::vector<std::string> every_effect{
     "[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n[ground]\nheight = -1\n"
-    "[fog]\ndensity = 0.1\n[occlusion]\n",
+    "[fog]\ndensity = 0.1\n[occlusion]\n[ambient]\ntop = [1, 1, 1]\n",
     "[[lights]]\nposition = [2, 0, 0]\n[material]\nmodel = 'ggx'\nreflection = 'self'\n"
     "[environment]\nmap = 'studio.exr'\n",
     "[material]\nmodel = 'blinn-phong'\nreflection = 'sky'\n"
