@@ -131,13 +131,18 @@ TEST(CertifiedFrame, BesideACriticalValue) {
     }
 }
 
-TEST(CertifiedFrame, ASphereThatIsReachedIsNotProved) {
-    for (const char* formula : {"x - 0.1", "x^2 + y^2 + z^2 - 4"}) {
+// What a sphere of bounds cuts off is proved, and no surface that touches it or lies on it.
+TEST(CertifiedFrame, ASphereThatIsReached) {
+    const auto proved = [](const char* formula) {
         const StillScene frame(still(formula, "{ sphere = 1 }"), 0);
-        const auto proved =
-            certify_frame(frame.formula(Side::negative), frame.bounds, {.depth = 6});
-        EXPECT_FALSE(proved.betti) << formula;
-    }
+        return certify_frame(frame.formula(Side::negative), frame.bounds, {.depth = 6}).betti;
+    };
+    EXPECT_EQ(proved("x - 0.1"), (Betti{1, 0, 0}));
+    EXPECT_EQ(proved("x^2 + y^2 + z^2 - 4"), (Betti{1, 0, 0}));
+    EXPECT_EQ(proved("0.01 - x^2"), (Betti{2, 0, 0})) << "a slab less";
+    EXPECT_EQ(proved("0.04 - x^2 - y^2"), (Betti{1, 1, 0})) << "a hole drilled";
+    EXPECT_FALSE(proved("x - 1"));
+    EXPECT_FALSE(proved("1 - x^2 - y^2 - z^2"));
 }
 
 // Next to 10^8 doubles are further apart than values of this plane, and vertices lie on it.
