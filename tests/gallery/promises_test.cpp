@@ -3,6 +3,7 @@
 #include <set>
 
 #include "gallery/animations.h"
+#include "scene/cut.h"
 #include "scene/reading/load.h"
 #include "scene/scene_at.h"
 
@@ -28,7 +29,7 @@ TEST(Promises, EveryAnimationLastsTwoToSixSeconds) {
     }
 }
 
-// What the formula sees changes, not only the camera.
+// What the formula sees changes, or what is cut off, not only the camera.
 TEST(Promises, TheSurfaceItselfMoves) {
     for (const std::string& name : animation_names()) {
         const Scene scene = load(name);
@@ -36,7 +37,8 @@ TEST(Promises, TheSurfaceItselfMoves) {
         bool moves = false;
         for (int frame = 2; frame <= scene.timeline.frames && !moves; ++frame) {
             const SceneAt now = at(scene, scene.timeline.values(frame));
-            moves = now.bindings.parameters != first.bindings.parameters;
+            moves = now.bindings.parameters != first.bindings.parameters ||
+                    scene::packed(now.sections) != scene::packed(first.sections);
             for (std::size_t a = 0; a < now.bindings.arrays.size(); ++a) {
                 moves = moves || now.bindings.arrays[a].fields != first.bindings.arrays[a].fields;
             }
@@ -78,12 +80,13 @@ std::vector<glm::dvec3> boundary(const BoundsAt& bounds, int count) {
     return points;
 }
 
-// A surface that shows one side only is whole: its bounds do not cut it open at any frame.
+// A surface that shows one side only is whole: its bounds do not cut it open at any frame. Where
+// sections do, its inside is seen anyway.
 TEST(Promises, SurfacesOfOneColourStayInTheirBounds) {
     int whole = 0;
     for (const std::string& name : animation_names()) {
         const Scene scene = load(name);
-        if (scene.material.inside) continue;
+        if (scene.material.inside || !scene.sections.empty()) continue;
         ++whole;
         formula::FieldEvaluator<double> field(*scene.surface.field);
         for (int frame = 1; frame <= scene.timeline.frames; frame += 3) {
