@@ -131,7 +131,8 @@ TEST(CertifiedFrame, BesideACriticalValue) {
     }
 }
 
-// What a sphere of bounds cuts off is proved, and no surface that touches it or lies on it.
+// What a sphere of bounds cuts off is proved, and not where the solid only touches it or ends on
+// it.
 TEST(CertifiedFrame, ASphereThatIsReached) {
     const auto proved = [](const char* formula) {
         const StillScene frame(still(formula, "{ sphere = 1 }"), 0);
@@ -141,7 +142,9 @@ TEST(CertifiedFrame, ASphereThatIsReached) {
     EXPECT_EQ(proved("x^2 + y^2 + z^2 - 4"), (Betti{1, 0, 0}));
     EXPECT_EQ(proved("0.01 - x^2"), (Betti{2, 0, 0})) << "a slab less";
     EXPECT_EQ(proved("0.04 - x^2 - y^2"), (Betti{1, 1, 0})) << "a hole drilled";
-    EXPECT_FALSE(proved("x - 1"));
+    EXPECT_EQ(proved("x - 1"), (Betti{1, 0, 0}))
+        << "touched from within: all slopes point outwards";
+    EXPECT_FALSE(proved("1 - x")) << "touched from outside";
     EXPECT_FALSE(proved("1 - x^2 - y^2 - z^2"));
 }
 
