@@ -73,7 +73,7 @@ std::string expectation(const Json& report) {
             : "graphics card";
     const std::string rate = fmt::format("{:.{}f}", 1000 / ms, ms > 100 ? 1 : 0);
     return fmt::format(
-        "{0}: {1} without its look renders {2} frames a second at {3}x{3}, and plays at about "
+        "{0}: {1} renders {2} frames a second at {3}x{3}, and plays at about "
         "{4:.0f} "
         "pixels{5}",
         machine, speed["scene"].get<std::string>(), rate, size, rounded,

@@ -18,7 +18,7 @@ nlohmann::ordered_json measure_speed_here(gpu::Backend backend);
 // The same in a process of its own, which has so long.
 nlohmann::ordered_json measure_speed_apart(gpu::Backend backend, std::chrono::seconds longest);
 
-// One sentence from doctor's report: "software renderer, 2 cores: blobby75 without its look renders 15 frames a
+// One sentence from doctor's report: "software renderer, 2 cores: blobby75 renders 15 frames a
 // second at 256x256, and plays at about 180 pixels". Empty where nothing was measured.
 std::string expectation(const nlohmann::ordered_json& report);
 

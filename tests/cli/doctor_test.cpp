@@ -91,7 +91,7 @@ TEST_F(Doctor, EndsWithWhatToExpectOfTheMachine) {
     const std::string last = ending.out.substr(ending.out.rfind('\n', ending.out.size() - 2) + 1);
     EXPECT_THAT(last,
                 testing::MatchesRegex(
-                    "expect   .+: blobby75 without its look renders [0-9.]+ frames a second at "
+                    "expect   .+: blobby75 renders [0-9.]+ frames a second at "
                     "256x256, and plays at about [0-9]+ pixels( or more)?\n"));
     // One back end works: no drivers are advised for the others.
     EXPECT_THAT(ending.out, Not(HasSubstr("install an OpenGL driver")));

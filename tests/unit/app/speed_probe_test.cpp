@@ -17,15 +17,15 @@ Json report(double ms, bool software) {
 
 TEST(Expectation, IsOfTheMachineAndTheTime) {
     EXPECT_EQ(expectation(report(66.7, true)),
-              "software renderer, 2 cores: blobby75 without its look renders 15 frames a second at "
+              "software renderer, 2 cores: blobby75 renders 15 frames a second at "
               "256x256, and plays "
               "at about 180 pixels");
     EXPECT_EQ(expectation(report(400, true)),
-              "software renderer, 2 cores: blobby75 without its look renders 2.5 frames a second "
+              "software renderer, 2 cores: blobby75 renders 2.5 frames a second "
               "at 256x256, and plays "
               "at about 70 pixels");
     EXPECT_EQ(expectation(report(0.25, false)),
-              "graphics card: blobby75 without its look renders 4000 frames a second at 256x256, "
+              "graphics card: blobby75 renders 4000 frames a second at 256x256, "
               "and plays at about "
               "2000 pixels or more");
 }
