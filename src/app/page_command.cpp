@@ -42,7 +42,7 @@ void write(const fs::path& file, const std::string& text) {
 
 fs::path file_of(const PageArguments& arguments, const scene::Scene& scene) {
     if (!arguments.output.empty()) {
-        const fs::path file = arguments.output;
+        fs::path file = arguments.output;
         if (file.extension() == ".html" || file.extension() == ".htm") return file;
         throw std::invalid_argument(
             fmt::format("-o {0}: a page is an HTML file, as {0}.html", arguments.output));
