@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "formula/graph/continuity.h"
 #include "formula/graph/lowering.h"
 #include "unit/formula/stranger_formula.h"
 #include "view.h"
@@ -79,7 +80,9 @@ std::array<int, 4> attack(unsigned seed) {
     const View view(scene_of(scene_text(formula, random)), side, side, {.evaluations = 2000});
     const formula::Field& field = *view.scene.surface.field;
     formula::Graph graph = field.graph;
-    const formula::Program program = formula::schedule_lowered(graph, field.root);
+    // Where a part of F has no value there is no surface, whatever min and max make of it.
+    const formula::Program program =
+        formula::schedule_lowered(graph, formula::with_gaps(graph, field.root));
     formula::Evaluator<double> evaluator(program);
     const auto bindings = formula::convert<double>(view.now.bindings);
     std::array<int, 4> answers{};
