@@ -356,10 +356,12 @@ private:
     // picture, and other events soon enough.
     bool widgets_can_wait(bool has_events) {
         const bool is_held = area_.held() || touched_;
-        widgets_due_ = last_frame_ +
-                       (has_events && !is_held
-                            ? std::max(answers_every, widgets_ / part_of_answers)
-                            : std::clamp(widgets_ / part_of_widgets, widgets_every, least_widgets));
+        const double due = last_frame_ + (has_events && !is_held
+                                              ? std::max(answers_every, widgets_ / part_of_answers)
+                                              : std::clamp(widgets_ / part_of_widgets,
+                                                           widgets_every, least_widgets));
+        // An event that was skipped is answered when it was due, whatever comes after it.
+        widgets_due_ = skipped_ ? std::min(widgets_due_, due) : due;
         return scene_ && !gallery_.is_open() && !compiling() && now() < widgets_due_;
     }
     bool overdue() const { return skipped_ && now() >= widgets_due_; }

@@ -204,6 +204,7 @@ void Window::end_frame(const std::optional<PlacedPicture>& picture) {
     ImGui::Render();
     drawn_ = pixels();
     gpu::begin_screen(drawn_.x, drawn_.y, background_color());
+    placed_ = picture;
     if (picture) place(*picture);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     present();
@@ -214,7 +215,9 @@ void Window::end_frame(const std::optional<PlacedPicture>& picture) {
 }
 
 bool Window::replace(const PlacedPicture& picture) {
-    if (!keeps_.value_or(false) || drawn_ != pixels()) return false;
+    const bool has_its_place =
+        placed_ && placed_->corner == picture.corner && placed_->size == picture.size;
+    if (!keeps_.value_or(false) || drawn_ != pixels() || !has_its_place) return false;
     ImGui::Render();
     const ImVec2 pixel = ImGui::GetIO().DisplayFramebufferScale; // pixels a unit of Dear ImGui's
     const glm::vec2 low(picture.corner), high(picture.corner + picture.size);

@@ -66,8 +66,9 @@ public:
     void skip_frame();
     // In place of end_frame(): all that the window shows stays, but for a picture in place of the
     // one before. The widgets have taken their events, as by skip_frame(). False, and nothing is
-    // done, where widgets lie over the picture, or the window's size is not that of the frame
-    // before.
+    // done, where widgets lie over the picture, where it or the window has another place or size
+    // than in the frame before, or where the driver keeps no pixels that were shown. Software
+    // renderers do, and only there it saves time.
     bool replace(const PlacedPicture& picture);
 
     // Whether frames have yet to show events that came. Dear ImGui takes some frames to settle.
@@ -98,8 +99,9 @@ private:
     GLFWwindow* window_ = nullptr;
     std::unique_ptr<gpu::Context> context_;
     ImGuiContext* widgets_ = nullptr;
-    glm::ivec2 drawn_{0};       // the pixels of the last frame
-    std::optional<bool> keeps_; // whether they can be drawn over after they were shown
+    glm::ivec2 drawn_{0};                 // the pixels of the last frame
+    std::optional<PlacedPicture> placed_; // its picture
+    std::optional<bool> keeps_;           // whether they can be drawn over after they were shown
     int stale_frames_ = 0;
     bool full_screen_ = false;
     WindowPlace windowed_; // the place that full screen goes back to
