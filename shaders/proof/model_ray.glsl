@@ -14,7 +14,7 @@ struct Model {
     REAL error, slope_error;
 };
 
-// Of what changes along the piece.
+// A bound on what changes along the piece.
 REAL md_change(Model a) {
     return abs(a.c.y) + abs(a.c.z);
 }

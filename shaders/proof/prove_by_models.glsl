@@ -34,7 +34,7 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     float piece = at_root ? float(min(s.piece, max(beyond, tube.w))) : s.piece;
     REAL low = float(max(s.settled - piece, ray.t_near));
     REAL middle = at_root ? high : 0.5 * (low + high);
-    // Of pieces before, a bit more than its ends need.
+    // A piece before the root is a bit longer than its ends need.
     REAL half_piece = at_root ? REAL(piece / PART_OF_ROOT)
                               : 0.500001 * (high - low) + IM_DRIVER_ERROR * abs(middle);
     Model f = model_of_piece(ray, middle, half_piece);

@@ -2,8 +2,8 @@
 // SECTION_BALLS has a bit for each that is a ball. What is left has a surface of two kinds: where F
 // is 0 outside of all sections, and caps, where a section's own surface lies in F < 0.
 
-// Of a half-space the unit normal into it and how far along that it begins; of a ball its centre and
-// radius. Formula coordinates.
+// A half-space is its unit normal and how far along that it begins, a ball its centre and radius.
+// Formula coordinates.
 uniform vec4 sections[SECTIONS];
 
 bool is_ball(int k) {

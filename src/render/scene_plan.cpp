@@ -112,8 +112,8 @@ double turns_beside_lists(const scene::Scene& scene, const synthesis::Passes& pa
     return over_boxes ? synthesis::most_cells_of_box * turns : turns;
 }
 
-// Of the evaluations that a draw has room for, those of each part that sections leave of a ray:
-// what a march may take, beside F where parts begin and end.
+// Shares the evaluations that a draw has room for among the parts that sections leave of a ray:
+// what a march may take in each, beside F where parts begin and end.
 int of_a_part(const scene::Scene& scene, const synthesis::Passes& passes, int evaluations) {
     if (scene.sections.empty()) return evaluations;
     const int shared =

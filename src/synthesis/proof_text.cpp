@@ -28,14 +28,14 @@ void add_models(ShaderText& text, const formula::Field& field, const std::string
     text.generated("generated: F on models", formula::glsl_value_model(field, type, numbers));
 }
 
-// Of points.
+// Adds models of F around points.
 void add_value_models(ShaderText& text, const formula::Field& field,
                       formula::Numbers numbers = formula::Numbers::floats) {
     add_models(text, field, "PointModel", "proof/model_point.glsl", numbers);
     text.file("proof/value_by_model.glsl");
 }
 
-// Of pieces: of a ray's, or of a block's beam.
+// Adds models of F over pieces of a ray, or of a block's beam.
 void add_piece_models(ShaderText& text, const formula::Field& field, const std::string& file,
                       formula::Numbers numbers = formula::Numbers::floats) {
     add_models(text, field, "Model", file, numbers);

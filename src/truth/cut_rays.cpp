@@ -95,7 +95,7 @@ struct Way {
         is_done = true;
     }
 
-    // Of a kept piece.
+    // Takes the first root in a piece that is left.
     void take(const FirstRoot& found) {
         switch (found.answer) {
         case Answer::miss:
@@ -122,7 +122,7 @@ struct Way {
         }
     }
 
-    // Of an edge, over which F has the sign.
+    // Takes the sign of F over an edge.
     void take(int sign, const Sections& sections) {
         const Piece& edge = piece();
         if (sign > 0) {

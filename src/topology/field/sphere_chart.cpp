@@ -12,7 +12,7 @@ using formula::Node;
 using formula::NodeId;
 using formula::Op;
 
-// Of the chart's box: points on the edge of a chart's own part are well inside of it.
+// The chart's box reaches so far: points on the edge of a chart's own part are well inside of it.
 constexpr double reach = 1.0625;
 
 } // namespace
