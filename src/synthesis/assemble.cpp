@@ -23,7 +23,7 @@ namespace {
 constexpr int most_by_lists = 500;
 // And where no lists can be made, in GLSL ES; from so many on a grid is faster than beams that go
 // through all.
-constexpr int most_in_beams_of_a_page = 100;
+constexpr int most_in_beams_of_a_page = 24;
 
 // Whether rays ask for bounds of F over pieces of them.
 bool goes_by_bounds(const scene::Scene& scene) {
