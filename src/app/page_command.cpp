@@ -113,6 +113,7 @@ std::optional<fs::path> report_beside(const scene::Scene& scene) {
 // A report that was not asked for may be of other settings: the page goes without it.
 std::string page_with_report_beside(const scene::Scene& scene, page::PageOptions& options) {
     options.report = report_beside(scene);
+    if (!options.report) return page::page(scene, options);
     try {
         return page::page(scene, options);
     } catch (const base::InputError& error) {
