@@ -36,10 +36,10 @@ constexpr std::size_t most_thumbnails = 8;
 constexpr int thumbnail_size = 192; // shown at half of it: sharp on screens of fine pixels
 
 struct TopologyArguments {
-    std::string scene, frames, certify = "full", output, csv, plot, check, backend = "auto";
+    std::string scene, frames, certify = "full", output, csv, plot, check, dt = "1e-9",
+                               backend = "auto";
     std::vector<std::string> settings;
     std::optional<int> grid;
-    double dt = 1e-9;
     bool quiet = false;
     scene::Reach reach = scene::Reach::own_folder;
 };
@@ -175,7 +175,8 @@ topology::TimelineRecord analysed(const TopologyArguments& arguments, const scen
 
 int judged(const TopologyArguments& arguments, const topology::Expectation& expectation,
            const topology::TimelineRecord& record) {
-    const topology::Check check = topology::check(expectation, record, arguments.dt);
+    const topology::Check check =
+        topology::check(expectation, record, topology::parse_dt(arguments.dt, record.header.fps));
     const std::string text = topology::text(check, arguments.check);
     switch (check.outcome()) {
     case topology::Outcome::passes:
@@ -204,7 +205,7 @@ int topology_of(const TopologyArguments& arguments) {
     check_extension("--csv", arguments.csv, ".csv");
     check_extension("--plot", arguments.plot, ".svg");
     check_grid(arguments);
-    check_amount("--dt", arguments.dt, "seconds, 0 or more: 1e-9");
+    topology::parse_dt(arguments.dt, {1, 1});
     gpu::parse_backend(arguments.backend);
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
     if (!scene.sections.empty() && !arguments.quiet) {
@@ -258,7 +259,8 @@ void add_topology(CLI::App& app, Action& chosen) {
                         "searched; exit code 1 if it differs, 2 if it could not be decided");
     command
         ->add_option("--dt", a.dt,
-                     "seconds by which events may have moved from a checked timeline's; 0 or more")
+                     "by how much events may have moved from a checked timeline's: seconds, or "
+                     "\"0.5 frames\"")
         ->capture_default_str();
     command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
     add_allow_outside(*command, a.reach);
