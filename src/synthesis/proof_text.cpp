@@ -81,9 +81,11 @@ void add_proof(ShaderText& text, const scene::Scene& scene, const Passes& passes
                ProofBounds bounds) {
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     add_ended_ray(text, scene);
-    add_way(text, passes, !passes.beams.empty());
+    if (has_lists(passes)) text.define("LISTS", 1);
+    add_entrance(text, passes, !passes.beams.empty());
     text.define("PROVED_BLOCK", proved_block);
     text.file("proof/rounding.glsl");
+    if (has_lists(passes)) text.file("proof/list_of_ray.glsl");
     text.file("proof/way.glsl");
     text.file("proof/outcome.glsl");
     text.file(bounds == ProofBounds::in_doubles ? "proof/in_doubles.glsl" : "proof/in_floats.glsl");
@@ -118,7 +120,9 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
     text.file("march/verdict.glsl");
     text.file("proof/ending.glsl");
     text.file("proof/rounding.glsl");
+    if (has_lists(passes)) text.define("LISTS", 1);
     add_beam_of_block(text, scene, passes, block);
+    if (has_lists(passes)) text.file("proof/list_of_block.glsl");
     if (by_models) {
         text.file("proof/piece_of_block.glsl");
         text.file("proof/ends_of_block.glsl");
