@@ -140,10 +140,14 @@ Pass first_proof(const scene::Scene& scene, const Passes& passes) {
         add_proof(text, scene, passes, ProofBounds::natural);
         add_value_models(text, field);
     } else {
-        add_enclosures(text, field, passes,
-                       {FieldFunction::value_interval, FieldFunction::gradient_interval});
-        add_proof(text, scene, passes, ProofBounds::by_gradient);
-        add_value_at(text, ProofBounds::by_gradient);
+        // Of terms of one sum, which do not cancel as a polynomial's, natural bounds are close.
+        const auto bounds = has_lists(passes) ? ProofBounds::natural : ProofBounds::by_gradient;
+        std::vector functions{FieldFunction::value_interval};
+        if (bounds == ProofBounds::by_gradient)
+            functions.push_back(FieldFunction::gradient_interval);
+        add_enclosures(text, field, passes, functions);
+        add_proof(text, scene, passes, bounds);
+        add_value_at(text, bounds);
     }
     text.file("proof/begin.frag");
     return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile);
