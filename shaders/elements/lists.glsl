@@ -7,7 +7,7 @@
 // The number: what the three lists, one made from another, may leave out at a root (beam_list.glsl),
 // which is LEFT_OUT of what the sum is at roots, wherever in their part that is asked. A block's
 // proof leads on to those of its rays, which may go by another list: then the sum is off by both of
-// these numbers in what one has proved of it, see begin.frag. Hence twice, and some more.
+// these numbers in what one has proved of it, see begin.frag. Hence three times 3, and some more.
 
 vec2 array0_rest[1] = vec2[1](vec2(0.0));
 
