@@ -95,6 +95,11 @@ void add_color(ShaderText& text, const scene::Scene& scene) {
     }
 }
 
+// Whether rays or samples begin where others ended.
+bool sees_from_surfaces(const scene::Scene& scene) {
+    return shadow_mask(scene) != 0 || has_mirrored_rays(scene) || scene.occlusion;
+}
+
 // Shading, Hit and the record of a pixel.
 void add_picture(ShaderText& text, const scene::Scene& scene) {
     text.file(has_flat_shading(scene) ? "shade/shading_flat.glsl" : "shade/shading.glsl");
@@ -146,9 +151,14 @@ Pass mask_pass(const scene::Scene& scene, const Passes& passes) {
 
 Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin) {
     ShaderText text;
-    std::vector<FieldFunction> functions{FieldFunction::value};
+    const bool begins_rays = !is_among(scene) || sees_from_surfaces(scene);
+    std::vector<FieldFunction> functions;
+    if (begins_rays) functions.push_back(FieldFunction::value);
     if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
     add_field(text, *scene.surface.field, passes, functions);
+    if (!begins_rays)
+        text.generated("no ray begins here, so how far off doesn't matter",
+                       "float field(vec3 p) {\n    return 1.0;\n}\n");
     add_ray(text, scene, origin);
     const bool by_lists = origin == Origin::eye && has_lists(passes);
     if (by_lists) {

@@ -92,7 +92,8 @@ TEST(Surfaces, OneInTheListIsASceneOfOne) {
 
 TEST(Surfaces, AreSetByNameAndNumber) {
     EXPECT_EQ(parameter(read(two, {"size=4"}), "r"), 2);
-    EXPECT_EQ(parameter(read(two, {"r=3"}), "r"), 3);
+    EXPECT_EQ(parameter(read(two, {"a=0.25"}).others[0], "a"), 0.25);
+    EXPECT_EQ(parameter(read(two, {"r=3*size"}), "r"), 6);
     EXPECT_EQ(parameter(read(two, {"surfaces.ring.parameters.a=0.3"}).others[0], "a"), 0.3);
     EXPECT_EQ(parameter(read(two, {"surfaces.2.parameters.a=0.4"}).others[0], "a"), 0.4);
     const Scene moved = read(two, {"surfaces.ring.transform.scale=3"});
