@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "scene/error.h"
+#include "scene/surfaces.h"
 #include "synthesis/assemble.h"
 #include "synthesis/inlined_size.h"
 
@@ -47,6 +48,7 @@ void expect_little_data(const scene::Scene& scene) {
 } // namespace
 
 WebScene web_scene(scene::Scene scene) {
+    scene::expect_one_surface(scene, "a page");
     expect_no_motion_blur(scene);
     expect_few_elements(scene);
     expect_little_data(scene);

@@ -14,6 +14,8 @@ int far_lights(const scene::Scene& scene);
 // The parts of the shade pass after rays, shading.glsl and surface_color(): the generated shade().
 void add_shading(ShaderText& text, const scene::Scene& scene);
 // light_at().
+// The same of what is seen in a mirror of one surface among several: seen_again().
+void add_seen_shading(ShaderText& text, const scene::Scene& scene);
 void add_lights(ShaderText& text, const scene::Scene& scene);
 
 } // namespace isomotion::synthesis
