@@ -186,7 +186,7 @@ void add_accuracy(CLI::App& app, Action& chosen) {
         "accuracy", "measure what each method and setting costs, and which pixels it gets wrong");
     command
         ->add_option("scene", a.scene,
-                     "a scene file (.toml, .jsurf), the name of an animation, or a formula")
+                     "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
         ->required();
     command->add_option("--frames,--frame", a.frames,
                         "frames to measure: 1-10, 1-10x2, 1,3,5-9 (default: the scene's poster)");
