@@ -154,7 +154,8 @@ void PovCursor::skip_group(std::string_view for_what) {
 
 void PovCursor::fail(std::string_view key, std::string_view message) const {
     throw SceneError(fmt::format("{}:{}: {}: {}", file_->string(), now().line + 1,
-                                 base::printable_line(std::string(key)), message));
+                                 base::printable_line(std::string(key)),
+                                 base::printable_line(std::string(message))));
 }
 
 } // namespace isomotion::scene
