@@ -189,7 +189,7 @@ void add_accuracy(CLI::App& app, Action& chosen) {
         "accuracy", "measure what each method and setting costs, and which pixels it gets wrong");
     command
         ->add_option("scene", a.scene,
-                     "a scene file (.toml, .jsurf), the name of an animation, or a formula")
+                     "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
         ->required();
     command->add_option("--surface", a.surface,
                         "of a scene with [[surfaces]], the one to measure, alone; by its name");

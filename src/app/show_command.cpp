@@ -229,7 +229,7 @@ void add_show(CLI::App& app, Action& chosen) {
         "show", "print what a scene is at a frame, its shaders, or its scene file");
     command
         ->add_option("scene", arguments->scene,
-                     "a scene file (.toml, .jsurf), the name of an animation, or a formula")
+                     "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
         ->required();
     command->add_option("--frame,--frames", arguments->frames,
                         "frame to show, counted from 1; of several the first (default: 1)");

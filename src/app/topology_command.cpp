@@ -249,7 +249,7 @@ void add_topology(CLI::App& app, Action& chosen) {
         "topology", "when parts of the surface merge, split, open and close; proved, and checked");
     command
         ->add_option("scene", a.scene,
-                     "a scene file (.toml, .jsurf), the name of an animation, or a formula")
+                     "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
         ->required();
     command->add_option("--surface", a.surface,
                         "of a scene with [[surfaces]], the one to search, alone; by its name");

@@ -8,6 +8,7 @@
 #include "gpu/target.h"
 #include "gpu/texture.h"
 #include "image/environment.h"
+#include "image/environment_levels.h"
 #include "render/frame_pictures.h"
 #include "render/fused_pass.h"
 #include "render/layers.h"
@@ -72,12 +73,16 @@ struct Renderer::Parts {
     void load_environment() {
         base::Fingerprint print;
         image::EnvironmentSink sink;
+        std::optional<image::EnvironmentReduction> reduction;
+        if (synthesis::mirrors_environment(scene)) reduction.emplace(image::widest_reduction);
         sink.begin = [&](int width, int height) {
             environment.emplace(gpu::Format::rgba32f, width, height);
+            if (reduction) reduction->begin(width, height);
             print.begin(4 * sizeof(float) * std::size_t(width) * std::size_t(height));
         };
         sink.rows = [&](int first, std::span<const float> texels) {
             environment->update_rows(first, texels);
+            if (reduction) reduction->rows(first, texels);
             print.append(std::as_bytes(texels));
         };
         const int mended =
@@ -85,6 +90,11 @@ struct Renderer::Parts {
         if (mended > 0 && options.warn)
             options.warn(image::mending(scene.environment->map, mended));
         environment_print = print.text();
+        if (!reduction) return;
+        const image::EnvironmentMap levels =
+            image::environment_levels(reduction->map(), image::widest_level);
+        environment_levels.emplace(gpu::Format::rgba32f, levels.width, levels.height,
+                                   levels.texels);
     }
 
     // ----- what a frame is drawn from
@@ -149,6 +159,7 @@ struct Renderer::Parts {
         done = 0;
         own.upload(inputs, options.width, options.height);
         if (environment) table.bind("environment_map", *environment);
+        if (environment_levels) table.bind("environment_levels", *environment_levels);
         for (std::size_t k = 1; k < surfaces.size(); ++k)
             surfaces[k]->upload(inputs.others[k - 1], options.width, options.height);
     }
@@ -392,7 +403,8 @@ struct Renderer::Parts {
     std::optional<RayTargets> eye_rays;
     std::optional<SecondaryRays> secondary;
     std::optional<gpu::Texture> environment;
-    std::string environment_print; // of its texels
+    std::optional<gpu::Texture> environment_levels; // where something mirrors it
+    std::string environment_print;                  // of its texels
     std::optional<VelocityPass> moved;
     std::optional<Proofs> proofs;
     std::vector<float> proved; // of the tile proved last

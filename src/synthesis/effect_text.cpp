@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "formula/hessian.h"
 #include "synthesis/effect.h"
 #include "synthesis/shader_files.h"
 #include "synthesis/surfaces_text.h"
@@ -13,9 +14,11 @@ namespace {
 
 using Reflection = scene::Material::Reflection;
 
-// vec3 name(...): the light of everything that shines on p, as it goes to the viewer.
-std::string lit(const scene::Scene& scene, const char* name, bool with_shadows) {
-    const bool occluded = scene.occlusion && with_shadows;
+// vec3 name(...): the light of everything that shines on p, as it goes to the viewer. `visibility`
+// tells of a light whether its shadow rays arrived; null: no shadows.
+std::string lit(const scene::Scene& scene, const char* name, const char* visibility,
+                bool is_occluded) {
+    const bool occluded = scene.occlusion && is_occluded;
     std::string text = fmt::format("vec3 {}(SurfacePoint p, Hit hit, vec3 to_viewer) {{\n", name);
     text += scene.ground
                 ? "    vec3 albedo = p.on_ground ? ground_color.rgb : surface_color(hit);\n"
@@ -34,12 +37,14 @@ std::string lit(const scene::Scene& scene, const char* name, bool with_shadows) 
                 : "        vec3 share = reflected(albedo, p.normal, to_viewer, "
                   "light.direction);\n";
     text += fmt::format("        sum += light.strength * share{};\n",
-                        shadow_mask(scene) != 0 && with_shadows ? " * visibility(k)" : "");
+                        visibility ? fmt::format(" * {}(k)", visibility) : "");
     return text + "    }\n    return sum;\n}\n";
 }
 
-// What is around a place in a direction.
+// What a mirror shows of what is around, in a direction.
 std::string around(const scene::Scene& scene, const char* direction) {
+    if (mirrors_environment(scene))
+        return fmt::format("rough_environment({}, mirror_alpha2())", direction);
     return scene.environment ? fmt::format("environment({})", direction)
                              : fmt::format("sky({}).rgb", direction);
 }
@@ -58,23 +63,39 @@ std::string with_mirror(const scene::Scene& scene) {
 // vec3 mirrored(...): with what the surface mirrors; a mirror in a mirror shows what is around.
 std::string mirrored(const scene::Scene& scene) {
     std::string text = with_mirror(scene);
+    const bool is_ggx = scene.material.model == scene::Material::Model::ggx;
+    const bool is_blurred = mirrors_environment(scene);
+    if (is_blurred) {
+        text += fmt::format("float mirror_alpha2() {{\n    return {};\n}}\n",
+                            is_ggx ? "alpha() * alpha()" : "footprint_alpha2");
+    }
     text += "vec3 mirrored(vec3 color, Ray ray, SurfacePoint p, Hit hit) {\n";
     if (scene.ground) text += "    if (p.on_ground) return color;\n";
     text += fmt::format("    vec3 direction = reflect(ray.direction, p.normal);\n"
                         "    vec3 seen = {};\n",
                         around(scene, "direction"));
-    if (scene.material.reflection == Reflection::self && is_among(scene)) {
-        text += "    vec4 other = seen_in_mirror();\n"
-                "    if (other.a > 0.0) seen = other.rgb;\n";
-    } else if (scene.material.reflection == Reflection::self) {
-        text += fmt::format("    SurfacePoint q = load_mirrored();\n"
-                            "    Hit other = hit_of(q);\n"
-                            "    if (is_on_surface(q) || q.on_ground) seen = lit_again(q, other, "
-                            "-direction);\n"
-                            "    if (is_on_surface(q)) {{\n"
-                            "        seen = with_mirror(seen, other, -direction, {});\n    }}\n",
-                            around(scene, "reflect(direction, q.normal)"));
+    if (scene.material.reflection != Reflection::self)
+        return text + "    return with_mirror(color, hit, -ray.direction, seen);\n}\n";
+    if (is_among(scene)) {
+        return text + "    vec4 other = seen_in_mirror();\n"
+                      "    if (other.a > 0.0) seen = other.rgb;\n"
+                      "    return with_mirror(color, hit, -ray.direction, seen);\n}\n";
     }
+    text += "    SurfacePoint q = load_mirrored();\n"
+            "    Hit other = hit_of(q);\n";
+    // What is seen in a rough mirror is as rough, and so much wider is the beam that sees it.
+    if (is_blurred) {
+        text +=
+            "    float own_alpha2 = footprint_alpha2, blur = mirror_alpha2();\n"
+            "    float turn = turn_of_normal(q, direction, p.pixel + q.t * sqrt(48.0 * blur));\n"
+            "    footprint_alpha2 = blur + turn * turn / 12.0;\n";
+    }
+    text += fmt::format("    if (is_on_surface(q) || q.on_ground) seen = lit_again(q, other, "
+                        "-direction);\n"
+                        "    if (is_on_surface(q)) {{\n"
+                        "        seen = with_mirror(seen, other, -direction, {});\n    }}\n",
+                        around(scene, "reflect(direction, q.normal)"));
+    if (is_blurred) text += "    footprint_alpha2 = own_alpha2;\n";
     return text + "    return with_mirror(color, hit, -ray.direction, seen);\n}\n";
 }
 
@@ -119,6 +140,26 @@ int shadow_mask(const scene::Scene& scene) {
     return mask;
 }
 
+bool mirrors_environment(const scene::Scene& scene) {
+    // Where several surfaces mirror each other, mirrors show the map as it is.
+    return scene.environment && scene.material.reflection != Reflection::none && !is_among(scene);
+}
+
+bool mirrors_shadows(const scene::Scene& scene) {
+    return scene.material.reflection == Reflection::self && shadow_mask(scene) != 0 &&
+           !is_among(scene);
+}
+
+std::optional<formula::Program> mirror_hessian(const scene::Scene& scene) {
+    constexpr std::size_t longest = 1000; // some 0.2 s to compile on a software renderer
+    if (!mirrors_environment(scene)) return std::nullopt;
+    const formula::Field& field = *scene.surface.field;
+    if (field.gradient.instructions.size() > longest) return std::nullopt;
+    formula::Program second = formula::hessian(field);
+    if (second.instructions.size() > longest) return std::nullopt;
+    return second;
+}
+
 int far_lights(const scene::Scene& scene) {
     int mask = 0;
     for (std::size_t k = 0; k < scene.lights.size(); ++k)
@@ -137,21 +178,36 @@ void add_shading(ShaderText& text, const scene::Scene& scene) {
     const bool has_shadows = shadow_mask(scene) != 0;
     add_lights(text, scene);
     text.file("effects/hit_of.glsl");
+    if (mirrors_environment(scene)) {
+        text.define("FOOTPRINT", 1);
+        text.file(mirror_hessian(scene) ? "effects/footprint.glsl" : "effects/no_footprint.glsl");
+    }
     if (!scene.sections.empty()) text.file("section/distance.glsl");
     add_effects(text, scene, false);
 
+    if (mirrors_environment(scene)) text.file("effects/rough_environment.glsl");
+    if (mirrors_shadows(scene)) text.file("effects/mirrored_shadow_mask.glsl");
+
     std::string glue = scene.ground ? "uniform vec4 ground_color;\n" : "";
-    glue += lit(scene, "lit", true);
-    if (reflection == Reflection::self && !is_among(scene)) glue += lit(scene, "lit_again", false);
+    glue += lit(scene, "lit", has_shadows ? "visibility" : nullptr, true);
+    if (reflection == Reflection::self && !is_among(scene))
+        glue += lit(scene, "lit_again", mirrors_shadows(scene) ? "mirrored_visibility" : nullptr,
+                    false);
     if (reflection != Reflection::none) glue += mirrored(scene);
-    glue += "vec3 shade(Ray ray, SurfacePoint p, Hit hit) {\n"
-            "    vec3 color = lit(p, hit, -ray.direction);\n";
+    glue += "vec3 shade(Ray ray, SurfacePoint p, Hit hit) {\n";
+    if (mirrors_environment(scene)) {
+        glue += "    float turn = turn_of_normal(p, ray.direction, p.pixel);\n"
+                "    footprint_alpha2 = turn * turn / 12.0;\n";
+    }
+    glue += "    vec3 color = lit(p, hit, -ray.direction);\n";
     if (reflection != Reflection::none) glue += "    color = mirrored(color, ray, p, hit);\n";
     if (scene.fog) glue += "    color = in_fog(color, p.t - ray_begin(ray));\n";
     glue += "    return color;\n}\n";
-    glue += fmt::format("float further_evaluations() {{\n    return {};\n}}\n",
-                        has_shadows ? "texelFetch(shadow_texture, ivec2(gl_FragCoord.xy), 0).z"
-                                    : "0.0");
+    std::string evaluations =
+        has_shadows ? "texelFetch(shadow_texture, ivec2(gl_FragCoord.xy), 0).z" : "0.0";
+    if (mirrors_shadows(scene))
+        evaluations += " + texelFetch(mirrored_shadow_texture, ivec2(gl_FragCoord.xy), 0).z";
+    glue += fmt::format("float further_evaluations() {{\n    return {};\n}}\n", evaluations);
     text.generated("generated: what shines and what it passes through", glue);
 }
 
@@ -161,7 +217,7 @@ void add_seen_shading(ShaderText& text, const scene::Scene& scene) {
     add_effects(text, scene, true);
     const bool mirrors = scene.material.reflection != Reflection::none;
     std::string glue = scene.ground ? "uniform vec4 ground_color;\n" : "";
-    glue += lit(scene, "lit_again", false);
+    glue += lit(scene, "lit_again", nullptr, false);
     if (mirrors) glue += with_mirror(scene);
     // A mirror in a mirror shows what is around.
     glue += "vec3 seen_again(SurfacePoint q, Hit hit, vec3 direction) {\n"

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "formula/hessian.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/effect.h"
 #include "synthesis/effect_text.h"
@@ -232,8 +233,14 @@ Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
     }
     if (from_surface && scene.occlusion && !is_among(scene))
         functions.push_back(FieldFunction::value);
-    if (!functions.empty() || paint || scene.material.contours) {
-        add_field(text, field, passes, functions, painting_functions(scene, passes));
+    std::vector<GeneratedFunction> beside = painting_functions(scene, passes);
+    const bool paints_curvature = paint && painting(scene)->hessian;
+    if (const auto hessian = mirror_hessian(scene); hessian && !paints_curvature) {
+        beside.insert(beside.begin(), {"second derivatives", formula::kernels_used(*hessian),
+                                       formula::glsl_hessian(*hessian, field.packing)});
+    }
+    if (!functions.empty() || !beside.empty()) {
+        add_field(text, field, passes, functions, beside);
     } else {
         text.file("math/bits.glsl");
     }

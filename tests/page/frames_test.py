@@ -37,6 +37,7 @@ ALL = QUICK + [
     ("look.toml", 2, []),
     ("look.toml", 2, [CAMERA]),
     ("moved.toml", 2, []),
+    ("mirror.toml", 1, []),
 ]
 SCENES = {
     # A cube without a ball, cut by a plane: kinks, two sides.
@@ -121,6 +122,23 @@ shadow = true
 radius = 0.6
 [output]
 samples = 4
+""",
+    # Mirrors that show shadows, and a rough environment.
+    "mirror.toml": """[surface]
+formula = "min(z + 0.5, x + 1, sqrt((x - 1)^2 + y^2 + (z - 0.2)^2) - 0.4)"
+bounds = { sphere = 3 }
+[camera]
+position = [3, -1, 1]
+[[lights]]
+direction = [1, 0.2, 0.3]
+shadow = true
+[environment]
+map = "studio.exr"
+[material]
+model = "ggx"
+metallic = 0.5
+roughness = 0.3
+reflection = "self"
 """,
     # A placement far away, parallel rays, no light of its own.
     "moved.toml": """[time]

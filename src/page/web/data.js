@@ -75,11 +75,11 @@ class SceneData {
             pass.text = this.text(pass.text);
             pass.vertex = this.text(pass.vertex);
         }
-        if (about.environment) {
-            const [width, height] = about.environment;
-            // Halves begin at whole words of two bytes.
-            this.environment = new Uint16Array(reader.take(width * height * 6).slice().buffer);
-        }
+        // Halves begin at whole words of two bytes.
+        const halves = ([width, height]) =>
+            new Uint16Array(reader.take(width * height * 6).slice().buffer);
+        if (about.environment) this.environment = halves(about.environment);
+        if (about.environmentLevels) this.environmentLevels = halves(about.environmentLevels);
     }
 
     text(numbers) {

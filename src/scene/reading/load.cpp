@@ -27,6 +27,7 @@
 #include "scene/reading/material.h"
 #include "scene/reading/mistakes.h"
 #include "scene/reading/named_file.h"
+#include "scene/reading/pov.h"
 #include "scene/reading/scene_text.h"
 #include "scene/reading/sections.h"
 #include "scene/reading/space.h"
@@ -41,6 +42,11 @@ namespace isomotion::scene {
 namespace fs = std::filesystem;
 namespace {
 
+bool is_of_another_program(const fs::path& file) {
+    const std::string extension = base::lower_extension(file);
+    return extension == ".jsurf" || extension == ".pov";
+}
+
 fs::path locate(const std::string& scene) {
     std::error_code error;
     const fs::file_type type = fs::status(scene, error).type();
@@ -51,7 +57,7 @@ fs::path locate(const std::string& scene) {
     if (type != fs::file_type::not_found) return scene;
     const fs::path extension = fs::path(scene).extension();
     const bool looks_like_path =
-        scene.find('/') != scene.npos || extension == ".toml" || extension == ".jsurf";
+        scene.find('/') != scene.npos || extension == ".toml" || is_of_another_program(scene);
     if (looks_like_path) throw SceneError(scene + ": no such file");
     fs::path installed = animation_file(scene);
     if (fs::exists(installed, error)) return installed;
@@ -547,8 +553,9 @@ struct SceneDocument {
 };
 
 toml::table parse_scene(std::string_view text, const fs::path& file) {
-    if (base::lower_extension(file) == ".jsurf")
-        return parse_document(surfer_as_toml(text, file), file);
+    const std::string extension = base::lower_extension(file);
+    if (extension == ".jsurf") return parse_document(surfer_as_toml(text, file), file);
+    if (extension == ".pov") return parse_document(pov_as_toml(text, file), file);
     return parse_document(text, file);
 }
 
@@ -609,7 +616,7 @@ Scene load_into(toml::table& root, const std::string& name, const std::vector<Ov
 } // namespace
 
 std::string title(const fs::path& file) {
-    if (base::lower_extension(file) == ".jsurf") return base::printable_line(file.stem().string());
+    if (is_of_another_program(file)) return base::printable_line(file.stem().string());
     const toml::table root = read_document(file);
     Section document(root, "");
     return read_title(document, file);
