@@ -21,9 +21,7 @@ namespace {
 
 using Vector = std::vector<PovNumber>;
 
-bool is_plain(const PovNumber& n) { return n.value && n.text == PovNumber::of(*n.value).text; }
-
-std::string value_text(const PovNumber& n) { return is_plain(n) ? n.text : toml_text(n.text); }
+std::string value_text(const PovNumber& n) { return n.is_plain() ? n.text : toml_text(n.text); }
 
 std::string vector_text(const Vector& v) {
     return fmt::format("[{}, {}, {}]", value_text(v[0]), value_text(v[1]), value_text(v[2]));
@@ -33,12 +31,12 @@ std::string vector_text(const Vector& v) {
 Vector swapped(const Vector& v) { return {v[0], v[2], v[1]}; }
 
 PovNumber times(const PovNumber& n, double factor) {
-    if (is_plain(n)) return PovNumber::of(*n.value * factor);
+    if (n.is_plain()) return PovNumber::of(*n.value * factor);
     return {fmt::format("{}*({})", factor, n.text), PovNumber::Strength::product, std::nullopt};
 }
 
 PovNumber plus(const PovNumber& a, const PovNumber& b) {
-    if (is_plain(a) && is_plain(b)) return PovNumber::of(*a.value + *b.value);
+    if (a.is_plain() && b.is_plain()) return PovNumber::of(*a.value + *b.value);
     return {fmt::format("({}) + ({})", a.text, b.text), PovNumber::Strength::sum, std::nullopt};
 }
 
@@ -224,7 +222,7 @@ private:
                                 double ahead) {
         using std::numbers::pi;
         if (!angle) return fmt::format("{}", 2 * std::atan(0.5 * up / ahead) * 180 / pi);
-        if (is_plain(*angle)) {
+        if (angle->is_plain()) {
             const double half = std::tan(*angle->value * pi / 360) * up / right;
             return fmt::format("{}", 2 * std::atan(half) * 180 / pi);
         }
@@ -554,9 +552,9 @@ private:
     // `b` is the power of POV-Ray's y, which is our z.
     static void add_term(const PovNumber& factor, int a, int b, int c, std::string& sum) {
         if (factor.value == 0.0) return;
-        std::string term = is_plain(factor) ? fmt::format("{}", std::abs(*factor.value))
-                                            : fmt::format("({})", factor.text);
-        const bool is_negative = is_plain(factor) && *factor.value < 0;
+        std::string term = factor.is_plain() ? fmt::format("{}", std::abs(*factor.value))
+                                             : fmt::format("({})", factor.text);
+        const bool is_negative = factor.is_plain() && *factor.value < 0;
         const auto multiply = [&](char name, int power) {
             if (power == 1) term += fmt::format("*{}", name);
             if (power > 1) term += fmt::format("*{}^{}", name, power);

@@ -23,8 +23,6 @@ std::string held(const PovNumber& number, Strength least) {
     return number.strength < least ? fmt::format("({})", number.text) : number.text;
 }
 
-bool is_plain(const PovNumber& n) { return n.value && n.text == PovNumber::of(*n.value).text; }
-
 // Plain numbers are computed here, others are left to the formula.
 PovNumber joined(const PovNumber& a, char sign, const PovNumber& b) {
     std::optional<double> value;
@@ -48,10 +46,10 @@ PovNumber joined(const PovNumber& a, char sign, const PovNumber& b) {
         }
         if (!std::isfinite(*value)) value.reset();
     }
-    if (value && is_plain(a) && is_plain(b)) return PovNumber::of(*value);
+    if (value && a.is_plain() && b.is_plain()) return PovNumber::of(*value);
     // Parts of "360*clock*y" that are 0, and the other.
     const auto is = [](const PovNumber& n, double wanted) {
-        return is_plain(n) && n.value == wanted;
+        return n.is_plain() && n.value == wanted;
     };
     if (sign == '*' && (is(a, 0) || is(b, 0))) return PovNumber::of(0);
     if ((sign == '*' && is(a, 1)) || (sign == '+' && is(a, 0))) return b;
@@ -183,6 +181,8 @@ PovNumber PovNumber::of(double value) {
     return {fmt::format("{}", value), value < 0 ? Strength::sum : Strength::atom, value};
 }
 
+bool PovNumber::is_plain() const { return value && text == of(*value).text; }
+
 bool PovValues::is_color(const PovWord& word) const {
     return is_color_word(word.text) || named_color(word.text) || word.is("<") ||
            (word.kind == PovWord::Kind::name && values_.contains(word.text));
@@ -312,7 +312,7 @@ PovValue PovValues::signed_value(PovCursor& at) {
     PovValue all = power(at);
     if (!is_negative) return all;
     for (PovNumber& part : all) {
-        if (is_plain(part)) {
+        if (part.is_plain()) {
             part = PovNumber::of(-*part.value);
         } else {
             part.text = "-" + held(part, Strength::power);
@@ -444,7 +444,7 @@ std::vector<PovNumber> PovValues::call(PovCursor& at, const std::string& name) {
     }
     if (known->value && arguments[0].value) {
         const double value = known->value(*arguments[0].value);
-        if (std::isfinite(value) && is_plain(arguments[0])) return {PovNumber::of(value)};
+        if (std::isfinite(value) && arguments[0].is_plain()) return {PovNumber::of(value)};
     }
     arguments.resize(5);
     const Strength strength = name == "pow" || name == "sqr" ? Strength::power : Strength::atom;

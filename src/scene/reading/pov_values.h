@@ -19,6 +19,8 @@ struct PovNumber {
     std::optional<double> value = 0.0;
 
     static PovNumber of(double value);
+    // Its text is no more than its value.
+    bool is_plain() const;
 };
 
 // One number, or the parts of a vector or a colour.
