@@ -16,12 +16,15 @@ precision highp usampler2D;
 #define precise
 #endif
 #endif
-// A long array of vec4s and its element `at`. Browsers have it as rows of a texture.
+// Long arrays of vec4s or of unsigned integers and their element `at`. Browsers have them as rows of
+// a texture.
 #ifdef GL_ES
 #define IM_BUFFER sampler2D
+#define IM_BUFFER_OF_UINTS usampler2D
 #define IM_BUFFER_AT(buffer, at) texelFetch(buffer, ivec2((at) & 1023, (at) >> 10), 0)
 #else
 #define IM_BUFFER samplerBuffer
+#define IM_BUFFER_OF_UINTS usamplerBuffer
 #define IM_BUFFER_AT(buffer, at) texelFetch(buffer, at)
 #endif
 // Operations<float>::saturation() of the CPU.

@@ -1,8 +1,8 @@
 // Elements by place: src/elements/element_grid.h. All sums over the array go through the list of
 // the cell that was entered last.
 
-uniform usamplerBuffer cells_texture;  // as Cell
-uniform usamplerBuffer listed_texture; // elements
+uniform IM_BUFFER_OF_UINTS cells_texture;  // as Cell
+uniform IM_BUFFER_OF_UINTS listed_texture; // elements
 
 #define GRID_LOW array_grid[0].xyz
 #define GRID_CELL array_grid[1].xyz
@@ -24,7 +24,8 @@ ivec3 cell_of(vec3 p) {
 
 uvec2 read_cell(ivec3 place) {
     ivec3 across = GRID_ACROSS;
-    return texelFetch(cells_texture, (place.z * across.y + place.y) * across.x + place.x).xy;
+    int at = (place.z * across.y + place.y) * across.x + place.x;
+    return IM_BUFFER_AT(cells_texture, at).xy;
 }
 
 void enter_cell(ivec3 place) {
@@ -36,5 +37,5 @@ void enter_cell(ivec3 place) {
 }
 
 int listed_element(int k) {
-    return int(texelFetch(listed_texture, grid_first + k).x);
+    return int(IM_BUFFER_AT(listed_texture, grid_first + k).x);
 }

@@ -12,6 +12,9 @@ layout(location = 2) out vec4 list_of_all;
 #endif
 
 uniform int beam_evaluations;
+#ifdef GRID
+uniform float element_budget;
+#endif
 
 void main() {
     ivec2 block = beam_block(ivec2(pixel_centre), SQUARE_BITS);
@@ -34,6 +37,10 @@ void main() {
     }
 #endif
     for (int k = 0; k < evaluations; ++k) {
+#ifdef GRID
+        // Loops must end before drivers end them; some eight neighbours are in cells of their own.
+        if (grid_entered > int(0.125 * element_budget)) break;
+#endif
         float end = high;
 #ifdef LISTS
         if (low < middle_end) end = middle_end;

@@ -11,6 +11,7 @@
 #include "base/document.h"
 #include "base/file.h"
 #include "base/file_text.h"
+#include "formula/graph/operations.h"
 #include "page/rules.h"
 #include "player/model/controls.h"
 #include "player/model/timeline_markers.h"
@@ -131,8 +132,27 @@ Json arrays_of(const synthesis::Passes& passes) {
     return all;
 }
 
-Json sliders_of(const scene::Scene& scene) {
+// Where the elements are that a page finds by place; null where it goes through all.
+Json grid_of(const WebScene& web) {
+    const auto array = synthesis::array_with_grid(web.passes);
+    if (!array) return nullptr;
+    return {{"array", *array},
+            // Its place in the block Parameters, in floats.
+            {"place", 4 * (web.passes.parameter_vectors + web.passes.count_vectors)},
+            {"leastOfNone", formula::Operations<float>::least_of_none()},
+            {"budget", web.plan.element_budget}};
+}
+
+// What a slider makes of elements may matter in other cells: then the shaders go through all.
+bool can_go_through_all(const WebScene& web) {
+    const auto array = synthesis::array_with_grid(web.passes);
+    return !array || web.passes.arrays[std::size_t(*array)].capacity <= most_elements;
+}
+
+Json sliders_of(const WebScene& web) {
+    const scene::Scene& scene = web.scene;
     Json all = Json::array();
+    if (!can_go_through_all(web)) return all;
     for (const player::SliderRange& range : player::slider_ranges(scene)) {
         if (!(range.least < range.most) || !can_be_held(scene, range.track)) continue;
         all.push_back({{"name", range.name},
@@ -251,20 +271,21 @@ std::string description(const WebScene& web, const FrameValues& values,
     all["source"] = source_of(scene);
     all["frames"] = timeline.frames;
     all["fps"] = {timeline.fps.numerator, timeline.fps.denominator};
+    all["moments"] = moments(scene);
     all["loops"] = timeline.loops;
     all["poster"] = scene.output.poster;
     all["size"] = {scene.output.width, scene.output.height};
     all["transparent"] = scene.output.transparent;
     all["samples"] = scene.output.samples;
     all["pattern"] = pattern_of(std::max(scene.output.samples, fewest_samples));
-    if (scene.output.samples > 1 && scene.output.samples < fewest_samples)
-        all["pattern"] = pattern_of(scene.output.samples);
+    const bool is_few = scene.output.samples > 1 && scene.output.samples < fewest_samples;
+    if (is_few || moments(scene).size() > 1) all["pattern"] = pattern_of(scene.output.samples);
     all["box"] = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     all["parallel"] = scene.camera.projection == scene::Camera::Projection::orthographic;
     all["lights"] = scene.lights.size();
     all["viewersLights"] = viewers_lights_of(scene);
     all["settings"] = settings_of(scene);
-    all["sliders"] = sliders_of(scene);
+    all["sliders"] = sliders_of(web);
     all["rules"] = rules_of(scene);
     all["markers"] = markers_of(scene, options);
     if (options.report) all["accuracy"] = accuracy_of(scene, *options.report);
@@ -276,6 +297,7 @@ std::string description(const WebScene& web, const FrameValues& values,
     all["beams"] = beams_of(web);
     all["parameterVectors"] = passes.parameter_vectors;
     all["arrays"] = arrays_of(passes);
+    all["grid"] = grid_of(web);
     all["passes"] = passes_of(web, texts);
     all["lines"] = texts.all();
     all["view"] = places_of(values.view_places);

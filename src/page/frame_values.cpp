@@ -2,15 +2,22 @@
 
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <stdexcept>
+#include <thread>
 #include <variant>
 
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "elements/grid_maker.h"
+#include "page/packed_grid.h"
 #include "render/element_radius.h"
+#include "render/sample_pattern.h"
 #include "render/uniform_blocks.h"
+#include "scene/error.h"
+#include "scene/near_elements.h"
 #include "scene/scene_at.h"
 #include "synthesis/effect.h"
 
@@ -101,7 +108,67 @@ std::vector<Place> add_effects(const synthesis::Uniforms& uniforms, std::vector<
     return places;
 }
 
+// Makes and packs the grids of the array whose elements are found by place, if there is one.
+class Grids {
+public:
+    explicit Grids(const WebScene& web)
+        : web_(web) {
+        if (const auto array = synthesis::array_with_grid(web.passes))
+            maker_ = elements::GridMaker::of(*web.scene.surface.field, *array);
+        // Rows of a texture of 1024 x 2048 hold as many, which every WebGL2 has.
+        limits_.listed = 1 << 21;
+        limits_.threads = int(std::max(1u, std::thread::hardware_concurrency()));
+    }
+
+    std::optional<elements::ElementGrid> at(const scene::SceneAt& now) const {
+        if (!maker_) return std::nullopt;
+        auto grid = maker_->make(now.bindings, scene::region_of_elements(now.bounds), limits_);
+        const std::uint32_t most = web_.plan.most_elements_at_a_place;
+        if (grid.longest > most || grid.listed.size() > limits_.listed) {
+            throw std::length_error(fmt::format(
+                "{} elements of an array matter at one place, and lists have {} in all; a page can "
+                "sum {} and hold {}: smaller kernels, or fewer elements in one place",
+                grid.longest, grid.listed.size(), most, limits_.listed));
+        }
+        return grid;
+    }
+
+    void add(const elements::ElementGrid& grid, const scene::SceneAt& now,
+             std::vector<std::byte>& into) const {
+        std::vector<std::byte> packed;
+        pack(grid, now.bindings.arrays[std::size_t(grid.array)].count, packed);
+        for (int place = 0; place < 4; ++place)
+            into.push_back(std::byte(packed.size() >> (8 * place) & 0xff));
+        into.insert(into.end(), packed.begin(), packed.end());
+    }
+
+private:
+    const WebScene& web_;
+    std::optional<elements::GridMaker> maker_;
+    elements::GridLimits limits_;
+};
+
+// Columns that move go on moving: what is too much is so after few rows.
+void expect_little_data(const scene::Scene& scene, const FrameValues& values, std::size_t rows) {
+    std::size_t columns = 0;
+    for (const ValueTable* table : values.tables()) columns += table->moving();
+    const double bytes = 4.0 * double(columns) * double(rows) + double(values.grids.size());
+    if (bytes <= double(most_value_bytes)) return;
+    throw scene::SceneError(fmt::format(
+        "{}: the values of {} frames are {:.0f} MB or more; a page holds at most {}: take fewer "
+        "frames (time.frames), samples (output.samples) or elements",
+        scene.file.string(), scene.timeline.frames, bytes / 1e6, most_value_bytes / 1'000'000));
+}
+
 } // namespace
+
+std::vector<double> moments(const scene::Scene& scene) {
+    if (scene.camera.shutter == 0) return {0.0};
+    std::vector<double> parts;
+    for (const render::Sample& sample : render::sample_pattern(scene.output.samples))
+        parts.push_back(scene.camera.shutter * sample.part);
+    return parts;
+}
 
 std::vector<const ValueTable*> FrameValues::tables() const {
     std::vector<const ValueTable*> all{&view, &parameters, &shading, &effects};
@@ -117,12 +184,15 @@ FrameValues frame_values(const WebScene& web) {
         values.arrays.emplace_back(fmt::format("array{}", a));
     const bool by_cubics = scene::traits(scene.isolation.method).steps == scene::Steps::cubics;
     render::ElementRadius element_radius;
-    for (int frame = 1; frame <= scene.timeline.frames; ++frame) {
-        const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+    const Grids grids(web);
+    const auto add = [&](const scene::SceneAt& now) {
         Row view = view_of(now, by_cubics ? element_radius.least(scene, now) : HUGE_VAL);
         values.view.add(words_of(std::span<const double>(view.numbers)));
         values.view_places = std::move(view.places);
-        values.parameters.add(words_of_bytes(render::parameter_block(passes, now, nullptr)));
+        const auto grid = grids.at(now);
+        if (grid) grids.add(*grid, now, values.grids);
+        values.parameters.add(
+            words_of_bytes(render::parameter_block(passes, now, grid ? &*grid : nullptr)));
         const auto shading = render::shading_block(scene, now, largest_tile, largest_tile);
         values.shading.add(words_of(std::span<const float>(numbers_of(shading))));
         std::vector<float> effects;
@@ -134,6 +204,11 @@ FrameValues frame_values(const WebScene& web) {
             texels.resize(std::size_t(storage.capacity) * std::size_t(storage.texels));
             values.arrays[a].add(words_of(std::span<const float>(numbers_of(texels))));
         }
+    };
+    const std::vector<double> parts = moments(scene);
+    for (int frame = 1; frame <= scene.timeline.frames; ++frame) {
+        for (const double part : parts) add(scene::at(scene, scene.timeline.values(frame, part)));
+        expect_little_data(scene, values, std::size_t(scene.timeline.frames) * parts.size());
     }
     return values;
 }

@@ -1,4 +1,5 @@
-// The values of every frame of a scene: all that a page's pictures are drawn from.
+// The values of every frame of a scene: all that a page's pictures are drawn from. Where the
+// shutter opens, a frame has as many moments as samples.
 #pragma once
 
 #include <string>
@@ -16,12 +17,15 @@ struct Place {
 };
 
 struct FrameValues {
-    // A row a frame:
+    // A row for each moment of each frame:
     ValueTable view{"view"};             // doubles, as `view_places` has them
     ValueTable parameters{"parameters"}; // block Parameters, std140
     ValueTable shading{"shading"};       // block Shading, std140
     ValueTable effects{"effects"};       // floats, as `effect_places` has them
     std::vector<ValueTable> arrays;      // elements, packed as the shaders read them
+    // Of the array whose elements are found by place (packed_grid.h), as many: each behind its
+    // length in bytes, a word, the least byte first. Empty if there is none.
+    std::vector<std::byte> grids;
     std::vector<Place> view_places;
     std::vector<Place> effect_places; // plain uniforms; a count of 1 to 4 is a float to a vec4
 
@@ -29,7 +33,12 @@ struct FrameValues {
     std::vector<const ValueTable*> tables() const;
 };
 
-// Evaluates all frames. Throws SceneError where a value leaves its range.
+// The parts of a frame that have passed at its moments: 0 first, and alone but for motion blur.
+std::vector<double> moments(const scene::Scene& scene);
+
+// Evaluates all frames. Throws SceneError where a value leaves its range and where the values take
+// more than most_value_bytes, those that stand counted once; std::length_error where more elements
+// matter in one place than a shader can sum.
 FrameValues frame_values(const WebScene& web);
 
 } // namespace isomotion::page

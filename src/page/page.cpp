@@ -13,10 +13,11 @@ namespace isomotion::page {
 namespace {
 
 // In an order in which what runs at once comes last.
-constexpr const char* scripts[] = {
-    "vectors.js", "data.js",       "rays.js",    "orbit.js", "lights.js", "playback.js",
-    "rules.js",   "address.js",    "look.js",    "gl.js",    "passes.js", "tile.js",
-    "screen.js",  "resolution.js", "painter.js", "hands.js", "panel.js",  "main.js"};
+constexpr const char* scripts[] = {"vectors.js", "grid.js",   "data.js",     "rays.js",
+                                   "orbit.js",   "lights.js", "playback.js", "rules.js",
+                                   "address.js", "look.js",   "gl.js",       "passes.js",
+                                   "tile.js",    "screen.js", "elements.js", "resolution.js",
+                                   "painter.js", "hands.js",  "panel.js",    "main.js"};
 
 void append(std::vector<std::byte>& to, std::string_view text) {
     for (const char c : text) to.push_back(std::byte(c));
@@ -26,7 +27,8 @@ void append_word(std::vector<std::byte>& to, std::size_t word) {
     for (int place = 0; place < 4; ++place) to.push_back(std::byte(word >> (8 * place) & 0xff));
 }
 
-// The length of the description, the description, the tables, the environment map and its levels.
+// The length of the description, the description, the tables, the grids, the environment map and
+// its levels.
 std::vector<std::byte> data_of(const WebScene& web, const PageOptions& options) {
     const FrameValues values = frame_values(web);
     std::optional<Environment> around;
@@ -36,6 +38,7 @@ std::vector<std::byte> data_of(const WebScene& web, const PageOptions& options) 
     append_word(data, described.size());
     append(data, described);
     for (const ValueTable* table : values.tables()) table->pack(data);
+    data.insert(data.end(), values.grids.begin(), values.grids.end());
     const auto append_texels = [&](const EnvironmentMap& map) {
         data.insert(data.end(), map.texels.begin(), map.texels.end());
     };

@@ -11,27 +11,32 @@ std::byte byte_of(std::uint32_t word, int place) { return std::byte(word >> (8 *
 } // namespace
 
 void ValueTable::add(std::span<const std::uint32_t> row) {
-    if (rows_ == 0) width_ = row.size();
-    if (row.size() != width_) throw std::logic_error("rows of a table have one length");
-    words_.insert(words_.end(), row.begin(), row.end());
+    if (rows_ == 0) {
+        first_.assign(row.begin(), row.end());
+        columns_.resize(row.size());
+    }
+    if (row.size() != width()) throw std::logic_error("rows of a table have one length");
+    for (std::size_t k = 0; k < row.size(); ++k) {
+        std::vector<std::uint32_t>& column = columns_[k];
+        if (column.empty() && row[k] == first_[k]) continue;
+        if (column.empty()) {
+            column.assign(rows_, first_[k]);
+            ++moving_;
+        }
+        column.push_back(row[k]);
+    }
     ++rows_;
 }
 
 void ValueTable::pack(std::vector<std::byte>& into) const {
-    const auto word = [&](std::size_t row, std::size_t column) {
-        return words_[row * width_ + column];
-    };
     std::vector<std::uint32_t> differences; // of the columns that move
-    for (std::size_t column = 0; column < width_; ++column) {
-        bool moves = false;
-        for (std::size_t row = 1; row < rows_; ++row) moves |= word(row, column) != word(0, column);
-        into.push_back(std::byte(moves));
-        if (!moves) continue;
-        for (std::size_t row = 1; row < rows_; ++row)
-            differences.push_back(word(row, column) - word(row - 1, column));
+    for (const std::vector<std::uint32_t>& column : columns_) {
+        into.push_back(std::byte(!column.empty()));
+        for (std::size_t row = 1; row < column.size(); ++row)
+            differences.push_back(column[row] - column[row - 1]);
     }
-    for (std::size_t column = 0; column < width_; ++column) {
-        for (int place = 0; place < 4; ++place) into.push_back(byte_of(word(0, column), place));
+    for (const std::uint32_t word : first_) {
+        for (int place = 0; place < 4; ++place) into.push_back(byte_of(word, place));
     }
     for (int place = 3; place >= 0; --place) {
         for (const std::uint32_t difference : differences)

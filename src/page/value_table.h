@@ -27,15 +27,17 @@ public:
     void add(std::span<const std::uint32_t> row);
 
     const std::string& name() const { return name_; }
-    std::size_t width() const { return width_; } // words of a row
+    std::size_t width() const { return first_.size(); } // words of a row
     std::size_t rows() const { return rows_; }
+    std::size_t moving() const { return moving_; } // columns
 
     void pack(std::vector<std::byte>& into) const;
 
 private:
     std::string name_;
-    std::size_t width_ = 0, rows_ = 0;
-    std::vector<std::uint32_t> words_; // row by row
+    std::size_t rows_ = 0, moving_ = 0;
+    std::vector<std::uint32_t> first_;                // row
+    std::vector<std::vector<std::uint32_t>> columns_; // all rows of those that move, others empty
 };
 
 // A row of floats or of doubles, each of which is two words, the lower one first.

@@ -9,10 +9,10 @@
 
 namespace isomotion::page {
 
-// What a page holds at most. Its shaders go through all elements at every place, where `render`
-// knows which ones matter there.
-inline constexpr int most_elements = 1000;
-inline constexpr std::size_t most_value_bytes = 32'000'000; // of all frames, unpacked
+// What a page holds at most: of elements that its shaders go through at every place, and of those
+// that they find by place; of the values of all frames, unpacked.
+inline constexpr int most_elements = 1000, most_elements_by_place = 20'000;
+inline constexpr std::size_t most_value_bytes = 32'000'000;
 // Pixels along the sides of a tile, which one draw fills: a browser is not kept longer than that.
 inline constexpr int largest_tile = 512;
 

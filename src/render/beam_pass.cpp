@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "render/scene_plan.h"
+
 namespace isomotion::render {
 namespace {
 
@@ -46,9 +48,7 @@ int evaluations_of_a_beam(const synthesis::Passes& passes, const formula::Field&
                           synthesis::BeamLists lists) {
     // Where lists are made for smaller blocks, these walk the rest of the way at a smaller price.
     const double most = lists == synthesis::BeamLists::whole ? 8 : 64;
-    std::vector<int> counts;
-    for (const auto& array : passes.arrays) counts.push_back(array.capacity);
-    const double sums = formula::cost(field.value, counts).iterations;
+    const double sums = formula::cost(field.value, elements_by_place(passes)).iterations;
     const double fitting = 0.5 * loop_iterations_per_pass / (1 + sums);
     return int(synthesis::has_lists(passes) ? most : std::min(most, fitting));
 }

@@ -22,6 +22,9 @@ namespace {
 
 // From so many elements on a grid finds those that matter faster than beams do.
 constexpr int most_by_lists = 500;
+// And where no lists can be made, in GLSL ES; from so many on a grid is faster than beams that go
+// through all.
+constexpr int most_in_beams_of_a_page = 24;
 
 // Whether rays ask for bounds of F over pieces of them.
 bool goes_by_bounds(const scene::Scene& scene) {
@@ -40,8 +43,10 @@ bool goes_by_bounds(const scene::Scene& scene) {
 // The array with the most elements, if its sums' terms are kernels of a distance and looking for
 // them pays. A scene that calls beams off looks at all elements, and so do the paper's methods, as
 // far as a shader can.
-std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<const int> counts) {
-    constexpr int fewest = 64, most_in_a_shader = 20'000;
+std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<const int> counts,
+                                          Platform platform) {
+    constexpr int fewest_on_desktops = 64, most_in_a_shader = 20'000;
+    const int fewest = platform == Platform::webgl ? most_in_beams_of_a_page : fewest_on_desktops;
     if (counts.empty()) return std::nullopt;
     const int array = int(std::ranges::max_element(counts) - counts.begin());
     const int count = counts[std::size_t(array)];
@@ -60,11 +65,11 @@ std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<c
     return array;
 }
 
-FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers) {
+FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers, Platform platform) {
     const std::vector<int> counts = scene.timeline.animation.counts();
     // With more elements than most the loops of a beam's shader might end too soon (beam_text.cpp).
     constexpr int fewest = 9, most = 15'000;
-    const auto by_place = array_to_find_by_place(scene, counts);
+    const auto by_place = array_to_find_by_place(scene, counts, platform);
     const bool is_large =
         by_place && counts[std::size_t(*by_place)] > most_by_lists && scene.isolation.beam != true;
     Finding finding;
@@ -97,10 +102,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
     const bool on_web = platform == Platform::webgl;
     Passes passes;
-    static_cast<FieldStorage&>(passes) =
-        on_web ? field_storage(*scene.surface.field, scene.surface.parameters,
-                               scene.timeline.animation.counts())
-               : storage_of(scene, writes_buffers);
+    static_cast<FieldStorage&>(passes) = storage_of(scene, writes_buffers && !on_web, platform);
     passes.stage = stage;
     // A wall's normal is no slope along a ray.
     passes.march_takes_gradient =
@@ -109,7 +111,8 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     const bool solves = method.steps == scene::Steps::polynomial;
     if (solves) passes.degree = scene::solved_degree(*scene.surface.field);
     passes.state_textures = method.state_textures;
-    const bool by_beams = uses_beams(scene) && !array_with_grid(passes);
+    // A page's beams, which make no lists, find elements by place as its rays do.
+    const bool by_beams = uses_beams(scene) && (on_web || !array_with_grid(passes));
     if (by_beams) passes.beams = beam_levels(passes, finest_beam);
     if (on_web) lay_side_by_side(passes.beams);
     // A polynomial is solved from where the eye's rays begin, off the surface: shadow rays from the

@@ -97,6 +97,7 @@ Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
     } else {
         add_field(text, field, passes, {FieldFunction::value_interval});
     }
+    if (array_with_grid(passes)) text.define("GRID", 1);
     if (makes_lists) {
         const bool whole = beam.lists == BeamLists::whole;
         text.generated("the front, as a part of all",

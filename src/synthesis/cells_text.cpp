@@ -79,8 +79,9 @@ void add_cells(ShaderText& text, const FieldStorage& storage) {
     text.file("elements/cells.glsl");
     const ArrayStorage& array = storage.arrays[std::size_t(*array_with_grid(storage))];
     text.generated("generated: an element of the list entered last",
-                   fmt::format("vec4 {0}_texel(int element, int texel) {{ return texelFetch({0}, "
-                               "listed_element(element) * {1} + texel); }}\n",
+                   fmt::format("vec4 {0}_texel(int element, int texel) {{ int at = "
+                               "listed_element(element) * {1} + texel; return IM_BUFFER_AT({0}, "
+                               "at); }}\n",
                                array.name, array.texels));
 }
 
@@ -94,15 +95,17 @@ std::string entering_cells(std::string glsl) {
 std::string over_all_elements(const FieldStorage& storage, const std::string& glsl) {
     const auto a = std::size_t(*array_with_grid(storage));
     const ArrayStorage& array = storage.arrays[a];
-    return fmt::format("int all_count = array_counts[{2}].{3};\n"
-                       "vec4 all_texel(int element, int texel) {{ return texelFetch({0}, element * "
-                       "{1} + texel); }}\n"
-                       "#define {0}_count all_count\n#define {0}_texel all_texel\n"
-                       "#undef {0}_least\n#define {0}_least {5}\n{4}"
-                       "#undef {0}_count\n#undef {0}_texel\n#undef {0}_least\n"
-                       "#define {0}_least GRID_LEAST\n",
-                       array.name, array.texels, a / 4, "xyzw"[a % 4], glsl,
-                       formula::glsl_least_of_none());
+    // The count by another name in GLSL ES, where globals begin with constants.
+    return fmt::format(
+        "#ifdef GL_ES\n#define all_count array_counts[{2}].{3}\n#else\n"
+        "int all_count = array_counts[{2}].{3};\n#endif\n"
+        "vec4 all_texel(int element, int texel) {{ return IM_BUFFER_AT({0}, element * "
+        "{1} + texel); }}\n"
+        "#define {0}_count all_count\n#define {0}_texel all_texel\n"
+        "#undef {0}_least\n#define {0}_least {5}\n{4}"
+        "#undef {0}_count\n#undef {0}_texel\n#undef {0}_least\n"
+        "#define {0}_least GRID_LEAST\n",
+        array.name, array.texels, a / 4, "xyzw"[a % 4], glsl, formula::glsl_least_of_none());
 }
 
 std::string in_cells(FieldFunction function, const std::string& glsl) {

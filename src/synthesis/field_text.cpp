@@ -40,10 +40,14 @@ std::string declarations(const FieldStorage& storage) {
     for (std::size_t a = 0; a < storage.arrays.size(); ++a) {
         const ArrayStorage& array = storage.arrays[a];
         if (array.has_grid) {
-            text += fmt::format("uniform samplerBuffer {0};\n#define GRID_COUNT {0}_count\n"
-                                "vec4 array_grid[{1}] = vec4[{1}](grid_block[0], grid_block[1], "
-                                "grid_block[2]);\n#define {0}_least GRID_LEAST\n",
-                                array.name, grid_vectors_of_place);
+            text += fmt::format("uniform IM_BUFFER {0};\n#define GRID_COUNT {0}_count\n"
+                                "#define {0}_least GRID_LEAST\n",
+                                array.name);
+            text += by_name_in_es(
+                "array_grid", "grid_block",
+                fmt::format("vec4 array_grid[{0}] = vec4[{0}](grid_block[0], grid_block[1], "
+                            "grid_block[2]);\n",
+                            grid_vectors_of_place));
             continue;
         }
         const std::string count = fmt::format("array_counts[{}].{}", a / 4, "xyzw"[a % 4]);

@@ -25,14 +25,19 @@ def executable():
     return os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
 
 
-class Browser:
-    """Starts chromium on SwiftShader; a context manager."""
+# What draws: chromium's own software renderer, or the EGL of the system, which `isomotion render` has.
+SWIFTSHADER = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+SYSTEM_GL = ("--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist")
 
-    def __init__(self, *flags):
+
+class Browser:
+    """Starts chromium, with SwiftShader unless told otherwise; a context manager."""
+
+    def __init__(self, *flags, gl=SWIFTSHADER):
         self.folder = tempfile.mkdtemp(prefix="isomotion-chromium-")
         self.process = subprocess.Popen(
-            [executable(), "--headless=new", "--no-sandbox", "--use-angle=swiftshader",
-             "--enable-unsafe-swiftshader", "--force-color-profile=srgb", "--hide-scrollbars",
+            [executable(), "--headless=new", "--no-sandbox", *gl,
+             "--force-color-profile=srgb", "--hide-scrollbars",
              "--disable-dev-shm-usage", "--mute-audio", "--no-first-run",
              "--remote-debugging-port=0", "--remote-allow-origins=*",
              f"--user-data-dir={self.folder}", *flags, "about:blank"],

@@ -18,6 +18,8 @@ QUICK = [
     ("blobby75_chrome", 40, []),
     ("twisting_superquadric", 16, []),
     ("blobby75", 20, [CAMERA], {"s": 1.45, "R": 0.3}),
+    ("many.toml", 2, []),
+    ("blur.toml", 2, []),
 ]
 ALL = QUICK + [
     ("barth_decic", 40, []),
@@ -38,7 +40,16 @@ ALL = QUICK + [
     ("look.toml", 2, [CAMERA]),
     ("moved.toml", 2, []),
     ("mirror.toml", 1, []),
+    ("many.toml", 3, [CAMERA]),
+    ("capsules.toml", 2, []),
+    ("blur.toml", 2, [], {"c": 0.4}),
+    ("cut.toml", 3, []),
+    ("cut.toml", 3, [CAMERA]),
+    ("sliced_gyroid", 20, []),
+    ("soft.toml", 1, []),
 ]
+# Pictures whose mean a frame is.
+SAMPLES = {"lens.toml": 4, "look.toml": 4, "blur.toml": 4, "soft.toml": 16}
 SCENES = {
     # A cube without a ball, cut by a plane: kinks, two sides.
     "csg.toml": """[time]
@@ -140,6 +151,93 @@ metallic = 0.5
 roughness = 0.3
 reflection = "self"
 """,
+    # Elements by the thousand, found by place.
+    "many.toml": """[time]
+frames = 4
+[surface]
+formula = "sum(b, exp(-900*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))) - 0.5 - p"
+bounds = { sphere = 2 }
+[parameters]
+p = 0.1
+[arrays.b]
+count = 5000
+a = "2*pi*random(i, 1) + 0.2*t"
+h = "2*random(i, 2) - 1"
+r = "1.2*random(i, 3)^0.4"
+cx = "r*sqrt(1 - h^2)*cos(a)"
+cy = "r*sqrt(1 - h^2)*sin(a)"
+cz = "r*h"
+""",
+    # The least of many capsules, which are no balls; with shadows, and coloured by the nearest.
+    "capsules.toml": """[time]
+frames = 3
+[surface]
+formula = "least(b, sqrt((x-cx)^2 + (y-cy)^2 + max(abs(z-cz) - l, 0)^2) - 0.05)"
+bounds = { sphere = 2 }
+[arrays.b]
+count = 1500
+l = "0.1*random(i, 4)"
+cx = "2.4*random(i, 1) - 1.2"
+cy = "2.4*random(i, 2) - 1.2"
+cz = "2*random(i, 3) - 1 + 0.1*t"
+[[lights]]
+direction = [1, 2, 2]
+shadow = true
+""",
+    # Motion blur, of elements found by place as well, and of the camera.
+    "blur.toml": """[time]
+frames = 4
+fps = 4
+[surface]
+formula = "sum(b, exp(-30*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))) - 0.5 - 0.1*c"
+bounds = { sphere = 2 }
+[parameters]
+c = "0.2*t"
+[arrays.b]
+count = 200
+cx = "1.3*sin(i + t)"
+cy = "1.3*sin(2*i + c)"
+cz = "1.3*sin(3*i)"
+[camera]
+azimuth = "30 + 20*t"
+shutter = 0.5
+[output]
+samples = 4
+""",
+    # Sections with caps of a colour of their own, and contours.
+    "cut.toml": """[time]
+frames = 4
+[surface]
+formula = "x^4 + y^4 + z^4 - x^2 - y^2 - z^2 + 0.3*x*y*z + 0.2"
+bounds = { sphere = 2 }
+[[sections]]
+normal = [1, -0.6, 0.4]
+offset = "0.2 + 0.1*t"
+[[sections]]
+centre = [-0.3, 0.6, 0.7]
+sphere = 0.5
+[material]
+cap_color = [0.8, 0.3, 0.1]
+[material.contours]
+value = "z + 0.2*x"
+every = 0.2
+[[lights]]
+direction = [1, -1, 2]
+shadow = true
+""",
+    # A look as the gallery's animations have it: soft shadows, light from everywhere, 16 pictures.
+    "soft.toml": """look = "clay"
+[surface]
+formula = "(sqrt(x^2 + y^2) - 1)^2 + z^2 - 0.1"
+bounds = { sphere = 1.5 }
+[ambient]
+top = [0.3, 0.3, 0.35]
+bottom = [0.1, 0.1, 0.08]
+[[lights]]
+direction = [1, 1, 2]
+shadow = true
+radius = 10
+""",
     # A placement far away, parallel rays, no light of its own.
     "moved.toml": """[time]
 frames = 3
@@ -185,7 +283,7 @@ def compare(given, folder, driven, checks, name, frame, changes, held={}):
     with open(os.path.join(folder, f"r.{frame:04}.png"), "rb") as rendered:
         wanted = png.read(rendered.read())
     page = driven.page(SIDE, SIDE)
-    samples = 4 if name in ("lens.toml", "look.toml") else 1
+    samples = SAMPLES.get(name, 1)
     page.open(file, f"?ui=0&tally&samples={samples}",
               f"#f={frame}" + "".join(f"&{name}={value}" for name, value in held.items()))
     page.until_at_rest()

@@ -73,15 +73,16 @@ def is_refused(given, folder, checks, file, *words, more=()):
 def refusals(given, folder, checks):
     balls = "sum(b, exp(-9*((x-cx)^2 + y^2 + z^2))) - 1"
     is_refused(given, folder, checks, scene(folder, "many.toml", formula=balls, more=
-               "[arrays.b]\ncount = 5000\ncx = 'i'"), "many.toml: ", "5000 elements", "at most 1000")
+               "[arrays.b]\ncount = 30000\ncx = 'i'"), "many.toml: ", "30000 elements", "at most 20000")
+    everywhere = "sum(b, sin((x-cx)^2 + y^2 + z^2)) - 1"
+    is_refused(given, folder, checks, scene(folder, "all.toml", formula=everywhere, more=
+               "[arrays.b]\ncount = 5000\ncx = 'i'"), "all.toml: ", "5000 elements", "at most 1000")
     is_refused(given, folder, checks, scene(folder, "much.toml", formula=balls, frames=25000, more=
                "[arrays.b]\ncount = 1000\ncx = 'i + t'"), "much.toml: ", "MB", "at most 32")
     is_refused(given, folder, checks, scene(folder, "glow.toml", more="[glow]\nstrength = 1"),
                "glow.toml:", "glow: unknown key")
     is_refused(given, folder, checks, scene(folder, "quotes.toml", formula="x^2 - '1'"),
                "quotes.toml:6: surface.formula")
-    is_refused(given, folder, checks, scene(folder, "blur.toml", frames=3, more=
-               "[output]\nsamples = 4\n[camera]\nshutter = 0.5"), "camera.shutter", "--set")
     is_refused(given, folder, checks, os.path.join(folder, "none.toml"), "none.toml")
     both = pages.run(given.program, "page", "torus", "--gallery", folder=folder)
     checks.equal(both.returncode, 2, "a scene and the gallery")

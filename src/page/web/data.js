@@ -23,27 +23,33 @@ class Reader {
     }
 }
 
-// The rows of a table of 32-bit words, packed as src/page/value_table.h says.
-function unpackedTable(reader, width, rows) {
-    const moves = reader.take(width);
-    const words = new Uint32Array(width * rows);
-    for (let column = 0; column < width; ++column) words[column] = reader.word();
-    const moving = [];
-    for (let column = 0; column < width; ++column) {
-        if (moves[column]) moving.push(column);
-        else for (let row = 1; row < rows; ++row) words[row * width + column] = words[column];
+// A table of 32-bit words, packed as src/page/value_table.h says: its first row, and all rows of the
+// columns that move, side by side.
+class Table {
+    constructor(reader, width, rows) {
+        const moves = reader.take(width);
+        this.first = Uint32Array.from({ length: width }, () => reader.word());
+        this.moving = [...moves.keys()].filter((column) => moves[column]);
+        const across = this.moving.length, count = across * (rows - 1);
+        const planes = [3, 2, 1, 0].map(() => reader.take(count));
+        this.words = new Uint32Array(across * rows);
+        let k = 0;
+        this.moving.forEach((column, place) => {
+            this.words[place] = this.first[column];
+            for (let row = 1; row < rows; ++row, ++k) {
+                const difference = (planes[0][k] << 24) | (planes[1][k] << 16) |
+                    (planes[2][k] << 8) | planes[3][k];
+                this.words[row * across + place] =
+                    this.words[(row - 1) * across + place] + difference;
+            }
+        });
     }
-    const count = moving.length * (rows - 1);
-    const planes = [3, 2, 1, 0].map(() => reader.take(count));
-    let k = 0;
-    for (const column of moving) {
-        for (let row = 1; row < rows; ++row, ++k) {
-            const difference =
-                (planes[0][k] << 24) | (planes[1][k] << 16) | (planes[2][k] << 8) | planes[3][k];
-            words[row * width + column] = words[(row - 1) * width + column] + difference;
-        }
+    row(at) {
+        const words = this.first.slice();
+        const begin = at * this.moving.length;
+        this.moving.forEach((column, place) => (words[column] = this.words[begin + place]));
+        return words;
     }
-    return words;
 }
 
 // Names for the numbers of a row, in order: [name, count].
@@ -62,51 +68,68 @@ class SceneData {
         const reader = new Reader(await inflated(letters));
         const length = reader.word();
         const about = JSON.parse(new TextDecoder().decode(reader.take(length)));
+        const rows = about.frames * about.moments.length;
         const tables = new Map();
-        for (const { name, width } of about.tables)
-            tables.set(name, { width, words: unpackedTable(reader, width, about.frames) });
-        return new SceneData(about, tables, reader);
+        for (const { name, width } of about.tables) tables.set(name, new Table(reader, width, rows));
+        const data = new SceneData(about, tables);
+        if (about.grid) data.grids = Array.from({ length: rows }, () => reader.take(reader.word()));
+        // Halves begin at whole words of two bytes.
+        const halves = ([width, height]) =>
+            new Uint16Array(reader.take(width * height * 6).slice().buffer);
+        if (about.environment) data.environment = halves(about.environment);
+        if (about.environmentLevels) data.environmentLevels = halves(about.environmentLevels);
+        return data;
     }
 
-    constructor(about, tables, reader) {
+    constructor(about, tables) {
         this.about = about;
         this.tables = tables;
         for (const pass of about.passes) {
             pass.text = this.text(pass.text);
             pass.vertex = this.text(pass.vertex);
         }
-        // Halves begin at whole words of two bytes.
-        const halves = ([width, height]) =>
-            new Uint16Array(reader.take(width * height * 6).slice().buffer);
-        if (about.environment) this.environment = halves(about.environment);
-        if (about.environmentLevels) this.environmentLevels = halves(about.environmentLevels);
     }
 
     text(numbers) {
         return numbers.map((number) => this.about.lines[number]).join("\n") + "\n";
     }
 
-    row(table, frame) {
-        const { width, words } = this.tables.get(table);
-        return words.slice((frame - 1) * width, frame * width);
+    // Frames have moments, of which the first one, 0, is the frame's time.
+    row(table, frame, moment) {
+        return this.tables.get(table).row(this.rowOf(frame, moment));
     }
-    floats(table, frame) {
-        return new Float32Array(this.row(table, frame).buffer);
+    rowOf(frame, moment) {
+        return (frame - 1) * this.about.moments.length + moment;
+    }
+    floats(table, frame, moment) {
+        return new Float32Array(this.row(table, frame, moment).buffer);
+    }
+    seconds(frame, moment) {
+        const { fps, moments } = this.about;
+        return ((frame - 1 + moments[moment]) * fps[1]) / fps[0];
     }
 
     // What rays depend on, as the scene has it.
-    view(frame) {
-        const view = named(new Float64Array(this.row("view", frame).buffer), this.about.view);
+    view(frame, moment) {
+        const view =
+            named(new Float64Array(this.row("view", frame, moment).buffer), this.about.view);
         view.parallel = this.about.parallel;
         view.box = this.about.box;
         return view;
     }
-    effects(frame) {
+    effects(frame, moment) {
         const { about } = this;
-        return about.effects.length ? named(this.floats("effects", frame), about.effects) : {};
+        return about.effects.length
+            ? named(this.floats("effects", frame, moment), about.effects) : {};
     }
     // Elements of an array at a frame: behind the parameters, whole numbers.
-    count(array, frame) {
-        return this.row("parameters", frame)[4 * this.about.parameterVectors + array];
+    count(array, frame, moment) {
+        return this.row("parameters", frame, moment)[4 * this.about.parameterVectors + array];
+    }
+    grid(frame, moment) {
+        const { array, place } = this.about.grid;
+        const across = this.floats("parameters", frame, moment).subarray(place + 8, place + 11);
+        return unpackedGrid(this.grids[this.rowOf(frame, moment)], [...across],
+            this.count(array, frame, moment));
     }
 }

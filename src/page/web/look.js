@@ -16,30 +16,31 @@ class Look {
     frame(moment) {
         return frameAt(this.playback, moment);
     }
-    view(frame, fit = 1) {
-        const own = this.data.view(frame);
-        const view = { ...own, ...this.held(frame)?.view, ...this.camera, fit };
+    // `moment`: of the frame's, while the shutter is open.
+    view(frame, fit = 1, moment = 0) {
+        const own = this.data.view(frame, moment);
+        const view = { ...own, ...this.held(frame, moment)?.view, ...this.camera, fit };
         // What was in focus at the target stays so.
         const wasAtTarget = Math.abs(own.focus - distanceOf(own)) <= 1e-9 * own.focus;
         if (wasAtTarget) view.focus = distanceOf(view);
         return view;
     }
     // The frame with the values that sliders hold and what follows them; none if nothing is held.
-    held(frame) {
+    held(frame, moment = 0) {
         if (this.values.size === 0) return undefined;
-        const key = JSON.stringify([frame, ...this.values]);
+        const key = JSON.stringify([frame, moment, ...this.values]);
         if (this.known?.key === key) return this.known;
         const places = new Map();
         for (const { name, place } of this.data.about.sliders) {
             if (this.values.has(name)) places.set(place, this.values.get(name));
         }
-        this.known = { key, ...heldFrame(this.data, frame, places) };
+        this.known = { key, ...heldFrame(this.data, frame, moment, places) };
         return this.known;
     }
     // The value of a parameter, held or not.
     value({ name, place }, frame) {
         const { parameters } =
-            this.held(frame) ?? { parameters: this.data.floats("parameters", frame) };
+            this.held(frame) ?? { parameters: this.data.floats("parameters", frame, 0) };
         return this.values.get(name) ?? parameters[place];
     }
 
@@ -50,7 +51,7 @@ class Look {
     }
     read(hash) {
         const { frame, camera, values } =
-            readAddress(hash, this.data.about, (at) => this.data.view(at));
+            readAddress(hash, this.data.about, (at) => this.data.view(at, 0));
         if (frame !== undefined)
             this.playback = { ...scrubbed(this.playback, frame, now()), playing: false };
         this.camera = camera;

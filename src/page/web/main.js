@@ -95,7 +95,7 @@ async function main() {
             waits: (text) => panel.waits(text),
         });
     const samples = Number(query.get("samples"));
-    if (samples >= 1) painter.samplesWanted = Math.min(samples, data.about.pattern.length);
+    if (samples >= 1) painter.samplesWanted = Math.min(Math.floor(samples), data.about.pattern.length);
     painter.tallies = query.has("tally");
     const changed = () => {
         painter.change();

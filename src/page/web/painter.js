@@ -90,7 +90,7 @@ class Painter {
         this.screen = new Screen(gl, table, this.tile);
         this.uploadEnvironment(gl);
         this.uploaded = undefined;
-        this.arrays = [];
+        this.elements = new ElementTextures(gl, table, this.data);
         this.gl = gl;
         this.listeners.waits("");
     }
@@ -109,33 +109,22 @@ class Painter {
     }
 
     // What does not depend on the camera, and the lights.
-    upload(frame, view, aim) {
-        const { data, table } = this;
-        const held = this.look.held(frame);
-        table.setBlock("Parameters", held?.parameters ?? data.floats("parameters", frame));
-        const shading = data.floats("shading", frame);
-        moveLights(shading, data.about, data.view(frame), view, aim);
+    upload({ frame, moment, aim }, view) {
+        const { data, table, elements } = this;
+        const held = this.look.held(frame, moment);
+        const parameters = held?.parameters ?? data.floats("parameters", frame, moment);
+        elements.uploadGrid(frame, moment, Boolean(held), parameters);
+        table.setBlock("Parameters", parameters);
+        const shading = data.floats("shading", frame, moment);
+        moveLights(shading, data.about, data.view(frame, moment), view, aim);
         table.setBlock("Shading", shading);
         this.background = Array.from(shading.subarray(4, 8));
-        const key = held?.key ?? frame;
+        const key = held?.key ?? `${frame} ${moment}`;
         if (this.uploaded === key) return;
-        table.setEffects(data.effects(frame));
-        data.about.arrays.forEach((array, k) =>
-            this.uploadArray(array, k, held?.arrays[k] ?? data.floats(`array${k}`, frame)));
+        table.setEffects(data.effects(frame, moment));
+        elements.upload(held?.arrays ??
+            data.about.arrays.map((_, k) => data.floats(`array${k}`, frame, moment)));
         this.uploaded = key;
-    }
-
-    uploadArray({ name, texture }, k, elements) {
-        const { gl } = this;
-        if (!texture) return this.table.setBlock(name, elements);
-        const rows = Math.ceil(elements.length / 4 / 1024); // IM_BUFFER_AT of shaders/prelude.glsl
-        const texels = new Float32Array(rows * 4096);
-        texels.set(elements);
-        this.arrays[k] ??= textureOf(gl, gl.RGBA32F, 1024, rows);
-        gl.activeTexture(gl.TEXTURE0 + editingUnit);
-        gl.bindTexture(gl.TEXTURE_2D, this.arrays[k]);
-        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 1024, rows, gl.RGBA, gl.FLOAT, texels);
-        this.table.bind(name, this.arrays[k]);
     }
 
     // The screen's pixels, as many as are drawn at rest.
@@ -146,11 +135,19 @@ class Painter {
         return [clientWidth, clientHeight].map((side) => Math.max(1, Math.round(side * ratio)));
     }
 
+    // What is seen of a frame in picture k of those whose mean it is.
+    picture(frame, width, height, k) {
+        const { pattern, moments } = this.data.about;
+        return { frame, width, height, aim: pattern[k], moment: Math.min(k, moments.length - 1) };
+    }
+
     // One picture of all tiles. `go` is asked between them.
-    async drawPicture(frame, view, width, height, aim, go) {
+    async drawPicture(picture, go) {
         const { data, tile, screen, table } = this;
         const { settings, beams } = data.about;
-        this.upload(frame, view, aim);
+        const { frame, moment, width, height, aim } = picture;
+        const view = this.look.view(frame, this.fitOf(width, height), moment);
+        this.upload(picture, view);
         table.setBlock("Frame", frameBlock(view, settings, width, height, aim));
         const inputs = {
             background: this.background,
@@ -194,13 +191,12 @@ class Painter {
         const [across, up] = this.size();
         const [width, height] =
             [across, up].map((side) => Math.max(1, Math.round(side * this.resolution.scale)));
-        const view = this.look.view(frame, this.fitOf(width, height));
         const begin = performance.now();
         const expectAlive = () => {
             if (this.isLost()) throw new Stopped();
         };
         this.screen.begin(width, height);
-        await this.drawPicture(frame, view, width, height, this.data.about.pattern[0], expectAlive);
+        await this.drawPicture(this.picture(frame, width, height, 0), expectAlive);
         this.resolution.measured(performance.now() - begin);
         this.present(frame, width, height, 1);
         [this.movingFrame, this.movingVersion] = [frame, version];
@@ -211,15 +207,13 @@ class Painter {
         const { version } = this;
         const frame = this.look.frame(now());
         const [width, height] = this.size();
-        const view = this.look.view(frame, this.fitOf(width, height));
         const expectWanted = () => {
             if (this.isLost() || version !== this.version || document.hidden) throw new Stopped();
         };
         this.screen.begin(width, height);
         if (this.tallies) this.verdicts = Array(8).fill(0);
-        const pattern = this.data.about.pattern.slice(0, this.samplesWanted);
-        for (let k = 0; k < pattern.length; ++k) {
-            await this.drawPicture(frame, view, width, height, pattern[k], expectWanted);
+        for (let k = 0; k < this.samplesWanted; ++k) {
+            await this.drawPicture(this.picture(frame, width, height, k), expectWanted);
             if (k === 0 && this.tallies) [this.told, this.verdicts] = [this.verdicts, undefined];
             this.present(frame, width, height, k + 1);
         }

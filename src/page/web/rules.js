@@ -111,13 +111,13 @@ function movedBounds(view, changedNumbers) {
     return { centre, radius, min: centre.map((c) => c - radius), max: centre.map((c) => c + radius) };
 }
 
-// A frame where some parameters are held: `held` maps their places to numbers. Gives the block of
+// A moment of a frame where some parameters are held: `held` maps their places to numbers. Gives the block of
 // parameters, the arrays' elements and what changes of the view.
-function heldFrame(data, frame, held) {
-    const { rules, arrays, fps } = data.about;
-    const parameters = data.floats("parameters", frame);
+function heldFrame(data, frame, moment, held) {
+    const { rules, arrays } = data.about;
+    const parameters = data.floats("parameters", frame, moment);
     const tracks = Array.from(parameters);
-    const time = ((frame - 1) * fps[1]) / fps[0];
+    const time = data.seconds(frame, moment);
     const changed = new Set(held.keys());
     for (const [place, value] of held) tracks[place] = value;
     for (const [place, program] of rules.tracks) {
@@ -129,11 +129,12 @@ function heldFrame(data, frame, held) {
     const bounds = rules.bounds
         .filter(([, program]) => program.tracks.some((track) => changed.has(track)))
         .map(([k, program]) => [k, valueOf(program, rules.seed, [time], tracks)]);
-    const view = data.view(frame);
+    const view = data.view(frame, moment);
     return {
         parameters,
-        arrays: arrays.map((_, a) => movedElements(rules.arrays[a], data.floats(`array${a}`, frame),
-            data.count(a, frame), rules.seed, time, tracks, changed)),
+        arrays: arrays.map((_, a) => movedElements(rules.arrays[a],
+            data.floats(`array${a}`, frame, moment), data.count(a, frame, moment), rules.seed, time,
+            tracks, changed)),
         // Elements may have become smaller than the animation has them: steps have to.
         view: { ...movedBounds(view, bounds), elementRadius: 0.25 * view.elementRadius },
     };

@@ -60,6 +60,22 @@ TEST(ValueTable, KeepsWhatStandsOnce) {
     std::vector<std::byte> packed;
     table.pack(packed);
     EXPECT_EQ(packed.size(), 500u);
+    EXPECT_EQ(table.moving(), 0u);
+}
+
+TEST(ValueTable, CountsColumnsFromTheRowInWhichTheyMove) {
+    ValueTable table("t");
+    std::vector<std::uint32_t> row{1, 2, 3}, all;
+    for (std::uint32_t k = 0; k < 6; ++k) {
+        if (k == 2) row[1] = 7;
+        if (k > 3) row[2] = k;
+        table.add(row);
+        all.insert(all.end(), row.begin(), row.end());
+        EXPECT_EQ(table.moving(), k < 2 ? 0u : k < 4 ? 1u : 2u);
+    }
+    std::vector<std::byte> packed;
+    table.pack(packed);
+    EXPECT_EQ(unpacked(packed, 3, 6), all);
 }
 
 TEST(ValueTable, MayBeEmpty) {

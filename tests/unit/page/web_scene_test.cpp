@@ -39,23 +39,15 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(WebScene, RefusesTooManyElementsAndSaysHowManyFit) {
-    EXPECT_THAT(refusal(balls(5000)),
-                AllOf(StartsWith("page.toml: arrays have 5000 elements"), HasSubstr("1000"),
+    EXPECT_THAT(refusal(balls(most_elements_by_place + 1)),
+                AllOf(StartsWith("page.toml: an array has 20001 elements"), HasSubstr("20000"),
                       HasSubstr("isomotion render --movie")));
-    EXPECT_EQ(refusal(balls(most_elements)), "");
-}
-
-TEST(WebScene, RefusesTooMuchData) {
-    EXPECT_THAT(refusal(balls(1000) + "[time]\nframes = 25000\n"),
-                AllOf(HasSubstr("the values of 25000 frames are 103 MB"), HasSubstr("at most 32"),
-                      HasSubstr("time.frames")));
-}
-
-TEST(WebScene, RefusesMotionBlurWithTheKeyThatCallsItOff) {
-    const std::string scene = "formula = 'x^2 + y^2 + z^2 - 1'\nbounds = { sphere = 2 }\n"
-                              "[output]\nsamples = 4\n[camera]\nshutter = ";
-    EXPECT_THAT(refusal(scene + "0.5\n"), HasSubstr("--set camera.shutter=0"));
-    EXPECT_EQ(refusal(scene + "0\n"), "");
+    EXPECT_EQ(refusal(balls(5000)), "");
+    // Of a scene that asks for all elements at every place.
+    const std::string all = "[isolation]\nbeam = false\n";
+    EXPECT_THAT(refusal(balls(most_elements + 1) + all),
+                AllOf(HasSubstr("have 1001 elements"), HasSubstr("1000")));
+    EXPECT_EQ(refusal(balls(most_elements) + all), "");
 }
 
 TEST(WebScene, IsOfGlslEsWithoutListsProofsOrBuffers) {
@@ -69,6 +61,41 @@ TEST(WebScene, IsOfGlslEsWithoutListsProofsOrBuffers) {
         EXPECT_THAT(pass.text, Not(HasSubstr("uniform samplerBuffer")));
         EXPECT_THAT(pass.text, Not(HasSubstr("std430")));
     }
+}
+
+TEST(FrameValues, RefuseTooMuchOfThem) {
+    const WebScene web = web_scene(scene_of(balls(90) + "[time]\nframes = 250000\n"));
+    try {
+        frame_values(web);
+        FAIL() << "nothing was thrown";
+    } catch (const scene::SceneError& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("the values of 250000 frames are 9"),
+                                        HasSubstr("at most 32"), HasSubstr("time.frames")));
+    }
+}
+
+TEST(FrameValues, OfManyFramesTakeLittleWhereLittleMoves) {
+    const std::string sphere = "formula = 'x^2 + y^2 + z^2 - r'\nbounds = { sphere = 2 }\n"
+                               "[parameters]\nr = '1 + 0.001*sin(t)'\n[time]\nframes = 20000\n";
+    const FrameValues values = frame_values(web_scene(scene_of(sphere)));
+    std::size_t moving = 0;
+    for (const ValueTable* table : values.tables()) moving += table->moving();
+    EXPECT_EQ(moving, 1u);
+}
+
+TEST(FrameValues, HaveARowForEachMomentOfMotionBlur) {
+    const std::string scene = balls(3) + "[time]\nframes = 5\nfps = 10\n[camera]\nshutter = 0.5\n";
+    const WebScene web = web_scene(scene_of(scene + "[output]\nsamples = 4\n"));
+    EXPECT_THAT(moments(web.scene), testing::ElementsAre(0, 0.125, 0.25, 0.375));
+    EXPECT_EQ(frame_values(web).view.rows(), 20u);
+    EXPECT_THAT(moments(scene_of(balls(3))), testing::ElementsAre(0));
+}
+
+TEST(FrameValues, HaveAGridOfElementsThatAreFoundByPlace) {
+    const WebScene web = web_scene(scene_of(balls(300) + "[time]\nframes = 2\n"));
+    ASSERT_TRUE(synthesis::array_with_grid(web.passes));
+    EXPECT_FALSE(frame_values(web).grids.empty());
+    EXPECT_TRUE(frame_values(web_scene(scene_of(balls(20)))).grids.empty());
 }
 
 TEST(FrameValues, AreARowAFrameAndAsLongAsTheShadersRead) {
