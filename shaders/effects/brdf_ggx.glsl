@@ -19,7 +19,12 @@ struct Specular {
 };
 
 float roughness() {
-    return clamp(gloss.x, least_roughness, 1.0);
+    float rough = clamp(gloss.x, least_roughness, 1.0);
+#ifdef FOOTPRINT
+    float square = rough * rough;
+    rough = sqrt(sqrt(min(square * square + footprint_alpha2, 1.0)));
+#endif
+    return rough;
 }
 
 float alpha() {

@@ -22,27 +22,37 @@ float turns(vec2 v) {
     return v.y < 0.0 ? -turn : turn;
 }
 
-vec3 environment_texel(ivec2 at) {
-    return texelFetch(environment_map, at, 0).rgb;
-}
-
-// `direction` in formula coordinates, of unit length.
-vec3 environment(vec3 direction) {
+// Where a direction is in maps, from their top left to their bottom right. `direction` in formula
+// coordinates, of unit length.
+vec2 environment_place(vec3 direction) {
     vec3 d = vec3(dot(environment_ahead, direction), dot(environment_left, direction),
                   dot(environment_top, direction));
-    ivec2 size = textureSize(environment_map, 0);
     // The angle from the top, not asin(d.z), which has no digits left near the poles.
-    vec2 place = vec2(0.5 - turns(d.xy), 2.0 * turns(vec2(d.z, length(d.xy))));
+    return vec2(0.5 - turns(d.xy), 2.0 * turns(vec2(d.z, length(d.xy))));
+}
+
+vec3 environment_texel(sampler2D map, int column, int row) {
+    return texelFetch(map, ivec2(column, row), 0).rgb;
+}
+
+// The map of this size that begins in row `top` of a texture.
+vec3 environment_filtered(sampler2D map, int top, ivec2 size, vec2 place) {
     vec2 at = place * vec2(size) - 0.5;
     vec2 corner = floor(at);
     vec2 part = at - corner;
     int left = int(corner.x) < 0 ? size.x - 1 : int(corner.x);
     int right = left + 1 < size.x ? left + 1 : 0;
-    int above = max(int(corner.y), 0);
-    int below = min(int(corner.y) + 1, size.y - 1);
-    vec3 upper = mix(environment_texel(ivec2(left, above)), environment_texel(ivec2(right, above)),
+    int above = top + max(int(corner.y), 0);
+    int below = top + min(int(corner.y) + 1, size.y - 1);
+    vec3 upper = mix(environment_texel(map, left, above), environment_texel(map, right, above),
                      part.x);
-    vec3 lower = mix(environment_texel(ivec2(left, below)), environment_texel(ivec2(right, below)),
+    vec3 lower = mix(environment_texel(map, left, below), environment_texel(map, right, below),
                      part.x);
-    return environment_intensity * mix(upper, lower, part.y);
+    return mix(upper, lower, part.y);
+}
+
+vec3 environment(vec3 direction) {
+    ivec2 size = textureSize(environment_map, 0);
+    return environment_intensity *
+           environment_filtered(environment_map, 0, size, environment_place(direction));
 }

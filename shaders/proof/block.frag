@@ -37,6 +37,11 @@ void main() {
     float around = 2.0 * tube.w / nearest_eye + margin;
     float low = whole.low - margin, high = all_hit ? last + around : whole.high + margin;
 
+#ifdef LISTS
+    choose_list_of_block(way, block, all_hit ? first - around : whole.low,
+                         all_hit ? high : whole.high, all_hit ? last : mix(whole.low, whole.high, 0.5));
+#endif
+
     // Directions of the rays in tau.
     vec3 one = ray_axis.xyz + ray_axis.w * way.low, other = ray_axis.xyz + ray_axis.w * way.high;
     float rounding = tube.y * length(max(abs(one), abs(other)));

@@ -15,6 +15,9 @@ float settled_by_block(vec4 block) {
 Ray ray_to_prove() {
     Ray ray = pixel_ray();
     enter_beam(ray);
+#ifdef LISTS
+    choose_list_of_proof(ray, load_ending(ivec2(pixel_centre)));
+#endif
     ray.t_near = max(ray.t_near, settled_by_block(load_block()) * ray.to_eye) - tube.z;
     ray.t_far += tube.z;
     return ray;

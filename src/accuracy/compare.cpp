@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "truth/nearest.h"
 #include "truth/tube.h"
 
 namespace isomotion::accuracy {
@@ -56,17 +57,36 @@ double quantile(const std::vector<float>& sorted, double part) {
     return double(sorted[std::size_t(part * double(sorted.size() - 1) + 0.5)]);
 }
 
+namespace {
+
+// Whether another surface was drawn than the one that certainly is the first.
+bool is_of_another_surface(const image::Channel* surfaces, std::size_t pixel,
+                           const truth::FirstRoot& root) {
+    return surfaces && root.answer == truth::Answer::hit && root.surface >= 0 &&
+           int(surfaces->samples[pixel]) != root.surface + 1;
+}
+
+} // namespace
+
 Errors compare(const scene::SceneAt& now, const image::Frame& drawn, const truth::Truth& truth) {
-    const truth::Tubes tubes(now, truth.width, truth.height);
+    const truth::RaysOfSurfaces rays(now, truth.width, truth.height);
+    const truth::Tubes& tubes = rays.of(0);
+    const image::Channel* surfaces = drawn.find("surface");
     const image::Channel* proofs = drawn.find("proof");
     Errors errors;
     errors.pixels = std::int64_t(truth.width) * truth.height;
     errors.faults.resize(truth.roots.size());
     for (std::size_t pixel = 0; pixel < truth.roots.size(); ++pixel) {
         const truth::FirstRoot& root = truth.roots[pixel];
-        const truth::Tube tube =
-            tubes.at(int(pixel % std::size_t(truth.width)), int(pixel / std::size_t(truth.width)));
-        errors.rays += tube.near <= tube.far;
+        const int column = int(pixel % std::size_t(truth.width));
+        const int row = int(pixel / std::size_t(truth.width));
+        const truth::Tube tube = tubes.at(column, row);
+        bool meets_bounds = tube.near <= tube.far;
+        for (std::size_t k = 1; k < rays.surfaces() && !meets_bounds; ++k) {
+            const truth::Tube other = rays.of(k).at(column, row);
+            meets_bounds = other.near <= other.far;
+        }
+        errors.rays += meets_bounds;
         const auto verdict = render::Verdict(int(drawn.find("verdict")->samples[pixel]));
         errors.nan += verdict == render::Verdict::nan;
         errors.step_limit += verdict == render::Verdict::step_limit;
@@ -76,7 +96,9 @@ Errors compare(const scene::SceneAt& now, const image::Frame& drawn, const truth
             const glm::dvec3 p = vector_of(drawn, "P.X", "P.Y", "P.Z", pixel);
             t = glm::dot(now.placement.to_local(p) - tube.anchor, tube.direction);
         }
-        const Fault fault = judge(root, hit, t, tube.footprint);
+        Fault fault = judge(root, hit, t, tube.footprint);
+        if (hit && fault == Fault::none && is_of_another_surface(surfaces, pixel, root))
+            fault = Fault::wrong_root;
         errors.faults[pixel] = fault;
         errors.missed += fault == Fault::missed;
         errors.false_hits += fault == Fault::false_hit;

@@ -1,5 +1,8 @@
 #include "accuracy/setting.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "scene/method_domain.h"
@@ -19,8 +22,25 @@ std::string name(const Setting& setting, const scene::Isolation& scene) {
     return text;
 }
 
+namespace {
+
+bool is_own(const Setting& setting, const scene::Isolation& own) {
+    return setting.method == own.method && setting.step == own.step && setting.thresholds == 1 &&
+           setting.bisections == own.bisections && setting.safety == own.safety;
+}
+
+} // namespace
+
 scene::Scene apply(const Setting& setting, scene::Scene scene) {
     scene::Isolation& isolation = scene.isolation;
+    if (!is_own(setting, isolation)) {
+        // Steps are lengths of each surface's own.
+        for (scene::Scene& other : scene.others) {
+            Setting same = setting;
+            same.step *= other.isolation.step / isolation.step;
+            other = apply(same, std::move(other));
+        }
+    }
     isolation.method = setting.method;
     isolation.step = setting.step;
     isolation.near *= setting.thresholds;
@@ -31,11 +51,25 @@ scene::Scene apply(const Setting& setting, scene::Scene scene) {
     return scene;
 }
 
+namespace {
+
+// Those that all surfaces can be marched by.
+std::vector<scene::Method> methods_for_all(const scene::Scene& scene) {
+    std::vector<scene::Method> methods = scene::methods_for(*scene.surface.field);
+    for (const scene::Scene& other : scene.others) {
+        const std::vector<scene::Method> its = scene::methods_for(*other.surface.field);
+        std::erase_if(methods, [&](auto method) { return std::ranges::count(its, method) == 0; });
+    }
+    return methods;
+}
+
+} // namespace
+
 std::vector<Setting> sweep(const scene::Scene& scene, std::vector<scene::Method> methods,
                            std::vector<double> steps) {
     const scene::Isolation& own = scene.isolation;
     const bool narrowed = !methods.empty() || !steps.empty();
-    if (methods.empty()) methods = scene::methods_for(*scene.surface.field);
+    if (methods.empty()) methods = methods_for_all(scene);
     if (steps.empty()) {
         for (const double factor : {4.0, 2.0, 1.0, 0.5, 0.25, 0.125}) {
             steps.push_back(factor * own.step);

@@ -21,6 +21,7 @@ struct Setting {
 std::string name(const Setting& setting, const scene::Isolation& scene);
 
 // The scene with the setting in place of its own.
+// The first surface's own setting leaves others of a scene with theirs, any other is that of all.
 scene::Scene apply(const Setting& setting, scene::Scene scene);
 
 // Each method once: at each step those that take steps, hermite with several safeties; the scene's

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // Changes with the certifying itself: what older programs wrote is not read.
-constexpr std::string_view version = "isomotion truth 4";
+constexpr std::string_view version = "isomotion truth 5";
 
 static_assert(std::is_trivially_copyable_v<truth::FirstRoot>);
 
@@ -45,6 +45,8 @@ std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, in
                 double(camera.projection == scene::Camera::Projection::orthographic), double(width),
                 double(height), double(budget.evaluations), budget.narrow, budget.narrowest,
                 budget.bracket});
+    for (std::size_t k = 0; k < now.others.size(); ++k)
+        print.add(fingerprint(scene.others[k], now.others[k], width, height, budget));
     return print.text();
 }
 

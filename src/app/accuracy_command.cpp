@@ -12,13 +12,14 @@
 #include "app/console.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
+#include "scene/surfaces.h"
 
 namespace isomotion::app {
 namespace {
 
 struct AccuracyArguments {
-    std::string scene, frames, size = "256x256", methods, steps, backend = "auto",
-                               stage = "fragment", output;
+    std::string scene, surface, frames, size = "256x256", methods, steps, backend = "auto",
+                                        stage = "fragment", output;
     std::vector<std::string> settings;
     std::optional<double> max_wrong, budget_ms;
     int repeat = 3;
@@ -74,7 +75,9 @@ scene::Scene load(const AccuracyArguments& arguments) {
     as_render.settings.insert(as_render.settings.end(), arguments.settings.begin(),
                               arguments.settings.end());
     as_render.certify = arguments.certify;
-    return scene::load(arguments.scene, overrides(as_render), arguments.reach);
+    const scene::Scene scene = scene::load(arguments.scene, overrides(as_render), arguments.reach);
+    if (arguments.surface.empty()) return scene;
+    return scene::alone(scene, scene::surface_named(scene, arguments.surface));
 }
 
 // --effects: what each effect of the scene costs.
@@ -186,8 +189,10 @@ void add_accuracy(CLI::App& app, Action& chosen) {
         "accuracy", "measure what each method and setting costs, and which pixels it gets wrong");
     command
         ->add_option("scene", a.scene,
-                     "a scene file (.toml, .jsurf), the name of an animation, or a formula")
+                     "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
         ->required();
+    command->add_option("--surface", a.surface,
+                        "of a scene with [[surfaces]], the one to measure, alone; by its name");
     command->add_option("--frames,--frame", a.frames,
                         "frames to measure: 1-10, 1-10x2, 1,3,5-9 (default: the scene's poster)");
     command->add_option("--size", a.size, "size of the picture, WIDTHxHEIGHT (default: 256x256)");

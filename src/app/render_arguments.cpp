@@ -113,7 +113,7 @@ std::vector<synthesis::Channel> parse_channels(const std::string& text) {
 void add_sequence_options(CLI::App& command, RenderArguments& a) {
     command
         .add_option("scene", a.scene,
-                    "a scene file (.toml, .jsurf), the name of an animation, or a formula")
+                    "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
         ->required();
     command.add_option(
         "-o,--output", a.output,

@@ -18,6 +18,7 @@
 #include "image/frame.h"
 #include "scene/method.h"
 #include "scene/sight.h"
+#include "scene/surfaces.h"
 #include "sequence/exporter.h"
 #include "sequence/movie.h"
 
@@ -84,11 +85,19 @@ std::string summary(const sequence::ExportTotals& totals, Seconds wall) {
 
 void warn(const std::string& text) { message("warning: {}\n", text); }
 
-// At the first frame asked for.
-scene::Sight sight_of(const sequence::Exporter& exporter) {
+// At the first frame asked for, of each surface: with what tells it from others.
+std::vector<std::pair<std::string, scene::Sight>> sights_of(const sequence::Exporter& exporter) {
     const scene::Scene& scene = exporter.scene();
     const int frame = exporter.options().frames.front();
-    return scene::sight(scene, scene::at(scene, scene.timeline.values(frame)));
+    const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+    if (scene.others.empty()) return {{"", scene::sight(scene, now)}};
+    std::vector<std::pair<std::string, scene::Sight>> sights;
+    for (std::size_t k = 0; k <= scene.others.size(); ++k) {
+        const scene::Scene one = scene::of_surface(scene, int(k));
+        sights.emplace_back(fmt::format("surface '{}': ", one.surface.label),
+                            scene::sight(one, k == 0 ? now : now.others[k - 1]));
+    }
+    return sights;
 }
 
 bool has_hits(const sequence::ExportTotals& totals) {
@@ -113,6 +122,7 @@ int render(const RenderArguments& arguments) {
     if (!options.movies.empty()) sequence::expect_ffmpeg();
     const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
     if (arguments.max_wrong) {
+        scene::expect_one_surface(exporter.scene(), "--max-wrong");
         const auto isolation = choose_setting(*context, exporter.scene(), options.frames,
                                               {.max_wrong = *arguments.max_wrong,
                                                .keeps_method = !arguments.method.empty(),
@@ -127,8 +137,10 @@ int render(const RenderArguments& arguments) {
         exporter.choose(*isolation);
     }
     say(beginning(exporter, context->info()));
-    const scene::Sight sight = sight_of(exporter);
-    for (const std::string& slip : scene::slips(sight)) warn(slip);
+    const auto sights = sights_of(exporter);
+    for (const auto& [whose, sight] : sights) {
+        for (const std::string& slip : scene::slips(sight)) warn(whose + slip);
+    }
 
     const StopOnSignal stop;
     std::optional<Progress> progress;
@@ -148,7 +160,8 @@ int render(const RenderArguments& arguments) {
     // Frames that an earlier run wrote may show something.
     const bool is_all = totals.drawn + totals.reused == std::int64_t(options.frames.size());
     if (is_all && !has_hits(totals))
-        warn(fmt::format("no ray hits anything: {}", scene::why_nothing_is_seen(sight)));
+        warn(fmt::format("no ray hits anything: {}{}", sights.front().first,
+                         scene::why_nothing_is_seen(sights.front().second)));
     say(summary(totals, std::chrono::steady_clock::now() - begin));
     say(fmt::format("frames: {}\n", options.output));
     if (options.movies.empty()) return exit_done;

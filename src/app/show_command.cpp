@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "scene/reading/load.h"
 #include "scene/scene_at.h"
 #include "scene/sight.h"
+#include "scene/surfaces.h"
 #include "synthesis/assemble.h"
 #include "synthesis/effect.h"
 #include "synthesis/inlined_size.h"
@@ -117,23 +119,10 @@ int write_scene(const ShowArguments& arguments) {
     return exit_done;
 }
 
-int show(const ShowArguments& arguments) {
-    if (!arguments.output.empty()) return write_scene(arguments);
-    const int frame = animation::parse_frame_range(arguments.frames).front();
-    const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
-    const synthesis::Passes passes = synthesis::assemble(scene, {}, stage_of(arguments));
-    if (!arguments.pass.empty()) {
-        print_pass(pass_named(passes, arguments.pass));
-        return exit_done;
-    }
-    if (arguments.shader) {
-        print_passes(passes);
-        return exit_done;
-    }
-    const animation::Values values = scene.timeline.values(frame);
-    scene::at(scene, values); // values that have left their range are an error here too
+// What one surface is at a frame; `now` and `values` are its own.
+void print_surface(const scene::Scene& scene, const synthesis::Passes& passes,
+                   const scene::SceneAt& now, const animation::Values& values, int frame) {
     const scene::Isolation& isolation = scene.isolation;
-    print_result("{}\n", scene.title);
     print_result("formula   {}\n", base::printable(scene.surface.field->text));
     print_result("timeline  {} frames at {} a second{}\n", scene.timeline.frames,
                  animation::to_string(scene.timeline.fps), scene.timeline.loops ? ", a loop" : "");
@@ -180,10 +169,10 @@ int show(const ShowArguments& arguments) {
     const double size = synthesis::inlined_size(passes), largest = synthesis::largest_shaders();
     print_result("compiles  {} passes, {:.0f} operations{}\n", passes.list.size(), size,
                  size > largest ? fmt::format("; more than {:.0f} are not compiled", largest) : "");
-    const scene::Sight sight = scene::sight(scene, scene::at(scene, values));
+    const scene::Sight sight = scene::sight(scene, now);
     if (scene.surface.jumps_are_walls) print_result("jumps     are walls\n");
     if (const auto& found = scene.surface.found_bounds) {
-        const scene::BoundsAt bounds = scene::at(scene, values).bounds;
+        const scene::BoundsAt bounds = now.bounds;
         print_result("bounds    found: a ball of radius {:g} about ({:g}, {:g}, {:g}), {}\n",
                      bounds.radius, bounds.centre.x, bounds.centre.y, bounds.centre.z,
                      *found ? "which holds the surface at all frames"
@@ -197,6 +186,38 @@ int show(const ShowArguments& arguments) {
         print_result("likely    a slip: {}\n", slip);
     print_result("stage     {}\n", render::name(passes.stage));
     print_result("shaders   {}\n", fmt::join(passes.files(), " "));
+}
+
+int show(const ShowArguments& arguments) {
+    if (!arguments.output.empty()) return write_scene(arguments);
+    const int frame = animation::parse_frame_range(arguments.frames).front();
+    const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
+    const bool lists = !arguments.shader && arguments.pass.empty();
+    const animation::Values values = scene.timeline.values(frame);
+    // Values that have left their range are an error here too.
+    std::optional<scene::SceneAt> now;
+    if (lists) {
+        now = scene::at(scene, values);
+        print_result("{}\n", scene.title);
+    }
+    for (int k = 0; k <= int(scene.others.size()); ++k) {
+        const scene::Scene surface = scene::of_surface(scene, k);
+        const synthesis::Passes passes = synthesis::assemble(surface, {}, stage_of(arguments));
+        if (!scene.others.empty()) {
+            print_result("{}surface   {}: {} of {}\n", lists ? "\n" : "// ##### ",
+                         surface.surface.label, k + 1, scene.among.count);
+        }
+        if (!arguments.pass.empty()) {
+            print_pass(pass_named(passes, arguments.pass));
+        } else if (arguments.shader) {
+            print_passes(passes);
+        } else if (k == 0) {
+            print_surface(surface, passes, *now, values, frame);
+        } else {
+            print_surface(surface, passes, now->others[std::size_t(k - 1)],
+                          surface.timeline.values(frame), frame);
+        }
+    }
     return exit_done;
 }
 
@@ -208,7 +229,7 @@ void add_show(CLI::App& app, Action& chosen) {
         "show", "print what a scene is at a frame, its shaders, or its scene file");
     command
         ->add_option("scene", arguments->scene,
-                     "a scene file (.toml, .jsurf), the name of an animation, or a formula")
+                     "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
         ->required();
     command->add_option("--frame,--frames", arguments->frames,
                         "frame to show, counted from 1; of several the first (default: 1)");

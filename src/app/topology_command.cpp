@@ -19,6 +19,7 @@
 #include "image/encode.h"
 #include "render/renderer.h"
 #include "scene/reading/load.h"
+#include "scene/surfaces.h"
 #include "topology/analyse.h"
 #include "topology/timeline/betti_csv.h"
 #include "topology/timeline/expectation.h"
@@ -36,13 +37,23 @@ constexpr std::size_t most_thumbnails = 8;
 constexpr int thumbnail_size = 192; // shown at half of it: sharp on screens of fine pixels
 
 struct TopologyArguments {
-    std::string scene, frames, certify = "full", output, csv, plot, check, backend = "auto";
+    std::string scene, surface, frames, certify = "full", output, csv, plot, check, dt = "1e-9",
+                                        backend = "auto";
     std::vector<std::string> settings;
     std::optional<int> grid;
-    double dt = 1e-9;
     bool quiet = false;
     scene::Reach reach = scene::Reach::own_folder;
 };
+
+// The scene's one surface; of several the one that is named.
+scene::Scene load_one(const TopologyArguments& arguments,
+                      const std::vector<scene::Override>& settings) {
+    scene::Scene scene = scene::load(arguments.scene, settings, arguments.reach);
+    if (!arguments.surface.empty())
+        return scene::alone(scene, scene::surface_named(scene, arguments.surface));
+    scene::expect_one_surface(scene, "topology, without --surface NAME,");
+    return scene;
+}
 
 void check_extension(const char* option, const std::string& file, const char* extension) {
     if (file.empty() || fs::path(file).extension() == extension) return;
@@ -108,7 +119,7 @@ std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& argument
     settings.push_back(fmt::format("output.size=[{0},{0}]", thumbnail_size));
     std::vector<topology::Thumbnail> thumbnails;
     try {
-        scene::Scene scene = scene::load(arguments.scene, settings, arguments.reach);
+        scene::Scene scene = load_one(arguments, settings);
         scene.sections.clear(); // the topology is that of the whole surface
         const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
         render::Renderer renderer(*context, scene, {thumbnail_size, thumbnail_size, {}, {}, {}});
@@ -175,7 +186,8 @@ topology::TimelineRecord analysed(const TopologyArguments& arguments, const scen
 
 int judged(const TopologyArguments& arguments, const topology::Expectation& expectation,
            const topology::TimelineRecord& record) {
-    const topology::Check check = topology::check(expectation, record, arguments.dt);
+    const topology::Check check =
+        topology::check(expectation, record, topology::parse_dt(arguments.dt, record.header.fps));
     const std::string text = topology::text(check, arguments.check);
     switch (check.outcome()) {
     case topology::Outcome::passes:
@@ -204,9 +216,9 @@ int topology_of(const TopologyArguments& arguments) {
     check_extension("--csv", arguments.csv, ".csv");
     check_extension("--plot", arguments.plot, ".svg");
     check_grid(arguments);
-    check_amount("--dt", arguments.dt, "seconds, 0 or more: 1e-9");
+    topology::parse_dt(arguments.dt, {1, 1});
     gpu::parse_backend(arguments.backend);
-    const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
+    const scene::Scene scene = load_one(arguments, arguments.settings);
     if (!scene.sections.empty() && !arguments.quiet) {
         message("sections cut what is seen; the topology is that of the whole surface\n");
     }
@@ -237,8 +249,10 @@ void add_topology(CLI::App& app, Action& chosen) {
         "topology", "when parts of the surface merge, split, open and close; proved, and checked");
     command
         ->add_option("scene", a.scene,
-                     "a scene file (.toml, .jsurf), the name of an animation, or a formula")
+                     "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
         ->required();
+    command->add_option("--surface", a.surface,
+                        "of a scene with [[surfaces]], the one to search, alone; by its name");
     command->add_option("--frames,--frame", a.frames,
                         "1-10: from frame 1 to frame 10 with all time between (default: all)");
     command->add_option("--certify", a.certify,
@@ -258,7 +272,8 @@ void add_topology(CLI::App& app, Action& chosen) {
                         "searched; exit code 1 if it differs, 2 if it could not be decided");
     command
         ->add_option("--dt", a.dt,
-                     "seconds by which events may have moved from a checked timeline's; 0 or more")
+                     "by how much events may have moved from a checked timeline's: seconds, or "
+                     "\"0.5 frames\"")
         ->capture_default_str();
     command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
     add_allow_outside(*command, a.reach);

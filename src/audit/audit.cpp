@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "truth/cut_rays.h"
+#include "truth/nearest.h"
 #include "truth/tube.h"
 
 namespace isomotion::audit {
@@ -92,16 +93,28 @@ std::vector<int> pixels_of_frame(int width, int height, int count, int frame) {
 }
 
 Auditor::Auditor(const scene::Scene& scene)
-    : scene_(scene)
-    , field_(scene) {}
+    : scene_(scene) {
+    fields_.emplace_back(scene);
+    for (const scene::Scene& other : scene.others) fields_.emplace_back(other);
+}
 
-double Auditor::operations_at_a_point() const {
-    std::vector<int> counts = scene_.timeline.animation.counts();
-    if (const auto by_place = elements::FieldByPlace::of(*scene_.surface.field, counts)) {
+namespace {
+
+double operations_of(const scene::Scene& scene) {
+    std::vector<int> counts = scene.timeline.animation.counts();
+    if (const auto by_place = elements::FieldByPlace::of(*scene.surface.field, counts)) {
         int& count = counts[std::size_t(by_place->array())];
         count = std::min(count, usual_list);
     }
-    return formula::cost(scene_.surface.field->value, counts).operations;
+    return formula::cost(scene.surface.field->value, counts).operations;
+}
+
+} // namespace
+
+double Auditor::operations_at_a_point() const {
+    double sum = operations_of(scene_);
+    for (const scene::Scene& other : scene_.others) sum += operations_of(other);
+    return sum;
 }
 
 Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& aim, int width,
@@ -109,21 +122,35 @@ Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& a
                        const std::function<bool()>& stop,
                        std::shared_ptr<const elements::ElementGrid> grid) {
     const auto begin = std::chrono::steady_clock::now();
-    const truth::Tubes tubes(now, width, height, aim);
-    const truth::Sections sections(now);
-    const truth::EnclosedField::Frame field = field_.at(now, 1, std::move(grid));
-    truth::RootFinder finder = field.finder(budget);
+    const truth::RaysOfSurfaces rays(now, width, height, aim);
+    std::vector<truth::Sections> sections;
+    std::vector<truth::EnclosedField::Frame> fields;
+    std::vector<truth::RootFinder> finders;
+    for (std::size_t k = 0; k < fields_.size(); ++k) {
+        const scene::SceneAt& surface = k == 0 ? now : now.others[k - 1];
+        sections.emplace_back(surface);
+        fields.push_back(fields_[k].at(surface, 1, k == 0 ? std::move(grid) : nullptr));
+    }
+    for (const auto& field : fields) finders.push_back(field.finder(budget));
     Findings found;
     for (std::size_t first = 0; first < endings.size() && !(stop && stop());
          first += rays_together) {
         const auto some = endings.subspan(first, std::min(rays_together, endings.size() - first));
-        std::vector<truth::Tube> of_rays;
-        for (const render::Ending& ending : some)
-            of_rays.push_back(tubes.at(ending.column, ending.row));
-        std::vector<truth::FirstRoot> roots(of_rays.size());
-        truth::find_first(finder, sections, of_rays, roots);
-        for (std::size_t k = 0; k < some.size(); ++k)
-            count(some[k], roots[k], of_rays[k].footprint, frame, found);
+        std::vector<std::vector<truth::FirstRoot>> roots(fields_.size());
+        for (std::size_t k = 0; k < fields_.size(); ++k) {
+            std::vector<truth::Tube> of_rays;
+            for (const render::Ending& ending : some)
+                of_rays.push_back(rays.of(k).at(ending.column, ending.row));
+            roots[k].resize(of_rays.size());
+            truth::find_first(finders[k], sections[k], of_rays, roots[k]);
+        }
+        for (std::size_t at = 0; at < some.size(); ++at) {
+            const render::Ending& ending = some[at];
+            std::vector<truth::FirstRoot> of_surfaces;
+            for (const auto& of_one : roots) of_surfaces.push_back(of_one[at]);
+            count(ending, rays.nearest(ending.column, ending.row, of_surfaces),
+                  rays.of(0).at(ending.column, ending.row).footprint, frame, found);
+        }
         rays_ += std::int64_t(some.size());
     }
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

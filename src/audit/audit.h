@@ -46,7 +46,7 @@ public:
     explicit Auditor(const scene::Scene& scene); // which outlives it
 
     // Compares rays of a picture of frame `frame` of the given size and aim; fewer where it is to
-    // stop. `grid`: of the scene's elements then, if the picture was drawn by one.
+    // stop. `grid`: of the first surface's elements then, if the picture was drawn by one.
     Findings hold(int frame, const scene::SceneAt& now, const scene::Aim& aim, int width,
                   int height, std::span<const render::Ending> endings,
                   const std::function<bool()>& stop = {},
@@ -61,7 +61,7 @@ public:
 
 private:
     const scene::Scene& scene_;
-    truth::EnclosedField field_;
+    std::vector<truth::EnclosedField> fields_; // of each surface
     double seconds_ = 0;
     std::int64_t rays_ = 0;
 };

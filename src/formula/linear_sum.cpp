@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "formula/glsl/glsl_interval.h"
 #include "formula/graph/substitute.h"
 
 namespace isomotion::formula {
@@ -112,14 +111,15 @@ std::optional<LinearSum> linear_sum(const Field& field) {
                      schedule(graph, std::array{body}, 1u << LinearSum::array)};
 }
 
-std::string glsl_rest_and_factor_interval(const LinearSum& sum, const ArrayPacking& packing) {
+std::string glsl_rest_and_factor_interval(const LinearSum& sum, const ArrayPacking& packing,
+                                          Numbers numbers) {
     return emit_interval_glsl(
         sum.rest_and_factor,
         {"void rest_and_factor_interval(vec2 x, vec2 y, vec2 z, out vec2 rest, out vec2 factor)",
          {"x", "y", "z"},
          "",
          {"rest", "factor"}},
-        packing);
+        packing, numbers);
 }
 
 std::string glsl_term_interval(const LinearSum& sum, const ArrayPacking& packing) {

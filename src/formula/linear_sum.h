@@ -9,6 +9,7 @@
 #include <string>
 
 #include "formula/field.h"
+#include "formula/glsl/glsl_interval.h"
 
 namespace isomotion::formula {
 
@@ -22,8 +23,10 @@ struct LinearSum {
 // For fields with one array, summed over once; the programs are for intervals, as in enclosure.h.
 std::optional<LinearSum> linear_sum(const Field& field);
 
-// void rest_and_factor_interval(vec2 x, vec2 y, vec2 z, out vec2 rest, out vec2 factor)
-std::string glsl_rest_and_factor_interval(const LinearSum& sum, const ArrayPacking& packing);
+// void rest_and_factor_interval(vec2 x, vec2 y, vec2 z, out vec2 rest, out vec2 factor); on doubles
+// each vec2 stands for a dvec2.
+std::string glsl_rest_and_factor_interval(const LinearSum& sum, const ArrayPacking& packing,
+                                          Numbers numbers = Numbers::floats);
 // vec2 term_interval(int e0, vec2 x, vec2 y, vec2 z)
 std::string glsl_term_interval(const LinearSum& sum, const ArrayPacking& packing);
 

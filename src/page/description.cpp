@@ -260,7 +260,7 @@ Json viewers_lights_of(const scene::Scene& scene) {
 } // namespace
 
 std::string description(const WebScene& web, const FrameValues& values,
-                        const EnvironmentMap* environment, const PageOptions& options) {
+                        const Environment* environment, const PageOptions& options) {
     const scene::Scene& scene = web.scene;
     const synthesis::Passes& passes = web.passes;
     const animation::Timeline& timeline = scene.timeline;
@@ -303,7 +303,9 @@ std::string description(const WebScene& web, const FrameValues& values,
     all["view"] = places_of(values.view_places);
     all["effects"] = places_of(values.effect_places);
     all["tables"] = tables_of(values);
-    if (environment) all["environment"] = {environment->width, environment->height};
+    if (environment) all["environment"] = {environment->map.width, environment->map.height};
+    if (environment && environment->levels)
+        all["environmentLevels"] = {environment->levels->width, environment->levels->height};
     // A scene's text may be no UTF-8.
     return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

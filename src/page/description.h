@@ -13,6 +13,6 @@ namespace isomotion::page {
 // `environment` is null where the scene has none. Throws InputError for a report that is broken or
 // of another scene; of a timeline beside the scene that is so, the options' `warn` is told.
 std::string description(const WebScene& web, const FrameValues& values,
-                        const EnvironmentMap* environment, const PageOptions& options);
+                        const Environment* environment, const PageOptions& options);
 
 } // namespace isomotion::page

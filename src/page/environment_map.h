@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,15 @@ struct EnvironmentMap {
 
 inline constexpr int widest_map = 512;
 
-// Wider maps become the means of their texels. `warn`, unless it is empty, is told of texels that
-// were mended. Throws as image::read_environment() does.
-EnvironmentMap environment_map(const scene::Environment& environment,
-                               const std::function<void(const std::string&)>& warn);
+struct Environment {
+    EnvironmentMap map;
+    std::optional<EnvironmentMap> levels; // what rough mirrors show: image::environment_levels()
+};
+
+// What is around a scene that has an environment. Wider maps become the means of their texels.
+// `warn`, unless it is empty, is told of texels that were mended. Throws as
+// image::read_environment() does.
+Environment environment(const scene::Scene& scene,
+                        const std::function<void(const std::string&)>& warn);
 
 } // namespace isomotion::page

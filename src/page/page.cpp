@@ -27,20 +27,23 @@ void append_word(std::vector<std::byte>& to, std::size_t word) {
     for (int place = 0; place < 4; ++place) to.push_back(std::byte(word >> (8 * place) & 0xff));
 }
 
-// The length of the description, the description, the tables, the grids, the environment map.
+// The length of the description, the description, the tables, the grids, the environment map and
+// its levels.
 std::vector<std::byte> data_of(const WebScene& web, const PageOptions& options) {
     const FrameValues values = frame_values(web);
-    std::optional<EnvironmentMap> environment;
-    if (web.scene.environment) environment = environment_map(*web.scene.environment, options.warn);
-    const std::string described =
-        description(web, values, environment ? &*environment : nullptr, options);
+    std::optional<Environment> around;
+    if (web.scene.environment) around = environment(web.scene, options.warn);
+    const std::string described = description(web, values, around ? &*around : nullptr, options);
     std::vector<std::byte> data;
     append_word(data, described.size());
     append(data, described);
     for (const ValueTable* table : values.tables()) table->pack(data);
     data.insert(data.end(), values.grids.begin(), values.grids.end());
-    if (environment)
-        data.insert(data.end(), environment->texels.begin(), environment->texels.end());
+    const auto append_texels = [&](const EnvironmentMap& map) {
+        data.insert(data.end(), map.texels.begin(), map.texels.end());
+    };
+    if (around) append_texels(around->map);
+    if (around && around->levels) append_texels(*around->levels);
     return data;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "scene/error.h"
+#include "scene/surfaces.h"
 #include "synthesis/assemble.h"
 #include "synthesis/inlined_size.h"
 
@@ -36,6 +37,7 @@ void expect_few_elements(const scene::Scene& scene, const synthesis::Passes& pas
 } // namespace
 
 WebScene web_scene(scene::Scene scene) {
+    scene::expect_one_surface(scene, "a page");
     WebScene web;
     scene.isolation.certify = false;
     web.passes = synthesis::assemble(scene, {}, synthesis::Stage::fragment, false,

@@ -42,13 +42,16 @@ public:
         if (inputs.grid) {
             if (!grid_) grid_.emplace();
             grid_->update(*inputs.grid);
-            grid_->bind(table);
         }
+        for (std::size_t a = 0; a < arrays_.size(); ++a) arrays_[a].update(inputs.arrays[a]);
+        bind(table);
+    }
+
+    // What was uploaded last.
+    void bind(PassTable& table) const {
+        if (grid_) grid_->bind(table);
         table.bind("Parameters", parameters_);
-        for (std::size_t a = 0; a < arrays_.size(); ++a) {
-            arrays_[a].update(inputs.arrays[a]);
-            arrays_[a].bind(table);
-        }
+        for (const ArrayBuffer& array : arrays_) array.bind(table);
     }
 
     // The array whose elements beams make lists of, or null.

@@ -110,10 +110,11 @@ ViewInputs view_inputs(const scene::Scene& scene, const scene::SceneAt& now, int
 void PictureInputs::add_to(base::Fingerprint& print) const {
     // A member more does not compile here until it is part of the fingerprint.
     const auto& [across, up, of_eye, of_field, of_shading, of_effects, of_lights, of_proofs,
-                 of_motion, told_by_eye, asked, no_pixel] = *this;
+                 of_motion, told_by_eye, asked, no_pixel, of_others] = *this;
     (void)told_by_eye;
     (void)asked; // decides no pixel either
     (void)no_pixel;
+    for (const PictureInputs& other : of_others) other.add_to(print);
     add_value(print, across);
     add_value(print, up);
     add(print, of_eye);

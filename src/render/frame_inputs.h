@@ -68,6 +68,7 @@ struct PictureInputs {
     // Pixels, row by row from the top, ascending, whose endings are wanted; these decide no pixel.
     std::vector<int> endings_of{};
     std::chrono::duration<double> preparing{}; // the time it took; decides no pixel
+    std::vector<PictureInputs> others{};       // of a scene's other surfaces
 
     glm::vec4 background() const { return shading[1]; }
     void add_to(base::Fingerprint& print) const;

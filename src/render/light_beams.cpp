@@ -75,7 +75,7 @@ void LightBeams::draw(PassTable& table, const std::vector<LightInputs>& lights, 
         std::copy(light.to_light.begin(), light.to_light.end(),
                   &to_light_[std::size_t(4 * light.light)]);
     }
-    beams_.bind(table, "light_beam");
+    bind(table);
     table.program(synthesis::Role::shadow)
         .set("light_views", std::span<const glm::vec4>(to_light_));
 }

@@ -29,6 +29,8 @@ public:
     // Draws the frame's, whose field is uploaded and bound, and binds them.
     void draw(PassTable& table, const std::vector<LightInputs>& lights, int pixels,
               const ArrayBuffer* array);
+    // Binds those drawn last.
+    void bind(const PassTable& table) const { beams_.bind(table, "light_beam"); }
 
 private:
     int most_pixels_;

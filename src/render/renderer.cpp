@@ -2,59 +2,28 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "gpu/target.h"
 #include "gpu/texture.h"
 #include "image/environment.h"
-#include "render/beam_pass.h"
-#include "render/field_buffers.h"
+#include "image/environment_levels.h"
 #include "render/frame_pictures.h"
 #include "render/fused_pass.h"
 #include "render/layers.h"
-#include "render/light_beams.h"
-#include "render/pass_table.h"
 #include "render/pictures_in_flight.h"
 #include "render/planes.h"
-#include "render/ray_marcher.h"
-#include "render/scene_plan.h"
 #include "render/secondary_rays.h"
+#include "render/several_surfaces.h"
+#include "render/surface_passes.h"
 #include "render/velocity_pass.h"
-#include "synthesis/inlined_size.h"
+#include "scene/surfaces.h"
 
 namespace isomotion::render {
 namespace {
 
 using synthesis::Channel, synthesis::Role;
-
-// Texels that the buffer of an array with lists may have: beams write lists into it as a storage
-// block and others read them as a texture. Elements are told by floats, too.
-int texels_for_lists(const gpu::ContextInfo& info) {
-    return std::min({info.max_texture_buffer_size,
-                     info.max_storage_block_size / int(sizeof(glm::vec4)), 1 << 24});
-}
-
-// Drivers of hardware have compilers of their own: the limit is of Mesa's for processors.
-const synthesis::Passes& checked(const synthesis::Passes& passes, const gpu::ContextInfo& info) {
-    if (info.software) synthesis::check_size(passes);
-    return passes;
-}
-
-// A scene's passes, and how its pictures are cut into draws of them.
-struct Planned {
-    Planned(const scene::Scene& scene, const RenderOptions& options, const gpu::ContextInfo& info)
-        : passes(synthesis::assemble(scene, options.channels, choose_stage(options.stage, info),
-                                     info.has(4, 3), options.finest_beam, options.tells_endings))
-        , plan(plan_scene(scene, checked(passes, info), options.width, options.height,
-                          info.max_texture_size, options.plan)) {
-        const bool too_little = plan.march.evaluations_per_pass <= 1; // to end a ray in one draw
-        if (too_little) passes = synthesis::without_fused_pass(std::move(passes));
-    }
-    synthesis::Passes passes;
-    ScenePlan plan;
-};
 
 // The formats of the shade pass's attachments.
 std::vector<gpu::Format> formats(const synthesis::Passes& passes, const Record& record) {
@@ -76,34 +45,23 @@ void add(const Tally& tally, Picture& picture) {
 struct Renderer::Parts {
     Parts(gpu::Context& made_in, const scene::Scene& drawn, RenderOptions wanted)
         : context(made_in)
-        , scene(drawn)
         , options(std::move(wanted))
-        , planned(scene, options, context.info())
-        , passes_print(fingerprint_of_passes())
-        , table(passes)
+        , surfaces(surfaces_of(drawn))
+        , passes_print(fingerprint_of_passes(drawn))
         , record(plan.march.tile_width * plan.march.tile_height, passes.has(Role::surface))
         , planes(options.width, options.height)
         , layers(options.channels, passes.attachments)
-        , result(plan.march.tile_width, plan.march.tile_height, formats(passes, record))
-        , frame(sizeof(FrameBlock))
-        , shading((7 + 2 * scene.lights.size()) * sizeof(glm::vec4))
-        , marcher(passes, scene, plan, [this] { stop_if_asked(); }) {
-        const int texels = texels_for_lists(context.info());
-        const int elements = passes.arrays.empty() ? 0 : passes.arrays[0].capacity;
-        if (!passes.beams.empty()) beams.emplace(passes, scene, plan.march, texels, elements);
-        int listed = beams ? beams->listed() : 0;
-        if (passes.light_beams != 0) {
-            light_beams.emplace(passes, scene, light_pixels(options.width, options.height), texels,
-                                elements + listed);
-            listed += light_beams->listed();
-        }
-        field.emplace(passes, listed);
-        if (const auto array = synthesis::array_with_grid(passes))
-            grid_maker = elements::GridMaker::of(*scene.surface.field, *array);
+        , result(plan.march.tile_width, plan.march.tile_height, formats(passes, record)) {
         if (passes.has(Role::fused)) fused.emplace(passes, result);
         one_draw = fused.has_value();
-        if (!one_draw) eye_rays.emplace(passes, plan.march);
-        if (passes.has(Role::surface)) secondary.emplace(passes, plan.march);
+        if (surfaces.size() > 1) {
+            std::vector<SurfacePasses*> all;
+            for (const auto& surface : surfaces) all.push_back(surface.get());
+            several.emplace(std::move(all));
+        } else {
+            if (!one_draw) eye_rays.emplace(passes, plan.march);
+            if (passes.has(Role::surface)) secondary.emplace(passes, plan.march);
+        }
         if (scene.environment) load_environment();
         if (passes.has(Role::motion)) moved.emplace(plan.march);
         if (passes.has(Role::proof)) {
@@ -115,12 +73,16 @@ struct Renderer::Parts {
     void load_environment() {
         base::Fingerprint print;
         image::EnvironmentSink sink;
+        std::optional<image::EnvironmentReduction> reduction;
+        if (synthesis::mirrors_environment(scene)) reduction.emplace(image::widest_reduction);
         sink.begin = [&](int width, int height) {
             environment.emplace(gpu::Format::rgba32f, width, height);
+            if (reduction) reduction->begin(width, height);
             print.begin(4 * sizeof(float) * std::size_t(width) * std::size_t(height));
         };
         sink.rows = [&](int first, std::span<const float> texels) {
             environment->update_rows(first, texels);
+            if (reduction) reduction->rows(first, texels);
             print.append(std::as_bytes(texels));
         };
         const int mended =
@@ -128,40 +90,58 @@ struct Renderer::Parts {
         if (mended > 0 && options.warn)
             options.warn(image::mending(scene.environment->map, mended));
         environment_print = print.text();
+        if (!reduction) return;
+        const image::EnvironmentMap levels =
+            image::environment_levels(reduction->map(), image::widest_level);
+        environment_levels.emplace(gpu::Format::rgba32f, levels.width, levels.height,
+                                   levels.texels);
     }
 
     // ----- what a frame is drawn from
 
-    InputLayout layout() const {
-        const int light_side = light_beams ? std::min(light_beams->most_pixels(),
-                                                      light_pixels(options.width, options.height))
-                                           : 0;
-        InputLayout all{passes, options.width, options.height, light_side};
-        if (!grid_maker) return all;
-        all.grid = &*grid_maker;
-        all.most_elements_at_a_place = plan.most_elements_at_a_place;
-        all.grid_limits.threads = options.threads > 0
-                                      ? options.threads
-                                      : std::max(1, int(std::thread::hardware_concurrency()));
-        all.grid_limits.listed =
-            std::min(all.grid_limits.listed, std::size_t(context.info().max_texture_buffer_size));
-        return all;
-    }
-
+    // `fields`: one for each surface.
     PictureInputs prepare(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion,
-                          SharedField& field_of_frame) {
+                          std::vector<SharedField>& fields) {
         const auto begin = std::chrono::steady_clock::now();
-        PictureInputs inputs =
-            picture_inputs(scene, now, aim, motion, layout(), element_radius, field_of_frame);
+        if (now.others.size() + 1 != surfaces.size())
+            throw std::logic_error("a time of a scene with other surfaces");
+        fields.resize(surfaces.size());
+        const int width = options.width, height = options.height;
+        PictureInputs inputs = own.prepare(now, aim, motion, width, height, fields[0]);
+        for (std::size_t k = 1; k < surfaces.size(); ++k) {
+            inputs.others.push_back(
+                surfaces[k]->prepare(now.others[k - 1], aim, nullptr, width, height, fields[k]));
+        }
+        for (std::size_t k = 0; several && k < surfaces.size(); ++k) {
+            synthesis::Uniforms& effects = k == 0 ? inputs.effects : inputs.others[k - 1].effects;
+            for (auto& uniform : uniforms_among(now, int(k), width, height, aim))
+                effects.push_back(std::move(uniform));
+        }
         inputs.preparing = std::chrono::steady_clock::now() - begin;
         return inputs;
     }
 
-    std::string fingerprint_of_passes() const {
-        if (!options.tells_endings) return passes.fingerprint();
+    std::vector<std::unique_ptr<SurfacePasses>> surfaces_of(const scene::Scene& drawn) {
+        std::vector<std::unique_ptr<SurfacePasses>> all;
+        for (PlannedSurface& planned : plan_surfaces(drawn, options, context.info())) {
+            all.push_back(std::make_unique<SurfacePasses>(
+                std::move(planned), options, context.info(), [this] { stop_if_asked(); }));
+        }
+        return all;
+    }
+
+    std::string fingerprint_of_passes(const scene::Scene& drawn) const {
         RenderOptions plain = options;
         plain.tells_endings = false;
-        return Planned(scene, plain, context.info()).passes.fingerprint();
+        std::string prints;
+        const bool is_planned = !options.tells_endings;
+        for (std::size_t k = 0; k < surfaces.size(); ++k) {
+            const scene::Scene surface = scene::of_surface(drawn, int(k));
+            prints += is_planned
+                          ? surfaces[k]->passes.fingerprint()
+                          : PlannedSurface(surface, plain, context.info()).passes.fingerprint();
+        }
+        return prints;
     }
 
     std::string fingerprint(const std::vector<PictureInputs>& pictures) const {
@@ -177,16 +157,11 @@ struct Renderer::Parts {
 
     void upload(const PictureInputs& inputs) {
         done = 0;
-        frame.update(std::as_bytes(std::span(&inputs.eye.frame, 1)));
-        table.bind("Frame", frame);
-        shading.update(std::as_bytes(std::span(inputs.shading)));
-        table.bind("Shading", shading);
-        field->upload(table, *inputs.field);
-        table.set(inputs.effects);
+        own.upload(inputs, options.width, options.height);
         if (environment) table.bind("environment_map", *environment);
-        if (light_beams) {
-            light_beams->draw(table, inputs.lights, layout().light_pixels, field->listed());
-        }
+        if (environment_levels) table.bind("environment_levels", *environment_levels);
+        for (std::size_t k = 1; k < surfaces.size(); ++k)
+            surfaces[k]->upload(inputs.others[k - 1], options.width, options.height);
     }
 
     // Inputs are of pictures of one size.
@@ -208,7 +183,7 @@ struct Renderer::Parts {
                 stop_if_asked();
                 const gpu::Rectangle tile{x, y, std::min(across, options.width - x),
                                           std::min(up, options.height - y)};
-                draw_beams(inputs, tile);
+                if (!several) own.draw_beams(inputs, tile);
                 const gpu::Target* rays = draw_tile(inputs, tile, picture);
                 fill_counts(tile, picture.frame);
                 if (const auto at = endings_in(inputs)) {
@@ -233,17 +208,17 @@ struct Renderer::Parts {
         if (options.stop && options.stop()) throw Stopped{};
     }
 
-    void draw_beams(const PictureInputs& inputs, const gpu::Rectangle& tile) {
-        if (!beams) return;
-        if (keeps_beams) return beams->bind(table, "beam");
-        beams->draw(table, inputs.eye.beams, {0, 0, tile.width, tile.height}, {tile.x, tile.y},
-                    field->listed());
-    }
-
     // Draws a tile into `result`, reads its record and adds that to the picture's. Returns its
     // rays, or null if they were not kept.
     const gpu::Target* draw_tile(const PictureInputs& inputs, const gpu::Rectangle& tile,
                                  Picture& picture) {
+        if (several) {
+            several->draw(inputs, tile, result, environment ? &*environment : nullptr,
+                          picture.passes);
+            record.read(result, 1, tile.width, tile.height);
+            add(record.tally(), picture);
+            return nullptr;
+        }
         if (one_draw) {
             fused->draw(table, tile, plan, inputs.background());
             ++picture.passes;
@@ -259,8 +234,8 @@ struct Renderer::Parts {
             picture.compiled = true;
         }
         const gpu::Target& rays =
-            marcher.march(table, Role::march, tile, *eye_rays, result, picture.passes);
-        if (secondary) secondary->trace(table, marcher, tile, result, picture.passes);
+            own.marcher.march(table, Role::march, tile, *eye_rays, result, picture.passes);
+        if (secondary) secondary->trace(table, own.marcher, tile, result, picture.passes);
         table.bind_numbered("state_texture", rays);
         table.draw(table.program(Role::shade), tile, result);
         record.read(result, 1, tile.width, tile.height);
@@ -312,16 +287,16 @@ struct Renderer::Parts {
     }
 
     // Draws the channel velocity of a tile whose rays and record are there.
-    void draw_velocity(const MotionInputs& motion, const FieldInputs& own, const gpu::Target& rays,
+    void draw_velocity(const MotionInputs& motion, const FieldInputs& here, const gpu::Target& rays,
                        const gpu::Rectangle& tile, image::Frame& drawn) {
         table.bind_numbered("state_texture", rays);
         const auto field_at = [&](const FieldInputs& then, const scene::SceneAt& there) {
-            field->upload(table, then);
+            own.field->upload(table, then);
             return moved->field_there(table, tile, motion.now.placement, there);
         };
         const std::vector<float> before = field_at(motion.before, motion.motion.before);
         const std::vector<float> after = field_at(motion.after, motion.motion.after);
-        field->upload(table, own);
+        own.field->upload(table, here);
         const std::vector<glm::dvec3> found =
             velocities(motion.motion, motion.now, options.width, options.height, tile, record,
                        rays.read(0, 0, 0, tile.width, tile.height), before, after);
@@ -347,7 +322,7 @@ struct Renderer::Parts {
     void launch(PictureInputs inputs) {
         upload(inputs);
         stop_if_asked();
-        draw_beams(inputs, whole());
+        own.draw_beams(inputs, whole());
         fused->draw(table, whole(), plan, inputs.background());
         gpu::Transfer pixels = flights.transfer(bytes_of_a_tile());
         std::size_t end = 0;
@@ -410,31 +385,26 @@ struct Renderer::Parts {
     }
 
     gpu::Context& context;
-    scene::Scene scene;
     RenderOptions options;
-    Planned planned;
-    const synthesis::Passes& passes = planned.passes;
-    const ScenePlan& plan = planned.plan;
+    std::vector<std::unique_ptr<SurfacePasses>> surfaces;
+    SurfacePasses& own = *surfaces.front(); // of the first surface
+    const scene::Scene& scene = own.scene;
+    const synthesis::Passes& passes = own.passes;
+    const ScenePlan& plan = own.plan;
+    PassTable& table = own.table;
     const std::string passes_print; // of those that decide pixels
-    PassTable table;
-    Record record; // of the tile drawn last
+    Record record;                  // of the tile drawn last
     Planes planes;
     Layers layers;
     gpu::Target result;
-    gpu::UniformBuffer frame, shading;
-    RayMarcher marcher;
-    ElementRadius element_radius;
-    std::optional<elements::GridMaker> grid_maker;
-    std::optional<FieldBuffers> field;
-    std::optional<BeamPass> beams;
-    bool keeps_beams = false;
-    std::optional<LightBeams> light_beams;
+    std::optional<SeveralSurfaces> several;
     std::optional<FusedPass> fused; // into `result`
     bool one_draw = false;          // as long as every tile's rays ended in the fused pass
     std::optional<RayTargets> eye_rays;
     std::optional<SecondaryRays> secondary;
     std::optional<gpu::Texture> environment;
-    std::string environment_print; // of its texels
+    std::optional<gpu::Texture> environment_levels; // where something mirrors it
+    std::string environment_print;                  // of its texels
     std::optional<VelocityPass> moved;
     std::optional<Proofs> proofs;
     std::vector<float> proved; // of the tile proved last
@@ -473,7 +443,7 @@ void Renderer::resize(int width, int height) {
 }
 
 void Renderer::adjust(const scene::Isolation& settings) {
-    scene::Isolation& current = parts_->scene.isolation;
+    scene::Isolation& current = parts_->own.scene.isolation;
     if (settings.method != current.method || settings.beam != current.beam ||
         settings.certify != current.certify) {
         throw std::invalid_argument("other shaders are another renderer's");
@@ -488,13 +458,13 @@ void Renderer::keep_beams(bool keep) {
     if (p.plan.march.tile_width < p.options.width || p.plan.march.tile_height < p.options.height) {
         throw std::logic_error("beams are kept of one tile, and the picture has several");
     }
-    parts_->keeps_beams = keep && parts_->beams;
+    for (const auto& surface : parts_->surfaces) surface->keeps_beams = keep && surface->beams;
 }
 
 PictureInputs Renderer::prepare(const scene::SceneAt& now, const scene::Aim& aim,
                                 const Motion* motion) const {
-    SharedField field;
-    return parts_->prepare(now, aim, motion, field);
+    std::vector<SharedField> fields;
+    return parts_->prepare(now, aim, motion, fields);
 }
 
 FrameInputs Renderer::prepare(const scene::Scene& scene, int frame) const {
@@ -502,12 +472,12 @@ FrameInputs Renderer::prepare(const scene::Scene& scene, int frame) const {
     inputs.values = scene.timeline.values(frame);
     std::optional<Motion> motion;
     if (needs_motion()) motion = motion_about(scene, frame);
-    SharedField field;
+    std::vector<SharedField> fields;
     for_each_picture(scene, frame, inputs.values, [&](const auto& now, const scene::Aim& aim) {
         const bool is_first = inputs.pictures.empty();
         if (is_first) inputs.now = now;
         inputs.pictures.push_back(
-            parts_->prepare(now, aim, motion && is_first ? &*motion : nullptr, field));
+            parts_->prepare(now, aim, motion && is_first ? &*motion : nullptr, fields));
     });
     inputs.fingerprint = parts_->fingerprint(inputs.pictures);
     return inputs;

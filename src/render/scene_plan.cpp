@@ -74,7 +74,11 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
     if (passes.has(synthesis::Role::surface)) {
         // Up to eight samples at the end of a ray (shaders/effects/end_of_ray.glsl) and five of
         // its surroundings, each in one draw.
-        const double end = loops_of(field.gradient, counts) + 8 * loops_of(field.value, counts);
+        const double occlusion = passes.has(synthesis::Role::occlusion)
+                                     ? 5 * loops_of(field.gradient, counts)
+                                     : 0.0; // of several surfaces: six values and five gradients
+        const double end = std::max(loops_of(field.gradient, counts), occlusion) +
+                           8 * loops_of(field.value, counts);
         if (end > loop_iterations_per_pass) {
             throw std::length_error(
                 fmt::format("shadows, mirrors and other effects sum {:.0f} terms a pixel; a "

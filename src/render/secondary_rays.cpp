@@ -11,11 +11,12 @@ constexpr int attachments = 3; // of what is kept of an end, see shaders/effects
 
 SecondaryRays::SecondaryRays(const synthesis::Passes& passes, const MarchPlan& tile)
     : ends_(tile.tile_width, tile.tile_height, attachments) {
+    if (passes.has(Role::shadow)) shadow_.emplace(passes, tile);
     if (passes.has(Role::mirror)) {
         mirror_ = Mirror{RayTargets(passes, tile),
-                         gpu::Target(tile.tile_width, tile.tile_height, attachments)};
+                         gpu::Target(tile.tile_width, tile.tile_height, attachments), std::nullopt};
+        if (shadow_) mirror_->shadows.emplace(passes, tile);
     }
-    if (passes.has(Role::shadow)) shadow_.emplace(passes, tile);
 }
 
 void SecondaryRays::trace(PassTable& table, const RayMarcher& marcher, const gpu::Rectangle& tile,
@@ -27,11 +28,16 @@ void SecondaryRays::trace(PassTable& table, const RayMarcher& marcher, const gpu
         table.draw(table.program(Role::mirror_surface), tile, mirror_->ends);
         table.bind_numbered("mirrored_texture", mirror_->ends);
     }
-    if (shadow_) {
+    const auto trace_shadows = [&](const gpu::Target& from, const RayTargets& rays,
+                                   const char* seen_as) {
+        table.bind_numbered("surface_texture", from);
         const gpu::Target& ended =
-            marcher.march(table, Role::shadow, tile, *shadow_, counted_into, draws);
-        table.bind("shadow_texture", ended.texture(1));
-    }
+            marcher.march(table, Role::shadow, tile, rays, counted_into, draws);
+        table.bind(seen_as, ended.texture(1));
+    };
+    if (mirror_ && mirror_->shadows)
+        trace_shadows(mirror_->ends, *mirror_->shadows, "mirrored_shadow_texture");
+    if (shadow_) trace_shadows(ends_, *shadow_, "shadow_texture");
 }
 
 } // namespace isomotion::render

@@ -23,6 +23,7 @@ private:
     struct Mirror {
         RayTargets rays;
         gpu::Target ends;
+        std::optional<RayTargets> shadows; // from these ends
     };
 
     gpu::Target ends_;

@@ -30,6 +30,7 @@ SceneAt lit_from(SceneAt now, const glm::dvec2& disc) {
         light.direction += light.radius * (disc.x * a + disc.y * b);
         if (!light.is_point) light.direction = glm::normalize(light.direction);
     }
+    for (SceneAt& other : now.others) other.lights = now.lights;
     return now;
 }
 

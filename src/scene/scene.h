@@ -50,7 +50,8 @@ struct Range {
 };
 
 struct Surface {
-    std::string name; // of the catalogue, or empty
+    std::string name;  // of the catalogue, or empty
+    std::string label; // among several of a scene, see surfaces.h
     // Shared: evaluators and shaders refer to its programs for as long as they live.
     std::shared_ptr<const formula::Field> field;
     int parameters = 0;        // the first tracks of the animation are the formula's parameters
@@ -243,6 +244,12 @@ struct NamedLook {
     std::vector<std::string> keys = {}; // what it set: "lights", "material.model"
 };
 
+// Which of how many surfaces of one scene.
+struct Among {
+    int index = 0, count = 1;
+    int mirrors = 0; // a bit for each that mirrors all: of_surface() tells
+};
+
 struct Scene {
     std::filesystem::path file; // of a formula alone, one that is not there
     std::string formula;        // if that is all the scene was loaded by
@@ -261,6 +268,10 @@ struct Scene {
     std::optional<Environment> environment;
     Output output;
     NamedLook look;
+    // A scene with several surfaces is that of the first, and has the scenes of the others, each
+    // with an animation of its own. What they share is the first one's: see surfaces.h.
+    std::vector<Scene> others;
+    Among among;
 };
 
 // What loads the scene again, from any folder: its formula, or its file's whole path.

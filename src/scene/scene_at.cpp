@@ -12,6 +12,34 @@
 namespace isomotion::scene {
 namespace {
 
+struct Ball {
+    glm::dvec3 centre{0};
+    double radius = 0;
+};
+
+Ball ball_about(const SceneAt& now) {
+    return {now.placement.to_world(now.bounds.centre), now.bounds.radius * now.placement.scale};
+}
+
+// About the bounds of all surfaces.
+Ball ball_about_all(const SceneAt& now) {
+    Ball ball = ball_about(now);
+    if (now.others.empty()) return ball;
+    glm::dvec3 low = ball.centre - ball.radius, high = ball.centre + ball.radius;
+    for (const SceneAt& other : now.others) {
+        const Ball its = ball_about(other);
+        low = glm::min(low, its.centre - its.radius);
+        high = glm::max(high, its.centre + its.radius);
+    }
+    const glm::dvec3 centre = 0.5 * (low + high);
+    double radius = ball.radius + glm::length(ball.centre - centre);
+    for (const SceneAt& other : now.others) {
+        const Ball its = ball_about(other);
+        radius = std::max(radius, its.radius + glm::length(its.centre - centre));
+    }
+    return {centre, radius};
+}
+
 class Reader {
 public:
     Reader(const Scene& scene, const animation::Values& values)
@@ -108,7 +136,8 @@ public:
         return to;
     }
 
-    CameraAt camera(const BoundsAt& bounds, const PlacementAt& placement) const {
+    // `all`: a sphere about everything, in the world.
+    CameraAt camera(const Ball& all) const {
         const Camera& from = scene_.camera;
         CameraAt to;
         to.projection = from.projection;
@@ -127,10 +156,9 @@ public:
         const double aspect = double(scene_.output.width) / scene_.output.height;
         const double slope = std::tan(glm::radians(to.fov) / 2);
 
-        const glm::dvec3 middle = placement.to_world(bounds.centre);
-        to.target = from.target ? vector(*from.target) : middle;
+        to.target = from.target ? vector(*from.target) : all.centre;
         // A sphere about the target that holds the bounds.
-        const double reach = bounds.radius * placement.scale + glm::length(middle - to.target);
+        const double reach = all.radius + glm::length(all.centre - to.target);
         if (from.position) {
             to.position = vector(*from.position);
             if (to.position == to.target) {
@@ -319,6 +347,7 @@ private:
 } // namespace
 
 SceneAt in_formula_coordinates(SceneAt scene) {
+    const PlacementAt first = scene.placement;
     const glm::dmat3 to_local = glm::transpose(scene.placement.rotate);
     scene.camera.position = scene.placement.to_local(scene.camera.position);
     scene.camera.target = scene.placement.to_local(scene.camera.target);
@@ -343,11 +372,30 @@ SceneAt in_formula_coordinates(SceneAt scene) {
         }
     }
     scene.placement = {};
+    for (SceneAt& other : scene.others) {
+        other.placement.translate = first.to_local(other.placement.translate);
+        other.placement.rotate = to_local * other.placement.rotate;
+        other.placement.scale /= first.scale;
+        share(scene, other);
+    }
     return scene;
 }
 
-SceneAt at(const Scene& scene, const animation::Values& values) {
-    const Reader read(scene, values);
+void share(const SceneAt& from, SceneAt& to) {
+    to.camera = from.camera;
+    to.lights = from.lights;
+    to.sections = from.sections;
+    to.ground = from.ground;
+    to.fog = from.fog;
+    to.ambient = from.ambient;
+    to.occlusion = from.occlusion;
+    to.environment = from.environment;
+}
+
+namespace {
+
+// The surface, where it is and what it is of.
+SceneAt matter_at(const Scene& scene, const Reader& read, const animation::Values& values) {
     SceneAt now;
     now.time = values.time;
     const auto parameters = std::ptrdiff_t(scene.surface.parameters);
@@ -358,23 +406,35 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     now.bindings = formula::convert<float>(bindings);
     now.bounds = read.bounds();
     now.placement = read.placement();
-    now.camera = read.camera(now.bounds, now.placement);
-    now.lights = read.lights(now.camera);
     now.material_color = read.color(scene.material.color);
     if (scene.material.paint) now.paint_range = read.range(*scene.material.paint);
     if (scene.material.inside) now.inside_color = read.color(*scene.material.inside);
     if (scene.material.cap) now.cap_color = read.color(*scene.material.cap);
-    for (const Cut& cut : scene.sections) now.sections.push_back(read.section(cut));
     if (scene.material.contours) now.contours = read.contours(*scene.material.contours);
+    now.gloss = read.gloss();
+    return now;
+}
+
+} // namespace
+
+SceneAt at(const Scene& scene, const animation::Values& values) {
+    const Reader read(scene, values);
+    SceneAt now = matter_at(scene, read, values);
+    for (const Scene& other : scene.others) {
+        const animation::Values its = other.timeline.animation.at(values.time);
+        now.others.push_back(matter_at(other, Reader(other, its), its));
+    }
+    const Ball all = ball_about_all(now);
+    now.camera = read.camera(all);
+    now.lights = read.lights(now.camera);
+    for (const Cut& cut : scene.sections) now.sections.push_back(read.section(cut));
     if (scene.ground) now.ground = read.ground(*scene.ground);
     if (scene.fog) now.fog = read.fog(*scene.fog);
     if (scene.ambient)
         now.ambient = {read.color(scene.ambient->top), read.color(scene.ambient->bottom)};
-    if (scene.occlusion) {
-        now.occlusion = read.occlusion(*scene.occlusion, now.bounds.radius * now.placement.scale);
-    }
+    if (scene.occlusion) now.occlusion = read.occlusion(*scene.occlusion, all.radius);
     if (scene.environment) now.environment = read.environment(*scene.environment);
-    now.gloss = read.gloss();
+    for (SceneAt& other : now.others) share(now, other);
     return now;
 }
 

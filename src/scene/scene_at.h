@@ -105,12 +105,17 @@ struct SceneAt {
     // Blinn-Phong: shininess, specular. GGX: roughness, metallic, specular. The rest is 0.
     glm::dvec4 gloss{0};
     glm::dvec2 paint_range{0, 1}; // the values at the ends of the colour map
+    std::vector<SceneAt> others;  // as the scene has them; what they share is the same
 };
 
 // Moves the surface to where its formula has it, and the camera and lights with it. Rays and
 // verdicts stay; positions are in formula coordinates, where float has all its digits for them. The
-// ground stays behind: it is no part of the surface.
+// ground stays behind: it is no part of the surface. Of several surfaces the first is there, and
+// the others are where they are as seen from it.
 SceneAt in_formula_coordinates(SceneAt scene);
+
+// Gives one surface what another has of what all share: camera, lights, sections, surroundings.
+void share(const SceneAt& from, SceneAt& to);
 
 // Throws SceneError when a value has left its range at this time (a radius of 0, a field of view
 // of 200 degrees, a camera at its own target).

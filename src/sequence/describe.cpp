@@ -69,6 +69,8 @@ image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& 
         if (name.size() <= image::longest_name(format))
             metadata.push_back({std::move(name), values.tracks[index]});
     }
+    for (const scene::Scene& other : scene.others)
+        metadata.push_back({"isomotion:formula." + other.surface.label, other.surface.field->text});
     metadata.push_back({fingerprint_key, std::string()});
     return metadata;
 }

@@ -62,6 +62,8 @@ std::string scene_fingerprint(const scene::Scene& scene) {
         add_numbers(print, {double(scene.environment->background)});
     }
     add(print, scene.output);
+    for (const scene::Scene& other : scene.others)
+        print.add(other.surface.label).add(scene_fingerprint(other));
     return print.text();
 }
 

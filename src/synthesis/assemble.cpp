@@ -15,6 +15,7 @@
 #include "synthesis/march_text.h"
 #include "synthesis/proof_text.h"
 #include "synthesis/shade_text.h"
+#include "synthesis/surfaces_text.h"
 
 namespace isomotion::synthesis {
 namespace {
@@ -134,11 +135,13 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     add(march_pass(scene, passes, Origin::eye, after_fused));
     add(active_pass(after_fused));
     if (keeps_surfaces(scene)) add(surface_pass(scene, passes, Origin::eye));
-    if (scene.material.reflection == scene::Material::Reflection::self) {
+    if (has_mirrored_rays(scene)) {
         add(march_pass(scene, passes, Origin::mirror, When::until_rays_end));
         add(surface_pass(scene, passes, Origin::mirror));
+        if (is_among(scene)) add(seen_pass(scene, passes));
     }
     if (shadow_mask(scene) != 0) add(shadow_pass(scene, passes));
+    if (is_among(scene) && scene.occlusion) add(occlusion_pass(scene, passes));
     add(shade_pass(scene, passes, fuses ? When::where_fused_ends : When::once_a_tile));
     if (std::find(channels.begin(), channels.end(), Channel::velocity) != channels.end()) {
         add(motion_pass(scene, passes));

@@ -92,7 +92,7 @@ Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
     text.define("BOTH_ENDS", int(beam.lists == BeamLists::whole));
     if (has_lists(passes)) {
         text.define("LISTS", 1);
-        text.generated("of a sum, by the lists of one level", "#define LEFT_OUT 6.25e-7\n");
+        text.file("elements/left_out.glsl");
         add_bounds_of_sum(text, field, passes);
     } else {
         add_field(text, field, passes, {FieldFunction::value_interval});

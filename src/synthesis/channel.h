@@ -16,6 +16,7 @@ enum class Channel {
     velocity,
     proof,
     cap,
+    surface,
     ending, // what a proof needs to know of a ray; no layer of a file
 };
 
@@ -35,6 +36,7 @@ inline const std::vector<ChannelName>& channel_names() {
         {Channel::velocity, "velocity", {"velocity.N", "velocity.X", "velocity.Y"}},
         {Channel::proof, "proof", {"proof", "proof.T"}},
         {Channel::cap, "cap", {"cap"}},
+        {Channel::surface, "surface", {"surface"}},
     };
     return names;
 }

@@ -186,20 +186,24 @@ const EffectTraits& traits(Effect effect) { return table[std::size_t(effect)]; }
 std::vector<Effect> effects(const Scene& scene) {
     std::vector<Effect> found;
     for (const EffectTraits& row : table) {
-        if (row.is_called(scene)) found.push_back(row.effect);
+        const bool is_called = row.is_called(scene) ||
+                               std::any_of(scene.others.begin(), scene.others.end(), row.is_called);
+        if (is_called) found.push_back(row.effect);
     }
     return found;
 }
 
 Scene without(Effect effect, Scene scene) {
     traits(effect).drop(scene);
+    for (Scene& other : scene.others) traits(effect).drop(other);
     return scene;
 }
 
 bool keeps_surfaces(const Scene& scene) {
-    return std::any_of(table.begin(), table.end(), [&](const EffectTraits& row) {
-        return row.keeps_surfaces && row.is_called(scene);
-    });
+    return scene.among.count > 1 ||
+           std::any_of(table.begin(), table.end(), [&](const EffectTraits& row) {
+               return row.keeps_surfaces && row.is_called(scene);
+           });
 }
 
 Uniforms effect_uniforms(const Scene& scene, const SceneAt& now) {

@@ -4,17 +4,21 @@
 
 #include <fmt/format.h>
 
+#include "formula/hessian.h"
 #include "synthesis/effect.h"
 #include "synthesis/shader_files.h"
+#include "synthesis/surfaces_text.h"
 
 namespace isomotion::synthesis {
 namespace {
 
 using Reflection = scene::Material::Reflection;
 
-// vec3 name(...): the light of everything that shines on p, as it goes to the viewer.
-std::string lit(const scene::Scene& scene, const char* name, bool with_shadows) {
-    const bool occluded = scene.occlusion && with_shadows;
+// vec3 name(...): the light of everything that shines on p, as it goes to the viewer. `visibility`
+// tells of a light whether its shadow rays arrived; null: no shadows.
+std::string lit(const scene::Scene& scene, const char* name, const char* visibility,
+                bool is_occluded) {
+    const bool occluded = scene.occlusion && is_occluded;
     std::string text = fmt::format("vec3 {}(SurfacePoint p, Hit hit, vec3 to_viewer) {{\n", name);
     text += scene.ground
                 ? "    vec3 albedo = p.on_ground ? ground_color.rgb : surface_color(hit);\n"
@@ -33,39 +37,99 @@ std::string lit(const scene::Scene& scene, const char* name, bool with_shadows) 
                 : "        vec3 share = reflected(albedo, p.normal, to_viewer, "
                   "light.direction);\n";
     text += fmt::format("        sum += light.strength * share{};\n",
-                        shadow_mask(scene) != 0 && with_shadows ? " * visibility(k)" : "");
+                        visibility ? fmt::format(" * {}(k)", visibility) : "");
     return text + "    }\n    return sum;\n}\n";
+}
+
+// What a mirror shows of what is around, in a direction.
+std::string around(const scene::Scene& scene, const char* direction) {
+    if (mirrors_environment(scene))
+        return fmt::format("rough_environment({}, mirror_alpha2())", direction);
+    return scene.environment ? fmt::format("environment({})", direction)
+                             : fmt::format("sky({}).rgb", direction);
+}
+
+// vec3 with_mirror(...): with what is seen in the mirror.
+std::string with_mirror(const scene::Scene& scene) {
+    // The matt part of other materials is what their highlight leaves; a matt one gets a clear
+    // coat.
+    const bool matt = scene.material.model == scene::Material::Model::lambert;
+    return fmt::format("vec3 with_mirror(vec3 color, Hit hit, vec3 to_viewer, vec3 seen) "
+                       "{{\n    vec3 weight = mirror_weight(surface_color(hit), "
+                       "hit.normal, to_viewer);\n    return color{} + weight * seen;\n}}\n",
+                       matt ? " * (1.0 - weight)" : "");
 }
 
 // vec3 mirrored(...): with what the surface mirrors; a mirror in a mirror shows what is around.
 std::string mirrored(const scene::Scene& scene) {
-    // The matt part of other materials is what their highlight leaves; a matt one gets a clear
-    // coat.
-    const bool matt = scene.material.model == scene::Material::Model::lambert;
-    std::string text =
-        fmt::format("vec3 with_mirror(vec3 color, Hit hit, vec3 to_viewer, vec3 seen) "
-                    "{{\n    vec3 weight = mirror_weight(surface_color(hit), "
-                    "hit.normal, to_viewer);\n    return color{} + weight * seen;\n}}\n",
-                    matt ? " * (1.0 - weight)" : "");
-    const auto around = [&](const char* direction) {
-        return scene.environment ? fmt::format("environment({})", direction)
-                                 : fmt::format("sky({}).rgb", direction);
-    };
+    std::string text = with_mirror(scene);
+    const bool is_ggx = scene.material.model == scene::Material::Model::ggx;
+    const bool is_blurred = mirrors_environment(scene);
+    if (is_blurred) {
+        text += fmt::format("float mirror_alpha2() {{\n    return {};\n}}\n",
+                            is_ggx ? "alpha() * alpha()" : "footprint_alpha2");
+    }
     text += "vec3 mirrored(vec3 color, Ray ray, SurfacePoint p, Hit hit) {\n";
     if (scene.ground) text += "    if (p.on_ground) return color;\n";
     text += fmt::format("    vec3 direction = reflect(ray.direction, p.normal);\n"
                         "    vec3 seen = {};\n",
-                        around("direction"));
-    if (scene.material.reflection == Reflection::self) {
-        text += fmt::format("    SurfacePoint q = load_mirrored();\n"
-                            "    Hit other = hit_of(q);\n"
-                            "    if (is_on_surface(q) || q.on_ground) seen = lit_again(q, other, "
-                            "-direction);\n"
-                            "    if (is_on_surface(q)) {{\n"
-                            "        seen = with_mirror(seen, other, -direction, {});\n    }}\n",
-                            around("reflect(direction, q.normal)"));
+                        around(scene, "direction"));
+    if (scene.material.reflection != Reflection::self)
+        return text + "    return with_mirror(color, hit, -ray.direction, seen);\n}\n";
+    if (is_among(scene)) {
+        return text + "    vec4 other = seen_in_mirror();\n"
+                      "    if (other.a > 0.0) seen = other.rgb;\n"
+                      "    return with_mirror(color, hit, -ray.direction, seen);\n}\n";
     }
+    text += "    SurfacePoint q = load_mirrored();\n"
+            "    Hit other = hit_of(q);\n";
+    // What is seen in a rough mirror is as rough, and so much wider is the beam that sees it.
+    if (is_blurred) {
+        text +=
+            "    float own_alpha2 = footprint_alpha2, blur = mirror_alpha2();\n"
+            "    float turn = turn_of_normal(q, direction, p.pixel + q.t * sqrt(48.0 * blur));\n"
+            "    footprint_alpha2 = blur + turn * turn / 12.0;\n";
+    }
+    text += fmt::format("    if (is_on_surface(q) || q.on_ground) seen = lit_again(q, other, "
+                        "-direction);\n"
+                        "    if (is_on_surface(q)) {{\n"
+                        "        seen = with_mirror(seen, other, -direction, {});\n    }}\n",
+                        around(scene, "reflect(direction, q.normal)"));
+    if (is_blurred) text += "    footprint_alpha2 = own_alpha2;\n";
     return text + "    return with_mirror(color, hit, -ray.direction, seen);\n}\n";
+}
+
+// What one surface among several has in place of an effect's file: what it does is done for all.
+std::string_view file_among(Effect effect) {
+    switch (effect) {
+    case Effect::occlusion:
+        return "surfaces/openness.glsl";
+    case Effect::self_reflection:
+        return "surfaces/seen.glsl";
+    default:
+        return {};
+    }
+}
+
+void add_effects(ShaderText& text, const scene::Scene& scene, bool in_mirror) {
+    if (scene.material.model == scene::Material::Model::lambert)
+        text.file("effects/brdf_lambert.glsl");
+    for (const Effect effect : effects(scene)) {
+        const EffectTraits& row = traits(effect);
+        const std::string_view among = is_among(scene) ? file_among(effect) : std::string_view{};
+        if (in_mirror && (effect == Effect::shadows || !among.empty())) continue;
+        if (!row.kernel.empty()) {
+            for (const auto& file : kernel_files({std::string(row.kernel)})) text.file(file);
+        }
+        if (!among.empty()) {
+            text.file(std::string(among));
+        } else if (!row.file.empty()) {
+            text.file(fmt::format("effects/{}.glsl", row.file));
+        }
+    }
+    text.file(scene.environment && scene.environment->background ? "effects/sky_environment.glsl"
+              : scene.output.gradient                            ? "effects/sky_gradient.glsl"
+                                                                 : "effects/sky_flat.glsl");
 }
 
 } // namespace
@@ -74,6 +138,26 @@ int shadow_mask(const scene::Scene& scene) {
     int mask = 0;
     for (std::size_t k = 0; k < scene.lights.size(); ++k) mask |= int(scene.lights[k].shadow) << k;
     return mask;
+}
+
+bool mirrors_environment(const scene::Scene& scene) {
+    // Where several surfaces mirror each other, mirrors show the map as it is.
+    return scene.environment && scene.material.reflection != Reflection::none && !is_among(scene);
+}
+
+bool mirrors_shadows(const scene::Scene& scene) {
+    return scene.material.reflection == Reflection::self && shadow_mask(scene) != 0 &&
+           !is_among(scene);
+}
+
+std::optional<formula::Program> mirror_hessian(const scene::Scene& scene) {
+    constexpr std::size_t longest = 1000; // some 0.2 s to compile on a software renderer
+    if (!mirrors_environment(scene)) return std::nullopt;
+    const formula::Field& field = *scene.surface.field;
+    if (field.gradient.instructions.size() > longest) return std::nullopt;
+    formula::Program second = formula::hessian(field);
+    if (second.instructions.size() > longest) return std::nullopt;
+    return second;
 }
 
 int far_lights(const scene::Scene& scene) {
@@ -94,34 +178,57 @@ void add_shading(ShaderText& text, const scene::Scene& scene) {
     const bool has_shadows = shadow_mask(scene) != 0;
     add_lights(text, scene);
     text.file("effects/hit_of.glsl");
+    if (mirrors_environment(scene)) {
+        text.define("FOOTPRINT", 1);
+        text.file(mirror_hessian(scene) ? "effects/footprint.glsl" : "effects/no_footprint.glsl");
+    }
     if (!scene.sections.empty()) text.file("section/distance.glsl");
-    if (scene.material.model == scene::Material::Model::lambert) {
-        text.file("effects/brdf_lambert.glsl");
-    }
-    for (const Effect effect : effects(scene)) {
-        const EffectTraits& row = traits(effect);
-        if (!row.kernel.empty()) {
-            for (const auto& file : kernel_files({std::string(row.kernel)})) text.file(file);
-        }
-        if (!row.file.empty()) text.file(fmt::format("effects/{}.glsl", row.file));
-    }
-    text.file(scene.environment && scene.environment->background ? "effects/sky_environment.glsl"
-              : scene.output.gradient                            ? "effects/sky_gradient.glsl"
-                                                                 : "effects/sky_flat.glsl");
+    add_effects(text, scene, false);
+
+    if (mirrors_environment(scene)) text.file("effects/rough_environment.glsl");
+    if (mirrors_shadows(scene)) text.file("effects/mirrored_shadow_mask.glsl");
 
     std::string glue = scene.ground ? "uniform vec4 ground_color;\n" : "";
-    glue += lit(scene, "lit", true);
-    if (reflection == Reflection::self) glue += lit(scene, "lit_again", false);
+    glue += lit(scene, "lit", has_shadows ? "visibility" : nullptr, true);
+    if (reflection == Reflection::self && !is_among(scene))
+        glue += lit(scene, "lit_again", mirrors_shadows(scene) ? "mirrored_visibility" : nullptr,
+                    false);
     if (reflection != Reflection::none) glue += mirrored(scene);
-    glue += "vec3 shade(Ray ray, SurfacePoint p, Hit hit) {\n"
-            "    vec3 color = lit(p, hit, -ray.direction);\n";
+    glue += "vec3 shade(Ray ray, SurfacePoint p, Hit hit) {\n";
+    if (mirrors_environment(scene)) {
+        glue += "    float turn = turn_of_normal(p, ray.direction, p.pixel);\n"
+                "    footprint_alpha2 = turn * turn / 12.0;\n";
+    }
+    glue += "    vec3 color = lit(p, hit, -ray.direction);\n";
     if (reflection != Reflection::none) glue += "    color = mirrored(color, ray, p, hit);\n";
     if (scene.fog) glue += "    color = in_fog(color, p.t - ray_begin(ray));\n";
     glue += "    return color;\n}\n";
-    glue += fmt::format("float further_evaluations() {{\n    return {};\n}}\n",
-                        has_shadows ? "texelFetch(shadow_texture, ivec2(gl_FragCoord.xy), 0).z"
-                                    : "0.0");
+    std::string evaluations =
+        has_shadows ? "texelFetch(shadow_texture, ivec2(gl_FragCoord.xy), 0).z" : "0.0";
+    if (mirrors_shadows(scene))
+        evaluations += " + texelFetch(mirrored_shadow_texture, ivec2(gl_FragCoord.xy), 0).z";
+    glue += fmt::format("float further_evaluations() {{\n    return {};\n}}\n", evaluations);
     text.generated("generated: what shines and what it passes through", glue);
+}
+
+void add_seen_shading(ShaderText& text, const scene::Scene& scene) {
+    add_lights(text, scene);
+    text.file("effects/hit_of.glsl");
+    add_effects(text, scene, true);
+    const bool mirrors = scene.material.reflection != Reflection::none;
+    std::string glue = scene.ground ? "uniform vec4 ground_color;\n" : "";
+    glue += lit(scene, "lit_again", nullptr, false);
+    if (mirrors) glue += with_mirror(scene);
+    // A mirror in a mirror shows what is around.
+    glue += "vec3 seen_again(SurfacePoint q, Hit hit, vec3 direction) {\n"
+            "    vec3 color = lit_again(q, hit, -direction);\n";
+    if (mirrors) {
+        glue += fmt::format("    if (is_on_surface(q)) color = with_mirror(color, hit, -direction, "
+                            "{});\n",
+                            around(scene, "reflect(direction, q.normal)"));
+    }
+    text.generated("generated: what shines on what is seen in a mirror",
+                   glue + "    return color;\n}\n");
 }
 
 } // namespace isomotion::synthesis

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "formula/linear_sum.h"
 #include "synthesis/cells_text.h"
 #include "synthesis/loop_limit.h"
 #include "synthesis/shader_files.h"
@@ -309,10 +310,14 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
 void add_enclosures(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
                     const std::vector<FieldFunction>& functions, formula::Numbers numbers) {
     const std::optional<int> by_place = array_with_grid(storage);
+    std::optional<formula::LinearSum> sum;
+    if (has_lists(storage)) sum = formula::linear_sum(field).value();
     formula::ListedArray listed;
     if (by_place) listed = {*by_place, formula::own_sums(field, *by_place)};
-    FieldPrograms programs(field, {numbers, by_place ? &listed : nullptr});
+    if (sum) listed = {sum->array, formula::own_sums(field, sum->array)};
+    FieldPrograms programs(field, {numbers, by_place || sum ? &listed : nullptr});
     std::set<std::string> kernels;
+    if (sum) kernels = formula::interval_kernels_used(sum->rest_and_factor);
     std::string generated;
     for (const FieldFunction function : functions) {
         FunctionParts parts = parts_of(field, programs, function);
@@ -332,6 +337,12 @@ void add_enclosures(ShaderText& text, const formula::Field& field, const FieldSt
         add_cells(text, storage);
         text.file("elements/rest.glsl");
         text.generated("generated: what lists leave out", declared_rest(storage));
+    }
+    if (sum) {
+        text.file("elements/left_out.glsl");
+        text.generated("generated: F = factor * sum + rest",
+                       formula::glsl_rest_and_factor_interval(*sum, field.packing, numbers));
+        text.file("elements/lists.glsl");
     }
     text.generated("generated from: " + as_comment(field.text), generated);
     if (by_place) add_hulls_over_cells(text, functions);

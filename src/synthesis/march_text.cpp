@@ -7,6 +7,7 @@
 #include "synthesis/cells_text.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/section_text.h"
+#include "synthesis/surfaces_text.h"
 
 namespace isomotion::synthesis {
 namespace {
@@ -108,8 +109,8 @@ void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin) {
         text.file("march/ray.glsl");
         text.generated("and the mirrored one by its", "#undef pixel_ray\n");
         text.file("effects/surface_point.glsl");
-        text.file("effects/load_surface.glsl");
-        text.file("effects/mirror_ray.glsl");
+        add_load_surface(text, scene);
+        add_mirror_ray(text, scene);
     }
     text.file("march/state.glsl");
     add_parts(text, scene);
@@ -134,7 +135,9 @@ bool samples_tell_caps(const scene::Scene& scene, const Passes& passes) {
 void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes, Origin origin) {
     const bool beam = !passes.beams.empty() && origin == Origin::eye;
     if (beam && has_lists(passes)) text.define("LISTS", 1);
+    begin_entrance(text, scene, origin);
     add_entrance(text, passes, beam);
+    end_entrance(text, scene, origin);
     add_isolation(text, scene, passes);
     text.file(passes.march_takes_gradient ? "march/gradient_at_root.glsl"
                                           : "march/end_at_root.glsl");
@@ -185,7 +188,7 @@ Pass shadow_pass(const scene::Scene& scene, const Passes& passes) {
     text.file("shade/hit.glsl");
     add_lights(text, scene);
     text.file("effects/surface_point.glsl");
-    text.file("effects/load_surface.glsl");
+    add_load_surface(text, scene);
     if (passes.light_beams != 0) add_light_beams(text, passes);
     if (method.any_hit_turns) {
         text.file("march/end_at_root.glsl");
@@ -196,6 +199,7 @@ Pass shadow_pass(const scene::Scene& scene, const Passes& passes) {
     text.file(fmt::format("march/{}.glsl", method.any_hit));
     add_crossings(text, scene);
     if (!scene.sections.empty()) text.file("section/shadow.glsl");
+    begin_shadow_after_others(text, scene, shadow_mask(scene));
     text.file("effects/shadow.glsl");
     text.file_of_stage("stage/march.frag", "stage/march.comp");
     return std::move(text).pass(Role::shadow, "shadow", When::until_rays_end);

@@ -23,7 +23,9 @@ enum class Role {
     surface,        // keeps where rays ended, for the passes that begin there
     mirror,         // marches the mirrored rays
     mirror_surface, // keeps where those ended
+    seen,           // colours what the mirrored rays see of one surface among several
     shadow,         // marches the shadow rays
+    occlusion,      // what one surface among several leaves of the light from everywhere
     shade,          // makes the picture from finished rays
     motion,         // F and its gradient at another time, where rays ended
     // Proofs, of scenes that ask for them: see render/proofs.h.

@@ -81,9 +81,11 @@ void add_proof(ShaderText& text, const scene::Scene& scene, const Passes& passes
                ProofBounds bounds) {
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     add_ended_ray(text, scene);
-    add_way(text, passes, !passes.beams.empty());
+    if (has_lists(passes)) text.define("LISTS", 1);
+    add_entrance(text, passes, !passes.beams.empty());
     text.define("PROVED_BLOCK", proved_block);
     text.file("proof/rounding.glsl");
+    if (has_lists(passes)) text.file("proof/list_of_ray.glsl");
     text.file("proof/way.glsl");
     text.file("proof/outcome.glsl");
     text.file(bounds == ProofBounds::in_doubles ? "proof/in_doubles.glsl" : "proof/in_floats.glsl");
@@ -118,7 +120,9 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
     text.file("march/verdict.glsl");
     text.file("proof/ending.glsl");
     text.file("proof/rounding.glsl");
+    if (has_lists(passes)) text.define("LISTS", 1);
     add_beam_of_block(text, scene, passes, block);
+    if (has_lists(passes)) text.file("proof/list_of_block.glsl");
     if (by_models) {
         text.file("proof/piece_of_block.glsl");
         text.file("proof/ends_of_block.glsl");
@@ -136,10 +140,14 @@ Pass first_proof(const scene::Scene& scene, const Passes& passes) {
         add_proof(text, scene, passes, ProofBounds::natural);
         add_value_models(text, field);
     } else {
-        add_enclosures(text, field, passes,
-                       {FieldFunction::value_interval, FieldFunction::gradient_interval});
-        add_proof(text, scene, passes, ProofBounds::by_gradient);
-        add_value_at(text, ProofBounds::by_gradient);
+        // Of terms of one sum, which do not cancel as a polynomial's, natural bounds are close.
+        const auto bounds = has_lists(passes) ? ProofBounds::natural : ProofBounds::by_gradient;
+        std::vector functions{FieldFunction::value_interval};
+        if (bounds == ProofBounds::by_gradient)
+            functions.push_back(FieldFunction::gradient_interval);
+        add_enclosures(text, field, passes, functions);
+        add_proof(text, scene, passes, bounds);
+        add_value_at(text, bounds);
     }
     text.file("proof/begin.frag");
     return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile);

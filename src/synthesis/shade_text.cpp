@@ -4,11 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "formula/hessian.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/effect.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/paint_text.h"
 #include "synthesis/section_text.h"
+#include "synthesis/surfaces_text.h"
 
 namespace isomotion::synthesis {
 namespace {
@@ -29,6 +31,7 @@ constexpr ChannelShader channel_shaders[] = {
     {Channel::normal, "channels/normal.glsl", "write_normal", "NORMAL_LOCATION"},
     {Channel::position, "channels/position.glsl", "write_position", "POSITION_LOCATION"},
     {Channel::cap, "channels/cap.glsl", "write_cap", "CAP_LOCATION"},
+    {Channel::surface, "channels/surface.glsl", "write_surface", "SURFACE_LOCATION"},
     {Channel::ending, "channels/ending.glsl", "write_ending", "ENDING_LOCATION"},
 };
 
@@ -41,7 +44,13 @@ void add_channels(ShaderText& text, const scene::Scene& scene,
         if (!contains(written, shader.channel)) continue;
         text.define(shader.location, location++);
         const bool lacks_caps = shader.channel == Channel::cap && scene.sections.empty();
-        text.file(lacks_caps ? "channels/no_cap.glsl" : shader.file);
+        if (shader.channel == Channel::surface)
+            text.define("SURFACE_NUMBER", scene.among.index + 1);
+        if (shader.channel == Channel::ending && is_among(scene)) {
+            text.file("surfaces/ending.glsl");
+        } else {
+            text.file(lacks_caps ? "channels/no_cap.glsl" : shader.file);
+        }
         calls += fmt::format("    {}(ray, hit, verdict);\n", shader.function);
     }
     text.generated("generated: the channels asked for",
@@ -85,6 +94,11 @@ void add_color(ShaderText& text, const scene::Scene& scene) {
             text.generated("by the names of the next",
                            "#undef surface_color\n#undef color_below\n");
     }
+}
+
+// Whether rays or samples begin where others ended.
+bool sees_from_surfaces(const scene::Scene& scene) {
+    return shadow_mask(scene) != 0 || has_mirrored_rays(scene) || scene.occlusion;
 }
 
 // Shading, Hit and the record of a pixel.
@@ -138,9 +152,14 @@ Pass mask_pass(const scene::Scene& scene, const Passes& passes) {
 
 Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin) {
     ShaderText text;
-    std::vector<FieldFunction> functions{FieldFunction::value};
+    const bool begins_rays = !is_among(scene) || sees_from_surfaces(scene);
+    std::vector<FieldFunction> functions;
+    if (begins_rays) functions.push_back(FieldFunction::value);
     if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
     add_field(text, *scene.surface.field, passes, functions);
+    if (!begins_rays)
+        text.generated("no ray begins here, so how far off doesn't matter",
+                       "float field(vec3 p) {\n    return 1.0;\n}\n");
     add_ray(text, scene, origin);
     const bool by_lists = origin == Origin::eye && has_lists(passes);
     if (by_lists) {
@@ -155,19 +174,49 @@ Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin
     if (!scene.sections.empty()) text.file("section/distance.glsl");
     text.file("effects/end_of_ray.glsl");
     text.file("effects/store_surface.glsl");
-    if (scene.ground) text.file("effects/ground.glsl");
-    text.generated("generated: the first of what there is",
-                   fmt::format("void main() {{\n    Ray ray = pixel_ray();\n"
-                               "    RayState s = load_state();\n{}"
-                               "    SurfacePoint p = end_of_ray(ray, s);\n{}"
-                               "    store_surface(p);\n}}\n",
-                               by_lists ? "    Ray in_beam = ray;\n    enter_beam(in_beam);\n"
-                                          "    choose_list(s.low);\n"
-                                        : "",
-                               scene.ground ? "    p = before_ground(ray, p);\n" : ""));
+    if (is_among(scene)) add_store_nearest(text, scene, origin);
+    // Among several surfaces the first one's rays meet the ground for all.
+    const bool meets_ground = scene.ground && is_first(scene);
+    if (meets_ground) text.file("effects/ground.glsl");
+    text.generated(
+        "generated: the first of what there is",
+        fmt::format("void main() {{\n    Ray ray = pixel_ray();\n"
+                    "    RayState s = load_state();\n{}"
+                    "    SurfacePoint p = end_of_ray(ray, s);\n{}"
+                    "    {};\n}}\n",
+                    by_lists ? "    Ray in_beam = ray;\n    enter_beam(in_beam);\n"
+                               "    choose_list(s.low);\n"
+                             : "",
+                    meets_ground ? "    p = before_ground(ray, p);\n" : "",
+                    is_among(scene) ? "store_nearest(ray, p, s.evaluations)" : "store_surface(p)"));
     const bool of_eye = origin == Origin::eye;
     return std::move(text).pass(of_eye ? Role::surface : Role::mirror_surface,
                                 of_eye ? "surface" : "mirror surface", When::once_a_tile);
+}
+
+Pass seen_pass(const scene::Scene& scene, const Passes& passes) {
+    ShaderText text;
+    text.define("LIGHTS", int(scene.lights.size()));
+    std::vector<FieldFunction> functions;
+    const bool paint = painting(scene) != nullptr;
+    if (paint && !passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
+    if (paint || scene.material.contours) {
+        add_field(text, *scene.surface.field, passes, functions, painting_functions(scene, passes));
+    } else {
+        text.file("math/bits.glsl");
+    }
+    add_ray(text, scene);
+    add_picture(text, scene);
+    add_color(text, scene);
+    text.file("effects/eye_begin.glsl");
+    text.file("effects/surface_point.glsl");
+    add_load_surface(text, scene);
+    text.file("effects/load_mirrored.glsl");
+    add_seen_shading(text, scene);
+    if (paint) add_gradient(text, scene, passes);
+    text.define("SURFACE", scene.among.index);
+    text.file("surfaces/seen.frag");
+    return std::move(text).pass(Role::seen, "seen", When::once_a_tile);
 }
 
 Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
@@ -182,9 +231,16 @@ Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
     if (!passes.march_takes_gradient && needs_gradient) {
         functions.push_back(FieldFunction::gradient);
     }
-    if (from_surface && scene.occlusion) functions.push_back(FieldFunction::value);
-    if (!functions.empty() || paint || scene.material.contours) {
-        add_field(text, field, passes, functions, painting_functions(scene, passes));
+    if (from_surface && scene.occlusion && !is_among(scene))
+        functions.push_back(FieldFunction::value);
+    std::vector<GeneratedFunction> beside = painting_functions(scene, passes);
+    const bool paints_curvature = paint && painting(scene)->hessian;
+    if (const auto hessian = mirror_hessian(scene); hessian && !paints_curvature) {
+        beside.insert(beside.begin(), {"second derivatives", formula::kernels_used(*hessian),
+                                       formula::glsl_hessian(*hessian, field.packing)});
+    }
+    if (!functions.empty() || !beside.empty()) {
+        add_field(text, field, passes, functions, beside);
     } else {
         text.file("math/bits.glsl");
     }
@@ -200,9 +256,16 @@ Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
         text.file("shade/lambert.glsl");
     }
     if (needs_gradient) add_gradient(text, scene, passes);
+    if (is_among(scene)) {
+        text.define("SURFACE", scene.among.index);
+        text.generated("generated: which surface is seen",
+                       "uniform sampler2D surface_texture_3;\n");
+    }
     add_channels(text, scene, passes.attachments);
     if (!from_surface) text.file("shade/shade.glsl");
-    text.file(from_surface ? "effects/shade.frag" : "shade/shade.frag");
+    text.file(is_among(scene) ? "surfaces/shade.frag"
+              : from_surface  ? "effects/shade.frag"
+                              : "shade/shade.frag");
     return std::move(text).pass(Role::shade, "shade", when, has_flat_shading(scene));
 }
 

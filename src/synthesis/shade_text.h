@@ -17,6 +17,8 @@ Pass fused_pass(const scene::Scene& scene, const Passes& passes);
 Pass mask_pass(const scene::Scene& scene, const Passes& passes);
 
 Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin);
+// What mirrored rays see of this surface among several.
+Pass seen_pass(const scene::Scene& scene, const Passes& passes);
 Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when);
 // The channel velocity.
 Pass motion_pass(const scene::Scene& scene, const Passes& passes);

@@ -6,6 +6,7 @@
 #include "base/workers.h"
 #include "truth/cut_rays.h"
 #include "truth/field_at_frame.h"
+#include "truth/nearest.h"
 
 namespace isomotion::truth {
 
@@ -15,8 +16,10 @@ std::array<std::int64_t, 4> Truth::counts() const {
     return counts;
 }
 
-Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-              const Certifying& how) {
+namespace {
+
+Truth certify_one(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+                  const Certifying& how) {
     const int wanted = how.threads > 0 ? how.threads : int(std::thread::hardware_concurrency());
     EnclosedField field(scene);
     const EnclosedField::Frame frame = field.at(now, wanted);
@@ -42,6 +45,38 @@ Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, i
         };
     });
     return truth;
+}
+
+Truth certify_all(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+                  const Certifying& how) {
+    const std::size_t count = 1 + now.others.size();
+    std::vector<Truth> each;
+    Truth all{width, height, {}, 0};
+    for (std::size_t k = 0; k < count; ++k) {
+        Certifying one = how;
+        if (how.progress)
+            one.progress = [&](double part) { how.progress((double(k) + part) / double(count)); };
+        each.push_back(certify_one(k == 0 ? scene : scene.others[k - 1],
+                                   k == 0 ? now : now.others[k - 1], width, height, one));
+        all.evaluations += each.back().evaluations;
+    }
+    const RaysOfSurfaces rays(now, width, height);
+    std::vector<FirstRoot> roots(count);
+    for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            for (std::size_t k = 0; k < count; ++k) roots[k] = each[k].at(column, row);
+            all.roots.push_back(rays.nearest(column, row, roots));
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+              const Certifying& how) {
+    return now.others.empty() ? certify_one(scene, now, width, height, how)
+                              : certify_all(scene, now, width, height, how);
 }
 
 } // namespace isomotion::truth

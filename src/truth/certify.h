@@ -27,7 +27,8 @@ struct Certifying {
     std::function<void(double part)> progress; // called from one thread at a time, part in [0, 1]
 };
 
-// Gives the same result for any number of threads.
+// Gives the same result for any number of threads. Of several surfaces it is the truth about all,
+// in the first one's coordinates.
 Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
               const Certifying& how = {});
 

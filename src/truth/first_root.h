@@ -32,7 +32,8 @@ struct FirstRoot {
     // Gradient of F in the middle of a hit's enclosure, where gradients() was asked for; 0: not
     // known.
     std::array<float, 3> gradient{};
-    std::int32_t cap = -1; // the section on whose cap a hit is, see cut_rays.h
+    std::int32_t cap = -1;    // the section on whose cap a hit is, see cut_rays.h
+    std::int32_t surface = 0; // of several, that a hit is on; -1: not known, see nearest.h
 };
 
 struct Budget {

@@ -125,5 +125,23 @@ TEST_P(Surroundings, AFloorMirrorsAWall) {
     EXPECT_NEAR(red(mirror, 32 * 65 + 32), 0.12 * (1 - weight) + wall * weight, 1e-4);
 }
 
+// The same with a ball before the light: what the floor shows of the wall is its shadow.
+TEST_P(Surroundings, AFloorMirrorsTheShadowOnAWall) {
+    const std::string room =
+        "[surface]\nformula = \"min(z, x + 1, sqrt((x - 4)^2 + y^2 + (z - 0.2)^2) - 0.12)\"\n"
+        "bounds = { sphere = 6 }\n[camera]\nposition = [2.5, 0, 0.5]\ntarget = [0, 0, 0]\n"
+        "up = [0, 0, 1]\nfov = 20\n[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n"
+        "[output]\nsize = [65, 65]\nbackground = [0, 0, 0]\n"
+        "[material]\ncolor = [1, 1, 1]\nreflection = \"self\"\n";
+    const Picture mirror = drawn(room);
+    const auto coat = [](double c) { return 0.04 + 0.96 * std::pow(1 - c, 5); };
+    const double way = std::hypot(2.5, 0.5), weight = coat(0.5 / way);
+    const double dark = 0.12 * (1 - coat(2.5 / way));
+    EXPECT_NEAR(red(mirror, 32 * 65 + 32), 0.12 * (1 - weight) + dark * weight, 1e-4);
+    // Where it mirrors what is beside the shadow, it is as light as before.
+    const double lit = (1.0 + 0.12) * (1 - coat(2.5 / way));
+    EXPECT_GT(red(mirror, 32 * 65 + 12), 0.8 * (0.12 * (1 - weight) + lit * weight));
+}
+
 } // namespace
 } // namespace isomotion::render

@@ -66,6 +66,25 @@ const std::vector<Named> every_effect{
     {"[material.contours]\nvalue = \"z\"\nevery = 1\n", "effects/contours.glsl", "on_contours"},
 };
 
+// Mirrors blur an environment that there is, and show shadows that there are.
+TEST(EffectText, MirrorsHaveWhatTheSceneHas) {
+    const std::string mirror = "[material]\nreflection = \"self\"\n";
+    const std::string map = "[environment]\nmap = \"studio.exr\"\n";
+    const std::string shadow = "[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n";
+    const auto files = [](const std::string& scene) { return passes_of(scene).files(); };
+    using testing::Contains, testing::Not;
+    const char* rough = "effects/rough_environment.glsl";
+    const char* footprint = "effects/footprint.glsl";
+    const char* shadows = "effects/mirrored_shadow_mask.glsl";
+    EXPECT_THAT(files(mirror + map), Contains(rough));
+    EXPECT_THAT(files(mirror + map), Contains(footprint));
+    EXPECT_THAT(files(mirror + map), Not(Contains(shadows)));
+    EXPECT_THAT(files(shadow + mirror), Contains(shadows));
+    for (const std::string& without : {map, mirror, shadow + mirror, shadow + map})
+        EXPECT_THAT(files(without), Not(Contains(rough))) << without;
+    EXPECT_THAT(files(shadow + map), Not(Contains(shadows)));
+}
+
 // They change what rays run through, and are in no shader of a scene without them.
 TEST(EffectText, SectionsAreWhereTheyAreNamedAndOnlyThere) {
     const Passes plain = passes_of(""), cut = passes_of("[[sections]]\nnormal = [1, 0, 0]\n");

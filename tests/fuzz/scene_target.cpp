@@ -21,13 +21,15 @@ void scene(std::string_view text) {
         }
     } catch (const std::length_error&) {
     }
-    try { // as a file of Surfer
-        scene::load_text(text, ISOMOTION_FUZZ_FOLDER "/scene.jsurf");
-    } catch (const scene::SceneError& error) {
-        if (base::printable(error.what()) != error.what()) {
-            throw Violation("a message that commands a terminal");
+    for (const char* file : {"/scene.jsurf", "/scene.pov"}) { // of Surfer and of POV-Ray
+        try {
+            scene::load_text(text, std::string(ISOMOTION_FUZZ_FOLDER) + file);
+        } catch (const scene::SceneError& error) {
+            if (base::printable(error.what()) != error.what()) {
+                throw Violation("a message that commands a terminal");
+            }
+        } catch (const std::length_error&) {
         }
-    } catch (const std::length_error&) {
     }
 }
 

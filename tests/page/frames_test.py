@@ -39,6 +39,7 @@ ALL = QUICK + [
     ("look.toml", 2, []),
     ("look.toml", 2, [CAMERA]),
     ("moved.toml", 2, []),
+    ("mirror.toml", 1, []),
     ("many.toml", 3, [CAMERA]),
     ("capsules.toml", 2, []),
     ("blur.toml", 2, [], {"c": 0.4}),
@@ -132,6 +133,23 @@ shadow = true
 radius = 0.6
 [output]
 samples = 4
+""",
+    # Mirrors that show shadows, and a rough environment.
+    "mirror.toml": """[surface]
+formula = "min(z + 0.5, x + 1, sqrt((x - 1)^2 + y^2 + (z - 0.2)^2) - 0.4)"
+bounds = { sphere = 3 }
+[camera]
+position = [3, -1, 1]
+[[lights]]
+direction = [1, 0.2, 0.3]
+shadow = true
+[environment]
+map = "studio.exr"
+[material]
+model = "ggx"
+metallic = 0.5
+roughness = 0.3
+reflection = "self"
 """,
     # Elements by the thousand, found by place.
     "many.toml": """[time]

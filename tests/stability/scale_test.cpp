@@ -34,6 +34,11 @@ scene::SceneAt moved(scene::SceneAt now, double scale, const glm::dvec3& by) {
         else
             section.reach += dot(section.where, by);
     }
+    for (scene::SceneAt& other : now.others) {
+        other.placement.translate = place(other.placement.translate);
+        other.placement.scale *= scale;
+        scene::share(now, other);
+    }
     return now;
 }
 

@@ -73,11 +73,11 @@ class SceneData {
         for (const { name, width } of about.tables) tables.set(name, new Table(reader, width, rows));
         const data = new SceneData(about, tables);
         if (about.grid) data.grids = Array.from({ length: rows }, () => reader.take(reader.word()));
-        if (about.environment) {
-            const [width, height] = about.environment;
-            // Halves begin at whole words of two bytes.
-            data.environment = new Uint16Array(reader.take(width * height * 6).slice().buffer);
-        }
+        // Halves begin at whole words of two bytes.
+        const halves = ([width, height]) =>
+            new Uint16Array(reader.take(width * height * 6).slice().buffer);
+        if (about.environment) data.environment = halves(about.environment);
+        if (about.environmentLevels) data.environmentLevels = halves(about.environmentLevels);
         return data;
     }
 

@@ -96,13 +96,16 @@ class Painter {
     }
 
     uploadEnvironment(gl) {
-        const { environment, about } = this.data;
-        if (!environment) return;
-        const [width, height] = about.environment;
-        const texture = textureOf(gl, gl.RGB16F, width, height);
-        gl.pixelStorei(gl.UNPACK_ALIGNMENT, 2);
-        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGB, gl.HALF_FLOAT, environment);
-        this.table.bind("environment_map", texture);
+        const { environment, environmentLevels, about } = this.data;
+        const upload = (name, halves, [width, height]) => {
+            const texture = textureOf(gl, gl.RGB16F, width, height);
+            gl.pixelStorei(gl.UNPACK_ALIGNMENT, 2);
+            gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGB, gl.HALF_FLOAT, halves);
+            this.table.bind(name, texture);
+        };
+        if (environment) upload("environment_map", environment, about.environment);
+        if (environmentLevels)
+            upload("environment_levels", environmentLevels, about.environmentLevels);
     }
 
     // What does not depend on the camera, and the lights.

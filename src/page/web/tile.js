@@ -100,11 +100,12 @@ class TileDrawer {
         return passed;
     }
 
-    async march(role, evaluations, size, go) {
+    // `start`: what the rays start on, by which their states are kept apart.
+    async march(role, evaluations, size, go, start = role) {
         const { table } = this;
         const program = table.program(role);
         program.set("evaluations_per_pass", evaluations);
-        let [from, to] = this.statesOf(role);
+        let [from, to] = this.statesOf(start);
         for (let isFirst = true; ; isFirst = false) {
             table.bindNumbered("state_texture", from);
             program.set("first_pass", isFirst ? 1 : 0);
@@ -140,6 +141,13 @@ class TileDrawer {
         if (table.has("shadow")) {
             const evaluations =
                 Math.max(Math.floor(about.evaluations / about.shadowLights), about.degree + 1);
+            if (this.mirrorEnds) {
+                table.bindNumbered("surface_texture", this.mirrorEnds);
+                const mirrored =
+                    await this.march("shadow", evaluations, size, go, "mirrored shadow");
+                table.bind("mirrored_shadow_texture", mirrored.textures[1]);
+                table.bindNumbered("surface_texture", ends);
+            }
             const ended = await this.march("shadow", evaluations, size, go);
             table.bind("shadow_texture", ended.textures[1]);
         }

@@ -111,8 +111,49 @@ Animation apply(const Animation& animation, const Overrides& overrides) {
     return Animation(std::move(tracks), std::move(arrays), animation.seed());
 }
 
+namespace {
+
+using Named = std::map<std::string, double>;
+
+std::string prefix_of(const std::string& surface) { return surface + "/"; }
+
+Named without_prefix(const Named& all, const std::string& prefix) {
+    Named own;
+    for (const auto& [name, value] : all) {
+        if (name.starts_with(prefix)) own[name.substr(prefix.size())] = value;
+    }
+    return own;
+}
+
+void put(Named& all, const std::string& prefix, const Named& own) {
+    std::erase_if(all, [&](const auto& entry) { return entry.first.starts_with(prefix); });
+    for (const auto& [name, value] : own) all[prefix + name] = value;
+}
+
+} // namespace
+
+Overrides of_surface(const Overrides& all, const std::string& surface) {
+    const std::string prefix = prefix_of(surface);
+    return {without_prefix(all.values, prefix), without_prefix(all.factors, prefix)};
+}
+
+void put_surface(Overrides& all, const std::string& surface, const Overrides& own) {
+    const std::string prefix = prefix_of(surface);
+    put(all.values, prefix, own.values);
+    put(all.factors, prefix, own.factors);
+}
+
 scene::Scene apply(scene::Scene scene, const Overrides& overrides) {
-    scene.timeline.animation = apply(scene.timeline.animation, overrides);
+    const auto move = [&](scene::Scene& surface) {
+        animation::Animation& animation = surface.timeline.animation;
+        animation = apply(animation, of_surface(overrides, surface.surface.label));
+    };
+    if (scene.others.empty()) {
+        scene.timeline.animation = apply(scene.timeline.animation, overrides);
+    } else {
+        move(scene);
+        for (scene::Scene& other : scene.others) move(other);
+    }
     return scene;
 }
 

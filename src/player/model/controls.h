@@ -23,6 +23,11 @@ struct Overrides {
     bool operator==(const Overrides&) const = default;
 };
 
+// Of a scene with several surfaces each has names of its own, "NAME/m": those of one, without its
+// name, and in place of those the ones of `own`.
+Overrides of_surface(const Overrides& all, const std::string& surface);
+void put_surface(Overrides& all, const std::string& surface, const Overrides& own);
+
 // Fixes the tracks and multiplies the fields. Throws animation::ExpressionError for a number that
 // is not finite.
 animation::Animation apply(const animation::Animation& animation, const Overrides& overrides);

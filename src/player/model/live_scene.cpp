@@ -40,6 +40,8 @@ fs::path LiveScene::timeline_file() const {
 
 void LiveScene::read_markers() {
     markers_ = session.key_markers();
+    refusal_.clear();
+    if (!session.scene().others.empty()) return; // a timeline is of one surface
     // Settings may leave the topology as it is: then what lies beside the scene is right, too.
     const fs::path own = timeline_file();
     std::error_code ignored;

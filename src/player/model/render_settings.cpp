@@ -53,21 +53,38 @@ std::optional<scene::Override> multiplied(const animation::Animation& animation,
 
 } // namespace
 
-std::vector<scene::Override> render_settings(const Session& session) {
-    const Look& look = session.look();
-    const scene::Scene& scene = session.scene();
-    const animation::Animation& animation = scene.timeline.animation;
-    std::vector<scene::Override> all;
-    for (const auto& [name, value] : look.overrides.values) {
+namespace {
+
+void add_overrides(const animation::Animation& animation, const Overrides& overrides,
+                   const std::string& surface, std::vector<scene::Override>& all) {
+    const char* of_parameters = surface.empty() ? "" : "parameters.";
+    for (const auto& [name, value] : overrides.values) {
         // A scene that was read again may have it no more: then it holds nothing.
         if (!animation.find(name)) continue;
         const bool of_array = name.find('.') != name.npos;
-        all.push_back(fmt::format("{}{}={}", of_array ? "arrays." : "", name, value));
+        all.push_back(
+            fmt::format("{}{}{}={}", surface, of_array ? "arrays." : of_parameters, name, value));
     }
-    for (const auto& [name, factor] : look.overrides.factors) {
-        if (auto setting = multiplied(animation, name, factor)) {
-            all.push_back(*std::move(setting));
-        }
+    for (const auto& [name, factor] : overrides.factors) {
+        if (auto setting = multiplied(animation, name, factor)) all.push_back(surface + *setting);
+    }
+}
+
+} // namespace
+
+std::vector<scene::Override> render_settings(const Session& session) {
+    const Look& look = session.look();
+    const scene::Scene& scene = session.scene();
+    std::vector<scene::Override> all;
+    // The method at hand is the first surface's.
+    const std::string first = scene.others.empty() ? "" : "surfaces.1.";
+    if (scene.others.empty()) {
+        add_overrides(scene.timeline.animation, look.overrides, "", all);
+    }
+    for (std::size_t k = 0; !scene.others.empty() && k <= scene.others.size(); ++k) {
+        const scene::Scene& surface = k == 0 ? scene : scene.others[k - 1];
+        add_overrides(surface.timeline.animation, of_surface(look.overrides, surface.surface.label),
+                      fmt::format("surfaces.{}.", k + 1), all);
     }
     if (look.camera) {
         all.push_back("camera=" + inline_table(camera_text(*look.camera, scene.camera.shutter)));
@@ -75,17 +92,17 @@ std::vector<scene::Override> render_settings(const Session& session) {
     const scene::Isolation& own = scene.isolation;
     const scene::Isolation& used = look.isolation;
     if (used.method != own.method) {
-        all.push_back(fmt::format("isolation.method=\"{}\"", scene::name(used.method)));
+        all.push_back(fmt::format("{}isolation.method=\"{}\"", first, scene::name(used.method)));
     }
     // What a scene leaves out follows from its first frame, which a released parameter moves: all
     // of them are said.
-    all.push_back(fmt::format("isolation.step={}", used.step));
-    all.push_back(fmt::format("isolation.near={}", used.near));
-    all.push_back(fmt::format("isolation.far={}", used.far));
-    all.push_back(fmt::format("isolation.horizon={}", used.horizon));
-    all.push_back(fmt::format("isolation.bisections={}", used.bisections));
-    all.push_back(fmt::format("isolation.safety={}", used.safety));
-    all.push_back(fmt::format("isolation.limit={}", used.limit));
+    all.push_back(fmt::format("{}isolation.step={}", first, used.step));
+    all.push_back(fmt::format("{}isolation.near={}", first, used.near));
+    all.push_back(fmt::format("{}isolation.far={}", first, used.far));
+    all.push_back(fmt::format("{}isolation.horizon={}", first, used.horizon));
+    all.push_back(fmt::format("{}isolation.bisections={}", first, used.bisections));
+    all.push_back(fmt::format("{}isolation.safety={}", first, used.safety));
+    all.push_back(fmt::format("{}isolation.limit={}", first, used.limit));
     return all;
 }
 

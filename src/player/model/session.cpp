@@ -31,7 +31,9 @@ Session::Session(scene::Scene scene)
 }
 
 void Session::study() {
-    slider_ranges_ = player::slider_ranges(*scene_);
+    slider_ranges_ = {player::slider_ranges(*scene_)};
+    for (const scene::Scene& other : scene_->others)
+        slider_ranges_.push_back(player::slider_ranges(other));
     key_markers_ = player::key_markers(*scene_);
     set(look_);
 }

@@ -53,7 +53,11 @@ public:
     // Throws scene::SceneError where a value leaves its range.
     scene::SceneAt at(std::int64_t frame, double part = 0) const;
 
-    const std::vector<SliderRange>& slider_ranges() const { return slider_ranges_; }
+    const std::vector<SliderRange>& slider_ranges() const { return slider_ranges_.front(); }
+    // Of a scene's surface.
+    const std::vector<SliderRange>& slider_ranges(std::size_t surface) const {
+        return slider_ranges_[surface];
+    }
     const std::vector<TimelineMarker>& key_markers() const { return key_markers_; }
 
     // Pictures whose mean is shown at rest.
@@ -68,7 +72,7 @@ private:
     scene::Scene overridden_;
     glm::ivec2 size_;
     std::uint64_t revision_ = 1;
-    std::vector<SliderRange> slider_ranges_;
+    std::vector<std::vector<SliderRange>> slider_ranges_; // of each surface
     std::vector<TimelineMarker> key_markers_;
 };
 

@@ -345,30 +345,60 @@ std::optional<Command> camera_section(Look& look, const scene::CameraAt& camera)
     return wish;
 }
 
-void parameter_section(Look& look, const Session& session, const animation::Values& values) {
-    const auto all = sliders(session.slider_ranges(), values, look.overrides);
-    const auto arrays = array_controls(session.scene(), values, look.overrides);
-    if (all.empty() && arrays.empty()) return;
-    if (!heading("Parameters")) return;
-    const Overrides before = look.overrides;
+namespace {
+
+void parameter_sliders(const std::vector<Slider>& all, const std::vector<ArrayControls>& arrays,
+                       Overrides& overrides) {
     for (const Slider& slider : all) {
-        if (slider.name.find('.') == std::string::npos) {
-            parameter_slider(slider, look.overrides, look.overrides.values);
-        }
+        if (slider.name.find('.') == std::string::npos)
+            parameter_slider(slider, overrides, overrides.values);
     }
     for (const ArrayControls& array : arrays) {
         ImGui::PushID(array.name.c_str());
         row(array.name.c_str());
         ImGui::Text("%d elements", array.count);
         for (const Slider& slider : all) {
-            if (slider.name.starts_with(array.name + ".")) {
-                parameter_slider(slider, look.overrides, look.overrides.values);
-            }
+            if (slider.name.starts_with(array.name + "."))
+                parameter_slider(slider, overrides, overrides.values);
         }
-        for (const Slider& slider : array.factors) {
-            parameter_slider(slider, look.overrides, look.overrides.factors, array.count);
-        }
+        for (const Slider& slider : array.factors)
+            parameter_slider(slider, overrides, overrides.factors, array.count);
         ImGui::PopID();
+    }
+}
+
+// Those of each surface under its name.
+void parameters_of_surfaces(Look& look, const Session& session, const animation::Values& values) {
+    for (std::size_t k = 0; k <= session.scene().others.size(); ++k) {
+        const scene::Scene& surface = k == 0 ? session.scene() : session.scene().others[k - 1];
+        const scene::Scene& now =
+            k == 0 ? session.overridden() : session.overridden().others[k - 1];
+        const std::string& name = surface.surface.label;
+        const animation::Values its = k == 0 ? values : now.timeline.animation.at(values.time);
+        Overrides own = of_surface(look.overrides, name);
+        ImGui::PushID(int(k));
+        ImGui::Spacing();
+        ImGui::TextUnformatted(name.c_str());
+        parameter_sliders(sliders(session.slider_ranges(k), its, own),
+                          array_controls(surface, its, own), own);
+        ImGui::PopID();
+        put_surface(look.overrides, name, own);
+    }
+}
+
+} // namespace
+
+void parameter_section(Look& look, const Session& session, const animation::Values& values) {
+    const bool has_several = !session.scene().others.empty();
+    const auto all = sliders(session.slider_ranges(), values, look.overrides);
+    const auto arrays = array_controls(session.scene(), values, look.overrides);
+    if (all.empty() && arrays.empty() && !has_several) return;
+    if (!heading("Parameters")) return;
+    const Overrides before = look.overrides;
+    if (has_several) {
+        parameters_of_surfaces(look, session, values);
+    } else {
+        parameter_sliders(all, arrays, look.overrides);
     }
     if (!before.empty() && ImGui::Button("give all back", {-1, 0})) look.overrides = {};
 }

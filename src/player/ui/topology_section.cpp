@@ -70,6 +70,10 @@ void TopologySection::show(const LiveScene& scene) {
         }
         return;
     }
+    if (!scene.session.scene().others.empty()) {
+        ImGui::TextDisabled("isomotion topology --surface NAME");
+        return;
+    }
     if (ImGui::Button("find events", {-1, 0})) {
         start(scene);
     }

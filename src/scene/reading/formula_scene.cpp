@@ -72,7 +72,7 @@ std::string title_of(std::string_view formula) {
 bool is_formula(const std::string& name) {
     const auto extension = std::filesystem::path(name).extension();
     return name.find_first_of("=^*+()|") != name.npos && extension != ".toml" &&
-           extension != ".jsurf";
+           extension != ".jsurf" && extension != ".pov";
 }
 
 toml::table scene_of_formula(const std::string& formula) {

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <numeric>
+#include <set>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -24,10 +27,12 @@
 #include "scene/reading/material.h"
 #include "scene/reading/mistakes.h"
 #include "scene/reading/named_file.h"
+#include "scene/reading/pov.h"
 #include "scene/reading/scene_text.h"
 #include "scene/reading/sections.h"
 #include "scene/reading/space.h"
 #include "scene/reading/surface.h"
+#include "scene/reading/surface_list.h"
 #include "scene/reading/surfer.h"
 #include "scene/regions.h"
 #include "scene/renamed_keys.h"
@@ -36,6 +41,11 @@
 namespace isomotion::scene {
 namespace fs = std::filesystem;
 namespace {
+
+bool is_of_another_program(const fs::path& file) {
+    const std::string extension = base::lower_extension(file);
+    return extension == ".jsurf" || extension == ".pov";
+}
 
 fs::path locate(const std::string& scene) {
     std::error_code error;
@@ -47,7 +57,7 @@ fs::path locate(const std::string& scene) {
     if (type != fs::file_type::not_found) return scene;
     const fs::path extension = fs::path(scene).extension();
     const bool looks_like_path =
-        scene.find('/') != scene.npos || extension == ".toml" || extension == ".jsurf";
+        scene.find('/') != scene.npos || extension == ".toml" || is_of_another_program(scene);
     if (looks_like_path) throw SceneError(scene + ": no such file");
     fs::path installed = animation_file(scene);
     if (fs::exists(installed, error)) return installed;
@@ -86,6 +96,9 @@ void override_key(toml::table& document, const Override& setting) {
     }
     // A whole camera instead of the scene's; another look.
     const bool is_camera = path == "camera" && parsed.get("value")->is_table();
+    const bool is_parameter = path.find('.') == path.npos;
+    if (!is_camera && is_parameter && put_own_parameter(document, path, *parsed.get("value")))
+        return;
     const bool is_look =
         path == "look" && parsed.get("value")->is_string() && !document.at_path("parameters.look");
     if (!is_camera && !is_look && path.find('.') == path.npos) path = "parameters." + path;
@@ -103,6 +116,18 @@ void override_key(toml::table& document, const Override& setting) {
         if (!next) {
             table->insert(part, toml::table{});
             next = table->get(part);
+        }
+        if (begin == 0 && part == "surfaces") { // surfaces.NAME.transform.scale=2
+            begin = dot + 1;
+            dot = path.find('.', begin);
+            const std::string name = path.substr(begin, dot - begin);
+            next = dot == path.npos ? nullptr : listed_surface(document, name);
+            if (!next) {
+                throw SceneError(
+                    fmt::format("--set {}: write surfaces.NAME.key=value, with the name "
+                                "or the number of a surface of the list",
+                                setting));
+            }
         }
         if (!next->is_table()) {
             throw SceneError(fmt::format("--set {}: '{}' is not a table", setting, part));
@@ -353,13 +378,16 @@ enum class Reading {
 };
 
 // Reads a document with all that was set.
+// `for_others`: parameters that other surfaces may use, of which those that this one does are taken
+// out.
 Scene read_document_scene(toml::table& root, const fs::path& file, const base::Confines& within,
-                          Reading reading) {
+                          Reading reading, std::set<std::string>* for_others) {
     Scene scene;
     scene.file = file;
     Section document(root, "");
     scene.title = read_title(document, scene.file);
-    document.find("look"); // what it set is in the document
+    document.find("look");     // what it set is in the document
+    document.find("surfaces"); // of which each is read as the one
     TrackTable tracks;
     std::uint64_t seed = 0;
     read_time(document, scene, seed);
@@ -394,7 +422,8 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     make_paints(material, *parts, scene.timeline.animation, scene.material);
     store_elements_of(*parts, paints_of(scene.material));
     if (reading != Reading::without_unused)
-        refuse_unused(*parts, paints_of(scene.material), scene.timeline.animation, tracks);
+        refuse_unused(*parts, paints_of(scene.material), scene.timeline.animation, tracks,
+                      for_others);
     scene.surface = parts->surface;
     scene.timeline.animation.keep_fields(parts->surface.field->packing);
 
@@ -425,10 +454,13 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
 
 // Finds bounds where the document gives none, and puts them there: `root` is left whole. `within`:
 // where files may lie that the scene names.
-Scene read_with_bounds(toml::table& root, const fs::path& file, const base::Confines& within) {
-    if (!lacks_bounds(root)) return read_document_scene(root, file, within, Reading::whole);
+Scene read_with_bounds(toml::table& root, const fs::path& file, const base::Confines& within,
+                       std::set<std::string>* for_others) {
+    if (!lacks_bounds(root))
+        return read_document_scene(root, file, within, Reading::whole, for_others);
     put_bounds(root, {glm::dvec3(0), FoundBounds::reach});
-    const Scene boundless = read_document_scene(root, file, within, Reading::for_bounds);
+    const Scene boundless =
+        read_document_scene(root, file, within, Reading::for_bounds, for_others);
     const std::optional<FoundBounds> found = find_bounds(boundless);
     if (!found) {
         fail(*root["surface"].as_table(), "surface.bounds",
@@ -436,38 +468,94 @@ Scene read_with_bounds(toml::table& root, const fs::path& file, const base::Conf
              "long; give { sphere = radius } or { box = [[x0, y0, z0], [x1, y1, z1]] }");
     }
     put_bounds(root, *found);
-    Scene scene = read_document_scene(root, file, within, Reading::whole);
+    Scene scene = read_document_scene(root, file, within, Reading::whole, for_others);
     scene.surface.found_bounds = found->is_about_surface;
     return scene;
 }
 
-Scene read_scene(toml::table& root, const fs::path& file, const std::vector<Override>& overrides,
-                 const base::Confines& within) {
-    for (const Override& setting : overrides) override_key(root, setting);
+Scene read_one(toml::table& root, const fs::path& file, const base::Confines& within,
+               std::set<std::string>* for_others) {
     try {
         NamedLook look = put_look(root);
-        Scene scene = read_with_bounds(root, file, within);
+        Scene scene = read_with_bounds(root, file, within, for_others);
         scene.look = std::move(look);
         return scene;
     } catch (const PlacedError& first) {
         throw SceneError(all_mistakes(root, first, [&](Rereading again) {
             read_document_scene(root, file, within,
                                 again == Rereading::all ? Reading::for_bounds
-                                                        : Reading::without_unused);
+                                                        : Reading::without_unused,
+                                for_others);
         }));
     }
+}
+
+using Parse = std::function<toml::table()>;
+
+// Reads each listed surface from a document of its own: copied nodes would not know their lines.
+Scene read_listed(const toml::table& root, const Parse& parse, const fs::path& file,
+                  const base::Confines& within) {
+    const std::vector<std::string> names = listed_names(root);
+    std::set<std::string> unused = shared_parameters(root);
+    std::vector<Scene> scenes;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        toml::table document = parse();
+        std::set<std::string> for_others = shared_parameters(document);
+        for (const std::string& own : own_parameters(document, k)) for_others.erase(own);
+        const std::set<std::string> shared = for_others;
+        keep_surface(document, k);
+        Scene scene = read_one(document, file, within, &for_others);
+        for (const std::string& name : shared) {
+            if (!for_others.contains(name)) unused.erase(name);
+        }
+        scene.surface.label = names[k];
+        scene.among = {int(k), int(names.size())};
+        if (scene.isolation.certify && names.size() > 1) {
+            fail(*root.get("surfaces"), "isolation.certify",
+                 "the GPU's proofs know one surface; leave it out (audits and `accuracy` know "
+                 "several)");
+        }
+        scenes.push_back(std::move(scene));
+    }
+    if (!unused.empty()) {
+        fail(*root["parameters"].as_table()->get(*unused.begin()), "parameters." + *unused.begin(),
+             "no surface's formula and no expression uses this parameter");
+    }
+    Scene first = std::move(scenes.front());
+    first.others.assign(std::make_move_iterator(scenes.begin() + 1),
+                        std::make_move_iterator(scenes.end()));
+    at(first, first.timeline.values(1)); // with a camera that sees all
+    return first;
+}
+
+// `parse` gives the document once more.
+Scene read_scene(toml::table& root, const Parse& parse, const fs::path& file,
+                 const std::vector<Override>& overrides, const base::Confines& within) {
+    const auto set = [&](toml::table& document) {
+        for (const Override& setting : overrides) override_key(document, setting);
+    };
+    set(root);
+    if (!lists_surfaces(root)) return read_one(root, file, within, nullptr);
+    const auto parse_again = [&] {
+        toml::table document = parse();
+        set(document);
+        return document;
+    };
+    return read_listed(root, parse_again, file, within);
 }
 
 // A document with where it stands, before it is read.
 struct SceneDocument {
     toml::table root;
+    std::string text; // that it was parsed from
     fs::path file;
     base::Confines within;
 };
 
 toml::table parse_scene(std::string_view text, const fs::path& file) {
-    if (base::lower_extension(file) == ".jsurf")
-        return parse_document(surfer_as_toml(text, file), file);
+    const std::string extension = base::lower_extension(file);
+    if (extension == ".jsurf") return parse_document(surfer_as_toml(text, file), file);
+    if (extension == ".pov") return parse_document(pov_as_toml(text, file), file);
     return parse_document(text, file);
 }
 
@@ -480,7 +568,7 @@ bool is_there(const std::string& name) {
 // What load() takes.
 SceneDocument find_document(const std::string& name, Reach reach) {
     if (is_formula(name) && !is_there(name)) {
-        return {scene_of_formula(name), "formula.toml",
+        return {scene_of_formula(name), "", "formula.toml",
                 confines(base::open_folder(fs::path()), reach)};
     }
     const fs::path file = locate(name);
@@ -491,7 +579,7 @@ SceneDocument find_document(const std::string& name, Reach reach) {
                                      std::generic_category().message(errno)));
     }
     const std::string text = base::file_text(folder, file, limits::scene_bytes);
-    return {parse_scene(text, file), file, confines(folder, reach)};
+    return {parse_scene(text, file), text, file, confines(folder, reach)};
 }
 
 // A formula alone has no parameters but those that are set.
@@ -510,7 +598,9 @@ Scene load_into(toml::table& root, const std::string& name, const std::vector<Ov
     root = std::move(document.root);
     const bool is_formula_alone = is_formula(name) && !is_there(name);
     try {
-        Scene scene = read_scene(root, document.file, overrides, document.within);
+        Scene scene = read_scene(
+            root, [&] { return parse_scene(document.text, document.file); }, document.file,
+            overrides, document.within);
         if (is_formula_alone) scene.formula = name;
         return scene;
     } catch (const SceneError& error) {
@@ -526,7 +616,7 @@ Scene load_into(toml::table& root, const std::string& name, const std::vector<Ov
 } // namespace
 
 std::string title(const fs::path& file) {
-    if (base::lower_extension(file) == ".jsurf") return base::printable_line(file.stem().string());
+    if (is_of_another_program(file)) return base::printable_line(file.stem().string());
     const toml::table root = read_document(file);
     Section document(root, "");
     return read_title(document, file);
@@ -540,14 +630,21 @@ Scene load(const std::string& name, const std::vector<Override>& overrides, Reac
 Scene load_text(std::string_view text, const fs::path& file, const std::vector<Override>& overrides,
                 Reach reach) {
     toml::table root = parse_scene(text, file);
-    return read_scene(root, file, overrides,
-                      confines(base::open_folder(file.parent_path()), reach));
+    return read_scene(
+        root, [&] { return parse_scene(text, file); }, file, overrides,
+        confines(base::open_folder(file.parent_path()), reach));
 }
 
 std::string scene_file_text(const std::string& name, const std::vector<Override>& overrides,
                             Reach reach) {
     toml::table root;
     load_into(root, name, overrides, reach);
+    if (lists_surfaces(root) && root.contains("look")) {
+        throw SceneError(
+            fmt::format("{}: a scene with [[surfaces]] and a look cannot be written as "
+                        "a file; set look=none, or write the keys of the look",
+                        name));
+    }
     return scene_text(root);
 }
 

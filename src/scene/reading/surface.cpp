@@ -235,7 +235,8 @@ void store_elements_of(SurfaceParts& parts, std::span<const formula::Paint* cons
 }
 
 void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* const> paints,
-                   const animation::Animation& animation, const TrackTable& tracks) {
+                   const animation::Animation& animation, const TrackTable& tracks,
+                   std::set<std::string>* for_others) {
     std::vector<bool> used(parts.vocabulary.parameters.size(), false);
     const auto graphs = graphs_of(parts, paints);
     for (const formula::Graph* graph : graphs) {
@@ -247,7 +248,11 @@ void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* co
     refuse_unused_fields(parts, graphs, used, animation, tracks);
     // A parameter that neither the formula nor an expression names is a slip of the pen.
     for (std::size_t k = 0; k < parts.parameters.size(); ++k) {
-        if (used[k] || animation.is_referenced(int(k))) continue;
+        if (used[k] || animation.is_referenced(int(k))) {
+            if (for_others) for_others->erase(parts.parameters[k]);
+            continue;
+        }
+        if (for_others && for_others->contains(parts.parameters[k])) continue;
         std::vector<std::string> others = parts.parameters;
         others.erase(others.begin() + std::ptrdiff_t(k));
         const std::string near = base::nearest_name(parts.parameters[k], others);

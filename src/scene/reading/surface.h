@@ -1,6 +1,7 @@
 // The [surface], [parameters] and [arrays] of a scene, with those of its catalogue surface.
 #pragma once
 
+#include <set>
 #include <span>
 
 #include "base/confines.h"
@@ -32,7 +33,9 @@ void make_field(SurfaceParts& parts);
 void store_elements_of(SurfaceParts& parts, std::span<const formula::Paint* const> paints);
 
 // Refuses parameters and fields that neither the formula, nor a paint, nor another value uses.
+// Those in `for_others` other surfaces may use: of them the used ones are taken out.
 void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* const> paints,
-                   const animation::Animation& animation, const TrackTable& tracks);
+                   const animation::Animation& animation, const TrackTable& tracks,
+                   std::set<std::string>* for_others);
 
 } // namespace isomotion::scene

@@ -13,6 +13,7 @@
 
 #include "scene/error.h"
 #include "scene/limits.h"
+#include "scene/reading/toml_lines.h"
 
 namespace isomotion::scene {
 namespace {
@@ -125,59 +126,7 @@ private:
     std::size_t lines_ = 0;
 };
 
-double to_linear(double srgb) {
-    const double s = std::clamp(srgb, 0.0, 1.0);
-    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-}
-glm::dvec3 to_linear(const glm::dvec3& c) {
-    return {to_linear(c.x), to_linear(c.y), to_linear(c.z)};
-}
-
-std::string toml_text(const std::string& text) {
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') quoted += '\\';
-        quoted += c;
-    }
-    return quoted + '"';
-}
-
-std::string toml_text(const glm::dvec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
-
-// Keys with values, each in a line of its own.
-class Lines {
-public:
-    explicit Lines(std::size_t count)
-        : lines_(count) {}
-
-    // In a line that is taken already, or beyond the last, behind all others.
-    void put(std::size_t line, const std::string& key, const std::string& value) {
-        if (line >= lines_.size() || !lines_[line].empty()) line = lines_.size();
-        lines_.resize(std::max(lines_.size(), line + 1));
-        lines_[line] = fmt::format("{} = {}", key, value);
-    }
-    std::string text() const { return fmt::format("{}\n", fmt::join(lines_, "\n")); }
-
-private:
-    std::vector<std::string> lines_;
-};
-
-// Whether the name stands in the text by itself: a in "2a*x", not in "tan(x)".
-bool names_word(std::string_view text, std::string_view name) {
-    const auto is_of_word = [](char c, bool first) {
-        return std::isalpha(static_cast<unsigned char>(c)) || c == '_' ||
-               (!first && std::isdigit(static_cast<unsigned char>(c)));
-    };
-    for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
-        const std::size_t end = at + name.size();
-        if (at > 0 && is_of_word(text[at - 1], true)) continue;
-        if (end < text.size() && is_of_word(text[end], false)) continue;
-        return true;
-    }
-    return false;
-}
-
-void put_surface(const Properties& from, double radius, Lines& to) {
+void put_surface(const Properties& from, double radius, TomlLines& to) {
     const Property* equation = from.find("surface_equation");
     if (!equation || equation->value.empty())
         from.fail("surface_equation", "is missing; write surface_equation=x^2+y^2+z^2-1");
@@ -201,7 +150,7 @@ void put_surface(const Properties& from, double radius, Lines& to) {
 }
 
 // `turn`: from the viewer's coordinates to the surface's.
-void put_camera(const Properties& from, const glm::dmat3& turn, double radius, Lines& to) {
+void put_camera(const Properties& from, const glm::dmat3& turn, double radius, TomlLines& to) {
     const Property* type = from.find("camera_type");
     const bool is_perspective = type && type->value == "PERSPECTIVE_CAMERA";
     if (type && !is_perspective && type->value != "ORTHOGRAPHIC_CAMERA") {
@@ -238,7 +187,7 @@ double specular_of(const Properties& from) {
     return std::clamp(0.3 * gloss, 0.0, 0.9);
 }
 
-void put_material(const Properties& from, Lines& to) {
+void put_material(const Properties& from, TomlLines& to) {
     const auto color = [&](const std::string& side) {
         return to_linear(from.vector(side + "_material_color", {0.7, 0.2, 0.2}));
     };
@@ -253,7 +202,7 @@ void put_material(const Properties& from, Lines& to) {
 }
 
 // Lights stand still before the viewer's eye while the surface turns.
-void put_lights(const Properties& from, const glm::dmat3& turn, double radius, Lines& to) {
+void put_lights(const Properties& from, const glm::dmat3& turn, double radius, TomlLines& to) {
     const double ambient = from.number("front_material_ambient_intensity", 0.4);
     const double diffuse = from.number("front_material_diffuse_intensity", 0.8);
     std::vector<std::string> lights;
@@ -283,7 +232,7 @@ std::string surfer_as_toml(std::string_view text, const std::filesystem::path& f
     if (!(radius > 1e-30) || !(radius < 1e30))
         from.fail("scale_factor", "must be from -30 to 30: the power of ten that the bounds are");
     const glm::dmat3 turn(from.matrix("rotation_matrix", glm::dmat4(1)));
-    Lines to(from.lines());
+    TomlLines to(from.lines());
     put_surface(from, radius, to);
     put_camera(from, turn, radius, to);
     put_material(from, to);

@@ -179,6 +179,7 @@ Sides EventPaths::sides(Fields& fields, std::size_t which, int effort,
     add(saddles_[std::size_t(event.index - 1)][which]);
     if (effort > 1) add(saddles_from_seeds(field, snapshot.box, most_seeds));
     for (int tries = 0, bridges = effort > 0 ? most_bridges : 0; tries < most_routes;) {
+        if (stopped && stopped()) return Sides::unknown;
         const auto route = graph.route(own_ways[0], own_ways[1]);
         if (!route) {
             if (bridges-- > 0 && bridge(graph, own_ways, field, domain, add)) continue;

@@ -53,6 +53,78 @@ MonotoneTrack::MonotoneTrack(const scene::Scene& scene, int track, Interval rang
                            formula::schedule(g, std::array{g.add(value, gaps)}),
                            formula::schedule(g, std::array{g.add(rate, gaps)})});
     }
+    const animation::TrackSource& source = animation.tracks()[std::size_t(track)].source;
+    if (const auto* keys = std::get_if<animation::Keys>(&source)) runs_ = runs_of(*keys, range);
+}
+
+std::vector<MonotoneTrack::Run> MonotoneTrack::runs_of(const animation::Keys& keys,
+                                                       Interval range) {
+    std::vector<Run> runs;
+    if (keys.ease != animation::Ease::smooth && keys.ease != animation::Ease::linear) return runs;
+    for (std::size_t k = 0; k + 1 < keys.keys.size(); ++k) {
+        const animation::Key &a = keys.keys[k], &b = keys.keys[k + 1];
+        const int direction = a.value < b.value ? 1 : a.value > b.value ? -1 : 0;
+        const Interval within = intersect({a.time, b.time}, range);
+        if (direction == 0 || is_empty(within)) continue;
+        if (!runs.empty() && runs.back().direction == direction &&
+            runs.back().range.hi == within.lo) {
+            runs.back().range.hi = within.hi;
+        } else {
+            runs.push_back({within, direction});
+        }
+    }
+    return runs;
+}
+
+Interval MonotoneTrack::at(double time) const {
+    const auto piece = std::ranges::find_if(
+        pieces_, [&](const Piece& candidate) { return contains(candidate.range, time); });
+    return evaluate(piece->value, bindings_, Interval(time));
+}
+
+std::optional<Interval> MonotoneTrack::crossing(const Run& run, Interval value) const {
+    const auto is_before = [&](double time) {
+        const Interval here = at(time);
+        return run.direction > 0 ? here.hi < value.lo : here.lo > value.hi;
+    };
+    const auto is_after = [&](double time) {
+        const Interval here = at(time);
+        return run.direction > 0 ? here.lo > value.hi : here.hi < value.lo;
+    };
+    if (!is_before(run.range.lo) || !is_after(run.range.hi)) return std::nullopt;
+    // The last time that is known to be before it, and the first that is known to be after.
+    const auto last_before = [&](double from, double to) {
+        for (double m = mid(Interval(from, to)); from < m && m < to; m = mid(Interval(from, to)))
+            (is_before(m) ? from : to) = m;
+        return from;
+    };
+    const auto first_after = [&](double from, double to) {
+        for (double m = mid(Interval(from, to)); from < m && m < to; m = mid(Interval(from, to)))
+            (is_after(m) ? to : from) = m;
+        return to;
+    };
+    const double before = last_before(run.range.lo, run.range.hi);
+    return Interval{before, first_after(before, run.range.hi)};
+}
+
+// Times without a direction that a run tells more of.
+void MonotoneTrack::settle_in_runs(std::vector<Time>& times, Interval value) const {
+    for (const Run& run : runs_) {
+        const auto is_in_run = [&](const Time& time) {
+            return run.range.lo < time.at.lo && time.at.hi < run.range.hi;
+        };
+        const auto is_open = [&](const Time& time) {
+            return time.direction == 0 && is_in_run(time);
+        };
+        const auto first = std::ranges::find_if(times, is_open);
+        if (first == times.end()) continue;
+        const auto only = crossing(run, value);
+        if (!only) continue;
+        *first = {*only, run.direction};
+        // It is the only one in the run.
+        times.erase(std::remove_if(std::next(first), times.end(), is_in_run), times.end());
+        times.erase(std::remove_if(times.begin(), first, is_in_run), first);
+    }
 }
 
 Interval MonotoneTrack::values() const {
@@ -140,6 +212,7 @@ std::vector<MonotoneTrack::Time> MonotoneTrack::times(Interval value) const {
         if (times[k].direction != 0 && !crosses(times[k], value, {after, before}))
             times[k].direction = 0;
     }
+    settle_in_runs(times, value);
     return times;
 }
 
@@ -147,11 +220,6 @@ std::vector<MonotoneTrack::Time> MonotoneTrack::times(Interval value) const {
 // a turn enclosures are too wide to tell a value that is reached from one that nearly is.
 bool MonotoneTrack::crosses(const Time& time, Interval value, Interval between) const {
     if (!(between.lo < time.at.lo && time.at.hi < between.hi)) return false;
-    const auto at = [&](double t) {
-        const auto piece = std::ranges::find_if(
-            pieces_, [&](const Piece& candidate) { return contains(candidate.range, t); });
-        return evaluate(piece->value, bindings_, Interval(t));
-    };
     constexpr int most_doublings = 60;
     double off = std::max(width(time.at), 1e-15 * width(range_));
     for (int k = 0; k < most_doublings; ++k, off *= 2) {

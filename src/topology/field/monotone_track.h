@@ -1,9 +1,14 @@
 // One track as a function of time, in pieces that rise or fall: the times at which it has a value.
+//
+// Where a track rests for a moment on its way, as keys with `smooth` do at each key, its rate is 0
+// there and proves no crossing. But between keys whose values rise, or fall, one after the other it
+// does so itself, whatever its rate: smoothstep and lines are strictly monotone.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "animation/keys.h"
 #include "formula/evaluate/evaluate.h"
 #include "formula/interval/interval.h"
 #include "scene/scene.h"
@@ -33,6 +38,18 @@ private:
         formula::Program value, rate;
     };
 
+    // Keys one after the other through which the track rises, or falls; their times within the
+    // range.
+    struct Run {
+        formula::Interval range;
+        int direction = 0;
+    };
+    static std::vector<Run> runs_of(const animation::Keys& keys, formula::Interval range);
+    formula::Interval at(double time) const;
+    // The time in the run with the value, if the track is beyond it at both ends.
+    std::optional<formula::Interval> crossing(const Run& run, formula::Interval value) const;
+    void settle_in_runs(std::vector<Time>& times, formula::Interval value) const;
+
     // The times of a part of the piece, if halves of it would tell no more; they may be empty.
     std::optional<Time> settled(const Piece& piece, formula::Interval t,
                                 formula::Interval value) const;
@@ -40,6 +57,7 @@ private:
     bool crosses(const Time& time, formula::Interval value, formula::Interval between) const;
 
     std::vector<Piece> pieces_;
+    std::vector<Run> runs_;
     formula::Bindings<formula::Interval> bindings_;
     formula::Interval range_;
 };

@@ -125,7 +125,14 @@ private:
     // In space.
     SpaceBox place(const MovingField& field, const Box& box) {
         if (sphere_) return sphere_->at(box[0], box[1], box[field.clock()]);
-        return StratumPlaces(motion_, field.stratum()).at(field, box);
+        return places(field.stratum()).at(field, box);
+    }
+    const StratumPlaces& places(const Stratum& stratum) {
+        if (!places_ || !(of_places_ == stratum)) {
+            places_.emplace(motion_, stratum);
+            of_places_ = stratum;
+        }
+        return *places_;
     }
 
     // In another chart's part of the sphere: what is there is found by that one.
@@ -140,7 +147,7 @@ private:
                 formula::anywhere(graph, {formula::roughness(graph, motion_.field).kinks, {}, {}});
             rough_ = formula::schedule(graph, std::array{rough});
         }
-        const SpaceBox at = StratumPlaces(motion_, field.stratum()).at(field, box);
+        const SpaceBox at = places(field.stratum()).at(field, box);
         const std::array<Interval, 4> inputs{at[0], at[1], at[2], box[field.clock()]};
         Interval value;
         formula::Evaluator<Interval>(*rough_).point(formula::convert<Interval>(motion_.bindings),
@@ -232,7 +239,9 @@ private:
 
     const Motion& motion_;
     std::optional<SphereChart> chart_;
-    std::optional<SpherePlaces> sphere_; // with the chart
+    std::optional<SpherePlaces> sphere_;  // with the chart
+    std::optional<StratumPlaces> places_; // of the stratum that was asked for last
+    Stratum of_places_;
     const MonotoneTrack* track_;
     Timeline& timeline_;
     OnSphere& on_sphere_;
@@ -275,6 +284,7 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range,
         for (const Part& part : parts) {
             Stratified events(part, motion, driven ? &*driven : nullptr, timeline, on_sphere);
             for (const Stratum& stratum : part.strata) {
+                if (is_stopped()) break;
                 const double share = effort(stratum) / whole;
                 std::function<void(double)> progress;
                 if (how.progress) {

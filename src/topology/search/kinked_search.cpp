@@ -103,7 +103,7 @@ public:
     KinkedResult run(const Box& box) {
         std::vector<Box> open{box};
         while (!open.empty()) {
-            if (searching_.stopped && searching_.stopped()) break;
+            if (is_stopped()) break;
             worker_.forget_formulas();
             const Box now = open.back();
             open.pop_back();
@@ -124,6 +124,8 @@ public:
     }
 
 private:
+    bool is_stopped() const { return searching_.stopped && searching_.stopped(); }
+
     double part(const Box& box, std::size_t k) const {
         const Interval whole = worker_.whole().domain()[k];
         return whole.hi > whole.lo ? (box[k].hi - box[k].lo) / (whole.hi - whole.lo) : 0;
@@ -157,8 +159,9 @@ private:
         const auto strata = worker_.tree().strata(place, box[d_], most_strata);
         if (!strata) return false;
         const std::size_t before = found_.points.size();
-        const bool are_settled = std::ranges::all_of(
-            *strata, [&](const Branch* branch) { return solve(box, *branch) != Verdict::open; });
+        const bool are_settled = std::ranges::all_of(*strata, [&](const Branch* branch) {
+            return !is_stopped() && solve(box, *branch) != Verdict::open;
+        });
         // Found again when the halves are searched.
         if (!are_settled) found_.points.resize(before);
         return are_settled;
@@ -184,6 +187,7 @@ private:
         std::vector<Box> gradients;
         std::vector<Jet<Interval>> jets, at_middle;
         for (const Branch* branch : pieces) {
+            if (is_stopped()) return false;
             Worker::Formula& formula = worker_.formula(*branch);
             Enclosures& enclosures = formula.enclosures;
             const Box all = with_multipliers(formula.field(), box);

@@ -81,7 +81,7 @@ public:
             smaller.clear();
             const bool inside = enclosures_.place(around) == Enclosures::Place::inside;
             while (!now.boxes.empty() || !waiting_.empty()) {
-                if (searching_.stopped && searching_.stopped()) return std::move(found_);
+                if (is_stopped()) return std::move(found_);
                 next_.clear();
                 if (!now.boxes.empty() && waiting_.size() < together) {
                     const std::size_t count = std::min(together, now.boxes.size());
@@ -102,6 +102,8 @@ public:
     }
 
 private:
+    bool is_stopped() const { return searching_.stopped && searching_.stopped(); }
+
     // Boxes near each other that share the elements that matter there.
     struct Family {
         std::vector<Box> boxes;
@@ -208,7 +210,7 @@ private:
         for (const Box& box : now_) centres_.push_back(at_point(middle(box)));
         enclosures_.jets(elements, now_, jets_);
         enclosures_.gradients(elements, centres_, at_centres_);
-        for (std::size_t b = 0; b < now_.size(); ++b) {
+        for (std::size_t b = 0; b < now_.size() && !is_stopped(); ++b) {
             const auto divided = found_.work.removed[std::size_t(Test::divided)];
             settle(now_[b], jets_[b], at_centres_[b]);
             if (found_.work.removed[std::size_t(Test::divided)] == divided) {
@@ -496,7 +498,10 @@ SearchResult search(const MovingField& field, const SearchOptions& searching) {
         all.work += part.work;
     }
     put_together(all);
-    all.unresolved = merged(std::move(all.unresolved), field.domain(), 4 * searching.smallest);
+    // There may be thousands, and one who waits for the end is to wait no longer.
+    const bool is_late = searching.stopped && searching.stopped();
+    const double gap = is_late ? formula::infinity : 4 * searching.smallest;
+    all.unresolved = merged(std::move(all.unresolved), field.domain(), gap);
     return all;
 }
 

@@ -39,14 +39,21 @@ std::optional<double> decimal(std::string_view text) {
     return value;
 }
 
-// "12", "40.5", "5..9".
+// A frame; infinite for an end of what was searched.
+std::optional<double> parse_frame(std::string_view text) {
+    if (text == "start") return -formula::infinity;
+    if (text == "end") return formula::infinity;
+    return decimal(text);
+}
+
+// "12", "40.5", "5..9", "end", "90..end".
 std::optional<Interval> parse_frames(std::string_view text) {
     const std::size_t dots = text.find("..");
     if (dots == text.npos) {
-        if (const auto frame = decimal(text)) return Interval(*frame);
+        if (const auto frame = parse_frame(text)) return Interval(*frame, *frame);
         return {};
     }
-    const auto from = decimal(text.substr(0, dots)), to = decimal(text.substr(dots + 2));
+    const auto from = parse_frame(text.substr(0, dots)), to = parse_frame(text.substr(dots + 2));
     if (!from || !to || *from > *to) return {};
     return Interval{*from, *to};
 }
@@ -60,7 +67,8 @@ void read_betti(const base::DocumentNode& node, const NumberName& which,
         const std::string key = frames.key_of(each);
         const auto when = parse_frames(key);
         if (!when) {
-            each.fail(fmt::format("'{}' is no frame; write \"12\", \"40.5\" or \"5..9\"", key));
+            each.fail(
+                fmt::format("'{}' is no frame; write \"12\", \"40.5\", \"5..9\" or \"end\"", key));
         }
         if (each.is_table()) {
             each.fail("TOML takes the dots for tables of tables; put the frame in quotes: "
@@ -74,13 +82,18 @@ Claims read_claims(const base::Document& document, const std::string& file,
                    animation::FrameRate fps) {
     base::DocumentTable root = document.table();
     Claims claims;
+    std::optional<double> tolerance;
+    if (const auto node = root.find("tolerance")) {
+        tolerance = node->number();
+        if (*tolerance < 0) node->fail("must be a number of frames, 0 or more");
+    }
     for (const NumberName& which : number_names) {
         if (const auto node = root.find(which.name)) read_betti(*node, which, claims.betti);
     }
     if (const auto events = root.find("events")) {
         for (const base::DocumentNode& each : events->list()) {
             try {
-                claims.events.push_back(parse_statement(each.text(), fps));
+                claims.events.push_back(parse_statement(each.text(), fps, tolerance));
             } catch (const std::invalid_argument& error) {
                 each.fail(fmt::format("\"{}\": {}", each.text(), error.what()));
             }
@@ -115,11 +128,15 @@ Judgement judge(const BettiClaim& claim, const TimelineRecord& found, const Step
     if (std::string missing = unsearched(claim.frames, timeline.range, fps); !missing.empty()) {
         return {Truth::open, std::move(missing)};
     }
+    const Interval searched{frame_at(fps, timeline.range.lo), frame_at(fps, timeline.range.hi)};
+    const auto bound = [&](double frame) {
+        return std::isfinite(frame) ? frame : frame < 0 ? searched.lo : searched.hi;
+    };
+    const Interval frames{bound(claim.frames.lo), bound(claim.frames.hi)};
     constexpr double slack = 1e-6;
     // An event at the very end of a span is not in it, however its time was rounded.
-    const Interval asked = claim.frames.hi - claim.frames.lo > 2 * slack
-                               ? Interval{claim.frames.lo + slack, claim.frames.hi - slack}
-                               : claim.frames;
+    const Interval asked =
+        frames.hi - frames.lo > 2 * slack ? Interval{frames.lo + slack, frames.hi - slack} : frames;
     const auto touches = [&](Interval time) {
         const Interval frames = frames_at(fps, time);
         return frames.lo <= asked.hi && asked.lo <= frames.hi;
@@ -149,8 +166,7 @@ Judgement judge(const BettiClaim& claim, const TimelineRecord& found, const Step
     for (const Step& step : steps.steps) {
         if (!lasts_in(step.time)) continue;
         is_seen = true;
-        const std::string frame =
-            frame_text(std::max(claim.frames.lo, frame_at(fps, step.time.lo)));
+        const std::string frame = frame_text(std::max(frames.lo, frame_at(fps, step.time.lo)));
         if (!step.solid) {
             open(fmt::format("not known from frame {} on", frame));
             continue;
@@ -228,6 +244,21 @@ Check check(const Expectation& expectation, const TimelineRecord& found, double 
     if (const auto* record = std::get_if<TimelineRecord>(&expectation))
         return compare(*record, found, dt);
     return check(std::get<Claims>(expectation), found);
+}
+
+double parse_dt(std::string_view text, animation::FrameRate fps) {
+    double number = 0;
+    const char* last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, number);
+    std::string_view unit(end, std::size_t(last - end));
+    while (unit.starts_with(' ')) unit.remove_prefix(1);
+    const bool in_frames = unit == "frames" || unit == "frame";
+    const bool is_amount = error == std::errc{} && std::isfinite(number) && number >= 0;
+    if (!is_amount || !(in_frames || unit.empty() || unit == "s")) {
+        throw std::invalid_argument(fmt::format(
+            "--dt {}: write seconds, 0 or more: 1e-9; or frames: \"0.5 frames\"", text));
+    }
+    return in_frames ? number * double(fps.denominator) / double(fps.numerator) : number;
 }
 
 std::string text(const Check& check, const std::string& path) {

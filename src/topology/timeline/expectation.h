@@ -1,9 +1,10 @@
 // What is expected of an animation's topology: a timeline kept from an earlier run, or what a
 // person claims of it in a few lines of JSON or TOML:
 //
-//     { "components": { "1": 75, "120": 1 },      at these frames; "5..9": at all frames from 5 on
+//     { "components": { "1": 75, "end": 1 },      at these frames; "5..9": at all frames from 5 on
 //       "tunnels": { "40.5": 2 }, "voids": {...},
-//       "events": ["merge at frame 12..13", "no split", "nothing else"] }        see statement.h
+//       "events": ["merge at frame 12..13", "no split", "nothing else"],         see statement.h
+//       "tolerance": 2 }                           frames about each lone frame of an event
 #pragma once
 
 #include <filesystem>
@@ -22,7 +23,7 @@ namespace isomotion::topology {
 struct BettiClaim {
     std::string key; // "components.5..9"
     int Betti::*number = &Betti::components;
-    formula::Interval frames;
+    formula::Interval frames; // infinite ends are those of the frames that were searched
     int value = 0;
 };
 
@@ -42,6 +43,10 @@ Check check(const Claims& claims, const TimelineRecord& found);
 // `dt`: by how many seconds events may have moved from those of a record. Throws
 // std::invalid_argument if it is negative or not finite.
 Check check(const Expectation& expectation, const TimelineRecord& found, double dt = 1e-9);
+
+// Seconds, of "0.001", "0.001 s" and "2 frames". Throws std::invalid_argument if it is none of
+// these or negative.
+double parse_dt(std::string_view text, animation::FrameRate fps);
 
 // For the terminal: the differences, what is undecided, the verdict.
 std::string text(const Check& check, const std::string& file);

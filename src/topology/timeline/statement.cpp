@@ -1,6 +1,8 @@
 #include "topology/timeline/statement.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <climits>
 #include <cmath>
@@ -17,22 +19,45 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
+// "40+-2" is three words, and "1.28s" two.
 std::vector<std::string> words_of(std::string_view text) {
     std::vector<std::string> words;
     std::string word;
-    for (const char c : text) {
-        if (c != ' ' && c != '\t') {
-            word += c;
-        } else if (!word.empty()) {
-            words.push_back(std::move(word));
-            word.clear();
+    const auto end_word = [&] {
+        if (word.empty()) return;
+        const bool has_unit = word.size() > 1 && word.back() == 's' &&
+                              word.find_first_not_of("0123456789.") == word.size() - 1;
+        if (has_unit) word.pop_back();
+        words.push_back(std::move(word));
+        if (has_unit) words.emplace_back("s");
+        word.clear();
+    };
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const std::string_view rest = text.substr(k);
+        const std::string_view sign = rest.starts_with("+-")  ? "+-"
+                                      : rest.starts_with("±") ? "±"
+                                                              : "";
+        if (!sign.empty()) {
+            end_word();
+            words.emplace_back("+-");
+            k += sign.size() - 1;
+        } else if (text[k] == ' ' || text[k] == '\t') {
+            end_word();
+        } else {
+            word += text[k];
         }
     }
-    if (!word.empty()) words.push_back(std::move(word));
+    end_word();
     return words;
 }
 
+// As digits or, up to twelve, in words.
 std::optional<int> whole(std::string_view word) {
+    constexpr std::array<std::string_view, 13> names{"zero", "one",    "two",   "three", "four",
+                                                     "five", "six",    "seven", "eight", "nine",
+                                                     "ten",  "eleven", "twelve"};
+    const auto named = std::ranges::find(names, word);
+    if (named != names.end()) return int(named - names.begin());
     int number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error != std::errc{} || end != word.data() + word.size() || number < 0) return {};
@@ -76,11 +101,18 @@ const std::vector<Named>& names() {
     return known;
 }
 
+// A frame, infinite where it is an end of what was searched.
+struct Moment {
+    double frame = 0;
+    double half = 0; // of the last digit that was written, in frames
+};
+
 class Parser {
 public:
-    Parser(std::string_view text, animation::FrameRate fps)
+    Parser(std::string_view text, animation::FrameRate fps, std::optional<double> tolerance)
         : words_(words_of(text))
-        , fps_(fps) {
+        , fps_(fps)
+        , tolerance_(tolerance) {
         result_.text = text;
     }
 
@@ -93,6 +125,7 @@ public:
         }
         number();
         events();
+        place();
         if (!done()) when();
         return std::move(result_);
     }
@@ -169,92 +202,139 @@ private:
         return all;
     }
 
-    // "frame", or "time": what numbers count.
-    void unit(bool is_between) {
-        if (take(is_between ? "frames" : "frame")) return;
-        if (take(is_between ? "times" : "time")) {
-            in_seconds_ = true;
-            return;
+    void place() {
+        if (take("inside")) {
+            result_.is_inside = true;
+        } else if (take("on")) {
+            if (!take("the") || !take("bounds")) refuse("write \"2 births on the bounds\"");
+            result_.is_inside = false;
         }
+    }
+
+    // "frame", or "time": what numbers count. A number alone counts what is said after it.
+    enum class Unit { frames, seconds, told_after };
+    Unit unit(bool is_between) {
+        if (take(is_between ? "frames" : "frame")) return Unit::frames;
+        if (take(is_between ? "times" : "time")) return Unit::seconds;
+        const bool is_number =
+            !peek().empty() && std::isdigit(static_cast<unsigned char>(peek()[0]));
+        if (is_number) return Unit::told_after;
         refuse(fmt::format("'{}' is not what a time begins with; write \"{}\"", peek(),
                            is_between ? "between frames 5 and 9" : "at frame 12"));
     }
-    Written when_number() {
-        const auto number = written(peek());
-        if (!number) {
-            refuse(done() ? std::string("ends where a number should be: \"at frame 12\"")
-                          : fmt::format("'{}' is no number: write 12 or 40.2", peek()));
-        }
-        ++next_;
-        return *number;
+
+    std::optional<Moment> moment(std::string_view word, Unit unit) const {
+        if (word == "start") return Moment{-formula::infinity};
+        if (word == "end") return Moment{formula::infinity};
+        const auto number = written(word);
+        if (!number) return {};
+        const double frame = to_frame(number->value, unit);
+        const double half = 0.5 * std::pow(10, -number->decimals);
+        return Moment{frame, to_frame(number->value + half, unit) - frame};
     }
-    double to_frame(double number) const {
-        const double frame = in_seconds_ ? frame_at(fps_, number) : number;
+    double to_frame(double number, Unit unit) const {
+        const double frame = unit == Unit::frames ? number : frame_at(fps_, number);
         if (!std::isfinite(frame)) refuse(fmt::format("{:g} s is no time of an animation", number));
         return frame;
     }
+    Moment take_moment(Unit unit) {
+        const auto found = moment(peek(), unit);
+        if (!found) {
+            refuse(done() ? std::string("ends where a number should be: \"at frame 12\"")
+                          : fmt::format("'{}' is no number: write 12, 40.2 or end", peek()));
+        }
+        const std::string word = words_[next_++];
+        if (std::isfinite(found->frame)) take_seconds(word, unit);
+        return *found;
+    }
+
+    void take_seconds(const std::string& number, Unit unit) {
+        if (unit == Unit::frames || take("s") || unit == Unit::seconds) return;
+        refuse(fmt::format("{0} of what? Write \"frame {0}\" or \"{0} s\"", number));
+    }
+
     void span(double from, double to) {
         if (from > to) refuse(fmt::format("ends before it begins: {} to {}", from, to));
-        result_.asked = {to_frame(from), to_frame(to)};
+        result_.asked = {from, to};
         // An event at the very end is in it, however its time was rounded.
         constexpr double slack = 1e-6;
-        result_.frames = {result_.asked.lo - slack, result_.asked.hi + slack};
+        result_.frames = {from - slack, to + slack};
     }
 
     void when() {
         if (take("at")) {
             at();
         } else if (take("between")) {
-            unit(true);
-            const double from = when_number().value;
+            const Unit what = unit(true);
+            const double from = take_moment(what).frame;
             if (!take("and")) refuse("write \"between frames 5 and 9\"");
-            span(from, when_number().value);
+            span(from, take_moment(what).frame);
         } else if (take("before")) {
-            unit(false);
-            result_.frames = result_.asked = {-formula::infinity, to_frame(when_number().value)};
+            result_.frames = result_.asked = {-formula::infinity, take_moment(unit(false)).frame};
         } else if (take("after")) {
-            unit(false);
-            result_.frames = result_.asked = {to_frame(when_number().value), formula::infinity};
+            result_.frames = result_.asked = {take_moment(unit(false)).frame, formula::infinity};
         } else {
             refuse(fmt::format("'{}' is not when; write \"at frame 12\", \"at frame 12..13\", "
                                "\"between frames 5 and 9\", \"before frame 7\", \"after frame 90\"",
                                peek()));
         }
-        if (in_seconds_) take("s");
         if (!done()) refuse(fmt::format("goes on after its end, at '{}'", peek()));
+        if (result_.asked.lo == formula::infinity || result_.asked.hi == -formula::infinity) {
+            refuse("no time is after the end or before the start");
+        }
     }
     void at() {
         if (take("frames")) {
             --next_;
             words_[next_] = "frame"; // "at frames 12..13" is as clear
         }
-        unit(false);
+        const Unit what = unit(false);
         const std::string word = peek();
         const std::size_t dots = word.find("..");
-        if (dots == std::string::npos) {
-            const Written number = when_number();
-            const double half = 0.5 * std::pow(10, -number.decimals);
-            span(number.value - half, number.value + half);
-            return;
-        }
-        const auto from = written(std::string_view(word).substr(0, dots));
-        const auto to = written(std::string_view(word).substr(dots + 2));
+        if (dots == std::string::npos) return at_one(take_moment(what), what);
+        const auto from = moment(std::string_view(word).substr(0, dots), what);
+        const auto to = moment(std::string_view(word).substr(dots + 2), what);
         if (!from || !to) refuse(fmt::format("'{}' is no range: write 12..13", word));
         ++next_;
-        span(from->value, to->value);
+        take_seconds(word, what);
+        span(from->frame, to->frame);
+    }
+    void at_one(const Moment& moment, Unit unit) {
+        if (!std::isfinite(moment.frame)) {
+            refuse(fmt::format("an event hardly is at the very {0}; write a span that {1} there: "
+                               "\"at frame {2}\"",
+                               moment.frame < 0 ? "start" : "end",
+                               moment.frame < 0 ? "begins" : "ends",
+                               moment.frame < 0 ? "start..2" : "119..end"));
+        }
+        const double off = take("+-") ? tolerance_here(unit) : tolerance_.value_or(moment.half);
+        span(moment.frame - off, moment.frame + off);
+    }
+    // In frames: of "+- 2 frames", "+- 0.1 s", and "+- 2", which counts what "at" counts.
+    double tolerance_here(Unit unit) {
+        const auto number = written(peek());
+        if (!number || number->value < 0) {
+            refuse("'+-' needs a number: \"at frame 40 +- 2\"");
+        }
+        ++next_;
+        const bool in_frames = take("frames") || take("frame");
+        const bool in_seconds = !in_frames && (take("s") || unit != Unit::frames);
+        const double rate = double(fps_.numerator) / double(fps_.denominator);
+        return in_seconds ? number->value * rate : number->value;
     }
 
     std::vector<std::string> words_;
     std::size_t next_ = 0;
     animation::FrameRate fps_;
-    bool in_seconds_ = false;
+    std::optional<double> tolerance_;
     Statement result_;
 };
 
 } // namespace
 
-Statement parse_statement(std::string_view text, animation::FrameRate fps) {
-    return Parser(text, fps).parse();
+Statement parse_statement(std::string_view text, animation::FrameRate fps,
+                          std::optional<double> tolerance) {
+    return Parser(text, fps, tolerance).parse();
 }
 
 } // namespace isomotion::topology

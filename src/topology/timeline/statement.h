@@ -1,14 +1,17 @@
 // What a person says of an animation's events, in words: "merge at frame 12..13".
 //
-//     statement = [number] events [when] | "nothing else"
-//     number    = 3 | 2..4 | "no" | "a" | "an" | "at least" 3 | "at most" 3       (else: exactly 1)
+//     statement = [number] events [place] [when] | "nothing else"
+//     number    = 3 | "three" | 2..4 | "no" | "a" | "an" | "at least" 3 | "at most" 3
+//                                                                      (else: exactly 1)
 //     events    = "merge" | "merges" | "tunnel closes" | "tunnels close" | ... | "event" | "events"
-//     when      = "at frame" F | "at frame" F..F | "between frames" F "and" F |
-//                 "before frame" F | "after frame" F           (else: at any time; "time" and
-//                                                               seconds instead of "frame" too)
+//     place     = "inside" | "on the bounds"                           (else: anywhere)
+//     when      = "at frame" F ["+-" D] | "at frame" F..F | "between frames" F "and" F |
+//                 "before frame" F | "after frame" F                   (else: at any time)
 //
-// A frame F is meant as precisely as it is written: 12 is 11.5 to 12.5, 40.2 is 40.15 to 40.25. The
-// ends of F..F and of "between" are exact (to a millionth of a frame) and belong to it.
+// "at time 1.28", "at 1.28 s" and "between 1 s and 2 s" count seconds. "start" and "end" are the
+// ends of what was searched: F..end. A lone frame F is meant as precisely as it is written: 12 is
+// 11.5 to 12.5, 40.2 is 40.15 to 40.25; or to D frames before and after it. The ends of F..F, of
+// "between" and of "+-" are exact (to a millionth of a frame) and belong to it.
 #pragma once
 
 #include <optional>
@@ -26,16 +29,23 @@ struct Statement {
     bool is_nothing_else = false; // every event is meant by one of the other statements
     int least = 1, most = 1;      // how many; `most` may be INT_MAX
     std::optional<Kind> kind;     // empty: of any kind
+    // Inside the bounds, or on them; empty: either.
+    std::optional<bool> is_inside;
     // Events in these are meant; an infinite end is that of the frames that were searched.
     formula::Interval frames = formula::Interval::entire();
     // The same as it was written: all of it must have been searched.
     formula::Interval asked = formula::Interval::entire();
 
     bool admits(Kind found) const { return !kind || *kind == found; }
+    bool admits_place(const Event& event) const {
+        return !is_inside || *is_inside == (event.stratum == 3);
+    }
 };
 
-// Throws std::invalid_argument with what is wrong and what would be right.
-Statement parse_statement(std::string_view text, animation::FrameRate fps);
+// `tolerance` is D, in frames, of lone frames that have none of their own. Throws
+// std::invalid_argument with what is wrong and what would be right.
+Statement parse_statement(std::string_view text, animation::FrameRate fps,
+                          std::optional<double> tolerance = {});
 
 enum class Truth { holds, fails, open };
 

@@ -22,8 +22,8 @@ struct Count {
 
 bool overlap(Interval a, Interval b) { return a.lo <= b.hi && b.lo <= a.hi; }
 
-// The statement's frames hold some of the events that this one may have changed kinds with, but not
-// all: how many of a kind are inside isn't known.
+// The statement's frames and place hold some of the events that this one may have changed kinds
+// with, but not all: how many of a kind are among these isn't known.
 bool parts_moment(const Statement& statement, const Event& event, const Timeline& timeline,
                   animation::FrameRate fps) {
     if (event.kind_proof != "together") return false;
@@ -31,8 +31,9 @@ bool parts_moment(const Statement& statement, const Event& event, const Timeline
     for (const Event& other : timeline.events) {
         if (!are_interchangeable(event, other)) continue;
         const Interval frames = frames_at(fps, other.time);
-        has_inside |= overlap(frames, statement.frames);
-        has_outside |= !formula::contains(statement.frames, frames);
+        const bool is_at_place = statement.admits_place(other);
+        has_inside |= is_at_place && overlap(frames, statement.frames);
+        has_outside |= !is_at_place || !formula::contains(statement.frames, frames);
     }
     return has_inside && has_outside;
 }
@@ -57,7 +58,7 @@ bool admits_all(const Statement& statement, const std::vector<Kind>& kinds) {
 Count count(const Statement& statement, const Timeline& timeline, animation::FrameRate fps) {
     Count count;
     for (const Event& event : timeline.events) {
-        if (event.kind == Kind::none) continue;
+        if (event.kind == Kind::none || !statement.admits_place(event)) continue;
         const Interval frames = frames_at(fps, event.time);
         if (!overlap(frames, statement.frames)) continue;
         bool is_meant = statement.admits(event.kind);
@@ -83,7 +84,8 @@ std::string nearest_text(const Statement& statement, const Timeline& timeline,
     const Event* nearest = nullptr;
     double least = formula::infinity;
     for (const Event& event : timeline.events) {
-        if (event.kind == Kind::none || !statement.admits(event.kind)) continue;
+        const bool is_meant = statement.admits(event.kind) && statement.admits_place(event);
+        if (event.kind == Kind::none || !is_meant) continue;
         const Interval frames = frames_at(fps, event.time);
         const double away =
             std::max(statement.frames.lo - frames.hi, frames.lo - statement.frames.hi);
@@ -103,13 +105,14 @@ Judgement judge_rest(const std::vector<Statement>& all, const Timeline& timeline
     const auto meant = [&](const Event& event, Kind kind) {
         return std::ranges::any_of(all, [&](const Statement& other) {
             return !other.is_nothing_else && other.most > 0 && other.admits(kind) &&
+                   other.admits_place(event) &&
                    formula::contains(other.frames, frames_at(fps, event.time));
         });
     };
     const auto may_be_meant = [&](const Event& event, Kind kind) {
         return std::ranges::any_of(all, [&](const Statement& other) {
             return !other.is_nothing_else && other.most > 0 && other.admits(kind) &&
-                   overlap(frames_at(fps, event.time), other.frames);
+                   other.admits_place(event) && overlap(frames_at(fps, event.time), other.frames);
         });
     };
     for (const Event& event : timeline.events) {

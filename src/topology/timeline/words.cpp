@@ -74,6 +74,12 @@ std::vector<std::string> gaps(const Timeline& timeline, animation::FrameRate fps
         reasons.push_back(fmt::format("unresolved at frame {}, near ({:.4g}, {:.4g}, {:.4g}): {}",
                                       frame_text(frames_at(fps, place.time)), mid(place.where[0]),
                                       mid(place.where[1]), mid(place.where[2]), place.why));
+        if (place.before && place.after && *place.before == *place.after) {
+            reasons.back() += fmt::format("; {} before and after", in_words(*place.before));
+        } else if (place.before && place.after) {
+            reasons.back() += fmt::format("; {} before, {} after", in_words(*place.before),
+                                          in_words(*place.after));
+        }
     }
     const auto end = [&](const char* which, const std::optional<Betti>& solid, bool is_proved) {
         if (!solid) {

@@ -42,6 +42,50 @@ TEST(MonotoneTrack, CrossesAndTurns) {
     }
 }
 
+TEST(MonotoneTrack, CrossesWhereItRestsForAMomentOnItsWay) {
+    struct Case {
+        const char* keys;
+        int direction;
+    };
+    for (const Case& c :
+         {Case{"[[0, -0.7], [1, 0], [3, 0.2]]", 1}, Case{"[[0, 1], [1, 0], [3, -2]]", -1},
+          Case{"[[-1, -2], [1, 0], [1.5, 0.1], [4, 3]]", 1}}) {
+        SCOPED_TRACE(c.keys);
+        const std::string track = fmt::format("{{ keys = {}, ease = \"smooth\" }}", c.keys);
+        for (const Interval value : {Interval(0.0), Interval(-1e-16, 1e-16)}) {
+            const Times found = times(track, {0, 2.5}, value);
+            ASSERT_EQ(found.size(), 1u);
+            EXPECT_EQ(found[0].direction, c.direction);
+            EXPECT_TRUE(contains(found[0].at, 1.0));
+            EXPECT_LT(width(found[0].at), 1e-6);
+        }
+        // Where the range begins or ends with it, it may be outside.
+        for (const Interval range : {Interval(0, 1), Interval(1, 2.5)}) {
+            const Times at_end = times(track, range, 0.0);
+            ASSERT_EQ(at_end.size(), 1u);
+            EXPECT_EQ(at_end[0].direction, 0);
+        }
+    }
+}
+
+TEST(MonotoneTrack, ATurnWhereItRestsIsNoCrossing) {
+    for (const char* keys : {"[[0, -0.7], [1, 0], [3, -0.2]]", "[[0, 1], [1, 0], [2, 0], [3, -1]]",
+                             "[[0, 1], [1, 0]]", "[[1, 0], [2, -1]]"}) {
+        const Times found =
+            times(fmt::format("{{ keys = {}, ease = \"smooth\" }}", keys), {0, 2.5}, 0.0);
+        ASSERT_EQ(found.size(), 1u) << keys;
+        EXPECT_EQ(found[0].direction, 0) << keys;
+        EXPECT_TRUE(contains(found[0].at, 1.0)) << keys;
+    }
+    // What it does later is no part of it.
+    const Times later = times(
+        "{ keys = [[0, -1], [1, 0], [1.5, -0.5], [2.5, 1]], ease = \"smooth\" }", {0, 2.5}, 0.0);
+    ASSERT_EQ(later.size(), 2u);
+    EXPECT_EQ(later[0].direction, 0);
+    EXPECT_TRUE(contains(later[0].at, 1.0));
+    EXPECT_EQ(later[1].direction, 1);
+}
+
 TEST(MonotoneTrack, RestsForOneSpan) {
     // Long ones were cut into a billion pieces.
     for (const char* source :

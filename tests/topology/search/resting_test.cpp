@@ -55,6 +55,55 @@ TEST(Resting, AlongACircleIsUnresolvedForAsLong) {
     expect_unresolved(events_of(ring, 0, 3), 1, 2);
 }
 
+Moving with_time(Moving moving) {
+    moving.rest = "[time]\nframes = 31\nfps = 10";
+    return moving;
+}
+
+// Smoothstep comes to rest at each key: dF/dt is 0 at the event, dF/dc is not.
+TEST(Resting, ForAMomentOnItsWayIsAnEvent) {
+    const Moving passing[] = {
+        drops("c = { keys = [[0, -0.5], [1, 0], [3, 0.5]], ease = \"smooth\" }"),
+        // A ring whose hole closes as the tube is as thick as it is wide.
+        {"x^2 + y^2 + z^2 + 0.5 - 1.5*r - 2*sqrt(x^2 + y^2 + 0.01)", "{ sphere = 6 }",
+         "r = { keys = [[0, 0.1], [1, 0.2], [3, 0.5]], ease = \"smooth\" }"},
+        // Two balls come to touch.
+        {"min((x - d)^2, (x + d)^2) + y^2 + z^2 - 1", "{ box = [[-4, -2, -2], [4, 2, 2]] }",
+         "d = { keys = [[0, 1.6], [1, 1], [3, 0.5]], ease = \"smooth\" }"},
+    };
+    for (const Moving& moving : passing) {
+        SCOPED_TRACE(moving.formula);
+        const Timeline timeline = analyse(with_time(moving).scene());
+        SCOPED_TRACE(described(timeline));
+        EXPECT_TRUE(timeline.is_complete());
+        ASSERT_EQ(timeline.events.size(), 1u);
+        EXPECT_NEAR(mid(timeline.events[0].time), 1, 1e-6);
+        EXPECT_LT(width(timeline.events[0].time), 1e-6);
+        EXPECT_NE(timeline.start, timeline.end);
+        EXPECT_EQ(timeline.events[0].before, timeline.start);
+        EXPECT_EQ(timeline.events[0].after, timeline.end);
+    }
+}
+
+// It comes to the critical value and goes back: the same on both sides, and said to be so.
+TEST(Resting, ForAMomentAndBackIsATouch) {
+    for (const auto& [keys, solid] : {std::pair{"[[0, -0.5], [1, 0], [3, -0.5]]", Betti{1, 0, 0}},
+                                      std::pair{"[[0, 0.5], [1, 0], [3, 0.5]]", Betti{2, 0, 0}}}) {
+        SCOPED_TRACE(keys);
+        const Timeline timeline = analyse(
+            with_time(drops(fmt::format("c = {{ keys = {}, ease = \"smooth\" }}", keys))).scene());
+        SCOPED_TRACE(described(timeline));
+        EXPECT_FALSE(timeline.is_complete());
+        EXPECT_TRUE(timeline.events.empty());
+        ASSERT_EQ(timeline.unresolved.size(), 1u);
+        EXPECT_TRUE(contains(timeline.unresolved[0].time, 1.0));
+        EXPECT_EQ(timeline.unresolved[0].before, solid);
+        EXPECT_EQ(timeline.unresolved[0].after, solid);
+        EXPECT_EQ(timeline.unresolved[0].why,
+                  "the motion turns, rests or ends where the surface is singular");
+    }
+}
+
 TEST(Resting, ToTheEndLeavesTheEndUnknown) {
     const Moving moving = drops("c = \"min(max(t - 1, -0.5), 0)\"");
     Moving three_seconds = moving;

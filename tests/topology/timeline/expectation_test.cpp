@@ -49,6 +49,46 @@ TEST(Expectation, ClaimsOfBettiNumbers) {
                                                "tunnels.40..41 = 1: 0 at frame 40"));
 }
 
+TEST(Expectation, FramesMayBeTheEndsOfTheSearch) {
+    const Check right = of(R"({"components": {"start": 3, "end": 1, "start..10.4": 3},
+                               "tunnels": {"91..end": 0, "end": 0}})");
+    EXPECT_EQ(right.outcome(), Outcome::passes);
+    EXPECT_EQ(right.agreed, 5u);
+    const Check wrong = of(R"({"components": {"end": 2, "15..end": 2}})");
+    EXPECT_THAT(wrong.differences, ElementsAre("components.15..end = 2: 1 at frame 20.25",
+                                               "components.end = 2: 1 at frame 101"));
+    // Less was searched: the end is another, and what lies beyond it is not known.
+    TimelineRecord less = complete({3, 0, 0}, {event_at(10.5, Kind::merge, {0.5, 0, 0})});
+    less.timeline.range.hi = 2;
+    EXPECT_EQ(of(R"({"components": {"end": 2}})", less).outcome(), Outcome::passes);
+    EXPECT_EQ(of(R"({"components": {"30..end": 2}})", less).outcome(), Outcome::incomplete);
+    EXPECT_EQ(of(R"({"components": {"start..30": 2}})", less).outcome(), Outcome::incomplete);
+    // At the end is an event: its numbers are those of its instant.
+    less.timeline.range.hi = less.timeline.events[0].time.hi;
+    EXPECT_EQ(of(R"({"components": {"end": 2}})", less).outcome(), Outcome::incomplete);
+}
+
+TEST(Expectation, OneToleranceIsThatOfAllItsLoneFrames) {
+    EXPECT_EQ(of(R"({"events": ["merge at frame 12"]})").outcome(), Outcome::differs);
+    EXPECT_EQ(of(R"({"tolerance": 2, "events": ["merge at frame 12"]})").outcome(),
+              Outcome::passes);
+    EXPECT_EQ(of(R"({"events": ["merge at frame 12"], "tolerance": 1})").outcome(),
+              Outcome::differs);
+    EXPECT_THAT(mistake(R"({"tolerance": -1, "events": ["merge"]})"),
+                HasSubstr("tolerance: must be a number of frames, 0 or more"));
+    EXPECT_THAT(mistake(R"({"tolerance": "2", "events": ["merge"]})"), HasSubstr("tolerance: "));
+}
+
+TEST(Expectation, HowMuchEventsMayHaveMovedIsInSecondsOrFrames) {
+    EXPECT_EQ(parse_dt("1e-9", fps), 1e-9);
+    EXPECT_EQ(parse_dt("0.25 s", fps), 0.25);
+    EXPECT_DOUBLE_EQ(parse_dt("2 frames", fps), 0.2);
+    EXPECT_DOUBLE_EQ(parse_dt("0.5frame", {30000, 1001}), 0.5 * 1001 / 30000);
+    for (const char* wrong :
+         {"", "-1", "nan", "inf", "1e999", "frames", "1 fps", "1 s s", "-1 frame"})
+        EXPECT_THROW(parse_dt(wrong, fps), std::invalid_argument) << wrong;
+}
+
 TEST(Expectation, AtTheMomentOfAnEventNumbersAreOpen) {
     const Check instant = of(R"({"components": {"10.5": 3}})");
     EXPECT_EQ(instant.outcome(), Outcome::incomplete);

@@ -38,6 +38,23 @@ TEST(Statement, SaysHowManyOfWhatAndWhen) {
         {"at most 1 void fills", 0, 1, Kind::void_fills, -HUGE_VAL, HUGE_VAL},
         {"death at time 0.50 s", 1, 1, Kind::death, 5.95, 6.05},
         {"deaths between times 0.5 and 1", 1, 1, Kind::death, 6, 11},
+        {"one merge", 1, 1, Kind::merge, -HUGE_VAL, HUGE_VAL},
+        {"at least two splits", 2, INT_MAX, Kind::split, -HUGE_VAL, HUGE_VAL},
+        {"twelve births at 0.50 s", 12, 12, Kind::birth, 5.95, 6.05},
+        {"birth at 0.5s", 1, 1, Kind::birth, 5.5, 6.5},
+        {"birth at 0.25..0.75 s", 1, 1, Kind::birth, 3.5, 8.5},
+        {"birth between 0.5 s and 1 s", 1, 1, Kind::birth, 6, 11},
+        {"birth between 0.5 s and end", 1, 1, Kind::birth, 6, HUGE_VAL},
+        {"birth before 1.28 s", 1, 1, Kind::birth, -HUGE_VAL, 13.8},
+        {"merge at frame 90..end", 1, 1, Kind::merge, 90, HUGE_VAL},
+        {"merge at frame start..7", 1, 1, Kind::merge, -HUGE_VAL, 7},
+        {"merge between frames 90 and end", 1, 1, Kind::merge, 90, HUGE_VAL},
+        {"merge at frame 40 +- 2", 1, 1, Kind::merge, 38, 42},
+        {"merge at frame 40.2+-0.5 frames", 1, 1, Kind::merge, 39.7, 40.7},
+        {"merge at frame 40 ± 0.3 s", 1, 1, Kind::merge, 37, 43},
+        {"merge at 0.5 s +- 0.1", 1, 1, Kind::merge, 5, 7},
+        {"merge at 0.5 s +- 2 frames", 1, 1, Kind::merge, 4, 8},
+        {"merge on the bounds at frame 12..13", 1, 1, Kind::merge, 12, 13},
     };
     for (const auto& c : cases) {
         SCOPED_TRACE(c.text);
@@ -55,6 +72,16 @@ TEST(Statement, SaysHowManyOfWhatAndWhen) {
             EXPECT_EQ(statement.frames.hi, c.to);
     }
     EXPECT_TRUE(parse_statement("nothing else", fps).is_nothing_else);
+}
+
+TEST(Statement, OneToleranceIsThatOfAllLoneFrames) {
+    const auto frames = [](const char* text) { return parse_statement(text, fps, 2.5).frames; };
+    EXPECT_NEAR(frames("merge at frame 40").lo, 37.5, 2e-6);
+    EXPECT_NEAR(frames("merge at frame 40").hi, 42.5, 2e-6);
+    EXPECT_NEAR(frames("merge at 0.5 s").lo, 3.5, 2e-6);
+    EXPECT_NEAR(frames("merge at frame 40 +- 1").lo, 39, 2e-6) << "its own goes before";
+    EXPECT_NEAR(frames("merge at frame 40..41").lo, 40, 2e-6) << "ends of spans are exact";
+    EXPECT_EQ(frames("merge").lo, -HUGE_VAL);
 }
 
 TEST(Statement, EveryKindHasItsWords) {
@@ -79,7 +106,15 @@ TEST(Statement, MistakesSayWhatWouldBeRight) {
         {"at frame 12 merge", "what happens comes before when"},
         {"at least merges", "'at least' needs a whole number"},
         {"merge frame 12", "'frame' is not when; write \"at frame 12\""},
-        {"merge at 12", "'12' is not what a time begins with"},
+        {"merge at 12", "12 of what? Write \"frame 12\" or \"12 s\""},
+        {"merge at 12..13", "12..13 of what? Write \"frame 12..13\" or \"12..13 s\""},
+        {"merge at noon", "'noon' is not what a time begins with"},
+        {"merge at frame end", "write a span that ends there: \"at frame 119..end\""},
+        {"merge after frame end", "no time is after the end"},
+        {"merge at frame 12 +-", "'+-' needs a number"},
+        {"merge at frame 12 +- -1", "'+-' needs a number"},
+        {"merge on bounds", "write \"2 births on the bounds\""},
+        {"merge at frame end..12", "ends before it begins"},
         {"merge at frame", "ends where a number should be"},
         {"merge at frame x", "'x' is no number"},
         {"merge at frame nan", "'nan' is no number"},
@@ -128,6 +163,50 @@ TEST(Statement, HoldsOrFailsByACompleteTimeline) {
     EXPECT_EQ(judged({"merge at frame 12..13"}, timeline).why,
               "found 0; the nearest is a merge at frame 10.5");
     EXPECT_EQ(judged({"merge"}, timeline).why, "found 2");
+}
+
+TEST(Statement, IsOfEventsInsideOrOnTheBounds) {
+    TimelineRecord record = story(); // merges 10.5, 20.25; tunnel 40.2 to 90.7
+    Timeline& timeline = record.timeline;
+    timeline.events[1].stratum = 2;
+    for (const char* text :
+         {"merge on the bounds", "merge inside at frame 10.5", "one event on the bounds",
+          "3 events inside", "no split on the bounds", "2 merges"}) {
+        EXPECT_EQ(judged({text}, timeline).truth, Truth::holds) << text;
+    }
+    for (const char* text : {"merge inside at frame 20.25", "no merge on the bounds",
+                             "2 merges inside", "merge on the bounds at frame 10.5"}) {
+        EXPECT_EQ(judged({text}, timeline).truth, Truth::fails) << text;
+    }
+    EXPECT_EQ(judged({"3 events inside", "nothing else"}, timeline).why,
+              "there is merge at frame 20.25");
+    EXPECT_EQ(judged({"3 events inside", "event on the bounds", "nothing else"}, timeline).truth,
+              Truth::holds);
+    // Kinds that are known together only may be the other way round.
+    timeline = complete({2, 0, 0}, {event_at(11.5, Kind::merge), event_at(12, Kind::tunnel_forms)})
+                   .timeline;
+    timeline.events[0].time = {1.0, 1.09};
+    timeline.events[1].time = {1.05, 1.2};
+    timeline.events[0].stratum = 2;
+    for (Event& event : timeline.events) event.kind_proof = "together";
+    EXPECT_EQ(judged({"merge on the bounds"}, timeline).truth, Truth::open);
+    EXPECT_EQ(judged({"no tunnel forms on the bounds"}, timeline).truth, Truth::open);
+    EXPECT_EQ(judged({"event on the bounds"}, timeline).truth, Truth::holds);
+    EXPECT_EQ(judged({"merge on the bounds", "tunnel forms", "nothing else"}, timeline).truth,
+              Truth::open);
+}
+
+TEST(Statement, TheEndIsThatOfTheSearch) {
+    const Timeline timeline = story().timeline; // frames 1 to 101, tunnel closes at 90.7
+    EXPECT_EQ(judged({"tunnel closes at frame 90..end"}, timeline).truth, Truth::holds);
+    EXPECT_EQ(judged({"2 merges at frame start..21"}, timeline).truth, Truth::holds);
+    EXPECT_EQ(judged({"no event at frame 91..end"}, timeline).truth, Truth::holds);
+    EXPECT_EQ(judged({"no event at frame 90..end"}, timeline).truth, Truth::fails);
+    EXPECT_EQ(judged({"no event at frame 120..end"}, timeline).truth, Truth::open);
+    EXPECT_EQ(judged({"no split at frame start..120"}, timeline).truth, Truth::open);
+    Timeline across = timeline;
+    across.events[3].time = {9.9, 10.1}; // over the end
+    EXPECT_EQ(judged({"tunnel closes at frame 90..end"}, across).truth, Truth::open);
 }
 
 TEST(Statement, NothingElseCountsWhatNobodyMeant) {

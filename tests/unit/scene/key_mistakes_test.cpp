@@ -51,7 +51,8 @@ TEST_F(KeyMistakes, UnknownKeysFarFromAnyAreToldWhatThereIs) {
         {ball_and("[weather]\nrain = 1"),
          "scene.toml:15: weather: unknown key; known here: ambient, arrays, "
          "camera, environment, fog, ground, isolation, lights, look, "
-         "material, occlusion, output, parameters, sections, surface, time, title"},
+         "material, occlusion, output, parameters, sections, surface, surfaces, time, "
+         "title"},
     });
 }
 
@@ -104,8 +105,7 @@ TEST_F(KeyMistakes, SectionsThatAreNoTables) {
          "scene.toml:1: camera: must be a table: [camera]\n"
          "scene.toml:11: old: unknown key; known here: ambient, arrays, camera, environment, "
          "fog, ground, isolation, lights, look, material, occlusion, output, parameters, sections, "
-         "surface, "
-         "time, title"},
+         "surface, surfaces, time, title"},
         {ball_with(7, "bounds = 3"),
          "scene.toml:7: surface.bounds: must be a table: [surface.bounds]"},
         {"arrays = 3\n" + ball(), "scene.toml:1: arrays: must be a table: [arrays]"},

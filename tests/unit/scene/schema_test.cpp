@@ -39,6 +39,7 @@ const Case cases[] = {
      "[surface]\nformula = 'x'\n[surface.bounds]\nsphere = 1\n{} = 1\n"},
     {"surface.transform", "/definitions/transform",
      "[surface]\nformula = 'x'\nbounds = {{ sphere = 1 }}\n[surface.transform]\n{} = 1\n"},
+    {"surfaces", "/properties/surfaces/items", "[[surfaces]]\nformula = 'x'\n{} = 1\n"},
     {"isolation", "/properties/isolation", "[surface]\nformula = 'x'\n[isolation]\n{} = 1\n"},
     {"camera", "/properties/camera", "[surface]\nformula = 'x'\n[camera]\n{} = 1\n"},
     {"lights", "/properties/lights/items",

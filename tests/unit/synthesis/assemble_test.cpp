@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "formula/glsl/glsl.h"
+#include "scene/surfaces.h"
 #include "scenes.h"
 #include "synthesis/shader_files.h"
 #include "synthesis/shader_text.h"
@@ -109,6 +110,38 @@ scene::Scene called(std::string scene, const Called& more, const std::string& va
     return scene_of(text);
 }
 
+// Two surfaces of one scene that mirror, shade and hide each other; # is a value.
+scene::Scene two_surfaces(const std::string& value) {
+    const char* described = R"(
+[[surfaces]]
+name = "one"
+formula = "x^2 + y^2 + z^2 - r"
+bounds = { sphere = 2 }
+parameters = { r = # }
+material = { reflection = "self", color = [#, 1, 0] }
+[[surfaces]]
+name = "other"
+formula = "x*y*z - r"
+bounds = { sphere = 2, centre = [#, 0, 0] }
+parameters = { r = # }
+material = { color = [1, #, 0] }
+[[lights]]
+direction = [#, 1, 1]
+shadow = true
+[occlusion]
+[ground]
+height = -#
+)";
+    std::string text;
+    for (const char* c = described; *c != 0; ++c) text += *c == '#' ? value : std::string(1, *c);
+    return scene_of(text);
+}
+
+std::vector<Passes> passes_of_surfaces(const scene::Scene& scene) {
+    return {assemble(scene::of_surface(scene, 0), {Channel::surface}),
+            assemble(scene::of_surface(scene, 1), {Channel::surface})};
+}
+
 TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
     std::vector<Channel> channels = every_channel;
     channels.push_back(Channel::velocity);
@@ -126,6 +159,12 @@ TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
     }
     const Passes polynomial = assemble(scene_of(surface_text("x") + "certify = true\n"));
     for (const Pass& pass : polynomial.list) roles.insert(pass.role);
+    const std::vector<Passes> one = passes_of_surfaces(two_surfaces("0.25"));
+    const std::vector<Passes> other = passes_of_surfaces(two_surfaces("0.5"));
+    for (std::size_t k = 0; k < one.size(); ++k) {
+        expect_same_text(one[k], other[k]);
+        for (const Pass& pass : one[k].list) roles.insert(pass.role);
+    }
     EXPECT_EQ(roles.size(), std::size_t(Role::double_proof) + 1) << "a role that no scene has";
 }
 
@@ -370,6 +409,12 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     }
     const Passes by_compute = assemble(scene_of(surface_text("x")), {}, Stage::compute);
     add(by_compute);
+    const std::vector<Passes> of_surfaces = passes_of_surfaces(two_surfaces("0.5"));
+    for (const Passes& passes : of_surfaces) add(passes);
+    const Passes of_long_mirror =
+        assemble(scene_of(surface_text(long_formula()) + "[material]\nreflection = 'environment'\n"
+                                                         "[environment]\nmap = 'studio.exr'\n"));
+    add(of_long_mirror);
     // probe/ asks about a driver, whatever the scene: render::arithmetic.
     std::set<std::string> of_scenes = shader_files();
     std::erase_if(of_scenes, [](const std::string& name) { return name.starts_with("probe/"); });

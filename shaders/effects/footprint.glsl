@@ -1,0 +1,31 @@
+// How far the normal turns within a pixel: mirrors and highlights are blurred by as much, so that
+// none glitters where the surface is curved strongly (Tokuyoshi & Kaplanyan 2019). Needs
+// surface_point.glsl and field_hessian().
+//
+// The normals of a pixel that turns by T are as wide as facets of alpha^2 = T^2 / 12: those of an
+// even spread over it.
+
+// Of what is being lit: added to alpha^2.
+float footprint_alpha2 = 0.0;
+
+// `width`: of the beam that comes along `direction`. 2 where the normal has no slope.
+float turn_of_normal(SurfacePoint p, vec3 direction, float width) {
+    if (p.on_ground) return 0.0;
+#ifdef SECTIONS
+    if (p.cap >= 0) return 0.0;
+#endif
+    Hessian f = field_hessian(p.position);
+    mat3 h = mat3(f.xx, f.xy, f.xz, f.xy, f.yy, f.yz, f.xz, f.yz, f.zz);
+    vec3 n = p.normal;
+    vec3 across = cross(direction, n);
+    vec3 axis = abs(n.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
+    vec3 u = normalize(dot(across, across) > 1.0e-6 ? across : cross(axis, n));
+    vec3 v = cross(n, u);
+    vec3 hu = h * u, hv = h * v;
+    hu -= dot(hu, n) * n;
+    hv -= dot(hv, n) * n;
+    // Along the ray the beam is cut slantwise.
+    float slant = max(-dot(direction, n), 0.1);
+    float turn = width / p.steepness * sqrt(dot(hu, hu) + dot(hv, hv) / (slant * slant));
+    return turn < 2.0 ? turn : 2.0; // of NaN too
+}

@@ -1,0 +1,7 @@
+// The answers of the shadow rays from what mirrored rays met.
+uniform sampler2D mirrored_shadow_texture;
+
+float mirrored_visibility(int k) {
+    int hidden = int(texelFetch(mirrored_shadow_texture, ivec2(pixel_centre), 0).y);
+    return ((hidden >> k) & 1) == 0 ? 1.0 : 0.0;
+}

@@ -1,0 +1,17 @@
+// The list for the proof of a block whose rays' ways lie between two depths, and of which a place at
+// the depth `at` is in the list's part. Roots from `first` on are surrounded by that part.
+void choose_list_of_block(Beam way, ivec2 block, float first, float last, float at) {
+    ivec2 texel = beam_texel(block * BLOCK / PARENT_BLOCK, PARENT_SQUARE_BITS);
+    vec4 part = texelFetch(beam_texture, texel, 0);
+    vec4 lists = texelFetch(beam_lists_texture, texel, 0);
+    vec2 x, y, z;
+    bool meets = box_of(way, at, at, x, y, z);
+    bool holds = meets && first >= part.x && last <= part.y;
+    if (!holds) {
+        enter_all_elements();
+        return;
+    }
+    vec2 list = last <= part.w ? lists.zw : texelFetch(beam_all_texture, texel, 0).xy;
+    if (last <= part.z) list = lists.xy;
+    enter_list_of_proof(list, x, y, z);
+}

@@ -1,0 +1,17 @@
+// The list for the proof of a ray that ended there; after enter_beam(). A root whose surroundings
+// reach out of the part where lists hold is proved with all elements.
+void choose_list_of_proof(Ray ray, Ending ended) {
+    float around = tube.w + 2.0 * tube.z;
+    float end = ended.hit ? ended.t + around : ray.t_far;
+    bool holds = !ended.hit || ended.t - around > ray.t_near && end < ray.t_far;
+    if (!holds) {
+        enter_all_elements();
+        return;
+    }
+    vec2 list = end <= beam_lists.middle_end ? beam_lists.middle : beam_lists.all;
+    if (end <= beam_lists.front_end) list = beam_lists.front;
+    vec3 p = ray_point(ray, ended.hit ? ended.t : 0.5 * (ray.t_near + ray.t_far));
+    vec2 rounding = vec2(-tube.z, tube.z);
+    enter_list_of_proof(list, REAL2(p.x + rounding), REAL2(p.y + rounding),
+                        REAL2(p.z + rounding));
+}

@@ -1,0 +1,17 @@
+// What is kept of an end, in the formula coordinates of this surface; load_as_it_is() has those of the
+// surface that it is on. SURFACES is their number. Needs load_surface.glsl.
+uniform sampler2D surface_texture_3;
+uniform vec4 surface_moves[3 * SURFACES]; // three rows for each, from its coordinates to these
+
+SurfacePoint load_surface() {
+    SurfacePoint p = load_as_it_is();
+    int k = 3 * int(texelFetch(surface_texture_3, ivec2(pixel_centre), 0).z);
+    vec4 x = surface_moves[k], y = surface_moves[k + 1], z = surface_moves[k + 2];
+    float scale = length(x.xyz);
+    vec4 at = vec4(p.position, 1.0);
+    p.position = vec3(dot(x, at), dot(y, at), dot(z, at));
+    p.normal = vec3(dot(x.xyz, p.normal), dot(y.xyz, p.normal), dot(z.xyz, p.normal)) / scale;
+    p.offset *= scale;
+    p.pixel *= scale;
+    return p;
+}

@@ -1,0 +1,6 @@
+// What all surfaces leave of the light from everywhere, see occlusion.frag.
+uniform sampler2D occlusion_texture;
+
+float openness(SurfacePoint p) {
+    return p.on_ground ? 1.0 : texelFetch(occlusion_texture, ivec2(pixel_centre), 0).x;
+}

@@ -1,0 +1,12 @@
+// Colours of this surface as it is seen in a mirror, itself on any surface.
+layout(location = 0) out vec4 seen;
+
+uniform sampler2D mirrored_texture_3;
+
+void main() {
+    SurfacePoint q = load_mirrored();
+    bool is_own = int(texelFetch(mirrored_texture_3, ivec2(pixel_centre), 0).z) == SURFACE;
+    if (!is_own || !(is_on_surface(q) || q.on_ground)) discard;
+    vec3 direction = reflect(pixel_ray().direction, load_surface().normal);
+    seen = vec4(seen_again(q, hit_of(q), direction), 1.0);
+}

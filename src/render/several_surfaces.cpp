@@ -1,0 +1,140 @@
+#include "render/several_surfaces.h"
+
+#include "render/motion.h"
+
+namespace isomotion::render {
+namespace {
+
+using synthesis::Role;
+
+constexpr int kept_textures = 4; // of what is kept of an end, see shaders/surfaces/nearest.glsl
+
+const scene::SceneAt& surface_of(const scene::SceneAt& now, int index) {
+    return index == 0 ? now : now.others[std::size_t(index - 1)];
+}
+
+// From the eye along the camera's axis to the plane where t is 0, in formula coordinates.
+double depth_of(const scene::Rays& rays) {
+    return glm::dot(rays.axis, glm::normalize(glm::cross(rays.up, rays.right)));
+}
+
+} // namespace
+
+synthesis::Uniforms uniforms_among(const scene::SceneAt& now, int index, int width, int height,
+                                   const scene::Aim& aim) {
+    const scene::SceneAt& own = surface_of(now, index);
+    // Differences in double: the planes may be near each other and far from the eye.
+    const double own_depth = depth_of(scene::rays(own, width, height, aim));
+    const double first_depth = depth_of(scene::rays(now, width, height, aim));
+    const double unit = own.placement.scale / now.placement.scale;
+    const glm::dvec4 way(unit, (unit * own_depth - first_depth) / own_depth, 0, 0);
+
+    std::vector<glm::vec4> moves;
+    for (int k = 0; k <= int(now.others.size()); ++k) {
+        // A place on this surface stays to the bit.
+        const auto rows = k == index ? std::array{glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0),
+                                                  glm::vec4(0, 0, 1, 0)}
+                                     : change_of_place(surface_of(now, k).placement, own.placement);
+        moves.insert(moves.end(), rows.begin(), rows.end());
+    }
+    return {{"surface_way", glm::vec4(way)}, {"surface_moves", std::move(moves)}};
+}
+
+SeveralSurfaces::Relay::Relay(const MarchPlan& tile, int attachments)
+    : targets{gpu::Target(tile.tile_width, tile.tile_height, attachments),
+              gpu::Target(tile.tile_width, tile.tile_height, attachments)} {}
+
+SeveralSurfaces::SeveralSurfaces(std::vector<SurfacePasses*> all)
+    : all_(std::move(all))
+    , rays_(all_.size())
+    , ends_(all_.front()->plan.march, kept_textures) {
+    const MarchPlan& tile = all_.front()->plan.march;
+    for (const SurfacePasses* one : all_) {
+        eye_.emplace_back(one->passes, tile);
+        if (one->passes.has(Role::shadow)) shadow_.emplace_back(one->passes, tile);
+        if (one->passes.has(Role::mirror)) mirror_.emplace_back(one->passes, tile);
+    }
+    if (!mirror_.empty()) {
+        mirrored_.emplace(tile, kept_textures);
+        seen_.emplace(tile.tile_width, tile.tile_height);
+    }
+    if (all_.front()->passes.has(Role::occlusion)) open_.emplace(tile, 1);
+}
+
+void SeveralSurfaces::find_ends(const PictureInputs& inputs, const gpu::Rectangle& tile,
+                                const gpu::Target& result, int& draws) {
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+        SurfacePasses& one = *all_[k];
+        one.bind();
+        one.draw_beams(k == 0 ? inputs : inputs.others[k - 1], tile);
+        one.table.bind_numbered("surface_texture", ends_.last());
+        rays_[k] = &one.marcher.march(one.table, Role::march, tile, eye_[k], result, draws);
+        one.table.draw(one.table.program(Role::surface), tile, ends_.next());
+    }
+}
+
+void SeveralSurfaces::see_in_mirrors(const gpu::Rectangle& tile, const gpu::Target& result,
+                                     const gpu::Texture* environment, int& draws) {
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+        SurfacePasses& one = *all_[k];
+        one.bind();
+        one.table.bind_numbered("surface_texture", ends_.last());
+        one.marcher.march(one.table, Role::mirror, tile, mirror_[k], result, draws);
+        one.table.bind_numbered("mirrored_texture", mirrored_->last());
+        one.table.draw(one.table.program(Role::mirror_surface), tile, mirrored_->next());
+    }
+    seen_->clear(0);
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+        SurfacePasses& one = *all_[k];
+        one.bind();
+        if (environment) one.table.bind("environment_map", *environment);
+        one.table.bind_numbered("state_texture", *rays_[k]);
+        one.table.bind_numbered("surface_texture", ends_.last());
+        one.table.bind_numbered("mirrored_texture", mirrored_->last());
+        one.table.draw(one.table.program(Role::seen), tile, *seen_);
+    }
+}
+
+// Returns the states of the last surface's shadow rays, which tell all that is hidden.
+const gpu::Target* SeveralSurfaces::cast_shadows(const gpu::Rectangle& tile,
+                                                 const gpu::Target& result, int& draws) {
+    const gpu::Target* ended = nullptr;
+    for (std::size_t k = 0; k < shadow_.size(); ++k) {
+        SurfacePasses& one = *all_[k];
+        one.bind();
+        one.table.bind_numbered("surface_texture", ends_.last());
+        if (ended) one.table.bind("shadow_texture", ended->texture(1));
+        ended = &one.marcher.march(one.table, Role::shadow, tile, shadow_[k], result, draws);
+    }
+    return ended;
+}
+
+void SeveralSurfaces::look_around(const gpu::Rectangle& tile) {
+    for (SurfacePasses* one : all_) {
+        one->bind();
+        one->table.bind_numbered("surface_texture", ends_.last());
+        one->table.bind("occlusion_texture", open_->last().texture(0));
+        one->table.draw(one->table.program(Role::occlusion), tile, open_->next());
+    }
+}
+
+void SeveralSurfaces::draw(const PictureInputs& inputs, const gpu::Rectangle& tile,
+                           const gpu::Target& result, const gpu::Texture* environment, int& draws) {
+    find_ends(inputs, tile, result, draws);
+    if (mirrored_) see_in_mirrors(tile, result, environment, draws);
+    const gpu::Target* hidden = cast_shadows(tile, result, draws);
+    if (open_) look_around(tile);
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+        SurfacePasses& one = *all_[k];
+        one.bind();
+        if (environment) one.table.bind("environment_map", *environment);
+        one.table.bind_numbered("state_texture", *rays_[k]);
+        one.table.bind_numbered("surface_texture", ends_.last());
+        if (seen_) one.table.bind("seen_texture", seen_->texture(0));
+        if (hidden) one.table.bind("shadow_texture", hidden->texture(1));
+        if (open_) one.table.bind("occlusion_texture", open_->last().texture(0));
+        one.table.draw(one.table.program(Role::shade), tile, result);
+    }
+}
+
+} // namespace isomotion::render

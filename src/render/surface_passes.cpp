@@ -1,0 +1,144 @@
+#include "render/surface_passes.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "scene/error.h"
+#include "scene/surfaces.h"
+#include "synthesis/inlined_size.h"
+
+namespace isomotion::render {
+namespace {
+
+using synthesis::Channel;
+
+// Texels that the buffer of an array with lists may have: beams write lists into it as a storage
+// block and others read them as a texture. Elements are told by floats, too.
+int texels_for_lists(const gpu::ContextInfo& info) {
+    return std::min({info.max_texture_buffer_size,
+                     info.max_storage_block_size / int(sizeof(glm::vec4)), 1 << 24});
+}
+
+// Drivers of hardware have compilers of their own: the limit is of Mesa's for processors.
+const synthesis::Passes& checked(const synthesis::Passes& passes, const gpu::ContextInfo& info) {
+    if (info.software) synthesis::check_size(passes);
+    return passes;
+}
+
+// Each surface keeps the states of its rays: smaller tiles keep that in bounds.
+constexpr int largest_tile_of_several = 512;
+
+void expect_known_to_several(const scene::Scene& scene, const RenderOptions& options) {
+    const bool wants_velocity = std::ranges::count(options.channels, Channel::velocity) > 0;
+    if (wants_velocity) scene::expect_one_surface(scene, "the channel velocity");
+    const bool certifies =
+        scene.isolation.certify || std::ranges::any_of(scene.others, [](const auto& other) {
+            return other.isolation.certify;
+        });
+    if (certifies) scene::expect_one_surface(scene, "isolation.certify");
+}
+
+} // namespace
+
+PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& options,
+                               const gpu::ContextInfo& info)
+    : scene(std::move(surface))
+    , passes(synthesis::assemble(scene, options.channels, choose_stage(options.stage, info),
+                                 info.has(4, 3), options.finest_beam, options.tells_endings))
+    , plan(plan_scene(scene, checked(passes, info), options.width, options.height,
+                      info.max_texture_size, options.plan)) {
+    const bool too_little = plan.march.evaluations_per_pass <= 1; // to end a ray in one draw
+    if (too_little) passes = synthesis::without_fused_pass(std::move(passes));
+}
+
+std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const RenderOptions& options,
+                                          const gpu::ContextInfo& info) {
+    expect_known_to_several(scene, options);
+    std::vector<PlannedSurface> all;
+    for (int k = 0; k <= int(scene.others.size()); ++k)
+        all.emplace_back(scene::of_surface(scene, k), options, info);
+    if (all.size() == 1) return all;
+    int width = largest_tile_of_several, height = largest_tile_of_several;
+    for (const PlannedSurface& one : all) {
+        width = std::min(width, one.plan.march.tile_width);
+        height = std::min(height, one.plan.march.tile_height);
+    }
+    for (PlannedSurface& one : all) {
+        one.plan.march.tile_width = width;
+        one.plan.march.tile_height = height;
+    }
+    return all;
+}
+
+SurfacePasses::SurfacePasses(PlannedSurface planned, const RenderOptions& options,
+                             const gpu::ContextInfo& info, std::function<void()> stop_if_asked)
+    : planned_(std::move(planned))
+    , table(passes)
+    , marcher(passes, scene, plan, std::move(stop_if_asked))
+    , frame_(sizeof(FrameBlock))
+    , shading_((7 + 2 * scene.lights.size()) * sizeof(glm::vec4))
+    , threads_(options.threads)
+    , most_listed_(std::size_t(info.max_texture_buffer_size)) {
+    const int texels = texels_for_lists(info);
+    const int elements = passes.arrays.empty() ? 0 : passes.arrays[0].capacity;
+    if (!passes.beams.empty()) beams.emplace(passes, scene, plan.march, texels, elements);
+    int listed = beams ? beams->listed() : 0;
+    if (passes.light_beams != 0) {
+        light_beams.emplace(passes, scene, light_pixels(options.width, options.height), texels,
+                            elements + listed);
+        listed += light_beams->listed();
+    }
+    field.emplace(passes, listed);
+    if (const auto array = synthesis::array_with_grid(passes))
+        grid_maker_ = elements::GridMaker::of(*scene.surface.field, *array);
+}
+
+InputLayout SurfacePasses::layout(int width, int height) const {
+    const int light_side =
+        light_beams ? std::min(light_beams->most_pixels(), light_pixels(width, height)) : 0;
+    InputLayout all{passes, width, height, light_side};
+    if (!grid_maker_) return all;
+    all.grid = &*grid_maker_;
+    all.most_elements_at_a_place = plan.most_elements_at_a_place;
+    all.grid_limits.threads =
+        threads_ > 0 ? threads_ : std::max(1, int(std::thread::hardware_concurrency()));
+    all.grid_limits.listed = std::min(all.grid_limits.listed, most_listed_);
+    return all;
+}
+
+PictureInputs SurfacePasses::prepare(const scene::SceneAt& now, const scene::Aim& aim,
+                                     const Motion* motion, int width, int height,
+                                     SharedField& field_of_frame) {
+    return picture_inputs(scene, now, aim, motion, layout(width, height), element_radius_,
+                          field_of_frame);
+}
+
+void SurfacePasses::upload(const PictureInputs& inputs, int width, int height) {
+    frame_.update(std::as_bytes(std::span(&inputs.eye.frame, 1)));
+    table.bind("Frame", frame_);
+    shading_.update(std::as_bytes(std::span(inputs.shading)));
+    table.bind("Shading", shading_);
+    field->upload(table, *inputs.field);
+    table.set(inputs.effects);
+    if (light_beams) {
+        light_beams->draw(table, inputs.lights, layout(width, height).light_pixels,
+                          field->listed());
+    }
+}
+
+void SurfacePasses::bind() {
+    table.bind("Frame", frame_);
+    table.bind("Shading", shading_);
+    field->bind(table);
+    if (light_beams) light_beams->bind(table);
+}
+
+void SurfacePasses::draw_beams(const PictureInputs& inputs, const gpu::Rectangle& tile) {
+    if (!beams) return;
+    if (keeps_beams) return beams->bind(table, "beam");
+    beams->draw(table, inputs.eye.beams, {0, 0, tile.width, tile.height}, {tile.x, tile.y},
+                field->listed());
+}
+
+} // namespace isomotion::render

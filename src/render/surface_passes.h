@@ -1,0 +1,72 @@
+// One surface as it is drawn: its passes, compiled once, and what they are drawn from.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "gpu/context.h"
+#include "render/beam_pass.h"
+#include "render/field_buffers.h"
+#include "render/frame_inputs.h"
+#include "render/light_beams.h"
+#include "render/pass_table.h"
+#include "render/ray_marcher.h"
+#include "render/renderer.h"
+#include "render/scene_plan.h"
+
+namespace isomotion::render {
+
+// A surface's passes, and how pictures are cut into draws of them.
+struct PlannedSurface {
+    PlannedSurface(scene::Scene surface, const RenderOptions& options,
+                   const gpu::ContextInfo& info);
+
+    scene::Scene scene;
+    synthesis::Passes passes;
+    ScenePlan plan;
+};
+
+// Those of all surfaces of a scene, the first one's first, by tiles of one size. Throws SceneError
+// for what several surfaces can't have.
+std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const RenderOptions& options,
+                                          const gpu::ContextInfo& info);
+
+class SurfacePasses {
+public:
+    SurfacePasses(PlannedSurface planned, const RenderOptions& options,
+                  const gpu::ContextInfo& info, std::function<void()> stop_if_asked);
+
+    InputLayout layout(int width, int height) const;
+    PictureInputs prepare(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion,
+                          int width, int height, SharedField& field_of_frame);
+
+    // Uploads what a picture is drawn from, and binds it.
+    void upload(const PictureInputs& inputs, int width, int height);
+    // Binds it again: passes of another surface have their own at the same places.
+    void bind();
+    void draw_beams(const PictureInputs& inputs, const gpu::Rectangle& tile);
+
+private:
+    PlannedSurface planned_;
+
+public:
+    scene::Scene& scene = planned_.scene;
+    const synthesis::Passes& passes = planned_.passes;
+    const ScenePlan& plan = planned_.plan;
+    PassTable table;
+    RayMarcher marcher;
+    std::optional<FieldBuffers> field;
+    std::optional<BeamPass> beams;
+    bool keeps_beams = false;
+    std::optional<LightBeams> light_beams;
+
+private:
+    gpu::UniformBuffer frame_, shading_;
+    ElementRadius element_radius_;
+    std::optional<elements::GridMaker> grid_maker_;
+    int threads_;
+    std::size_t most_listed_;
+};
+
+} // namespace isomotion::render

@@ -1,0 +1,81 @@
+// Numbers, vectors and functions of POV-Ray's scene files, as formulas of isomotion.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/reading/pov_words.h"
+
+namespace isomotion::scene {
+
+// A number as the text of a formula. What is a plain number in the file has a value.
+struct PovNumber {
+    enum class Strength { sum, product, power, atom }; // how its parts hold together
+
+    std::string text = "0";
+    Strength strength = Strength::atom;
+    std::optional<double> value = 0.0;
+
+    static PovNumber of(double value);
+    // Its text is no more than its value.
+    bool is_plain() const;
+};
+
+// One number, or the parts of a vector or a colour.
+using PovValue = std::vector<PovNumber>;
+
+// Reads expressions. Names are those that the file declares; a declared number is a parameter,
+// which formulas name.
+class PovValues {
+public:
+    // Declares what stands after "=": true, and the value is read; false for what is no value.
+    bool declare(const std::string& name, PovCursor& at);
+
+    // `for_what`: "camera", as messages name where a value is wrong.
+    PovValue value(PovCursor& at, std::string_view for_what);
+    PovNumber number(PovCursor& at, std::string_view for_what);
+    // A single number stands for all three.
+    std::vector<PovNumber> vector(PovCursor& at, std::string_view for_what);
+    double constant(PovCursor& at, std::string_view for_what);
+    // The body of "function { ... }", braces included, of x, y and z.
+    PovNumber function(PovCursor& at);
+
+    bool is_color(const PovWord& word) const;
+    bool is_declared(const std::string& name) const { return values_.contains(name); }
+
+    struct Parameter {
+        std::string name, text;
+        std::size_t line = 0;
+    };
+    const std::vector<Parameter>& parameters() const { return parameters_; }
+
+private:
+    struct Function {
+        std::vector<std::string> arguments;
+        std::size_t body = 0; // the word after its opening brace
+    };
+    using Arguments = std::map<std::string, PovNumber>;
+
+    PovValue sum(PovCursor& at);
+    PovValue product(PovCursor& at);
+    PovValue signed_value(PovCursor& at);
+    PovValue power(PovCursor& at);
+    PovValue part(PovCursor& at);
+    PovValue named(PovCursor& at);
+    PovValue list(PovCursor& at);
+    std::vector<PovNumber> call(PovCursor& at, const std::string& name);
+    PovNumber call_declared(PovCursor& at, const std::string& name);
+    void expect_short(const PovValue& value, const PovCursor& at) const;
+    void declare_function(const std::string& name, PovCursor& at);
+
+    std::map<std::string, PovValue> values_;
+    std::map<std::string, Function> functions_;
+    std::vector<Parameter> parameters_;
+    const Arguments* arguments_ = nullptr; // within a function
+    std::string for_what_;
+    int depth_ = 0;
+};
+
+} // namespace isomotion::scene

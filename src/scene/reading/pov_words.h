@@ -1,0 +1,54 @@
+// The words of POV-Ray's scene description language.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isomotion::scene {
+
+struct PovWord {
+    enum class Kind { name, number, text, sign, end };
+
+    Kind kind{};
+    std::string text; // "sphere", "0.5", "{"; of a directive "#declare"
+    double number = 0;
+    std::size_t line = 0; // from 0
+
+    bool is(std::string_view what) const { return text == what && kind != Kind::text; }
+};
+
+// All words of a file, without its comments; the last is the end. Throws SceneError.
+std::vector<PovWord> pov_words(std::string_view text, const std::filesystem::path& file);
+
+// The words that a reader is at. Names what is wrong by file and line.
+class PovCursor {
+public:
+    PovCursor(const std::vector<PovWord>& words, const std::filesystem::path& file)
+        : words_(&words)
+        , file_(&file) {}
+
+    const PovWord& now() const { return (*words_)[at_]; }
+    const PovWord& next() const { return (*words_)[at_ + 1 < words_->size() ? at_ + 1 : at_]; }
+    bool at_end() const { return now().kind == PovWord::Kind::end; }
+    PovWord take();
+    bool take_if(std::string_view what);
+    // `for_what`: "sphere", as messages name what it is missing in.
+    void expect(std::string_view what, std::string_view for_what);
+    // From an opening brace, bracket or parenthesis to behind the one that closes it.
+    void skip_group(std::string_view for_what);
+
+    std::size_t place() const { return at_; }
+    void go_to(std::size_t place) { at_ = place; }
+
+    [[noreturn]] void fail(std::string_view key, std::string_view message) const;
+
+private:
+    const std::vector<PovWord>* words_;
+    const std::filesystem::path* file_;
+    std::size_t at_ = 0;
+};
+
+} // namespace isomotion::scene

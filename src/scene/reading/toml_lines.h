@@ -1,0 +1,37 @@
+// What other programs' scene files become: TOML with each key in the line that it comes from.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace isomotion::scene {
+
+// Keys with values, each in a line of its own.
+class TomlLines {
+public:
+    explicit TomlLines(std::size_t count)
+        : lines_(count) {}
+
+    // Counts lines from 0. In a line that is taken already, or beyond the last, behind all others.
+    void put(std::size_t line, const std::string& key, const std::string& value);
+    std::string text() const;
+
+private:
+    std::vector<std::string> lines_;
+};
+
+// As TOML has them.
+std::string toml_text(const std::string& text);
+std::string toml_text(const glm::dvec3& v);
+
+// Whether the name stands in the text by itself: a in "2a*x", not in "tan(x)".
+bool names_word(std::string_view text, std::string_view name);
+
+// Of an sRGB colour, from 0 to 1, and of one of its parts.
+double to_linear(double srgb);
+glm::dvec3 to_linear(const glm::dvec3& srgb);
+
+} // namespace isomotion::scene

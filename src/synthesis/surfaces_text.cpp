@@ -1,0 +1,106 @@
+#include "synthesis/surfaces_text.h"
+
+#include <fmt/format.h>
+
+namespace isomotion::synthesis {
+
+bool has_mirrored_rays(const scene::Scene& scene) {
+    return scene.material.reflection == scene::Material::Reflection::self ||
+           scene.among.mirrors != 0;
+}
+
+void add_load_surface(ShaderText& text, const scene::Scene& scene) {
+    if (!is_among(scene)) {
+        text.file("effects/load_surface.glsl");
+        return;
+    }
+    text.generated("ends as they are kept by another name", "#define load_surface load_as_it_is\n");
+    text.file("effects/load_surface.glsl");
+    text.generated("and in these coordinates by its", "#undef load_surface\n");
+    text.define("SURFACES", scene.among.count);
+    text.file("surfaces/load_moved.glsl");
+}
+
+void add_mirror_ray(ShaderText& text, const scene::Scene& scene) {
+    if (!is_among(scene)) {
+        text.file("effects/mirror_ray.glsl");
+        return;
+    }
+    text.generated("any pixel's mirrored ray by another name", "#define pixel_ray mirrored_ray\n");
+    text.file("effects/mirror_ray.glsl");
+    text.generated("and that of a mirror by its", "#undef pixel_ray\n");
+    text.define("MIRRORS", scene.among.mirrors);
+    text.file("surfaces/mirror_ray.glsl");
+}
+
+namespace {
+
+bool ends_before(const scene::Scene& scene, Origin origin) {
+    return is_among(scene) && !is_first(scene) && origin == Origin::eye;
+}
+
+} // namespace
+
+void begin_entrance(ShaderText& text, const scene::Scene& scene, Origin origin) {
+    if (!ends_before(scene, origin)) return;
+    text.generated("what this surface's own bounds leave by another name",
+                   "#define enter_beam enter_own_beam\n");
+}
+
+void end_entrance(ShaderText& text, const scene::Scene& scene, Origin origin) {
+    if (!ends_before(scene, origin)) return;
+    text.generated("and what is not behind others by its", "#undef enter_beam\n");
+    text.file("surfaces/eye_way.glsl");
+    text.file("surfaces/enter_before.glsl");
+}
+
+void add_store_nearest(ShaderText& text, const scene::Scene& scene, Origin origin) {
+    const bool of_eye = origin == Origin::eye;
+    text.define("SURFACE", scene.among.index);
+    text.file(of_eye ? "surfaces/eye_way.glsl" : "surfaces/mirror_way.glsl");
+    text.file("surfaces/nearest.glsl");
+    if (is_first(scene)) {
+        text.file("surfaces/first.glsl");
+        return;
+    }
+    const char* kind = of_eye ? "surface" : "mirrored";
+    std::string samplers, reads;
+    for (int k = 0; k < 4; ++k) {
+        samplers += fmt::format("uniform sampler2D {}_texture_{};\n", kind, k);
+        reads += fmt::format("    if (k == {0}) return texelFetch({1}_texture_{0}, "
+                             "ivec2(pixel_centre), 0);\n",
+                             k, kind);
+    }
+    // Mirrored rays have declared none of these.
+    text.generated("generated: the nearest so far",
+                   samplers + "vec4 before(int k) {\n" + reads + "    return vec4(0.0);\n}\n");
+    text.file("surfaces/next.glsl");
+}
+
+void begin_shadow_after_others(ShaderText& text, const scene::Scene& scene, int mask) {
+    if (!is_among(scene) || is_first(scene)) return;
+    text.file("surfaces/shadow_begin.glsl");
+    text.generated("rays begin after those of others, for the lights that these leave",
+                   fmt::format("#define state_at after_others\n"
+                               "#undef SHADOWS\n#define SHADOWS ({} & ~s.verdict)\n",
+                               mask));
+}
+
+Pass occlusion_pass(const scene::Scene& scene, const Passes& passes) {
+    ShaderText text;
+    add_field(text, *scene.surface.field, passes, {FieldFunction::value, FieldFunction::gradient});
+    add_ray(text, scene);
+    if (!scene.sections.empty()) text.file("section/distance.glsl");
+    text.file("effects/surface_point.glsl");
+    add_load_surface(text, scene);
+    text.define("SURFACE", scene.among.index);
+    text.generated("generated: what the surfaces before leave",
+                   is_first(scene) ? "float open_before() {\n    return 1.0;\n}\n"
+                                   : "uniform sampler2D occlusion_texture;\n"
+                                     "float open_before() {\n    return texelFetch("
+                                     "occlusion_texture, ivec2(pixel_centre), 0).x;\n}\n");
+    text.file("surfaces/occlusion.frag");
+    return std::move(text).pass(Role::occlusion, "occlusion", When::once_a_tile);
+}
+
+} // namespace isomotion::synthesis

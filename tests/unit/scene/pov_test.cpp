@@ -1,0 +1,203 @@
+// Files of POV-Ray as scenes.
+#include "testing.h"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "formula/field.h"
+#include "scene/reading/pov.h"
+#include "scene/scene_at.h"
+
+namespace isomotion::scene {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* pov_ball = R"(// a ball that is cut by waves
+#version 3.7;
+#include "colors.inc"
+global_settings { assumed_gamma 1.0 }
+#declare R = 2; /* a comment /* in a comment */ */
+#declare Wave = function(a, b) { sin(3*a) * b }
+camera {
+  location <0, 1, -4>
+  look_at <0, 1, 0>
+  angle 60
+}
+background { rgb <0.1, 0.2, 0.3> }
+light_source { <5, 8, -4> color rgb <1, 0.5, 0> }
+isosurface {
+  function { x*x + y*y*2 + pow(z, 2) - R^2 + Wave(x + 1, 0.1) }
+  threshold 0.5
+  contained_by { box { <-3, -2, -1>, <3, 2, 1> } }
+  pigment { color Red }
+  rotate 90*y
+  translate <0, 1, 0>
+}
+)";
+
+std::string with(const std::string& part, const std::string& instead) {
+    std::string text = pov_ball;
+    return text.replace(text.find(part), part.size(), instead);
+}
+
+Scene scene_of(const std::string& text) { return load_text(text, "ball.pov"); }
+
+std::string mistake_of(const std::string& text) {
+    try {
+        scene_of(text);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "nothing is wrong";
+}
+
+glm::dvec3 vector(const animation::Values& values, const Vec3Track& track) {
+    return {values.tracks[std::size_t(track[0])], values.tracks[std::size_t(track[1])],
+            values.tracks[std::size_t(track[2])]};
+}
+
+// What a scene's formula is at a place, in its own coordinates.
+double value_at(const std::string& text, const glm::dvec3& place) {
+    const Scene scene = scene_of(text);
+    const SceneAt now = at(scene, scene.timeline.values(1));
+    formula::Evaluator<double> evaluator(scene.surface.field->value);
+    double value = 0;
+    evaluator.point(formula::convert<double>(now.bindings), std::array{place.x, place.y, place.z},
+                    {&value, 1});
+    return value;
+}
+
+// Its y is up, as our z is.
+TEST(Pov, FormulaParametersAndBounds) {
+    const Scene scene = scene_of(pov_ball);
+    const SceneAt now = at(scene, scene.timeline.values(1));
+    EXPECT_EQ(scene.title, "ball");
+    EXPECT_EQ(now.bindings.parameters.front(), 2);
+    ASSERT_EQ(now.bounds.shape, Bounds::Shape::box);
+    EXPECT_EQ(now.bounds.max, glm::dvec3(3, 1, 2));
+    const glm::dvec3 p(0.3, -0.4, 0.7); // their x, z and y
+    const double expected =
+        p.x * p.x + 2 * p.z * p.z + p.y * p.y - 4 + 0.1 * std::sin(3 * (p.x + 1)) - 0.5;
+    EXPECT_NEAR(value_at(pov_ball, p), expected, 1e-12);
+}
+
+TEST(Pov, CameraLightsAndColours) {
+    const Scene scene = scene_of(pov_ball);
+    const auto values = scene.timeline.values(1);
+    EXPECT_EQ(vector(values, *scene.camera.position), glm::dvec3(0, -4, 1));
+    EXPECT_EQ(vector(values, *scene.camera.target), glm::dvec3(0, 0, 1));
+    EXPECT_EQ(vector(values, scene.camera.up), glm::dvec3(0, 0, 1));
+    // 60 degrees across a picture of 4 : 3.
+    EXPECT_NEAR(values.tracks[std::size_t(scene.camera.fov)],
+                2 * std::atan(0.75 * std::tan(M_PI / 6)) * 180 / M_PI, 1e-9);
+    ASSERT_EQ(scene.lights.size(), 1);
+    EXPECT_EQ(vector(values, scene.lights[0].direction), glm::dvec3(5, -4, 8));
+    EXPECT_NEAR(vector(values, scene.lights[0].color).y, 0.3, 1e-12);
+    EXPECT_TRUE(scene.lights[0].shadow);
+    EXPECT_EQ(vector(values, scene.material.color), glm::dvec3(1, 0, 0));
+    EXPECT_EQ(scene.output.background, (std::array<double, 3>{0.1, 0.2, 0.3}));
+    EXPECT_EQ(scene.output.height, 480);
+}
+
+// A point of the object and where POV-Ray takes it: x to -z by 90 degrees about y, then up.
+TEST(Pov, TransformsTakePointsWherePovRayDoes) {
+    const Scene scene = scene_of(pov_ball);
+    const SceneAt now = at(scene, scene.timeline.values(1));
+    const auto taken = [&](const glm::dvec3& p) { return now.placement.to_world(p); };
+    EXPECT_NEAR(glm::length(taken({1, 0, 0}) - glm::dvec3(0, -1, 1)), 0, 1e-9);
+    EXPECT_NEAR(glm::length(taken({0, 1, 0}) - glm::dvec3(1, 0, 1)), 0, 1e-9);
+    const Scene turned = scene_of(with("rotate 90*y", "scale 2 rotate <30, 40, 50>"));
+    const SceneAt then = at(turned, turned.timeline.values(1));
+    // Rz Ry Rx in POV-Ray's axes, of the point (1, 2, 3) times 2.
+    const glm::dvec3 a = glm::radians(glm::dvec3(30, 40, 50)), c = glm::cos(a), s = glm::sin(a);
+    glm::dvec3 p(2, 4, 6);
+    p = {p.x, c.x * p.y - s.x * p.z, s.x * p.y + c.x * p.z};
+    p = {c.y * p.x + s.y * p.z, p.y, -s.y * p.x + c.y * p.z};
+    p = {c.z * p.x - s.z * p.y, s.z * p.x + c.z * p.y, p.z};
+    const glm::dvec3 ours = then.placement.to_world({1, 3, 2});
+    EXPECT_NEAR(glm::length(ours - glm::dvec3(p.x, p.z, p.y + 1)), 0, 1e-9);
+}
+
+TEST(Pov, PolynomialsHaveTheirTermsInPovRaysOrder) {
+    const glm::dvec3 p(0.7, -0.3, 1.1); // x, z and y
+    const double x = p.x, y = p.z, z = p.y;
+    std::string list;
+    double expected = 0;
+    int k = 0;
+    for (const double term :
+         {x * x * x, x * x * y, x * x * z, x * x,     x * y * y, x * y * z, x * y,
+          x * z * z, x * z,     x,         y * y * y, y * y * z, y * y,     y * z * z,
+          y * z,     y,         z * z * z, z * z,     z,         1.0}) {
+        ++k;
+        list += fmt::format("{}{}", k > 1 ? ", " : "", k % 3 - 1.5 + k);
+        expected += (k % 3 - 1.5 + k) * term;
+    }
+    EXPECT_NEAR(value_at("cubic { <" + list + "> }", p), expected, 1e-9);
+    EXPECT_NEAR(value_at("poly { 3, <" + list + "> sturm }", p), expected, 1e-9);
+    EXPECT_NEAR(value_at("quadric { <1, 2, 3>, <4, 5, 6>, <7, 8, 9>, -10 }", p),
+                x * x + 2 * y * y + 3 * z * z + 4 * x * y + 5 * x * z + 6 * y * z + 7 * x + 8 * y +
+                    9 * z - 10,
+                1e-9);
+}
+
+TEST(Pov, TheClockMoves) {
+    const Scene scene =
+        scene_of("isosurface { function { x*x + y*y + z*z - 1 - clock } rotate 360*clock*y }");
+    EXPECT_EQ(scene.timeline.frames, 31);
+    const SceneAt end = at(scene, scene.timeline.values(16));
+    EXPECT_NEAR(end.bindings.parameters.front(), 0.5, 1e-12);
+    EXPECT_NEAR(glm::length(end.placement.rotate * glm::dvec3(1, 0, 0) - glm::dvec3(-1, 0, 0)), 0,
+                1e-9);
+}
+
+TEST(Pov, DeclaredObjectsAndLooks) {
+    const Scene scene = scene_of("#declare Red_ = texture { pigment { rgb <1, 0, 0> } finish "
+                                 "{ phong 1 } }\n#declare Ball = quadric { <1, 1, 1>, 0, 0, -1 "
+                                 "texture { Red_ } }\nobject { Ball }\n");
+    EXPECT_EQ(vector(scene.timeline.values(1), scene.material.color), glm::dvec3(1, 0, 0));
+    EXPECT_EQ(scene.material.model, Material::Model::blinn_phong);
+}
+
+TEST(Pov, MistakesHaveTheLinesOfTheFile) {
+    const auto expect = [](const std::string& text, const std::string& start) {
+        EXPECT_THAT(mistake_of(text), testing::StartsWith("ball.pov:" + start));
+    };
+    expect(with("x*x + y", "x*x + q"), "15: function: 'q' is not declared before");
+    expect(with("Wave(x", "Wav(x"), "15: function: the function Wav is not read; read are min");
+    expect(with("isosurface {", "julia_fractal {"), "14: julia_fractal: is not read; a scene is");
+    expect(with("angle 60", "fisheye"), "11: camera: 'fisheye' is not read; read are location");
+    expect(with("rotate 90*y", "scale <1, 2, 1>"), "19: scale: must be one number");
+    expect(with("pigment { color Red }", "pigment { checker }"), "18: pigment: its pattern");
+    expect(with("\"colors.inc\"", "\"my.inc\""), "3: #include: \"my.inc\" is not read: put");
+    expect(with("global_settings {", "#while (1) {"), "4: #while: is not read; read are #declare");
+    expect(with("in a comment */ */", "in a comment */"), "5: /*: this comment has no end");
+    expect(pov_ball + std::string("sphere { 0, 1 }"), "22: sphere: is not read");
+    expect("camera { location <0, 0, 0> }", "1: isosurface: is missing; a scene is one");
+    expect("cubic { <1, 2, 3> }", "1: cubic: needs 20 numbers");
+    expect("isosurface { function { x", "1: function: needs '}' before 'the end of the file'");
+    EXPECT_THAT(mistake_of(with("look_at", "look_at <1, 2>+")), HasSubstr("ball.pov:9: look_at"));
+}
+
+// No file takes long to refuse or to read.
+TEST(Pov, HostileFilesEnd) {
+    std::string deep = "isosurface { function { ", calls = "#declare f = function(x) { x + x }\n";
+    for (int k = 0; k < 100'000; ++k) deep += "(";
+    EXPECT_THAT(mistake_of(deep), HasSubstr("in one another"));
+    EXPECT_THAT(mistake_of("#declare f = function(x) { f(x) }\nisosurface { function { f(x) } }"),
+                HasSubstr("in one another"));
+    std::string nested = "x";
+    for (int k = 0; k < 24; ++k) nested = "f(" + nested + ")";
+    EXPECT_THAT(mistake_of(calls + "isosurface { function { " + nested + " } }"),
+                HasSubstr("too long a formula"));
+    for (const char* text : {"", "#", "#declare", "#declare a", "#declare a =", "object {",
+                             "camera {", "poly { 2.5, <1> }", "poly { 35, <1> }", "\"", "<", "}",
+                             "isosurface { function { x.y } }", "light_source { <1, 2> }",
+                             "plane { x, 1 }", "quadric { <1,2,3>", "#declare f = function(x"})
+        EXPECT_THAT(mistake_of(text), testing::StartsWith("ball.pov:")) << text;
+}
+
+} // namespace
+} // namespace isomotion::scene

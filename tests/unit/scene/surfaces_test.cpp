@@ -1,0 +1,154 @@
+// Several surfaces of a scene file: what is their own, what they share, and what is refused.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "scene/error.h"
+#include "scene/reading/load.h"
+#include "scene/scene_at.h"
+#include "scene/surfaces.h"
+
+namespace isomotion::scene {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Scene read(const std::string& text, const std::vector<Override>& overrides = {}) {
+    return load_text(text, "scene.toml", overrides);
+}
+
+std::string message_of(const std::string& text, const std::vector<Override>& overrides = {}) {
+    try {
+        read(text, overrides);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+const std::string two = R"([[surfaces]]
+name = "ball"
+formula = "x^2 + y^2 + z^2 - r^2"
+bounds = { sphere = 2 }
+parameters = { r = "0.5*size" }
+[[surfaces]]
+name = "ring"
+use = "torus"
+parameters = { a = 0.2 }
+transform = { translate = [5, 0, 0], scale = 2 }
+isolation = { method = "interval" }
+material = { color = [0, 1, 0] }
+[parameters]
+size = 2
+c = 1.5
+[material]
+color = [1, 0, 0]
+)";
+
+double parameter(const Scene& scene, const char* name) {
+    const auto& animation = scene.timeline.animation;
+    return animation.at(0).tracks[std::size_t(animation.find(name).value())];
+}
+
+TEST(Surfaces, HaveTheirOwnAndWhatTheyShare) {
+    const Scene scene = read(two);
+    EXPECT_THAT(surface_names(scene), ElementsAre("ball", "ring"));
+    ASSERT_EQ(scene.others.size(), 1);
+    const Scene& ring = scene.others[0];
+    EXPECT_EQ(scene.among.count, 2);
+    EXPECT_EQ(ring.among.index, 1);
+    EXPECT_EQ(parameter(scene, "r"), 1);
+    EXPECT_EQ(parameter(ring, "a"), 0.2);
+    EXPECT_EQ(parameter(ring, "c"), 1.5); // shared, before the catalogue's
+    EXPECT_EQ(scene.isolation.method, Method::hermite);
+    EXPECT_EQ(ring.isolation.method, Method::interval);
+    const SceneAt now = at(scene, scene.timeline.values(1));
+    EXPECT_EQ(now.material_color, glm::dvec3(1, 0, 0));
+    EXPECT_EQ(now.others[0].material_color, glm::dvec3(0, 1, 0));
+    EXPECT_EQ(now.others[0].placement.scale, 2);
+}
+
+TEST(Surfaces, TheCameraSeesAll) {
+    const Scene scene = read(two);
+    const SceneAt now = at(scene, scene.timeline.values(1));
+    const SceneAt& ring = now.others[0];
+    EXPECT_EQ(now.camera, ring.camera);
+    const double slope = std::sin(glm::radians(0.5 * now.camera.fov));
+    const double way = glm::length(now.camera.target - now.camera.position);
+    for (const SceneAt* surface : {&now, &ring}) {
+        const glm::dvec3 middle = surface->placement.to_world(surface->bounds.centre);
+        const double reach = glm::length(middle - now.camera.target) +
+                             surface->bounds.radius * surface->placement.scale;
+        EXPECT_LE(reach, way * slope * (1 + 1e-9));
+    }
+}
+
+TEST(Surfaces, OneInTheListIsASceneOfOne) {
+    const Scene scene = read("[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - 1\"\n");
+    EXPECT_TRUE(scene.others.empty());
+    EXPECT_EQ(scene.among.count, 1);
+    EXPECT_NO_THROW(expect_one_surface(scene, "a page"));
+}
+
+TEST(Surfaces, AreSetByNameAndNumber) {
+    EXPECT_EQ(parameter(read(two, {"size=4"}), "r"), 2);
+    EXPECT_EQ(parameter(read(two, {"a=0.25"}).others[0], "a"), 0.25);
+    EXPECT_EQ(parameter(read(two, {"r=3*size"}), "r"), 6);
+    EXPECT_EQ(parameter(read(two, {"surfaces.ring.parameters.a=0.3"}).others[0], "a"), 0.3);
+    EXPECT_EQ(parameter(read(two, {"surfaces.2.parameters.a=0.4"}).others[0], "a"), 0.4);
+    const Scene moved = read(two, {"surfaces.ring.transform.scale=3"});
+    EXPECT_EQ(at(moved, moved.timeline.values(1)).others[0].placement.scale, 3);
+    EXPECT_THAT(message_of(two, {"surfaces.rung.jumps=true"}), HasSubstr("name or the number"));
+}
+
+TEST(Surfaces, OneAloneIsASceneOfItsOwn) {
+    const Scene scene = read(two);
+    const Scene ring = alone(scene, surface_named(scene, "ring"));
+    EXPECT_TRUE(ring.others.empty());
+    EXPECT_EQ(ring.among.count, 1);
+    EXPECT_NO_THROW(at(ring, ring.timeline.values(1)));
+    EXPECT_THROW(surface_named(scene, "rung"), SceneError);
+    try {
+        expect_one_surface(scene, "a page");
+        FAIL();
+    } catch (const SceneError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("2 surfaces (ball, ring), and a page knows one"));
+    }
+}
+
+TEST(Surfaces, MistakesHaveTheirLine) {
+    const std::string ball = "[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - 1\"\n";
+    EXPECT_THAT(message_of(ball + "[[surfaces]]\nformula = \"x +\"\n"), HasSubstr("scene.toml:4:"));
+    EXPECT_THAT(message_of(ball + "colour = 1\n"), HasSubstr("scene.toml:3: surfaces[1].colour"));
+    EXPECT_THAT(message_of(ball + "name = \"\"\n"), HasSubstr("surfaces[1].name"));
+    EXPECT_THAT(message_of(ball + ball + "name = \"1\"\n"), HasSubstr("name of another"));
+    EXPECT_THAT(message_of(ball + "[surface]\nformula = \"x\"\n"),
+                HasSubstr("beside [[surfaces]]"));
+    EXPECT_THAT(message_of(ball + ball + "[parameters]\nm = 1\n"),
+                HasSubstr("parameters.m: no surface's formula"));
+    EXPECT_THAT(message_of(ball + ball + "parameters = { m = 1 }\n"),
+                HasSubstr("uses this parameter"));
+    EXPECT_THAT(message_of(ball + ball + "isolation = { certify = true }\n"),
+                HasSubstr("know one surface"));
+    EXPECT_THAT(message_of("surfaces = 3\n"), HasSubstr("[[surfaces]] above"));
+    std::string many;
+    for (int k = 0; k < 9; ++k) many += ball;
+    EXPECT_THAT(message_of(many), HasSubstr("at most 8"));
+}
+
+TEST(Surfaces, AreWhereTheFirstOneHasThem) {
+    const Scene scene = read(two + "[camera]\nposition = [3, -9, 2]\n");
+    SceneAt now = at(scene, scene.timeline.values(1));
+    now.placement.translate = {7, 1, 2}; // of the first
+    now.placement.scale = 0.5;
+    const SceneAt there = in_formula_coordinates(now);
+    for (const glm::dvec3 place : {glm::dvec3(0), glm::dvec3(1, 2, 3)}) {
+        const glm::dvec3 world = now.others[0].placement.to_world(place);
+        const glm::dvec3 moved = there.others[0].placement.to_world(place);
+        EXPECT_LT(glm::length(now.placement.to_local(world) - moved), 1e-12);
+    }
+    EXPECT_EQ(there.others[0].camera, there.camera);
+}
+
+} // namespace
+} // namespace isomotion::scene
