@@ -2,8 +2,10 @@
 // none glitters where the surface is curved strongly (Tokuyoshi & Kaplanyan 2019). Needs
 // surface_point.glsl and field_hessian().
 //
-// The normals of a pixel that turns by T are as wide as facets of alpha^2 = T^2 / 12: those of an
-// even spread over it.
+// The normals of a pixel that turns by T count as facets of alpha^2 = T^2 / 192. An even spread over
+// T has the variance T^2 / 12, but GGX's tails then carry lamps far beyond it: the chrome blobby
+// was twice as bright at 96x96 as the mean of 144 rays a pixel. With 192 it is 1.4 times as bright,
+// 1.05 times at 288x288, and nearer to that mean than without.
 
 // Of what is being lit: added to alpha^2.
 float footprint_alpha2 = 0.0;
