@@ -87,8 +87,8 @@ std::string mirrored(const scene::Scene& scene) {
     if (is_blurred) {
         text +=
             "    float own_alpha2 = footprint_alpha2, blur = mirror_alpha2();\n"
-            "    float turn = turn_of_normal(q, direction, p.pixel + q.t * sqrt(768.0 * blur));\n"
-            "    footprint_alpha2 = blur + turn * turn / 192.0;\n";
+            "    float turn = turn_of_normal(q, direction, p.pixel + q.t * sqrt(192.0 * blur));\n"
+            "    footprint_alpha2 = blur + turn * turn / 48.0;\n";
     }
     text += fmt::format("    if (is_on_surface(q) || q.on_ground) seen = lit_again(q, other, "
                         "-direction);\n"
@@ -197,7 +197,7 @@ void add_shading(ShaderText& text, const scene::Scene& scene) {
     glue += "vec3 shade(Ray ray, SurfacePoint p, Hit hit) {\n";
     if (mirrors_environment(scene)) {
         glue += "    float turn = turn_of_normal(p, ray.direction, p.pixel);\n"
-                "    footprint_alpha2 = turn * turn / 192.0;\n";
+                "    footprint_alpha2 = turn * turn / 48.0;\n";
     }
     glue += "    vec3 color = lit(p, hit, -ray.direction);\n";
     if (reflection != Reflection::none) glue += "    color = mirrored(color, ray, p, hit);\n";
