@@ -138,8 +138,9 @@ height = -#
 }
 
 std::vector<Passes> passes_of_surfaces(const scene::Scene& scene) {
-    return {assemble(scene::of_surface(scene, 0), {Channel::surface}),
-            assemble(scene::of_surface(scene, 1), {Channel::surface})};
+    const std::vector<Channel> channels{Channel::surface, Channel::ending};
+    return {assemble(scene::of_surface(scene, 0), channels),
+            assemble(scene::of_surface(scene, 1), channels)};
 }
 
 TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
@@ -412,7 +413,7 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     const std::vector<Passes> of_surfaces = passes_of_surfaces(two_surfaces("0.5"));
     for (const Passes& passes : of_surfaces) add(passes);
     const Passes of_long_mirror =
-        assemble(scene_of(surface_text(long_formula()) + "[material]\nreflection = 'environment'\n"
+        assemble(scene_of(surface_text(long_formula()) + "[material]\nreflection = 'sky'\n"
                                                          "[environment]\nmap = 'studio.exr'\n"));
     add(of_long_mirror);
     // probe/ asks about a driver, whatever the scene: render::arithmetic.
