@@ -51,6 +51,18 @@ FirstRoot nearest(std::span<const FirstRoot> roots, double apart) {
         }
         if (has_certain_root(root)) low = std::min(low, root.low);
     }
+    // Between touches that are apart there is nothing, and one interval cannot say so.
+    const auto is_touch = [&](const FirstRoot& root) {
+        return root.answer == Answer::touching && earliest(root) <= end;
+    };
+    float first_touch_high = nowhere;
+    for (const FirstRoot& root : roots) {
+        if (is_touch(root) && root.touch_low == touch_low)
+            first_touch_high = std::min(first_touch_high, root.touch_high);
+    }
+    is_open |= std::ranges::any_of(roots, [&](const FirstRoot& root) {
+        return is_touch(root) && double(root.touch_low) > double(first_touch_high) + apart;
+    });
     first.surface = -1;
     if (is_open) {
         first.answer = Answer::undecided;

@@ -137,5 +137,24 @@ TEST(Nearest, OfNeighboursTheSurfaceIsNotTold) {
     EXPECT_EQ(nearest(std::vector{far, near}, 0.01).surface, 0);
 }
 
+// Both touches in one interval would call a hit between them, where nothing is, right.
+TEST(Nearest, TouchesThatAreApartAreUndecided) {
+    FirstRoot near, far;
+    near.answer = far.answer = Answer::touching;
+    near.touch_low = 1;
+    near.touch_high = 1.1f;
+    far.touch_low = 9;
+    far.touch_high = 9.1f;
+    const FirstRoot apart = nearest(std::vector{far, near}, 0.01);
+    EXPECT_EQ(apart.answer, Answer::undecided);
+    EXPECT_EQ(apart.low, 1.0f);
+    far.touch_low = 1.05f;
+    far.touch_high = 1.2f;
+    const FirstRoot together = nearest(std::vector{far, near}, 0.01);
+    EXPECT_EQ(together.answer, Answer::touching);
+    EXPECT_EQ(together.touch_low, 1.0f);
+    EXPECT_EQ(together.touch_high, 1.2f);
+}
+
 } // namespace
 } // namespace isomotion::truth
