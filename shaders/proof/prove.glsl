@@ -19,6 +19,10 @@ ProofState conclude(ProofState s, int outcome) {
 ProofState resume_proof(ProofState s) {
     float piece = s.at_root ? 32.0 * tube.w : 4.0 * s.piece;
     s.piece = max(piece, shortest_piece);
+#ifdef LISTS
+    // What was told of F by other elements, see elements/lists.glsl, is not of every F here.
+    if (!s.at_root) s.value = 0.0;
+#endif
     s.outcome = PROOF_UNFINISHED;
     s.pieces = 0;
     return s;

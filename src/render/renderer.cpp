@@ -442,11 +442,34 @@ void Renderer::resize(int width, int height) {
     p.planes = Planes(width, height);
 }
 
+namespace {
+
+// One surface's settings after the first one's have changed: what are lengths or values of each
+// surface's own changes by the same factor, what has not changed stays.
+scene::Isolation changed_alike(scene::Isolation other, const scene::Isolation& before,
+                               const scene::Isolation& now) {
+    for (auto number : {&scene::Isolation::step, &scene::Isolation::near, &scene::Isolation::far,
+                        &scene::Isolation::horizon}) {
+        if (now.*number != before.*number && before.*number != 0)
+            other.*number *= now.*number / before.*number;
+    }
+    if (now.bisections != before.bisections) other.bisections = now.bisections;
+    if (now.safety != before.safety) other.safety = now.safety;
+    if (now.limit != before.limit) other.limit = now.limit;
+    return other;
+}
+
+} // namespace
+
 void Renderer::adjust(const scene::Isolation& settings) {
     scene::Isolation& current = parts_->own.scene.isolation;
     if (settings.method != current.method || settings.beam != current.beam ||
         settings.certify != current.certify) {
         throw std::invalid_argument("other shaders are another renderer's");
+    }
+    for (std::size_t k = 1; k < parts_->surfaces.size(); ++k) {
+        scene::Isolation& other = parts_->surfaces[k]->scene.isolation;
+        other = changed_alike(other, current, settings);
     }
     current = settings;
 }

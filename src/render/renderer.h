@@ -112,8 +112,9 @@ public:
     // pictures larger than the options' are cut into more tiles, for which the options' sides must
     // be multiples of 64, or else this throws std::invalid_argument.
     void resize(int width, int height);
-    // Other settings of the scene's method, for the next pictures. Throws std::invalid_argument for
-    // another method, beams or proofs: those are other shaders.
+    // Other settings of the scene's method, for the next pictures; those of other surfaces change
+    // alike. Throws std::invalid_argument for another method, beams or proofs: those are other
+    // shaders.
     void adjust(const scene::Isolation& settings);
     bool needs_motion() const;
     // From the next picture on rays begin where the beams of the one drawn last have them, until

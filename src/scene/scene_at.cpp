@@ -8,6 +8,7 @@
 
 #include "scene/error.h"
 #include "scene/limits.h"
+#include "scene/shared_by_surfaces.h"
 
 namespace isomotion::scene {
 namespace {
@@ -381,16 +382,7 @@ SceneAt in_formula_coordinates(SceneAt scene) {
     return scene;
 }
 
-void share(const SceneAt& from, SceneAt& to) {
-    to.camera = from.camera;
-    to.lights = from.lights;
-    to.sections = from.sections;
-    to.ground = from.ground;
-    to.fog = from.fog;
-    to.ambient = from.ambient;
-    to.occlusion = from.occlusion;
-    to.environment = from.environment;
-}
+void share(const SceneAt& from, SceneAt& to) { share_surroundings(from, to); }
 
 namespace {
 

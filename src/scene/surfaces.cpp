@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "scene/error.h"
+#include "scene/shared_by_surfaces.h"
 
 namespace isomotion::scene {
 
@@ -25,14 +26,7 @@ Scene of_surface(const Scene& scene, int index) {
             one.among.mirrors |= int(mirrors_all(scene.others[k])) << (k + 1);
     }
     if (index == 0) return one;
-    one.camera = scene.camera;
-    one.lights = scene.lights;
-    one.sections = scene.sections;
-    one.ground = scene.ground;
-    one.fog = scene.fog;
-    one.ambient = scene.ambient;
-    one.occlusion = scene.occlusion;
-    one.environment = scene.environment;
+    share_surroundings(scene, one);
     one.output = scene.output;
     return one;
 }

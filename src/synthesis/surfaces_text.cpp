@@ -14,9 +14,10 @@ void add_load_surface(ShaderText& text, const scene::Scene& scene) {
         text.file("effects/load_surface.glsl");
         return;
     }
-    text.generated("ends as they are kept by another name", "#define load_surface load_as_it_is\n");
+    text.generated("load_surface() of stored ends, renamed",
+                   "#define load_surface load_as_it_is\n");
     text.file("effects/load_surface.glsl");
-    text.generated("and in these coordinates by its", "#undef load_surface\n");
+    text.generated("load_surface() in this surface's coordinates", "#undef load_surface\n");
     text.define("SURFACES", scene.among.count);
     text.file("surfaces/load_moved.glsl");
 }
@@ -26,9 +27,9 @@ void add_mirror_ray(ShaderText& text, const scene::Scene& scene) {
         text.file("effects/mirror_ray.glsl");
         return;
     }
-    text.generated("any pixel's mirrored ray by another name", "#define pixel_ray mirrored_ray\n");
+    text.generated("mirrored rays of all pixels, renamed", "#define pixel_ray mirrored_ray\n");
     text.file("effects/mirror_ray.glsl");
-    text.generated("and that of a mirror by its", "#undef pixel_ray\n");
+    text.generated("mirrored rays of pixels that see a mirror", "#undef pixel_ray\n");
     text.define("MIRRORS", scene.among.mirrors);
     text.file("surfaces/mirror_ray.glsl");
 }
@@ -43,13 +44,13 @@ bool ends_before(const scene::Scene& scene, Origin origin) {
 
 void begin_entrance(ShaderText& text, const scene::Scene& scene, Origin origin) {
     if (!ends_before(scene, origin)) return;
-    text.generated("what this surface's own bounds leave by another name",
+    text.generated("enter_beam() by this surface's bounds, renamed",
                    "#define enter_beam enter_own_beam\n");
 }
 
 void end_entrance(ShaderText& text, const scene::Scene& scene, Origin origin) {
     if (!ends_before(scene, origin)) return;
-    text.generated("and what is not behind others by its", "#undef enter_beam\n");
+    text.generated("enter_beam() that ends at the surfaces before", "#undef enter_beam\n");
     text.file("surfaces/eye_way.glsl");
     text.file("surfaces/enter_before.glsl");
 }

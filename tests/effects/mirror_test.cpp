@@ -175,17 +175,21 @@ TEST_P(RoughMirror, ABallShowsTheMapAsBlurredAsItIsRough) {
     }
 }
 
-// Ripples about as narrow as a pixel: few pixels are far brighter than all around them.
-TEST_P(RoughMirror, RipplesDoNotGlitter) {
-    constexpr int side = 64;
-    const std::string text = fmt::format(
+// A chrome ball with ripples about as narrow as a pixel of a picture 64 pixels wide.
+std::string rippled_ball(int side) {
+    return fmt::format(
         "[surface]\nformula = \"x^2 + y^2 + z^2 - 1 - 0.01*sin(60*x)*sin(60*y)*sin(60*z)\"\n"
         "bounds = {{ sphere = 1.2 }}\n[camera]\nposition = [4, 0, 0]\ntarget = [0, 0, 0]\n"
         "up = [0, 0, 1]\nfov = 36\n[[lights]]\ndirection = [1, 0, 0.2]\ncolor = [1, 1, 1]\n"
         "[environment]\nmap = \"{}\"\n[material]\nmodel = \"ggx\"\nmetallic = 1\n"
         "color = [1, 1, 1]\nroughness = 0.1\nreflection = \"sky\"\n[output]\nsize = [{}, {}]\n",
         studio, side, side);
-    const Picture picture = draw(*context, scene_of(text));
+}
+
+// Few pixels are far brighter than all around them.
+TEST_P(RoughMirror, RipplesDoNotGlitter) {
+    constexpr int side = 64;
+    const Picture picture = draw(*context, scene_of(rippled_ball(side)));
     const auto& red = picture.frame.channels[0].samples;
     int alone = 0;
     for (int y = 1; y + 1 < side; ++y) {
@@ -203,6 +207,18 @@ TEST_P(RoughMirror, RipplesDoNotGlitter) {
     // 30 where the normal's turn within a pixel is left out. More blur leaves fewer, and a picture
     // that is brighter than what many rays a pixel see.
     EXPECT_LE(alone, 14);
+}
+
+// Blur moves light and adds little: GGX's tails are wider than what a pixel sees.
+TEST_P(RoughMirror, RipplesAreAboutAsBrightAsManyRaysSeeThem) {
+    const auto mean = [&](int side) {
+        const Picture picture = draw(*context, scene_of(rippled_ball(side)));
+        double sum = 0;
+        for (const float red : picture.frame.channels[0].samples) sum += double(red);
+        return sum / side / side;
+    };
+    const double many = mean(512);
+    EXPECT_NEAR(mean(64) / many, 1, 0.15);
 }
 
 TEST_P(Mirror, AMapThatIsNoneIsAnError) {

@@ -275,5 +275,32 @@ TEST(Surfaces, FarFromTheOriginAndFarFromTheEyeTheNearestIsKnown) {
     }
 }
 
+TEST(Surfaces, SettingsChangeAlike) {
+    const auto scene_with = [](double step, double other) {
+        const char* marching = "isolation = {{ method = \"marching\", step = {} }}";
+        return scene_of(
+            ball("one", "[-1, 0, 0]", 0.5, fmt::format(fmt::runtime(marching), step)) +
+            ball("other", "[1, 0, 0]", 0.5, fmt::format(fmt::runtime(marching), other)) + view);
+    };
+    const auto renderer_of = [](const scene::Scene& scene) {
+        RenderOptions options{64, 64, {Channel::surface}, {}};
+        return Renderer(context_of_surfaces(), scene, options);
+    };
+    const auto evaluations = [](Renderer& renderer, const scene::Scene& scene) {
+        return renderer
+            .draw(scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1))))
+            .evaluations;
+    };
+    const scene::Scene fine = scene_with(0.01, 0.02), coarse = scene_with(0.04, 0.08);
+    Renderer adjusted = renderer_of(fine), anew = renderer_of(coarse);
+    const auto before = evaluations(adjusted, fine);
+    adjusted.adjust(coarse.isolation);
+    const auto after = evaluations(adjusted, fine);
+    EXPECT_LT(after, before);
+    EXPECT_EQ(after, evaluations(anew, coarse));
+    adjusted.adjust(fine.isolation);
+    EXPECT_EQ(evaluations(adjusted, fine), before);
+}
+
 } // namespace
 } // namespace isomotion::render

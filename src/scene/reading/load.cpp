@@ -27,6 +27,8 @@
 #include "scene/reading/material.h"
 #include "scene/reading/mistakes.h"
 #include "scene/reading/named_file.h"
+#include "scene/reading/output.h"
+#include "scene/reading/overrides.h"
 #include "scene/reading/pov.h"
 #include "scene/reading/scene_text.h"
 #include "scene/reading/sections.h"
@@ -35,7 +37,6 @@
 #include "scene/reading/surface_list.h"
 #include "scene/reading/surfer.h"
 #include "scene/regions.h"
-#include "scene/renamed_keys.h"
 #include "scene/thresholds.h"
 
 namespace isomotion::scene {
@@ -69,75 +70,6 @@ fs::path locate(const std::string& scene) {
                      : fmt::format("{}: no such file, and no animation of this name; did you mean "
                                    "'{}'?",
                                    scene, near));
-}
-
-// The other name of the key `part` in the table called `section`, if the table has it under that.
-std::optional<std::string> other_name(const toml::table& table, std::string_view section,
-                                      const std::string& part) {
-    const RenamedKey* key = renamed_key(section, part);
-    if (!key || table.contains(part)) return std::nullopt;
-    const std::string_view other = part == key->now ? key->before : key->now;
-    return table.contains(other) ? std::optional(std::string(other)) : std::nullopt;
-}
-
-// --set: the value goes into the document before it is read, so that it is checked like any other.
-void override_key(toml::table& document, const Override& setting) {
-    const std::size_t equals = setting.find('=');
-    if (equals == setting.npos || equals == 0 || equals + 1 == setting.size()) {
-        throw SceneError(fmt::format("--set {}: write name=value", setting));
-    }
-    std::string path = setting.substr(0, equals);
-    const std::string value = setting.substr(equals + 1);
-    toml::table parsed;
-    try { // as TOML, else as an expression or a name: m=2.5, m="2+t", m=2+t, camera.up=[0,1,0]
-        parsed = toml::parse("value = " + value);
-    } catch (const toml::parse_error&) {
-        parsed.insert("value", value);
-    }
-    // A whole camera instead of the scene's; another look.
-    const bool is_camera = path == "camera" && parsed.get("value")->is_table();
-    const bool is_parameter = path.find('.') == path.npos;
-    if (!is_camera && is_parameter && put_own_parameter(document, path, *parsed.get("value")))
-        return;
-    const bool is_look =
-        path == "look" && parsed.get("value")->is_string() && !document.at_path("parameters.look");
-    if (!is_camera && !is_look && path.find('.') == path.npos) path = "parameters." + path;
-    // parse() without a path leaves lines but no file; documents tell by that it was the command
-    // line.
-    toml::table* table = &document;
-    const auto section_above = [&](std::size_t begin) {
-        return std::string_view(path).substr(0, begin == 0 ? 0 : begin - 1);
-    };
-    std::size_t begin = 0;
-    for (std::size_t dot = path.find('.'); dot != path.npos; dot = path.find('.', begin)) {
-        std::string part = path.substr(begin, dot - begin);
-        if (const auto other = other_name(*table, section_above(begin), part)) part = *other;
-        toml::node* next = table->get(part);
-        if (!next) {
-            table->insert(part, toml::table{});
-            next = table->get(part);
-        }
-        if (begin == 0 && part == "surfaces") { // surfaces.NAME.transform.scale=2
-            begin = dot + 1;
-            dot = path.find('.', begin);
-            const std::string name = path.substr(begin, dot - begin);
-            next = dot == path.npos ? nullptr : listed_surface(document, name);
-            if (!next) {
-                throw SceneError(
-                    fmt::format("--set {}: write surfaces.NAME.key=value, with the name "
-                                "or the number of a surface of the list",
-                                setting));
-            }
-        }
-        if (!next->is_table()) {
-            throw SceneError(fmt::format("--set {}: '{}' is not a table", setting, part));
-        }
-        table = next->as_table();
-        begin = dot + 1;
-    }
-    const std::string last = path.substr(begin);
-    if (const auto other = other_name(*table, section_above(begin), last)) table->erase(*other);
-    table->insert_or_assign(last, *parsed.get("value"));
 }
 
 // It goes to terminals, windows and into pictures.
@@ -189,72 +121,6 @@ void read_time(Section& document, Scene& scene, std::uint64_t& seed) {
     scene.timeline.frames = read_frames(*section, scene.timeline.fps);
     scene.timeline.loops = section->boolean("loop").value_or(false);
     seed = std::uint64_t(section->integer("seed", 0, 2'147'483'647).value_or(0));
-    section->refuse_rest();
-}
-
-std::array<double, 3> read_still_color(const toml::node& node, const std::string& key,
-                                       const char* right) {
-    const toml::array* list = node.as_array();
-    if (!list || list->size() != 3) fail(node, key, right);
-    std::array<double, 3> color;
-    for (std::size_t k = 0; k < 3; ++k) {
-        color[k] = read_finite(*list->get(k), key);
-        if (std::abs(color[k]) > limits::brightness)
-            fail(*list->get(k), key,
-                 fmt::format("a colour's parts are from {:g} to {:g}", -limits::brightness,
-                             limits::brightness));
-    }
-    return color;
-}
-
-SkyGradient read_gradient(Section section) {
-    const auto color = [&](const std::string& name) {
-        const toml::node* node = section.find(name);
-        if (!node) fail(section.table(), section.dotted(name), "is missing; give [r, g, b]");
-        return read_still_color(*node, section.dotted(name), "must be [r, g, b] (linear)");
-    };
-    const SkyGradient gradient{color("top"), color("bottom")};
-    section.refuse_rest();
-    return gradient;
-}
-
-void read_output(Section& document, Scene& scene) {
-    constexpr int most = limits::picture_side;
-    Output& output = scene.output;
-    output.background = {0.86, 0.86, 0.9};
-    // One picture shows no blur.
-    const bool has_wide_light =
-        std::ranges::any_of(scene.lights, [](const Light& light) { return bool(light.radius); });
-    output.samples = scene.camera.shutter > 0 || scene.camera.aperture || has_wide_light ? 16 : 1;
-    auto section = document.section("output");
-    if (!section) return;
-    if (const toml::node* node = section->find("size")) {
-        const toml::array* size = node->as_array();
-        const auto width =
-            size && size->size() == 2 ? size->get(0)->value_exact<std::int64_t>() : std::nullopt;
-        const auto height = width ? size->get(1)->value_exact<std::int64_t>() : std::nullopt;
-        if (!width || !height || *width < 1 || *height < 1 || *width > most || *height > most) {
-            fail(*node, "output.size",
-                 fmt::format("must be [width, height], integers from 1 to {}", most));
-        }
-        output.width = int(*width);
-        output.height = int(*height);
-    }
-    if (const toml::node* node = section->find("background")) {
-        if (node->value_exact<std::string>() == "transparent") {
-            output.transparent = true;
-            output.background = {0, 0, 0};
-        } else if (node->is_table()) {
-            output.gradient = read_gradient(*section->section("background"));
-        } else {
-            output.background =
-                read_still_color(*node, "output.background",
-                                 "must be [r, g, b] (linear), { top = [r, g, b], bottom = "
-                                 "[r, g, b] } or \"transparent\"");
-        }
-    }
-    output.samples = section->integer("samples", 1, limits::samples).value_or(output.samples);
-    output.poster = section->integer("poster", 1, scene.timeline.frames).value_or(1);
     section->refuse_rest();
 }
 

@@ -1,0 +1,82 @@
+#include "scene/reading/output.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "scene/limits.h"
+
+namespace isomotion::scene {
+namespace {
+
+std::array<double, 3> read_still_color(const toml::node& node, const std::string& key,
+                                       const char* right) {
+    const toml::array* list = node.as_array();
+    if (!list || list->size() != 3) fail(node, key, right);
+    std::array<double, 3> color;
+    for (std::size_t k = 0; k < 3; ++k) {
+        color[k] = read_finite(*list->get(k), key);
+        if (std::abs(color[k]) > limits::brightness)
+            fail(*list->get(k), key,
+                 fmt::format("a colour's parts are from {:g} to {:g}", -limits::brightness,
+                             limits::brightness));
+    }
+    return color;
+}
+
+SkyGradient read_gradient(Section section) {
+    const auto color = [&](const std::string& name) {
+        const toml::node* node = section.find(name);
+        if (!node) fail(section.table(), section.dotted(name), "is missing; give [r, g, b]");
+        return read_still_color(*node, section.dotted(name), "must be [r, g, b] (linear)");
+    };
+    const SkyGradient gradient{color("top"), color("bottom")};
+    section.refuse_rest();
+    return gradient;
+}
+
+} // namespace
+
+void read_output(Section& document, Scene& scene) {
+    constexpr int most = limits::picture_side;
+    Output& output = scene.output;
+    output.background = {0.86, 0.86, 0.9};
+    // One picture shows no blur.
+    const bool has_wide_light =
+        std::ranges::any_of(scene.lights, [](const Light& light) { return bool(light.radius); });
+    output.samples = scene.camera.shutter > 0 || scene.camera.aperture || has_wide_light ? 16 : 1;
+    auto section = document.section("output");
+    if (!section) return;
+    if (const toml::node* node = section->find("size")) {
+        const toml::array* size = node->as_array();
+        const auto width =
+            size && size->size() == 2 ? size->get(0)->value_exact<std::int64_t>() : std::nullopt;
+        const auto height = width ? size->get(1)->value_exact<std::int64_t>() : std::nullopt;
+        if (!width || !height || *width < 1 || *height < 1 || *width > most || *height > most) {
+            fail(*node, "output.size",
+                 fmt::format("must be [width, height], integers from 1 to {}", most));
+        }
+        output.width = int(*width);
+        output.height = int(*height);
+    }
+    if (const toml::node* node = section->find("background")) {
+        if (node->value_exact<std::string>() == "transparent") {
+            output.transparent = true;
+            output.background = {0, 0, 0};
+        } else if (node->is_table()) {
+            output.gradient = read_gradient(*section->section("background"));
+        } else {
+            output.background =
+                read_still_color(*node, "output.background",
+                                 "must be [r, g, b] (linear), { top = [r, g, b], bottom = "
+                                 "[r, g, b] } or \"transparent\"");
+        }
+    }
+    output.samples = section->integer("samples", 1, limits::samples).value_or(output.samples);
+    output.poster = section->integer("poster", 1, scene.timeline.frames).value_or(1);
+    section->refuse_rest();
+}
+
+} // namespace isomotion::scene

@@ -1,0 +1,85 @@
+#include "scene/reading/overrides.h"
+
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "scene/error.h"
+#include "scene/reading/surface_list.h"
+#include "scene/renamed_keys.h"
+
+namespace isomotion::scene {
+namespace {
+
+// The other name of the key `part` in the table called `section`, if the table has it under that.
+std::optional<std::string> other_name(const toml::table& table, std::string_view section,
+                                      const std::string& part) {
+    const RenamedKey* key = renamed_key(section, part);
+    if (!key || table.contains(part)) return std::nullopt;
+    const std::string_view other = part == key->now ? key->before : key->now;
+    return table.contains(other) ? std::optional(std::string(other)) : std::nullopt;
+}
+
+} // namespace
+
+void override_key(toml::table& document, const std::string& setting) {
+    const std::size_t equals = setting.find('=');
+    if (equals == setting.npos || equals == 0 || equals + 1 == setting.size()) {
+        throw SceneError(fmt::format("--set {}: write name=value", setting));
+    }
+    std::string path = setting.substr(0, equals);
+    const std::string value = setting.substr(equals + 1);
+    toml::table parsed;
+    try { // as TOML, else as an expression or a name: m=2.5, m="2+t", m=2+t, camera.up=[0,1,0]
+        parsed = toml::parse("value = " + value);
+    } catch (const toml::parse_error&) {
+        parsed.insert("value", value);
+    }
+    // A whole camera instead of the scene's; another look.
+    const bool is_camera = path == "camera" && parsed.get("value")->is_table();
+    const bool is_parameter = path.find('.') == path.npos;
+    if (!is_camera && is_parameter && put_own_parameter(document, path, *parsed.get("value")))
+        return;
+    const bool is_look =
+        path == "look" && parsed.get("value")->is_string() && !document.at_path("parameters.look");
+    if (!is_camera && !is_look && path.find('.') == path.npos) path = "parameters." + path;
+    // parse() without a path leaves lines but no file; documents tell by that it was the command
+    // line.
+    toml::table* table = &document;
+    const auto section_above = [&](std::size_t begin) {
+        return std::string_view(path).substr(0, begin == 0 ? 0 : begin - 1);
+    };
+    std::size_t begin = 0;
+    for (std::size_t dot = path.find('.'); dot != path.npos; dot = path.find('.', begin)) {
+        std::string part = path.substr(begin, dot - begin);
+        if (const auto other = other_name(*table, section_above(begin), part)) part = *other;
+        toml::node* next = table->get(part);
+        if (!next) {
+            table->insert(part, toml::table{});
+            next = table->get(part);
+        }
+        if (begin == 0 && part == "surfaces") { // surfaces.NAME.transform.scale=2
+            begin = dot + 1;
+            dot = path.find('.', begin);
+            const std::string name = path.substr(begin, dot - begin);
+            next = dot == path.npos ? nullptr : listed_surface(document, name);
+            if (!next) {
+                throw SceneError(
+                    fmt::format("--set {}: write surfaces.NAME.key=value, with the name "
+                                "or the number of a surface of the list",
+                                setting));
+            }
+        }
+        if (!next->is_table()) {
+            throw SceneError(fmt::format("--set {}: '{}' is not a table", setting, part));
+        }
+        table = next->as_table();
+        begin = dot + 1;
+    }
+    const std::string last = path.substr(begin);
+    if (const auto other = other_name(*table, section_above(begin), last)) table->erase(*other);
+    table->insert_or_assign(last, *parsed.get("value"));
+}
+
+} // namespace isomotion::scene
