@@ -53,7 +53,7 @@ scene::Scene apply(const Setting& setting, scene::Scene scene) {
 
 namespace {
 
-// Those that all surfaces can be marched by.
+// The methods that all surfaces can be marched by.
 std::vector<scene::Method> methods_for_all(const scene::Scene& scene) {
     std::vector<scene::Method> methods = scene::methods_for(*scene.surface.field);
     for (const scene::Scene& other : scene.others) {

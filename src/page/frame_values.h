@@ -23,8 +23,9 @@ struct FrameValues {
     ValueTable shading{"shading"};       // block Shading, std140
     ValueTable effects{"effects"};       // floats, as `effect_places` has them
     std::vector<ValueTable> arrays;      // elements, packed as the shaders read them
-    // Of the array whose elements are found by place (packed_grid.h), as many: each behind its
-    // length in bytes, a word, the least byte first. Empty if there is none.
+    // One for each frame and moment, of the array whose elements are found by place
+    // (packed_grid.h): its length in bytes as a word, the least byte first, then the grid. Empty if
+    // there is none.
     std::vector<std::byte> grids;
     std::vector<Place> view_places;
     std::vector<Place> effect_places; // plain uniforms; a count of 1 to 4 is a float to a vec4

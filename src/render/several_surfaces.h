@@ -28,7 +28,7 @@ public:
               const gpu::Texture* environment, int& draws);
 
 private:
-    // Of what each surface's pass makes from what those before made.
+    // Two targets in turn: the pass of each surface reads what the passes before it drew.
     struct Relay {
         explicit Relay(const MarchPlan& tile, int attachments);
         const gpu::Target& last() const { return targets[std::size_t(at)]; }

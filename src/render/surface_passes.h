@@ -27,8 +27,8 @@ struct PlannedSurface {
     ScenePlan plan;
 };
 
-// Those of all surfaces of a scene, the first one's first, by tiles of one size. Throws SceneError
-// for what several surfaces can't have.
+// Plans all surfaces of a scene, in the file's order, with tiles of one size. Throws SceneError for
+// what several surfaces can't have.
 std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const RenderOptions& options,
                                           const gpu::ContextInfo& info);
 

@@ -15,7 +15,7 @@ inline constexpr int most_surfaces = 8;
 
 // A surface among the others, with what all share as the first one has it now.
 Scene of_surface(const Scene& scene, int index);
-// That surface in a scene of its own.
+// The same surface in a scene of its own.
 Scene alone(const Scene& scene, int index);
 
 std::vector<std::string> surface_names(const Scene& scene);

@@ -140,7 +140,7 @@ Pass first_proof(const scene::Scene& scene, const Passes& passes) {
         add_proof(text, scene, passes, ProofBounds::natural);
         add_value_models(text, field);
     } else {
-        // Of terms of one sum, which do not cancel as a polynomial's, natural bounds are close.
+        // Terms of one sum do not cancel as a polynomial's do, so natural bounds are close.
         const auto bounds = has_lists(passes) ? ProofBounds::natural : ProofBounds::by_gradient;
         std::vector functions{FieldFunction::value_interval};
         if (bounds == ProofBounds::by_gradient)

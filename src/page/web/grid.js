@@ -3,8 +3,8 @@
 
 const countBits = 20, mostFree = 2 ** 12 - 1;
 
-// Of cells, x fastest: the distance on a chessboard to the nearest one where `is` is 0, 0 there, in
-// two passes over all cells. Outside of the grid all is as it should be.
+// The distance of each cell, x fastest, to the nearest cell where `is` is 0, as a king walks on a
+// chessboard. Two passes over all cells find it. Places outside of the grid count as 1.
 function chessboardDistances([nx, ny, nz], is) {
     const steps = new Uint16Array(is.length);
     for (let k = 0; k < is.length; ++k) steps[k] = is[k] ? mostFree : 0;

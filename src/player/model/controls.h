@@ -23,8 +23,8 @@ struct Overrides {
     bool operator==(const Overrides&) const = default;
 };
 
-// Of a scene with several surfaces each has names of its own, "NAME/m": those of one, without its
-// name, and in place of those the ones of `own`.
+// Where a scene has several surfaces, names begin with the surface's: "NAME/m". of_surface() gives
+// those of one surface without its name, put_surface() puts `own` in their place.
 Overrides of_surface(const Overrides& all, const std::string& surface);
 void put_surface(Overrides& all, const std::string& surface, const Overrides& own);
 

@@ -54,7 +54,7 @@ public:
     scene::SceneAt at(std::int64_t frame, double part = 0) const;
 
     const std::vector<SliderRange>& slider_ranges() const { return slider_ranges_.front(); }
-    // Of a scene's surface.
+    // The ranges of one surface, the first is 0.
     const std::vector<SliderRange>& slider_ranges(std::size_t surface) const {
         return slider_ranges_[surface];
     }

@@ -367,7 +367,7 @@ void parameter_sliders(const std::vector<Slider>& all, const std::vector<ArrayCo
     }
 }
 
-// Those of each surface under its name.
+// Draws the sliders of each surface under its name.
 void parameters_of_surfaces(Look& look, const Session& session, const animation::Values& values) {
     for (std::size_t k = 0; k <= session.scene().others.size(); ++k) {
         const scene::Scene& surface = k == 0 ? session.scene() : session.scene().others[k - 1];

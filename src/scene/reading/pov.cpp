@@ -586,7 +586,7 @@ private:
         return {sum.empty() ? "0" : sum, PovNumber::Strength::sum, std::nullopt};
     }
 
-    // Those that something names, by way of others as well, and the clock.
+    // Writes the clock, and the parameters that something names, also by way of others.
     void put_parameters() {
         const auto& all = values_.parameters();
         for (std::size_t k = all.size(); k-- > 0;) {

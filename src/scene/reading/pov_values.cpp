@@ -103,7 +103,7 @@ constexpr Known known_functions[] = {
     {"sqrt", 1, "sqrt({0})", std::sqrt},
     {"tan", 1, "tan({0})", std::tan},
     {"tanh", 1, "tanh({0})", std::tanh},
-    // Of functions.inc; its y is our z.
+    // functions.inc has these; its y is our z.
     {"f_sphere", 4, "(sqrt(({0})^2 + ({1})^2 + ({2})^2) - ({3}))", nullptr},
     {"f_torus", 5, "(sqrt((sqrt(({0})^2 + ({2})^2) - ({3}))^2 + ({1})^2) - ({4}))", nullptr},
 };
@@ -118,7 +118,7 @@ struct NamedColor {
     double red, green, blue;
 };
 
-// Of colors.inc.
+// colors.inc has these.
 constexpr NamedColor colors[] = {
     {"White", 1, 1, 1},
     {"Black", 0, 0, 0},
@@ -146,7 +146,7 @@ bool is_color_word(std::string_view word) {
            word == "color" || word == "colour" || word == "srgb";
 }
 
-// Of a formula here: such a declared number stays a number.
+// Whether formulas have the name already: a number declared by it stays a number.
 bool is_taken(const std::string& name) {
     return !formula::is_identifier(name) || name.size() > limits::name_bytes ||
            formula::is_reserved(name) || name == "t" || name == "i" || name == "n" ||

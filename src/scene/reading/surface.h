@@ -33,7 +33,7 @@ void make_field(SurfaceParts& parts);
 void store_elements_of(SurfaceParts& parts, std::span<const formula::Paint* const> paints);
 
 // Refuses parameters and fields that neither the formula, nor a paint, nor another value uses.
-// Those in `for_others` other surfaces may use: of them the used ones are taken out.
+// Other surfaces may use what is in `for_others`; what is used here is taken out of it.
 void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* const> paints,
                    const animation::Animation& animation, const TrackTable& tracks,
                    std::set<std::string>* for_others);

@@ -30,7 +30,7 @@ std::string toml_text(const glm::dvec3& v);
 // Whether the name stands in the text by itself: a in "2a*x", not in "tan(x)".
 bool names_word(std::string_view text, std::string_view name);
 
-// Of an sRGB colour, from 0 to 1, and of one of its parts.
+// Converts a part of an sRGB colour, from 0 to 1, or all three.
 double to_linear(double srgb);
 glm::dvec3 to_linear(const glm::dvec3& srgb);
 

@@ -45,14 +45,7 @@ std::string with(const std::string& part, const std::string& instead) {
 
 Scene scene_of(const std::string& text) { return load_text(text, "ball.pov"); }
 
-std::string mistake_of(const std::string& text) {
-    try {
-        scene_of(text);
-    } catch (const SceneError& error) {
-        return error.what();
-    }
-    return "nothing is wrong";
-}
+std::string mistake_of(const std::string& text) { return mistake_of_text(text, "ball.pov"); }
 
 glm::dvec3 vector(const animation::Values& values, const Vec3Track& track) {
     return {values.tracks[std::size_t(track[0])], values.tracks[std::size_t(track[1])],

@@ -36,14 +36,7 @@ std::string with(const std::string& line, const std::string& instead) {
 
 Scene scene_of(const std::string& text) { return load_text(text, "ball.jsurf"); }
 
-std::string mistake_of(const std::string& text) {
-    try {
-        scene_of(text);
-    } catch (const SceneError& error) {
-        return error.what();
-    }
-    return "nothing is wrong";
-}
+std::string mistake_of(const std::string& text) { return mistake_of_text(text, "ball.jsurf"); }
 
 TEST(Surfer, FormulaParametersAndBounds) {
     const Scene scene = scene_of(surfer_ball);

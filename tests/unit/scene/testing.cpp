@@ -91,4 +91,13 @@ std::string Scenes::mistake_of_name(const std::string& name) const {
     return caught([&] { load(name); });
 }
 
+std::string mistake_of_text(const std::string& text, const std::string& file) {
+    try {
+        load_text(text, file);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "nothing is wrong";
+}
+
 } // namespace isomotion::scene

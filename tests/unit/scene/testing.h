@@ -65,6 +65,9 @@ private:
     std::filesystem::path folder_;
 };
 
+// The message about a scene of another program, whose text is read as that file.
+std::string mistake_of_text(const std::string& text, const std::string& file);
+
 // A scene's text and the whole message about it.
 struct Mistake {
     std::string text, message;
