@@ -89,7 +89,9 @@ TEST(Nearest, WhatIsSaidOfAllIsSo) {
             ASSERT_LE(double(all.low), first);
             ASSERT_GE(double(all.high), first);
             ASSERT_GE(first_touch, first - 1e-6);
-            if (all.surface >= 0) ASSERT_EQ(all.surface, first_surface);
+            if (all.surface >= 0) {
+                ASSERT_EQ(all.surface, first_surface);
+            }
             break;
         case Answer::touching:
             ASSERT_EQ(all.after_is_hit, first < HUGE_VAL);
