@@ -147,6 +147,7 @@ Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& a
         for (std::size_t at = 0; at < some.size(); ++at) {
             const render::Ending& ending = some[at];
             std::vector<truth::FirstRoot> of_surfaces;
+            of_surfaces.reserve(roots.size());
             for (const auto& of_one : roots) of_surfaces.push_back(of_one[at]);
             count(ending, rays.nearest(ending.column, ending.row, of_surfaces),
                   rays.of(0).at(ending.column, ending.row).footprint, frame, found);

@@ -1,21 +1,16 @@
-// The functions of the module isomotion_codecs.so, which reads and writes files by OpenImageIO. It
-// is loaded at the first call: OpenImageIO's 260 shared libraries take a quarter of a second.
+// The functions of the module isomotion_codecs.so, which reads files by OpenImageIO. It is loaded
+// at the first call: OpenImageIO's 260 shared libraries take a quarter of a second.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
-#include <vector>
 
-#include "image/encode.h"
 #include "image/environment.h"
 #include "image/frame.h"
-#include "image/pixel_hash.h"
 
 namespace isomotion::image {
 
 struct Codecs {
-    std::vector<std::byte> (*encode)(const Frame& frame, Format format, PixelHash* hash);
     Frame (*decode)(const std::filesystem::path& file);
     std::string (*pixel_hash)(const std::filesystem::path& file);
     int (*read_environment)(const std::filesystem::path& file, const EnvironmentSink& sink,

@@ -19,6 +19,7 @@
 #include "render/surface_passes.h"
 #include "render/velocity_pass.h"
 #include "scene/surfaces.h"
+#include "synthesis/effect_text.h"
 
 namespace isomotion::render {
 namespace {

@@ -44,20 +44,31 @@ TEST_F(Installed, MissingFilesAreNamed) {
     EXPECT_THAT(ending.err, HasSubstr("set ISOMOTION_DATA"));
 }
 
-// Pictures are all that needs it.
-TEST_F(Installed, AMissingModuleOfCodecsIsNamed) {
-    std::filesystem::path module;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(*this / "prefix/lib")) {
-        if (entry.path().filename() == "isomotion_codecs.so") module = entry.path();
-    }
-    ASSERT_TRUE(std::filesystem::remove(module));
+// Pictures are all that needs them.
+TEST_F(Installed, MissingModulesAreNamed) {
+    const auto remove = [&](const std::string& module) {
+        for (const auto& entry :
+             std::filesystem::recursive_directory_iterator(*this / "prefix/lib")) {
+            if (entry.path().filename() == module) return std::filesystem::remove(entry.path());
+        }
+        return false;
+    };
     const std::string program = *this / "prefix/bin/isomotion";
-    EXPECT_EQ(run_there(program, {"list"}).code, 0);
-    const Ending ending = run_there(program, {"render", "twisting_superquadric", "--size", "16x16",
-                                              "--frames", "7", "-o", "there.png"});
-    EXPECT_EQ(ending.code, 3) << ending;
-    EXPECT_THAT(ending.err, HasSubstr("pictures cannot be read or written: isomotion_codecs.so"));
-    EXPECT_THAT(ending.err, HasSubstr("lib/isomotion"));
+    const auto expect_named = [&](const std::string& module, const Words& arguments) {
+        ASSERT_TRUE(remove(module)) << module;
+        EXPECT_EQ(run_there(program, {"list"}).code, 0);
+        const Ending ending = run_there(program, arguments);
+        EXPECT_EQ(ending.code, 3) << ending;
+        EXPECT_THAT(ending.err, HasSubstr("pictures cannot be read or written: " + module));
+        EXPECT_THAT(ending.err, HasSubstr("lib/isomotion"));
+    };
+    const Words plain{"render",   "twisting_superquadric", "--size", "16x16", "--frames", "7", "-o",
+                      "there.png"};
+    const Words mirrors{"render", "blobby75_chrome", "--size", "16x16", "--frames", "7",
+                        "-o",     "there.png"};
+    expect_named("isomotion_codecs.so", mirrors);
+    EXPECT_EQ(run_there(program, plain).code, 0);
+    expect_named("isomotion_encoders.so", plain);
 }
 
 } // namespace

@@ -3,7 +3,6 @@
 #include "base/file.h"
 #include "fuzz/scratch_file.h"
 #include "fuzz/targets.h"
-#include "image/codecs.h"
 #include "image/decode.h"
 #include "image/environment.h"
 

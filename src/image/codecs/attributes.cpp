@@ -3,48 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "image/encode.h"
-
 namespace isomotion::image::oiio {
 namespace {
-
-void check_name(const std::string& name, std::size_t longest) {
-    if (name.empty() || name.size() > longest)
-        throw ImageError(fmt::format("metadata \"{}\": a name has 1 to {} bytes", name, longest));
-}
-
-// Adds one value under a fixed name.
-struct Adder {
-    OIIO::ImageSpec& spec;
-    const std::string& name;
-
-    void operator()(const std::string& text) const { spec.attribute(name, text); }
-    void operator()(int number) const { spec.attribute(name, number); }
-    void operator()(double number) const { spec.attribute(name, OIIO::TypeDesc::DOUBLE, &number); }
-    void operator()(const Rational& ratio) const {
-        constexpr auto top = std::numeric_limits<int>::max();
-        if (ratio.numerator < -top || ratio.numerator > top || ratio.denominator < 1 ||
-            ratio.denominator > top)
-            throw ImageError(fmt::format("metadata {}: {} is not a ratio of 32-bit integers with a "
-                                         "positive denominator",
-                                         name, to_text(ratio)));
-        const std::array pair{int(ratio.numerator), int(ratio.denominator)};
-        spec.attribute(name, OIIO::TypeRational, pair.data());
-    }
-    // OpenImageIO drops arrays of doubles when it writes EXR.
-    void operator()(const std::vector<double>& numbers) const {
-        spec.attribute(name, to_text(numbers));
-    }
-};
 
 // The numbers of `[0.1, 2]`, or nothing if the text is anything else.
 std::optional<std::vector<double>> parsed_list(std::string_view text) {
@@ -88,26 +54,13 @@ bool describes_file(const OIIO::ParamValue& attribute) {
         "compression",        "PixelAspectRatio",  "ResolutionUnit", "XResolution",
         "screenWindowCenter", "screenWindowWidth", "YResolution"};
     const std::string_view name(attribute.name().c_str(), attribute.name().size());
-    if (name == "DateTime") return attribute.get_string() == no_date;
+    // Files of before had this date where their metadata had none.
+    if (name == "DateTime") return attribute.get_string() == "1970:01:01 00:00:00";
     return name.starts_with("oiio:") || name.starts_with("openexr:") || name.starts_with("png:") ||
            std::ranges::find(names, name) != names.end();
 }
 
 } // namespace
-
-void add_typed(OIIO::ImageSpec& spec, const Metadata& metadata) {
-    for (const Entry& entry : metadata) {
-        check_name(entry.name, longest_name(Format::exr));
-        std::visit(Adder{spec, entry.name}, entry.value);
-    }
-}
-
-void add_as_text(OIIO::ImageSpec& spec, const Metadata& metadata) {
-    for (const Entry& entry : metadata) {
-        check_name(entry.name, longest_name(Format::png8));
-        spec.attribute(entry.name, to_text(entry.value));
-    }
-}
 
 Metadata entries_of(const OIIO::ImageSpec& spec) {
     Metadata metadata;

@@ -5,7 +5,6 @@
 extern "C" __attribute__((visibility("default"))) const isomotion::image::Codecs*
 ISOMOTION_CODECS_FUNCTION() {
     using namespace isomotion::image;
-    static constexpr Codecs functions{oiio::encode, oiio::decode, oiio::pixel_hash,
-                                      oiio::read_environment};
+    static constexpr Codecs functions{oiio::decode, oiio::pixel_hash, oiio::read_environment};
     return &functions;
 }

@@ -433,6 +433,7 @@ std::vector<PovNumber> PovValues::call(PovCursor& at, const std::string& name) {
     at.expect(")", name);
     if (takes_any && arguments.size() >= 2) {
         std::vector<std::string> texts;
+        texts.reserve(arguments.size());
         for (const PovNumber& argument : arguments) texts.push_back(argument.text);
         return {{fmt::format("{}({})", name, fmt::join(texts, ", ")), Strength::atom, {}}};
     }

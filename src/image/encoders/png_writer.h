@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <png.h>
+
+#include "image/frame.h"
+
+namespace isomotion::image::files {
+
+// A PNG in memory, which takes its rows in order from the top.
+//
+// libpng tells of failure by a jump over the frames that called it, and no exception may pass
+// through it: each call of it is made where a jump skips no destructor.
+class PngWriter {
+public:
+    // Opaque, or with an alpha of its own by which colour is not multiplied; 8 or 16 bits a sample.
+    PngWriter(int width, int height, bool has_alpha, int bits, const Metadata& metadata);
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+    ~PngWriter();
+
+    // Interleaved samples of whole rows, in this machine's order of bytes.
+    void write_rows(const void* samples, std::size_t bytes, int rows);
+    std::vector<std::byte> finish() &&;
+
+private:
+    static void take(png_structp png, png_bytep data, std::size_t size);
+    static void fail(png_structp png, const char* reason);
+    template<class Calls> void by_libpng(Calls&& calls);
+
+    png_structp png_ = nullptr;
+    png_infop info_ = nullptr;
+    std::vector<std::byte> bytes_;
+    const char* reason_ = nullptr;
+    bool out_of_memory_ = false;
+};
+
+} // namespace isomotion::image::files
