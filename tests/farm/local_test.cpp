@@ -136,24 +136,26 @@ TEST_F(Local, AChunkThatAlwaysFailsLeavesTheOthersWhole) {
     expect_same_files("one", "many");
 }
 
-TEST_F(Local, ControlCEndsTheWorkersToo) {
+class Ended : public Local, public testing::WithParamInterface<int> {};
+INSTANTIATE_TEST_SUITE_P(Local, Ended, testing::Values(SIGINT, SIGTERM), [](const auto& signal) {
+    return signal.param == SIGINT ? "int" : "term";
+});
+
+// By Control-C or by a batch system.
+TEST_P(Ended, ASignalEndsTheWorkersToo) {
     ASSERT_EQ(run(command("render", "one", slow())).code, 0);
-    for (const int signal : {SIGINT, SIGTERM}) {
-        SCOPED_TRACE(signal);
-        fs::remove_all(*this / "many");
-        cli::Circumstances circumstances = this->circumstances();
-        circumstances.interrupt_when = [&](auto) { return frames_in("many") >= 2; };
-        circumstances.interrupt_signal = signal;
-        const Words many = command("submit", "many", slow({"--workers", "2"}));
-        const cli::Ending ending = run(many, circumstances);
-        EXPECT_EQ(ending.code, 130) << ending;
-        EXPECT_THAT(ending.err, HasSubstr("--resume"));
-        EXPECT_FALSE(works());
-        EXPECT_LT(frames_in("many"), 18u);
-        expect_only_whole_files();
-        EXPECT_EQ(run(many).code, 0);
-        expect_same_files("one", "many");
-    }
+    cli::Circumstances circumstances = this->circumstances();
+    circumstances.interrupt_when = [&](auto) { return frames_in("many") >= 2; };
+    circumstances.interrupt_signal = GetParam();
+    const Words many = command("submit", "many", slow({"--workers", "2"}));
+    const cli::Ending ending = run(many, circumstances);
+    EXPECT_EQ(ending.code, 130) << ending;
+    EXPECT_THAT(ending.err, HasSubstr("--resume"));
+    EXPECT_FALSE(works());
+    EXPECT_LT(frames_in("many"), 18u);
+    expect_only_whole_files();
+    EXPECT_EQ(run(many).code, 0);
+    expect_same_files("one", "many");
 }
 
 TEST_F(Local, WorkersEndWithTheirFarm) {

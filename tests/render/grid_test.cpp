@@ -69,30 +69,42 @@ Difference beside_all_elements(gpu::Context& context, scene::Scene scene) {
     return difference(draw(context, plain), draw(context, scene));
 }
 
+void expect_picture_of_all_elements(gpu::Context& context, const std::string& formula) {
+    const Difference found = beside_all_elements(context, elements(formula, 600));
+    EXPECT_GT(found.hits, 250) << formula;
+    EXPECT_LE(found.other_verdict, 2) << formula;
+    EXPECT_LT(found.farthest, 1e-3) << formula;
+}
+
 TEST_P(Grid, IsThePictureOfAllElements) {
     const std::string d = distance;
     for (const std::string& formula : std::vector<std::string>{
              "0.3 - sum(p, exp(-120*" + d + "))",
-             "0.3 - sum(p, w*max(0, 1 - 25*" + d + ")^3)",
-             "0.3 - sum(p, w*max(0, 1 - 12*((x-cx+y-cy)^2 + 2*(y-cy)^2 + (z-cz)^2))^3)",
              // no roots alone tell how large the sum is; a plane where it is 0
              "z - 0.3 + sum(p, max(0, 1 - 25*" + d + ")^3)",
+             "min(least(p, sqrt(" + d + ") - 0.12), z + 0.6)",
+             // no kernels of a polynomial
+             "least(p, max(max(abs(x-cx), abs(y-cy)), abs(z-cz)) - 0.1*w)",
+         }) {
+        expect_picture_of_all_elements(*context, formula);
+    }
+}
+
+TEST_P(Grid, IsThePictureOfAllElementsInOtherFormulas) {
+    const std::string d = distance;
+    for (const std::string& formula : std::vector<std::string>{
+             "0.3 - sum(p, w*max(0, 1 - 25*" + d + ")^3)",
+             "0.3 - sum(p, w*max(0, 1 - 12*((x-cx+y-cy)^2 + 2*(y-cy)^2 + (z-cz)^2))^3)",
              "sum(p, w*max(0, 1 - 20*" + d + ")^2)/(1 + sum(p, max(0, 1 - 16*" + d + ")^3)) - 0.2",
              "max(0.3 - sum(p, max(0, 1 - 25*" + d + ")^3), 0.2*y - x)",
              "least(p, sqrt(" + d + ") - 0.12*w)",
-             "min(least(p, sqrt(" + d + ") - 0.12), z + 0.6)",
              "0.4 - greatest(p, exp(-120*" + d + "))",
-             // no kernels of a polynomial
              "0.3 - sum(p, w*max(0, 1 - 4*abs(x-cx))*max(0, 1 - 5*abs(y-cy))*max(0, 1 - "
              "5*abs(z-cz)))",
-             "least(p, max(max(abs(x-cx), abs(y-cy)), abs(z-cz)) - 0.1*w)",
              "least(p, sqrt((x-cx-0.2*w*max(0, min(1, 5*(x-cx) + 3*(y-cy))))^2"
              " + (y-cy-0.1*max(0, min(1, 5*(x-cx) + 3*(y-cy))))^2 + (z-cz)^2) - 0.08)",
          }) {
-        const Difference found = beside_all_elements(*context, elements(formula, 600));
-        EXPECT_GT(found.hits, 250) << formula;
-        EXPECT_LE(found.other_verdict, 2) << formula;
-        EXPECT_LT(found.farthest, 1e-3) << formula;
+        expect_picture_of_all_elements(*context, formula);
     }
 }
 

@@ -127,17 +127,32 @@ protected:
         }
         use_shaders_of_source_tree();
     }
-    ~CompileWithGlslang() override { std::filesystem::remove(file_); }
+    ~CompileWithGlslang() override { std::filesystem::remove_all(folder_); }
 
-    void expect_valid(const std::string& text, const char* stage, const std::string& name) const {
-        std::ofstream(file_) << text;
-        const auto command = fmt::format("glslangValidator -S {} '{}'", stage, file_.string());
-        EXPECT_EQ(std::system(command.c_str()), 0) << name;
+    void add(const std::string& text, const char* stage) {
+        std::ofstream(folder_ / fmt::format("{}.{}", count_++, stage)) << text;
+    }
+    // Of all at once: to begin takes glslang longer than to read a shader. It names the files, each
+    // of which is in what it tells.
+    void expect_valid() const {
+        EXPECT_GT(count_, 0);
+        const auto command = fmt::format("cd '{}' && glslangValidator *", folder_.string());
+        if (std::system(command.c_str()) == 0) return;
+        for (const auto& file : std::filesystem::directory_iterator(folder_)) {
+            const auto alone = fmt::format("glslangValidator '{}'", file.path().string());
+            EXPECT_EQ(std::system(alone.c_str()), 0) << std::ifstream(file.path()).rdbuf();
+        }
     }
 
 private:
-    const std::filesystem::path file_ =
-        std::filesystem::temp_directory_path() / fmt::format("isomotion-glslang-{}.txt", getpid());
+    static std::filesystem::path new_folder() {
+        const auto folder =
+            std::filesystem::temp_directory_path() / fmt::format("isomotion-glslang-{}", getpid());
+        std::filesystem::create_directory(folder);
+        return folder;
+    }
+    const std::filesystem::path folder_ = new_folder();
+    int count_ = 0;
 };
 
 TEST_F(CompileWithGlslang, EveryAssembly) {
@@ -147,35 +162,37 @@ TEST_F(CompileWithGlslang, EveryAssembly) {
         EXPECT_TRUE(text.starts_with(old_version));
         return "#version 450 core" + text.substr(old_version.size());
     };
-    expect_valid(as_450(vertex_text()), "vert", "vertex");
-    for (const auto& [name, text] : fragment_texts()) expect_valid(as_450(text), "frag", name);
+    add(as_450(vertex_text()), "vert");
+    for (const auto& [name, text] : fragment_texts()) add(as_450(text), "frag");
+    expect_valid();
 }
 
 TEST_F(CompileWithGlslang, EveryPassOfBrowsers) {
     std::set<std::string> seen;
-    const auto expect_passes_valid = [&](const std::string& text) {
+    const auto add_passes = [&](const std::string& text) {
         const Passes passes = assemble(scene_of(text), {}, Stage::fragment, false, usual_beam,
                                        false, Platform::webgl);
         for (const Pass& pass : passes.list) {
-            if (seen.insert(pass.vertex).second) expect_valid(pass.vertex, "vert", pass.name);
+            if (seen.insert(pass.vertex).second) add(pass.vertex, "vert");
             if (!seen.insert(pass.text).second) continue;
             // WebGL has a choice of numbers and vectors alone.
             EXPECT_EQ(occurrences(pass.text, "? finish("), 0) << pass.name;
-            expect_valid(pass.text, "frag", pass.name);
+            add(pass.text, "frag");
         }
     };
     const std::string formula = std::string(all_operations) + " - sum(links, px*z)";
     for (const auto& method : every_method) {
         for (const auto& bounds : every_bounds) {
-            expect_passes_valid(surface_text(formula, bounds, method) + two_arrays);
+            add_passes(surface_text(formula, bounds, method) + two_arrays);
         }
     }
-    expect_passes_valid(surface_text("x^4 + y^2*z - 1", every_bounds[0], "chebyshev"));
-    expect_passes_valid(surface_text("(x^2 + y^2 - z)^2", every_bounds[0], "hermite"));
+    add_passes(surface_text("x^4 + y^2*z - 1", every_bounds[0], "chebyshev"));
+    add_passes(surface_text("(x^2 + y^2 - z)^2", every_bounds[0], "hermite"));
     for (const auto& effect : every_effect) {
-        expect_passes_valid(blobs_text(70, every_bounds[0], "hermite") + effect);
+        add_passes(blobs_text(70, every_bounds[0], "hermite") + effect);
     }
-    for (const auto& paint : every_paint) expect_passes_valid(surface_text(long_formula()) + paint);
+    for (const auto& paint : every_paint) add_passes(surface_text(long_formula()) + paint);
+    expect_valid();
 }
 
 } // namespace
