@@ -131,6 +131,7 @@ Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& a
         sections.emplace_back(surface);
         fields.push_back(fields_[k].at(surface, 1, k == 0 ? std::move(grid) : nullptr));
     }
+    finders.reserve(fields.size());
     for (const auto& field : fields) finders.push_back(field.finder(budget));
     Findings found;
     for (std::size_t first = 0; first < endings.size() && !(stop && stop());
