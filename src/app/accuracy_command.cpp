@@ -86,6 +86,7 @@ int price_effects(const AccuracyArguments& arguments) {
     const int frame = arguments.frames.empty()
                           ? scene.output.poster
                           : animation::parse_frame_range(arguments.frames).front();
+    expect_frames_of({&frame, 1}, scene);
     if (synthesis::effects(scene).empty()) {
         print_result("{} calls for no effect\n", scene.title);
         return exit_done;
@@ -110,6 +111,7 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
     accuracy::MeasureOptions measuring;
     measuring.frames = arguments.frames.empty() ? std::vector{scene.output.poster}
                                                 : animation::parse_frame_range(arguments.frames);
+    expect_frames_of(measuring.frames, scene);
     for (const int frame : measuring.frames) scene::at(scene, scene.timeline.values(frame));
     measuring.width = scene.output.width;
     measuring.height = scene.output.height;

@@ -188,6 +188,19 @@ std::vector<scene::Override> overrides(const RenderArguments& arguments) {
     return all;
 }
 
+void expect_frames_of(std::span<const int> frames, const scene::Scene& scene) {
+    const int last = scene.timeline.frames;
+    const auto beyond = std::ranges::find_if(frames, [&](int frame) { return frame > last; });
+    if (beyond == frames.end()) return;
+    throw std::invalid_argument(
+        last == 1 ? fmt::format("--frames {}: the scene has one frame, 1; --set time.frames={} "
+                                "gives it more",
+                                *beyond, *beyond)
+                  : fmt::format("--frames {}: the scene has frames 1 to {}; --set time.frames={} "
+                                "gives it more",
+                                *beyond, last, *beyond));
+}
+
 sequence::Exporter exporter_of(const RenderArguments& arguments) {
     check_amount("--max-wrong", arguments.max_wrong, wrong_pixels);
     scene::Scene scene = scene::load(arguments.scene, overrides(arguments), arguments.reach);
