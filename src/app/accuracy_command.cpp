@@ -194,7 +194,7 @@ void add_accuracy(CLI::App& app, Action& chosen) {
                      "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
         ->required();
     command->add_option("--surface", a.surface,
-                        "of a scene with [[surfaces]], the one to measure, alone; by its name");
+                        "measure this one of the scene's [[surfaces]] alone, by its name");
     command->add_option("--frames,--frame", a.frames,
                         "frames to measure: 1-10, 1-10x2, 1,3,5-9 (default: the scene's poster)");
     command->add_option("--size", a.size, "size of the picture, WIDTHxHEIGHT (default: 256x256)");

@@ -155,9 +155,9 @@ std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments
         command.add_option(
             "--stage", a.stage,
             "kind of shader that marches the rays: fragment, compute, or auto, the faster here"),
-        command.add_option(
-            "--channels", a.channels,
-            "channels beside the picture, of an EXR: z,n,p,verdict,evaluations,velocity,proof,cap"),
+        command.add_option("--channels", a.channels,
+                           "channels of an EXR beside the picture: "
+                           "z,n,p,verdict,evaluations,velocity,proof,surface,cap"),
         command.add_flag("--certify", a.certify,
                          "prove by interval arithmetic, pixel by pixel, that hits are first roots "
                          "and that misses have none; print how many are proved"),
