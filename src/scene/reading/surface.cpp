@@ -1,6 +1,7 @@
 #include "scene/reading/surface.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -129,8 +130,8 @@ std::string key_called(const std::string& name) {
           "camera.target", "camera.fov", "camera.zoom", "material.color", "material.model",
           "material.roughness", "material.metallic", "output.size", "output.background",
           "output.samples"}) {
-        const std::string dotted = key;
-        if (dotted.substr(dotted.find('.') + 1) == name) return dotted;
+        const std::string_view dotted = key;
+        if (dotted.substr(dotted.find('.') + 1) == name) return key;
     }
     return "";
 }
