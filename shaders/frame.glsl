@@ -13,5 +13,6 @@ flat in vec4 picture;    // 2/width, 2/height; the tile's lower left pixel in th
 flat in vec4 thresholds;
 // Bisections; most evaluations of a ray; the finest and the first piece of methods that bound F.
 flat in vec4 limits;
-// Of cubics: the safety, the longest step, how far rounding moves a sample, the finest step.
+// For methods by cubics: the safety, the longest step, how far rounding moves a sample, the finest
+// step.
 flat in vec4 cubics;

@@ -78,9 +78,9 @@ vec2 mean_lost_and_rim() {
     return vec2(max(lost * r * r, 1.0e-7), rim);
 }
 
-// Of facets of this reflectance, 0..1. One below 2 % is less than any matter has and fades the rim
-// too: 0 is no highlight. At each further facet light is reflected by the mean of Schlick's term,
-// and lost by the mean of what is lost.
+// How facets reflect whose reflectance straight on is 0..1. No matter has less than 2 %: a smaller
+// reflectance fades the rim, too, and 0 gives no highlight. At each further facet light is reflected
+// by the mean of Schlick's term, and lost by the mean of what is lost.
 Specular specular_of(vec3 straight, float mean_lost) {
     vec3 along = vec3(min(50.0 * max(max(straight.r, straight.g), straight.b), 1.0));
     vec3 mean = mix(straight, along, 1.0 / 21.0);

@@ -9,9 +9,10 @@ uniform sampler2D light_beam_texture;
 uniform sampler2D light_beam_lists_texture;
 uniform sampler2D light_beam_all_texture;
 #endif
-// Of each light: across its picture and up, in pixels from the middle; w of the first, half of the
-// pixels, and of the second, how far from the place that has none of these the pictures are right.
-// Depth tau; w, its unit. That place; w, what rounding may add to a depth.
+// Four vectors for each light. The first two lead across its picture and up it, in pixels from the
+// middle; their w are half of the pixels, and how far from the last vector's place the pictures are
+// right. The third gives depth tau; its w is the unit. The last is the place without any of these
+// three; its w is what rounding may add to a depth.
 uniform vec4 light_views[4 * LIGHTS];
 
 // As it is, to a light: through all elements.

@@ -17,7 +17,7 @@ int GRID_COUNT = 0, grid_first = 0;
 // through.
 int grid_entered = 0, grid_others = 0;
 
-// Of a place outside of the grid, the nearest one in it.
+// The cell that holds p; for a place outside of the grid, the nearest cell.
 ivec3 cell_of(vec3 p) {
     return clamp(ivec3(floor((p - GRID_LOW) / GRID_CELL)), ivec3(0), GRID_ACROSS - 1);
 }

@@ -1,8 +1,8 @@
-// Which elements proofs go through where beams have lists of those that matter: those of one list
-// all the way, or all. What a list leaves out of F's sum is one function of the place, at most a
-// number in size; what is told of F holds for every number up to that, added to the sum. So if all
-// of these F are free of roots in a part, or have one root each within an eighth of a pixel, with
-// the same change of sign, then F is and has.
+// Chooses the elements that proofs go through where beams have lists of those that matter: those of
+// one list all the way, or all elements. What a list leaves out of F's sum is one function of the
+// place, at most a number in size. What is proved of F holds for every number up to that one, added
+// to the sum. So if all of these F are free of roots in a part, so is F; if each has one root within
+// an eighth of a pixel, with the same change of sign, so has F.
 //
 // The number: what the three lists, one made from another, may leave out at a root (beam_list.glsl),
 // which is LEFT_OUT of what the sum is at roots, wherever in their part that is asked. A block's

@@ -26,7 +26,7 @@ REAL2 im_outwards(REAL2 r) {
     return im_widen(r, IM_ROUNDING);
 }
 
-// Of what is never negative on paper.
+// Cuts off below 0 an interval of something that is never negative on paper.
 REAL2 im_not_negative(REAL2 a) {
     return REAL2(max(a.x, 0.0), a.y);
 }

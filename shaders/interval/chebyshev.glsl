@@ -34,8 +34,8 @@ vec2 im_chebyshev(int n, vec2 a) {
     return im_with_outside(a, inside, low, high, (n & 1) == 0);
 }
 
-// Of high degrees, whose arguments stop at +-reach where numbers are concerned, and values with them,
-// at +-stop or nearly: both that and what is on paper.
+// For high degrees, whose evaluation stops arguments at +-reach, and so values at about +-stop. The
+// interval holds both those values and the ones on paper.
 vec2 im_chebyshev_stopped(int n, float reach, float stop, vec2 a) {
     vec2 r = im_chebyshev(n, a);
     vec2 right = vec2(0.5 * stop, 2.0 * stop);
@@ -100,7 +100,7 @@ vec2 im_chebyshev_slope(int n, vec2 a) {
     return im_with_outside(a, slope, low_end, high_end, even);
 }
 
-// Of a higher derivative: `bound` is its value at 1, the largest in [-1, 1].
+// Bounds a higher derivative: `bound` is its value at 1, the largest in [-1, 1].
 vec2 im_chebyshev_steep(float bound, vec2 a) {
     return IM_SELECT2(max(-a.x, a.y) <= 1.0, vec2(-bound, bound), IM_ENTIRE);
 }

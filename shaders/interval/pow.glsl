@@ -5,7 +5,7 @@
 
 #define IM_POWER_ERROR 1.90734863e-6
 
-// Of a base that isn't negative, from the kernel's results.
+// Powers of a base that isn't negative, from the kernel's results at both ends.
 vec2 im_powers(float least, float most) {
     return im_saturate(im_not_negative(im_widen(vec2(least, most), IM_POWER_ERROR)));
 }

@@ -1,6 +1,6 @@
-// Of shadow rays: any root will do, so there is no refinement (Singh & Narayanan 2010, IV-B); but a
-// root that a test only suspects, the sign being the same at both ends, must still be there in half
-// the step, down to `finest`.
+// Shadow rays by the paper's methods: any root will do, so there is no refinement (Singh & Narayanan
+// 2010, IV-B). But a root that a test only suspects, where the sign is the same at both ends, must
+// still be there in half the step, down to `finest`.
 
 const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2;
 

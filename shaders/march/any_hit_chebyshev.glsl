@@ -1,4 +1,4 @@
-// Of shadow rays: the first root, as the root's sample must agree.
+// Shadow rays by `chebyshev` look for the first root, since the sample at the root must agree.
 
 const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2;
 

@@ -1,4 +1,4 @@
-// Of shadow rays: any root will do, so a ray that begins to close in on one is hidden.
+// Shadow rays: any root will do, so a ray that begins to close in on one is hidden.
 
 const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2, RAY_IS_SOLVED = 3;
 

@@ -1,8 +1,8 @@
-// Which part of their way the rays of a block of BLOCK x BLOCK pixels need to march: one fragment a
-// block walks along the block's beam by interval arithmetic, from its near end and, but for the
-// smallest blocks with lists, from its far one. A piece of the beam whose box is proved free of
-// roots is passed, and the next is twice as long; another is halved, until it is short against the
-// block. What was passed holds no root of any of the block's rays, rounding included.
+// Finds which part of their way the rays of a block of BLOCK x BLOCK pixels need to march. One
+// fragment a block walks along the block's beam by interval arithmetic, from its near end and, except
+// for the smallest blocks with lists, from its far end. It passes a piece of the beam whose box is
+// proved free of roots, and takes the next one twice as long. It halves any other piece, until that is
+// short against the block. What it passed holds no root of any of the block's rays, rounding included.
 
 layout(location = 0) out vec4 part; // of tau, empty without roots; where front and middle end
 #ifdef LISTS

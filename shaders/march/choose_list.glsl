@@ -1,5 +1,5 @@
-// Of the elements that matter in a ray's beam: those in its front, on to the end of its middle, and
-// in all of it; with where front and middle end.
+// Lists of the elements that matter in a ray's beam: in its front, on to the end of its middle, and in
+// all of it; with where front and middle end.
 struct BeamLists {
     vec2 front, middle, all;
     float front_end, middle_end;

@@ -1,6 +1,6 @@
-// Which rays have a way to march, as depth: 1, or 0 of the others. The draw that marches is at 0.5
-// and is tested against it before its shader runs, which software renderers skip by nothing else:
-// they go through both sides of a branch.
+// Writes which rays have a way to march, as depth: 1, else 0. The draw that marches is at depth 0.5,
+// and the depth test comes before its shader runs. Only this test spares a software renderer the
+// shader: it goes through both sides of a branch.
 void main() {
     Ray ray = pixel_ray();
     enter_beam(ray);

@@ -1,5 +1,5 @@
-// What methods that bound F over pieces share. Of the state, [low, high] is the piece, f_low.x a
-// value of F with the sign that it has before the piece, and f_low.y the next sample of a ray that
+// What methods that bound F over pieces share. In the ray's state, [low, high] is the piece, f_low.x
+// a value of F with the sign that it has before the piece, and f_low.y the next sample of a ray that
 // closes in on its root.
 
 // There is no root before t, where F has the sign of f: a piece of this length is next.

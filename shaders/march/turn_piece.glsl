@@ -1,6 +1,6 @@
-// Of methods that bound F over the piece [low, high] of the ray and sample it at a point of the
-// piece: next_sample() says which, advance() goes on from there. The first sample is where the ray
-// begins, whatever the method; where it closes in on its root the piece is a point.
+// One turn of a method that bounds F over the piece [low, high] of the ray and samples it at a point
+// of the piece: next_sample() says which, advance() goes on from there. The first sample is where the
+// ray begins, whatever the method. Where the ray closes in on its root the piece is a point.
 RayState turn(RayState s, Ray ray) {
     bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
     bool isolates = s.phase == PHASE_MARCH;

@@ -1,4 +1,5 @@
-// Of methods that sample points of the ray: next_sample() says where, advance() goes on from there.
+// One turn of a method that samples points of the ray: next_sample() says where, advance() goes on
+// from there.
 RayState turn(RayState s, Ray ray) {
     float t = next_sample(s);
 #ifdef LISTS

@@ -1,10 +1,10 @@
 // Proves a block of BLOCK x BLOCK rays of a polynomial F at once, as far as that goes, by models of
-// F over pieces of their beam: as block.frag, but for three things. Pieces lie between planes, the
-// last of which leans as the surface does that the rays hit, so that a thin piece holds all roots.
-// That piece comes first. Of another one the beginning is settled as far as its quadratic keeps off
-// 0, less the error of the model.
+// F over pieces of their beam. Three things differ from block.frag. Pieces lie between planes, and the
+// last plane leans as the surface does that the rays hit, so that a thin piece holds all roots. That
+// piece comes first. In any other piece the beginning is settled as far as the quadratic stays away
+// from 0, less the error of the model.
 //
-// Larger blocks come before (COARSE), of which only what is before all roots is told.
+// Larger blocks come before (COARSE); they only tell what is before all roots.
 
 layout(location = 0) out vec4 block_proof; // as of block.frag
 

@@ -1,4 +1,4 @@
-// Of proofs whose elements are found by place, see elements/rest.glsl.
+// What proofs share whose elements are found by place; see elements/rest.glsl.
 #ifdef GRID
 #define HAS_ELEMENTS_LEFT (grid_entered + grid_others < MOST_ELEMENTS)
 // Slopes lead over two boxes at most.

@@ -1,5 +1,5 @@
-// March and picture in one draw, for rays that end within one pass. Of one that does not, the
-// record says so, and the tile has to be drawn in passes.
+// Marches and shades in one draw, for rays that end within one pass. If a ray does not, the record
+// says so, and the tile has to be drawn in passes.
 
 void main() {
     Ray ray = pixel_ray();

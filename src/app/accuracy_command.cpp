@@ -86,6 +86,7 @@ int price_effects(const AccuracyArguments& arguments) {
     const int frame = arguments.frames.empty()
                           ? scene.output.poster
                           : animation::parse_frame_range(arguments.frames).front();
+    expect_frames_of({&frame, 1}, scene);
     if (synthesis::effects(scene).empty()) {
         print_result("{} calls for no effect\n", scene.title);
         return exit_done;
@@ -110,6 +111,7 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
     accuracy::MeasureOptions measuring;
     measuring.frames = arguments.frames.empty() ? std::vector{scene.output.poster}
                                                 : animation::parse_frame_range(arguments.frames);
+    expect_frames_of(measuring.frames, scene);
     for (const int frame : measuring.frames) scene::at(scene, scene.timeline.values(frame));
     measuring.width = scene.output.width;
     measuring.height = scene.output.height;
@@ -192,7 +194,7 @@ void add_accuracy(CLI::App& app, Action& chosen) {
                      "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
         ->required();
     command->add_option("--surface", a.surface,
-                        "of a scene with [[surfaces]], the one to measure, alone; by its name");
+                        "measure this one of the scene's [[surfaces]] alone, by its name");
     command->add_option("--frames,--frame", a.frames,
                         "frames to measure: 1-10, 1-10x2, 1,3,5-9 (default: the scene's poster)");
     command->add_option("--size", a.size, "size of the picture, WIDTHxHEIGHT (default: 256x256)");

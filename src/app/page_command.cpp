@@ -197,20 +197,20 @@ void add_page(CLI::App& app, Action& chosen) {
     const auto arguments = std::make_shared<PageArguments>();
     PageArguments& a = *arguments;
     CLI::App* command =
-        app.add_subcommand("page", "a scene as one HTML file, which plays it in a browser");
+        app.add_subcommand("page", "write a scene as one HTML file, which plays it in a browser");
     command->add_option("scene", a.scene, "a scene file, the name of an animation, or a formula");
     command->add_option("-o,--output", a.output,
-                        "the file (SCENE.html), or with --gallery the folder (site)");
+                        "file to write (default: SCENE.html), or with --gallery the folder (site)");
     command->add_flag("--video", a.video,
-                      "also a small movie, for browsers that cannot draw the scene");
+                      "add a small movie, for browsers that cannot draw the scene");
     command->add_option("--accuracy", a.report,
-                        "a report of isomotion accuracy: the page tells wrong pixels and time");
-    command->add_flag("--gallery", a.gallery, "pages of all animations and an index of them");
+                        "show wrong pixels and time from this report of isomotion accuracy");
+    command->add_flag("--gallery", a.gallery, "write pages of all animations and an index of them");
     command->add_option("--set", a.settings, "name=value, as for render")->allow_extra_args(false);
     add_allow_outside(*command, a.reach);
     command->add_option("--backend", a.backend,
-                        "of posters and the movie: auto, egl, osmesa or glfw");
-    command->add_flag("--quiet", a.quiet, "errors and warnings only");
+                        "OpenGL back end for posters and the movie: auto, egl, osmesa or glfw");
+    command->add_flag("--quiet", a.quiet, "print errors and warnings only");
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return write_pages(*arguments); }; });
 }

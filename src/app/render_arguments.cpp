@@ -155,9 +155,9 @@ std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments
         command.add_option(
             "--stage", a.stage,
             "kind of shader that marches the rays: fragment, compute, or auto, the faster here"),
-        command.add_option(
-            "--channels", a.channels,
-            "channels beside the picture, of an EXR: z,n,p,verdict,evaluations,velocity,proof,cap"),
+        command.add_option("--channels", a.channels,
+                           "channels of an EXR beside the picture: "
+                           "z,n,p,verdict,evaluations,velocity,proof,surface,cap"),
         command.add_flag("--certify", a.certify,
                          "prove by interval arithmetic, pixel by pixel, that hits are first roots "
                          "and that misses have none; print how many are proved"),
@@ -186,6 +186,19 @@ std::vector<scene::Override> overrides(const RenderArguments& arguments) {
     if (!arguments.step.empty()) all.push_back(step_key(arguments.step));
     if (!arguments.size.empty()) all.push_back(size_key(arguments.size));
     return all;
+}
+
+void expect_frames_of(std::span<const int> frames, const scene::Scene& scene) {
+    const int last = scene.timeline.frames;
+    const auto beyond = std::ranges::find_if(frames, [&](int frame) { return frame > last; });
+    if (beyond == frames.end()) return;
+    throw std::invalid_argument(
+        last == 1 ? fmt::format("--frames {}: the scene has one frame, 1; --set time.frames={} "
+                                "gives it more",
+                                *beyond, *beyond)
+                  : fmt::format("--frames {}: the scene has frames 1 to {}; --set time.frames={} "
+                                "gives it more",
+                                *beyond, last, *beyond));
 }
 
 sequence::Exporter exporter_of(const RenderArguments& arguments) {

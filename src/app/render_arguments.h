@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,9 @@ RenderArguments with_movie_apart(RenderArguments arguments);
 
 // The scene's keys that the options set, --set first.
 std::vector<scene::Override> overrides(const RenderArguments& arguments);
+
+// Throws where --frames names some that the scene doesn't have.
+void expect_frames_of(std::span<const int> frames, const scene::Scene& scene);
 
 // What renders the frames asked for, by default all of the scene, to out/SCENE.####.png if no other
 // output is named. Everything is refused that `render` would refuse before it draws.

@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/new_file.h"
+#include "app/render_arguments.h"
 #include "base/extension.h"
 #include "base/printable.h"
 #include "render/stage.h"
@@ -124,8 +125,9 @@ void print_surface(const scene::Scene& scene, const synthesis::Passes& passes,
                    const scene::SceneAt& now, const animation::Values& values, int frame) {
     const scene::Isolation& isolation = scene.isolation;
     print_result("formula   {}\n", base::printable(scene.surface.field->text));
-    print_result("timeline  {} frames at {} a second{}\n", scene.timeline.frames,
-                 animation::to_string(scene.timeline.fps), scene.timeline.loops ? ", a loop" : "");
+    print_result("timeline  {} frame{} at {} a second{}\n", scene.timeline.frames,
+                 scene.timeline.frames == 1 ? "" : "s", animation::to_string(scene.timeline.fps),
+                 scene.timeline.loops ? ", a loop" : "");
     print_result("class     {}\n", formula::words(scene.surface.smoothness));
     if (isolation.method == scene::Method::hermite) {
         print_result("method    hermite, safety {:g}", isolation.safety);
@@ -190,8 +192,10 @@ void print_surface(const scene::Scene& scene, const synthesis::Passes& passes,
 
 int show(const ShowArguments& arguments) {
     if (!arguments.output.empty()) return write_scene(arguments);
-    const int frame = animation::parse_frame_range(arguments.frames).front();
+    const std::vector<int> frames = animation::parse_frame_range(arguments.frames);
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
+    const int frame = frames.front();
+    expect_frames_of({&frame, 1}, scene);
     const bool lists = !arguments.shader && arguments.pass.empty();
     const animation::Values values = scene.timeline.values(frame);
     // Values that have left their range are an error here too.

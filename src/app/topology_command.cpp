@@ -246,13 +246,14 @@ void add_topology(CLI::App& app, Action& chosen) {
     const auto arguments = std::make_shared<TopologyArguments>();
     TopologyArguments& a = *arguments;
     CLI::App* command = app.add_subcommand(
-        "topology", "when parts of the surface merge, split, open and close; proved, and checked");
+        "topology",
+        "find when parts of the surface merge, split, open and close; prove it, and check it");
     command
         ->add_option("scene", a.scene,
                      "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
         ->required();
     command->add_option("--surface", a.surface,
-                        "of a scene with [[surfaces]], the one to search, alone; by its name");
+                        "search this one of the scene's [[surfaces]] alone, by its name");
     command->add_option("--frames,--frame", a.frames,
                         "1-10: from frame 1 to frame 10 with all time between (default: all)");
     command->add_option("--certify", a.certify,
@@ -279,7 +280,7 @@ void add_topology(CLI::App& app, Action& chosen) {
     add_allow_outside(*command, a.reach);
     command->add_option("--backend", a.backend,
                         "auto, egl, osmesa or glfw; for the pictures of --plot");
-    command->add_flag("--quiet", a.quiet, "no summary, no progress");
+    command->add_flag("--quiet", a.quiet, "print neither summary nor progress");
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return topology_of(*arguments); }; });
 }

@@ -37,10 +37,10 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
     if (word.size() > longest_slip) return best;
     int best_distance = std::max(1, int(word.size()) / 3) + 1;
     for (const std::string& candidate : candidates) {
-        // For one-letter names every other letter is one edit away: no suggestion is better.
-        if (word.size() == 1 && candidate.size() == 1) continue;
         if (candidate.size() > 2 * longest_slip) continue;
         const int distance = edit_distance(word, candidate);
+        // For one-letter names every other letter is one edit away: no suggestion is better.
+        if (word.size() == 1 && candidate.size() == 1 && distance > 0) continue;
         if (distance < best_distance) {
             best_distance = distance;
             best = candidate;

@@ -14,9 +14,9 @@ class Exposure {
 public:
     void add(Picture picture);
     int count() const { return count_; }
-    // What the frame is after so many pictures. Of what has no mean (depth, a normal, a verdict) it
-    // holds the first picture's; verdicts, evaluations, passes and the time of drawing are sums.
-    // Bit for bit the picture itself after one; there must be one.
+    // The frame after so many pictures. Channels without a mean (depth, a normal, a verdict) are
+    // those of the first picture; verdicts, evaluations, passes and the time of drawing are sums.
+    // After one picture it is that picture, bit for bit; there must be one.
     Picture mean() const&;
     Picture mean() &&;
 
@@ -31,7 +31,7 @@ private:
 };
 
 // Draws a frame. R, G, B and A are the means over its pictures, in linear light and multiplied by
-// coverage, as they are kept. Of what has no mean (depth, a normal, a verdict) the frame holds the
+// coverage, as they are kept. Channels without a mean (depth, a normal, a verdict) are those of the
 // first picture: pixel centres, seen from the eye at the frame's time. Verdicts, evaluations,
 // passes and the time of drawing are sums over all pictures.
 Picture expose(Renderer& renderer, const FrameInputs& frame);

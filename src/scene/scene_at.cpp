@@ -9,6 +9,7 @@
 #include "scene/error.h"
 #include "scene/limits.h"
 #include "scene/shared_by_surfaces.h"
+#include "scene/value_error.h"
 
 namespace isomotion::scene {
 namespace {
@@ -62,8 +63,7 @@ public:
         return vector(track);
     }
     [[noreturn]] void fail(const std::string& name, const std::string& message) const {
-        throw SceneError(
-            fmt::format("{}: {} at t = {}: {}", scene_.file.string(), name, values_.time, message));
+        throw ValueError(scene_.file.string(), name, values_.time, message);
     }
     [[noreturn]] void fail(TrackId track, const std::string& message) const {
         fail(name(track), message);

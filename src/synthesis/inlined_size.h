@@ -13,7 +13,7 @@ namespace isomotion::synthesis {
 // ours do.
 double inlined_size(std::string_view shader);
 
-// Of all passes that are compiled before the first frame.
+// The size of all passes that are compiled before the first frame, together.
 double inlined_size(const Passes& passes);
 
 // What Mesa's llvmpipe compiles in 4 to 10 s of one core and 0.9 GB: its time grows with the

@@ -112,6 +112,39 @@ TEST_F(NewUser, AFormulaMovesForEveryCommand) {
     render({formula, "--frames", "1-3x2", "--size", "8x8", "-o", "a.##.png"});
 }
 
+// Without any of the signs that only formulas have.
+TEST_F(NewUser, AFormulaIsKnownByItsWords) {
+    for (const char* formula : {"2x", "x y z", "5z", "x - y", "x/2"})
+        EXPECT_EQ(run({"show", formula}).code, 0) << formula;
+    const std::pair<std::string, std::string> mistakes[] = {
+        {"sin x", "sin needs parentheses: write 'sin(a)'"},
+        {"sqrt x", "sqrt needs parentheses"},
+        {"3", "the formula has the same value everywhere"},
+        {"1=1", "the formula has the same value everywhere"},
+        {"=x", "a value is expected before '='"},
+        {"xy = 1", "unknown name 'xy'; a product is written 'x*y'"},
+        {"X^2 = 1", "unknown name 'X'; did you mean 'x'?"},
+        {"a x", "--set a=1 makes it a parameter"},
+        {"xyz", "xyz: no such file"},
+        {"x.obj", "x.obj: no such file"},
+    };
+    for (const auto& [formula, message] : mistakes) {
+        const Ending ending = run({"show", formula});
+        EXPECT_EQ(ending.code, 2) << ending;
+        EXPECT_THAT(ending.err, HasSubstr(message));
+    }
+}
+
+TEST_F(NewUser, FramesThatASceneDoesNotHaveAreTold) {
+    const std::string message = "--frames 61: the scene has frames 1 to 60; --set time.frames=61 "
+                                "gives it more\n";
+    EXPECT_EQ(run({"show", "sphere.toml", "--frame", "61"}).err, message);
+    EXPECT_EQ(run({"accuracy", "sphere.toml", "--frames", "1,61"}).err, message);
+    EXPECT_EQ(run({"show", "sphere.toml", "--frame", "61", "--set", "time.frames=61"}).code, 0);
+    EXPECT_EQ(run({"show", "x", "--frame", "2"}).err,
+              "--frames 2: the scene has one frame, 1; --set time.frames=2 gives it more\n");
+}
+
 TEST_F(NewUser, AnOutputThatIsAMovieIsOne) {
     render({"sphere.toml", "--frames", "1-4", "--size", "32x32", "-o", "out/x.mp4", "--movie",
             "y.gif", "--movie", "z.webm"});

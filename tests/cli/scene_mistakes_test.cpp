@@ -48,7 +48,7 @@ const Mistake mistakes[] = {
      sphere_with("formula = \"x^2 + y^2 + z^2 - r^2\"", "use = \"superquadrik\""),
      "scene.toml:6: surface.use: there is no surface 'superquadrik'; did you mean 'superquadric'?"},
     {"bad value at start", sphere_with("sphere = 1.5", "sphere = \"t\""),
-     "scene.toml: surface.bounds.sphere at t = 0: the radius must be above 0"},
+     "scene.toml:7: surface.bounds.sphere at t = 0: the radius must be above 0"},
     {"not TOML", sphere_with("[camera]", "[camera"), "scene.toml:10: not valid TOML: "},
     {"key twice", sphere_scene() + "size = [9, 9]\n", "scene.toml:15: not valid TOML: "},
     {"empty", " ", "scene.toml:1: surface: is missing; give formula = "},
@@ -70,7 +70,9 @@ TEST_F(Cli, ASceneThatIsNotThereIsToldApart) {
     const std::pair<std::string, std::string> cases[] = {
         {"none.toml", "none.toml: no such file\n"},
         {"twisting_superquadrik", "did you mean 'twisting_superquadric'?"},
-        {"quite_unlike_any", "no animation of this name; known: "},
+        {"quite_unlike_any", "no animation of this name; isomotion list names the "},
+        {"sphere", "sphere: no such file; did you mean 'sphere.toml'?\n"},
+        {"sphere.tml", "sphere.tml: no such file; did you mean 'sphere.toml'?\n"},
         {".", ".: is a folder; name a scene file (.toml)"},
     };
     for (const auto& [scene, message] : cases) {

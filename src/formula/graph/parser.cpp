@@ -414,6 +414,19 @@ private:
                              : fmt::format("{} needs parentheses: write '{}'", name, call));
     }
 
+    // "x*y" for "xy", where x and y are known; else empty.
+    static std::string as_product(std::string_view word, const std::vector<std::string>& known) {
+        constexpr std::size_t longest = 4;
+        std::string product;
+        for (const char c : word) {
+            const std::string letter(1, c);
+            const bool is_again = product.find(c) != product.npos;
+            if (is_again || std::ranges::count(known, letter) == 0) return "";
+            product += (product.empty() ? "" : "*") + letter;
+        }
+        return word.size() > 1 && word.size() <= longest ? product : "";
+    }
+
     [[noreturn]] void fail_unknown(std::string_view word, std::size_t begin) const {
         std::vector<std::string> known = vocabulary_.inputs;
         // "camera.fov" is a parameter to the animation but no name in a formula.
@@ -436,7 +449,10 @@ private:
             }
         }
         const std::string near = base::nearest_name(word, known);
-        const std::string hint = word == "t"    ? "; time moves parameters: name one here, as T, "
+        const std::string product = as_product(word, known);
+        const std::string hint = !product.empty()
+                                     ? fmt::format("; a product is written '{}'", product)
+                                 : word == "t"  ? "; time moves parameters: name one here, as T, "
                                                   "and write T = \"t\" under [parameters]"
                                  : near.empty() ? fmt::format("; known: {}", join(known))
                                                 : fmt::format("; did you mean '{}'?", near);
@@ -447,6 +463,8 @@ private:
         if (at_ == text_.size()) fail(at_, "the formula ends too early");
         if (peek() == '=' && at_ > 0 && text_[at_ - 1] == '=')
             fail(at_, "unexpected second '=': write one");
+        if (peek() == '=' && text_.find_first_not_of(" \t\n\r") == at_)
+            fail(at_, "a value is expected before '='");
         if (peek() == '=')
             fail(at_, "unexpected '=': an expression has a value, and equals nothing");
         if (std::isdigit(static_cast<unsigned char>(peek())) || peek() == '|')

@@ -123,7 +123,11 @@ std::array<animation::TrackSource, 3> read_vector(const toml::node& node, const 
         for (auto& track : keys) track.ease = ease;
         return std::array<animation::TrackSource, 3>{keys[0], keys[1], keys[2]};
     }
-    fail(node, key, "must be [x, y, z] or { keys = [[t, [x, y, z]], ...] }");
+    const bool is_color = key.ends_with("color");
+    fail(node, key,
+         is_color ? "must be [r, g, b], linear ([1, 0, 0] is red), or "
+                    "{ keys = [[t, [r, g, b]], ...] }"
+                  : "must be [x, y, z] or { keys = [[t, [x, y, z]], ...] }");
 }
 
 // The former name of a key, where the table has it under that.

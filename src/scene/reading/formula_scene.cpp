@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/printable.h"
+#include "formula/graph/vocabulary.h"
 
 namespace isomotion::scene {
 namespace {
@@ -67,12 +68,32 @@ std::string title_of(std::string_view formula) {
     return base::printable_line(title);
 }
 
+// Whether something without an operator is still a formula: "2x", "x y z", "sin x", "3", "x - y".
+// Files and animations have names of other words.
+bool is_made_of_known_words(std::string_view name) {
+    constexpr std::string_view signs = " .-/,{}²³·−";
+    const bool is_plain = std::ranges::all_of(name, [&](unsigned char c) {
+        return std::isalnum(c) || c == '_' || signs.find(char(c)) != signs.npos;
+    });
+    const bool has_digit =
+        std::ranges::any_of(name, [](unsigned char c) { return std::isdigit(c); });
+    const auto is_coordinate = [](std::string_view word) {
+        return std::ranges::count(formula::coordinate_names, word) > 0;
+    };
+    const std::vector<Word> words = words_of(name);
+    const bool are_known = std::ranges::all_of(words, [&](const Word& word) {
+        return word.text.size() == 1 || formula::is_reserved(word.text);
+    });
+    const bool has_place = std::ranges::any_of(words, is_coordinate, &Word::text);
+    return is_plain && are_known && (has_place || (words.empty() && has_digit));
+}
+
 } // namespace
 
 bool is_formula(const std::string& name) {
     const auto extension = std::filesystem::path(name).extension();
-    return name.find_first_of("=^*+()|") != name.npos && extension != ".toml" &&
-           extension != ".jsurf" && extension != ".pov";
+    if (extension == ".toml" || extension == ".jsurf" || extension == ".pov") return false;
+    return name.find_first_of("=^*+()|") != name.npos || is_made_of_known_words(name);
 }
 
 toml::table scene_of_formula(const std::string& formula) {

@@ -15,6 +15,7 @@
 #include "base/file_text.h"
 #include "base/nearest_name.h"
 #include "base/printable.h"
+#include "formula/graph/degree.h"
 #include "scene/data_folder.h"
 #include "scene/found_bounds.h"
 #include "scene/limits.h"
@@ -59,14 +60,21 @@ fs::path locate(const std::string& scene) {
     const fs::path extension = fs::path(scene).extension();
     const bool looks_like_path =
         scene.find('/') != scene.npos || extension == ".toml" || is_of_another_program(scene);
-    if (looks_like_path) throw SceneError(scene + ": no such file");
     fs::path installed = animation_file(scene);
-    if (fs::exists(installed, error)) return installed;
+    if (!looks_like_path && fs::exists(installed, error)) return installed;
+    for (const char* missing : {".toml", ".jsurf", ".pov"}) {
+        const fs::path meant = fs::path(scene).replace_extension(missing);
+        if (meant == fs::path(scene) || !fs::exists(meant, error)) continue;
+        throw SceneError(
+            fmt::format("{}: no such file; did you mean '{}'?", scene, meant.string()));
+    }
+    if (looks_like_path) throw SceneError(scene + ": no such file");
     const auto known = animation_names();
     const std::string near = base::nearest_name(scene, known);
     throw SceneError(
-        near.empty() ? fmt::format("{}: no such file, and no animation of this name; known: {}",
-                                   scene, fmt::join(known, ", "))
+        near.empty() ? fmt::format("{}: no such file, and no animation of this name; isomotion "
+                                   "list names the {} that there are",
+                                   scene, known.size())
                      : fmt::format("{}: no such file, and no animation of this name; did you mean "
                                    "'{}'?",
                                    scene, near));
@@ -204,6 +212,23 @@ void check_work(const Scene& scene, const SurfaceParts& parts, const TrackTable&
                  limits::operations_of_a_frame, &animation::Animation::operations);
 }
 
+SceneAt first_frame(const Scene& scene, const TrackTable& tracks) {
+    try {
+        return at(scene, scene.timeline.values(1));
+    } catch (const ValueError& error) {
+        tracks.fail_at(error);
+    }
+}
+
+// What caps show is of a solid, which may be all of space.
+void expect_surface(const Scene& scene, const SurfaceParts& parts) {
+    const formula::Field& field = *parts.surface.field;
+    if (formula::degree(field.graph, field.root) != 0 || !scene.sections.empty()) return;
+    fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula",
+         "the formula has the same value everywhere and so no surface; write an equation of x, y "
+         "and z");
+}
+
 // As near to a jump as a root may be told from it in pictures of 64 pixels across.
 constexpr double wall_part = 0x1p-15;
 
@@ -282,6 +307,7 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
 
     scene.timeline.animation = tracks.animate(parts->arrays, seed);
     make_field(*parts);
+    expect_surface(scene, *parts);
     if (const auto why = refusal(scene.isolation.method, *parts->surface.field); !why.empty()) {
         fail(*given.method, "isolation.method", why);
     }
@@ -295,7 +321,7 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
 
     // Settings are chosen once, at the first frame: every frame is marched alike.
     check_work(scene, *parts, tracks);
-    const SceneAt first = at(scene, scene.timeline.values(1));
+    const SceneAt first = first_frame(scene, tracks);
     if (reading != Reading::whole) return scene;
     Isolation& isolation = scene.isolation;
     scene.surface.smoothness = smoothness(*scene.surface.field, regions(scene, first));
@@ -347,12 +373,12 @@ Scene read_one(toml::table& root, const fs::path& file, const base::Confines& wi
         scene.look = std::move(look);
         return scene;
     } catch (const PlacedError& first) {
-        throw SceneError(all_mistakes(root, first, [&](Rereading again) {
+        throw all_mistakes(root, first, [&](Rereading again) {
             read_document_scene(root, file, within,
                                 again == Rereading::all ? Reading::for_bounds
                                                         : Reading::without_unused,
                                 for_others);
-        }));
+        });
     }
 }
 
@@ -364,13 +390,20 @@ Scene read_listed(const toml::table& root, const Parse& parse, const fs::path& f
     const std::vector<std::string> names = listed_names(root);
     std::set<std::string> unused = shared_parameters(root);
     std::vector<Scene> scenes;
+    std::optional<Mistakes> mistakes;
     for (std::size_t k = 0; k < names.size(); ++k) {
         toml::table document = parse();
         std::set<std::string> for_others = shared_parameters(document);
         for (const std::string& own : own_parameters(document, k)) for_others.erase(own);
         const std::set<std::string> shared = for_others;
         keep_surface(document, k);
-        Scene scene = read_one(document, file, within, &for_others);
+        Scene scene;
+        try {
+            scene = read_one(document, file, within, &for_others);
+        } catch (const Mistakes& of_surface) {
+            mistakes = mistakes ? joined(*mistakes, of_surface) : of_surface;
+            continue;
+        }
         for (const std::string& name : shared) {
             if (!for_others.contains(name)) unused.erase(name);
         }
@@ -383,6 +416,7 @@ Scene read_listed(const toml::table& root, const Parse& parse, const fs::path& f
         }
         scenes.push_back(std::move(scene));
     }
+    if (mistakes) throw *mistakes;
     if (!unused.empty()) {
         fail(*root["parameters"].as_table()->get(*unused.begin()), "parameters." + *unused.begin(),
              "no surface's formula and no expression uses this parameter");
@@ -472,10 +506,11 @@ Scene load_into(toml::table& root, const std::string& name, const std::vector<Ov
     } catch (const SceneError& error) {
         // A formula's mistakes are in no file and in no --set.
         constexpr std::string_view place = "--set: surface.formula: ";
-        const std::string_view words = error.what();
-        if (!is_formula_alone || !words.starts_with(place)) throw;
-        throw SceneError(std::string(words.substr(place.size())) +
-                         how_to_name(words.substr(place.size())));
+        std::string words = error.what();
+        const std::size_t found = words.find(place);
+        if (!is_formula_alone || found == words.npos) throw;
+        words.erase(found, place.size());
+        throw SceneError(words + how_to_name(std::string_view(words).substr(found)));
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "scene/reading/document.h"
 
@@ -12,10 +13,31 @@ namespace isomotion::scene {
 // unused.
 enum class Rereading { all, without_unused };
 
-// The messages of all mistakes, one below the other, by line. `first` is what reading ended with;
-// `read` reads the document again. After each mistake the value that is wrong is taken out of
-// `root`, until reading succeeds, or until what it says may follow from what was taken out.
-std::string all_mistakes(toml::table& root, const PlacedError& first,
-                         const std::function<void(Rereading)>& read);
+struct ToldMistake {
+    unsigned line = 0; // of the document, from 1 on; 0 of what --set gave
+    std::string message;
+
+    bool operator==(const ToldMistake&) const = default;
+};
+
+// Several mistakes: their messages one below the other, by line.
+class Mistakes : public SceneError {
+public:
+    explicit Mistakes(std::vector<ToldMistake> told);
+    const std::vector<ToldMistake>& told() const { return told_; }
+
+private:
+    std::vector<ToldMistake> told_;
+};
+
+// Both, what they have in common once.
+Mistakes joined(const Mistakes& a, const Mistakes& b);
+
+// All mistakes, up to twenty. `first` is what reading ended with; `read` reads the document again.
+// After each mistake the value that is wrong is taken out of `root`, or a right one is put in its
+// place where others are read by it, until reading succeeds, or until what it says may follow from
+// what was taken out.
+Mistakes all_mistakes(toml::table& root, const PlacedError& first,
+                      const std::function<void(Rereading)>& read);
 
 } // namespace isomotion::scene

@@ -26,6 +26,14 @@ std::array<double, 3> read_still_color(const toml::node& node, const std::string
     return color;
 }
 
+// Whether --set says how long the scene is; only a file's values have a path.
+bool are_frames_set(const Section& document) {
+    const auto is_set = [](const toml::node* node) { return node && !node->source().path; };
+    const auto time = document.table()["time"];
+    return is_set(time["frames"].node()) || is_set(time["seconds"].node()) ||
+           is_set(time["fps"].node());
+}
+
 SkyGradient read_gradient(Section section) {
     const auto color = [&](const std::string& name) {
         const toml::node* node = section.find(name);
@@ -75,7 +83,16 @@ void read_output(Section& document, Scene& scene) {
         }
     }
     output.samples = section->integer("samples", 1, limits::samples).value_or(output.samples);
-    output.poster = section->integer("poster", 1, scene.timeline.frames).value_or(1);
+    output.poster = section->integer("poster", 1, limits::frames).value_or(1);
+    if (output.poster > scene.timeline.frames) {
+        const toml::node& poster = *section->find("poster");
+        // Fewer frames are wanted than the file has: the last of them stands for all.
+        if (!are_frames_set(document) || !poster.source().path)
+            fail(poster, "output.poster",
+                 fmt::format("must be from 1 to {}, a frame of the scene, not {}",
+                             scene.timeline.frames, output.poster));
+        output.poster = scene.timeline.frames;
+    }
     section->refuse_rest();
 }
 

@@ -1,7 +1,12 @@
 #include "scene/reading/overrides.h"
 
+#include <algorithm>
+#include <charconv>
 #include <optional>
 #include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,6 +24,43 @@ std::optional<std::string> other_name(const toml::table& table, std::string_view
     if (!key || table.contains(part)) return std::nullopt;
     const std::string_view other = part == key->now ? key->before : key->now;
     return table.contains(other) ? std::optional(std::string(other)) : std::nullopt;
+}
+
+// Keys of a table of which a scene gives one or the other: what --set gives takes the place of
+// what the file gave. Two that are both set are a mistake, told when the scene is read.
+void take_out_others(toml::table& table, std::string_view section, std::string_view key) {
+    using Keys = std::vector<std::string_view>;
+    struct Choice {
+        std::string_view section;
+        Keys one, other;
+    };
+    static const std::vector<Choice> choices{
+        {"time", {"frames"}, {"seconds"}},
+        {"surface.bounds", {"sphere", "centre"}, {"box"}},
+        {"camera", {"position"}, {"azimuth", "elevation", "distance"}}};
+    for (const Choice& choice : choices) {
+        if (choice.section != section) continue;
+        for (const auto& [given, others] :
+             {std::pair(choice.one, choice.other), std::pair(choice.other, choice.one)}) {
+            if (std::ranges::count(given, key) == 0) continue;
+            for (const std::string_view other : others) {
+                const toml::node* node = table.get(other);
+                if (node && node->source().path) table.erase(other);
+            }
+        }
+    }
+}
+
+// "lights[0]": a table of a list, as messages call it.
+toml::table* listed_table(toml::table& table, const std::string& part) {
+    const std::size_t open = part.find('[');
+    if (open == part.npos || !part.ends_with(']')) return nullptr;
+    std::size_t index = 0;
+    const char* end = part.data() + part.size() - 1;
+    const auto [parsed, error] = std::from_chars(part.data() + open + 1, end, index);
+    toml::array* list = table[part.substr(0, open)].as_array();
+    if (error != std::errc{} || parsed != end || !list || index >= list->size()) return nullptr;
+    return list->get(index)->as_table();
 }
 
 } // namespace
@@ -54,7 +96,10 @@ void override_key(toml::table& document, const std::string& setting) {
     for (std::size_t dot = path.find('.'); dot != path.npos; dot = path.find('.', begin)) {
         std::string part = path.substr(begin, dot - begin);
         if (const auto other = other_name(*table, section_above(begin), part)) part = *other;
-        toml::node* next = table->get(part);
+        toml::node* next = listed_table(*table, part);
+        if (!next) next = table->get(part);
+        if (!next && part.find('[') != part.npos)
+            throw SceneError(fmt::format("--set {}: the scene lists no {}", setting, part));
         if (!next) {
             table->insert(part, toml::table{});
             next = table->get(part);
@@ -72,12 +117,16 @@ void override_key(toml::table& document, const std::string& setting) {
             }
         }
         if (!next->is_table()) {
-            throw SceneError(fmt::format("--set {}: '{}' is not a table", setting, part));
+            const bool is_list = next->is_array_of_tables();
+            throw SceneError(fmt::format(
+                "--set {}: '{}' is {}", setting, part,
+                is_list ? fmt::format("a list: write {}[0] for its first", part) : "not a table"));
         }
         table = next->as_table();
         begin = dot + 1;
     }
     const std::string last = path.substr(begin);
+    take_out_others(*table, section_above(begin), last);
     if (const auto other = other_name(*table, section_above(begin), last)) table->erase(*other);
     table->insert_or_assign(last, *parsed.get("value"));
 }

@@ -67,6 +67,12 @@ public:
     }
 
 private:
+    struct Bounds {
+        std::size_t line = 0;
+        std::string text;
+        bool is_hint = false;
+    };
+
     void put(std::size_t line, const std::string& key, const std::string& value) {
         lines_.put(line, key, value);
         said_ += value + "\n";
@@ -440,6 +446,9 @@ private:
                               : fmt::format("{} - ({})", formula.text, threshold.text)));
         if (const auto transform = transform_.toml())
             put(word.line, "surface.transform", *transform);
+        if (!bounds_ && word.is("isosurface")) // POV-Ray's own
+            bounds_ = Bounds{word.line, "{ box = [[-1, -1, -1], [1, 1, 1]] }"};
+        if (bounds_) put(bounds_->line, "surface.bounds", bounds_->text);
     }
 
     void surface_part(const PovWord& of, PovNumber& formula, PovNumber& threshold) {
@@ -496,15 +505,16 @@ private:
     void bounds(const PovWord& word) {
         at_.expect("{", word.text);
         const PovWord shape = at_.take();
+        // bounded_by { clipped_by }: the same shape for both.
+        if (shape.is("clipped_by") || shape.is("bounded_by")) return at_.expect("}", word.text);
         if (shape.is("sphere") || shape.is("box")) {
             at_.expect("{", word.text);
             const Vector first = swapped(values_.vector(at_, word.text));
             at_.expect(",", word.text);
             if (shape.is("sphere")) {
                 const PovNumber radius = values_.number(at_, word.text);
-                put(word.line, "surface.bounds",
-                    fmt::format("{{ sphere = {}, centre = {} }}", value_text(radius),
-                                vector_text(first)));
+                put_bounds(word, fmt::format("{{ sphere = {}, centre = {} }}", value_text(radius),
+                                             vector_text(first)));
             } else {
                 put_box(word, first, swapped(values_.vector(at_, word.text)));
             }
@@ -520,8 +530,16 @@ private:
             if (low[k].value && high[k].value && *low[k].value > *high[k].value)
                 std::swap(low[k], high[k]);
         }
-        put(word.line, "surface.bounds",
-            fmt::format("{{ box = [{}, {}] }}", vector_text(low), vector_text(high)));
+        put_bounds(word, fmt::format("{{ box = [{}, {}] }}", vector_text(low), vector_text(high)));
+    }
+
+    // bounded_by only saves time, so that it counts where nothing else bounds the surface.
+    void put_bounds(const PovWord& word, const std::string& text) {
+        const bool is_hint = word.is("bounded_by");
+        if (bounds_ && is_hint) return;
+        if (bounds_ && !bounds_->is_hint)
+            at_.fail(word.text, "is the second shape; the bounds are one sphere or one box");
+        bounds_ = Bounds{word.line, text, is_hint};
     }
 
     // Coefficients in POV-Ray's order: x^n, x^(n-1) y, x^(n-1) z, x^(n-1) ... 1.
@@ -613,6 +631,7 @@ private:
     std::vector<Light> all_lights_;
     Look look_;
     PovTransform transform_;
+    std::optional<Bounds> bounds_;
     bool has_surface_ = false, has_function_ = false, has_ground_ = false, has_background_ = false;
 };
 

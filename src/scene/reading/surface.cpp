@@ -1,6 +1,7 @@
 #include "scene/reading/surface.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -121,6 +122,20 @@ toml::table read_catalogue(const toml::node& use, const std::string& name) {
     return read_document(file);
 }
 
+// The key of a scene that --set would need its section for; empty for other names.
+std::string key_called(const std::string& name) {
+    for (const char* key :
+         {"time.frames", "time.fps", "time.seconds", "surface.bounds", "isolation.method",
+          "camera.position", "camera.azimuth", "camera.elevation", "camera.distance",
+          "camera.target", "camera.fov", "camera.zoom", "material.color", "material.model",
+          "material.roughness", "material.metallic", "output.size", "output.background",
+          "output.samples"}) {
+        const std::string_view dotted = key;
+        if (dotted.substr(dotted.find('.') + 1) == name) return key;
+    }
+    return "";
+}
+
 // Everything that a surface is drawn by.
 std::vector<const formula::Graph*> graphs_of(const SurfaceParts& parts,
                                              std::span<const formula::Paint* const> paints) {
@@ -198,6 +213,8 @@ std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::T
         parts->formula_node = formula;
         parts->formula = *section->text("formula");
     } else {
+        for (const char* known : {"bounds", "transform", "jumps"}) section->find(known);
+        section->refuse_rest(); // a slip of the pen in its name
         fail(section->table(), "surface",
              "needs formula = \"...\", or use = \"name\" of the catalogue");
     }
@@ -255,9 +272,14 @@ void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* co
         if (for_others && for_others->contains(parts.parameters[k])) continue;
         std::vector<std::string> others = parts.parameters;
         others.erase(others.begin() + std::ptrdiff_t(k));
-        const std::string near = base::nearest_name(parts.parameters[k], others);
-        tracks.fail_at(parts.parameters[k],
-                       near.empty()
+        const std::string& name = parts.parameters[k];
+        const std::string near = base::nearest_name(name, others);
+        const std::string key = key_called(name);
+        tracks.fail_at(name,
+                       !key.empty() ? fmt::format("nothing uses this parameter; did you mean the "
+                                                  "scene's key {}?",
+                                                  key)
+                       : near.empty()
                            ? "neither the formula nor an expression uses this parameter"
                            : fmt::format("nothing uses this parameter; did you mean '{}'?", near));
     }

@@ -1,5 +1,7 @@
 #include "scene/reading/track_table.h"
 
+#include <fmt/format.h>
+
 namespace isomotion::scene {
 
 TrackId TrackTable::add(const std::string& name, animation::TrackSource source,
@@ -33,6 +35,23 @@ void TrackTable::fail_at(const std::string& name, const std::string& message) co
     const auto it = places_.find(name);
     if (it == places_.end() || !it->second.node) throw SceneError(name + ": " + message);
     fail(*it->second.node, it->second.key, message);
+}
+
+void TrackTable::fail_at(const ValueError& error) const {
+    const auto is_placed = [&](auto it) { return it != places_.end() && it->second.node; };
+    const std::string& name = error.name();
+    // One element's value is where its field is; a range or a vector where its first number is.
+    const auto known = places_.find(name.substr(0, name.find_last_of('[')));
+    const auto whole = places_.find(name);
+    const auto part = places_.lower_bound(name + ".");
+    const std::string time = fmt::format(" at t = {}", error.time());
+    if (is_placed(whole)) fail(*whole->second.node, whole->second.key + time, error.why());
+    if (is_placed(part) && part->first.starts_with(name + "."))
+        fail(*part->second.node, name + time, error.why());
+    if (is_placed(known))
+        fail(*known->second.node, known->second.key + name.substr(known->first.size()) + time,
+             error.why());
+    throw error;
 }
 
 } // namespace isomotion::scene

@@ -5,6 +5,7 @@
 
 #include "scene/reading/document.h"
 #include "scene/scene.h"
+#include "scene/value_error.h"
 
 namespace isomotion::scene {
 
@@ -26,6 +27,8 @@ public:
     // Builds the animation; an error in an expression is reported at its place.
     animation::Animation animate(std::vector<animation::Array> arrays, std::uint64_t seed) const;
     [[noreturn]] void fail_at(const std::string& name, const std::string& message) const;
+    // Throws the error with its place, or, without one, as it is.
+    [[noreturn]] void fail_at(const ValueError& error) const;
 
 private:
     struct Place {

@@ -64,7 +64,7 @@ public:
     // `motion` is the one in space.
     SpherePlaces(const Motion& motion, const SphereChart& chart);
 
-    // Of the points u, v on the sphere at some clocks.
+    // A box in space about the points u, v on the sphere at some clocks.
     SpaceBox at(formula::Interval u, formula::Interval v, formula::Interval clock);
 
 private:

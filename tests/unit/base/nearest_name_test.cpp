@@ -15,6 +15,7 @@ TEST(NearestName, FindsSlipsOfTheFinger) {
     EXPECT_EQ(nearest_name("sqr", names), "sqrt");
     EXPECT_EQ(nearest_name("sqrtt", names), "sqrt");
     EXPECT_EQ(nearest_name("weight", names), "weight");
+    EXPECT_EQ(nearest_name("X", {"y", "x"}), "x");
 }
 
 TEST(NearestName, SuggestsNothingFarFetched) {

@@ -65,7 +65,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"0⁻¹", "division by zero: 0 to a negative power", 2},
                     Mistake{"x $ y", "unexpected '$'", 3},
                     Mistake{"x^", "the formula ends where a value is expected", 3},
-                    Mistake{"x;", "unexpected ';'", 2}));
+                    Mistake{"x;", "unexpected ';'", 2},
+                    Mistake{"1 + xy", "unknown name 'xy'; a product is written 'x*y'", 5},
+                    Mistake{"zyx", "a product is written 'z*y*x'", 1},
+                    Mistake{"xx", "unknown name 'xx'; did you mean 'x'?", 1},
+                    Mistake{"X", "unknown name 'X'; did you mean 'x'?", 1}));
 
 INSTANTIATE_TEST_SUITE_P(Numbers, Mistakes,
                          testing::Values(Mistake{"1e999*x", "this number is out of range", 1},
@@ -76,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Equations, Mistakes,
                          testing::Values(Mistake{"x^2 = 1 = y", "one '=' at most", 9},
                                          Mistake{"x = = y", "unexpected '='", 5},
                                          Mistake{"x =", "ends where a value is expected", 4},
-                                         Mistake{"= x", "unexpected '='", 1},
+                                         Mistake{"= x", "a value is expected before '='", 1},
                                          Mistake{"q = 2", "unknown name 'q'", 1},
                                          Mistake{"q = 2 x; r = 2 ; q = r = 1", "one '='", 24},
                                          Mistake{"pi = 3; x", "'pi' already has a meaning", 1},

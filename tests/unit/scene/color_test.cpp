@@ -48,7 +48,7 @@ TEST_F(ColorOfScene, Mistakes) {
                               "evaluations, t";
     expect("['x', 0]", "16: material.color: must have three components: [x, y, z]");
     expect("['x', 0, 0, 1]", "16: material.color: must have three components: [x, y, z]");
-    expect("'x'", "16: material.color: must be [x, y, z] or { keys = [[t, [x, y, z]], ...] }");
+    expect("'x'", "16: material.color: must be [r, g, b], linear ([1, 0, 0] is red), or { keys = [[t, [r, g, b]], ...] }");
     expect("[0, 'q', 0]", "16: material.color.y: unknown name 'q'; known: " + names +
                               ", radius, pi\n    q\n    ^");
     expect("[0, 0, 'nx + raduis']",

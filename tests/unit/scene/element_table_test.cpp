@@ -258,7 +258,7 @@ TEST_F(ElementTables, MistakesInTheFileNameItsLine) {
 TEST_F(ElementTables, MistakesInTheSceneNameTheirKey) {
     const std::string table = "x,y,z\n1,2,3\n";
     EXPECT_EQ(wrong(table, "columns = { cx = \"X\", cy = \"y\", cz = \"z\" }"),
-              "d.csv:1: X: there is no such column; the file has x, y, z");
+              "d.csv:1: X: there is no such column; did you mean 'x'?");
     EXPECT_EQ(wrong("px,py,mass\n1,2,3\n", "columns = { cx = \"mas\" }"),
               "d.csv:1: mas: there is no such column; did you mean 'mass'?");
     EXPECT_EQ(wrong(table, "columns = { cx = \"velocity\", cy = \"y\", cz = \"z\" }"),

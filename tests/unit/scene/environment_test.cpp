@@ -122,9 +122,9 @@ TEST_F(EnvironmentSection, Mistakes) {
     };
     for (const auto& [text, message] : mistakes) EXPECT_EQ(mistake(text), message) << text;
     EXPECT_EQ(mistake(with("intensity = -1")),
-              "scene.toml: environment.intensity at t = 0: must be from 0 to 1000000, not -1");
+              "scene.toml:17: environment.intensity at t = 0: must be from 0 to 1000000, not -1");
     EXPECT_EQ(mistake(with("rotation = \"log(t - 1)\"")),
-              "scene.toml: environment.rotation at t = 0: the value is not a number");
+              "scene.toml:17: environment.rotation at t = 0: the value is not a number");
 }
 
 class Gradient : public Scenes {};

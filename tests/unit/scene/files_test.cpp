@@ -42,8 +42,9 @@ TEST_F(Files, UnknownNamesAreToldTheNearestOrAll) {
     write("animations/notes.txt", "no scene");
     EXPECT_EQ(mistake_of_name("bloby75"),
               "bloby75: no such file, and no animation of this name; did you mean 'blobby75'?");
-    EXPECT_EQ(mistake_of_name("quite_unlike"), "quite_unlike: no such file, and no animation of "
-                                               "this name; known: blobby75, melting");
+    EXPECT_EQ(mistake_of_name("quite_unlike"),
+              "quite_unlike: no such file, and no animation of this name; isomotion list names the "
+              "2 that there are");
 }
 
 TEST_F(Files, ThatAreNotTomlAreToldTheLine) {

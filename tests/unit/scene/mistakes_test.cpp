@@ -1,4 +1,6 @@
 // A scene with several mistakes: all are told, by line, and none that only follows from another.
+#include <fmt/format.h>
+
 #include "testing.h"
 
 namespace isomotion::scene {
@@ -45,7 +47,10 @@ TEST_F(SeveralMistakes, OneThatFollowsFromAnotherIsNotTold) {
               "scene.toml:4: material.model: there is no model 'gx'; did you mean 'ggx'? known: "
               "lambert, blinn-phong, ggx");
     EXPECT_EQ(mistake("[surface]\nformla = \"x\"\n"),
-              "scene.toml:1: surface: needs formula = \"...\", or use = \"name\" of the catalogue");
+              "scene.toml:2: surface.formla: unknown key; did you mean 'formula'?");
+    // Nothing but the wrong formula uses r.
+    EXPECT_THAT(mistake("[surface]\nformula = \"x = r +\"\n[parameters]\nr = 1\n"),
+                testing::StartsWith("scene.toml:2: surface.formula: the formula ends where"));
 }
 
 // A light that is wrong as a whole leaves the others their numbers.
@@ -57,6 +62,70 @@ TEST_F(SeveralMistakes, OfAListKeepTheirNumbers) {
     EXPECT_THAT(words, testing::HasSubstr("scene.toml:4: lights[0]: "));
     EXPECT_THAT(words, testing::HasSubstr("scene.toml:6: lights[1]: "));
     EXPECT_THAT(words, testing::HasSubstr("scene.toml:10: lights[2].shadow: "));
+}
+
+TEST_F(SeveralMistakes, OfOneSection) {
+    EXPECT_EQ(mistake("[surface]\nformula = \"x + q\"\n"
+                      "bounds = { sphere = -1, center = [0, 0, 0] }\n"
+                      "transform = { scale = 0, rotat = [0, 0, 1] }\n"
+                      "[material]\nmodel = \"gx\"\ncolor = \"red\"\nroughness = 7\n"
+                      "[camera]\nprojection = \"flat\"\nheight = -3\nzoom = 0\n"),
+              "scene.toml:2: surface.formula: unknown name 'q'; known: x, y, z, pi\n"
+              "    x + q\n"
+              "        ^\n"
+              "scene.toml:3: surface.bounds.center: unknown key; did you mean 'centre'?\n"
+              "scene.toml:3: surface.bounds.sphere at t = 0: the radius must be above 0, not -1\n"
+              "scene.toml:4: surface.transform.rotat: unknown key; did you mean 'rotate'?\n"
+              "scene.toml:4: surface.transform.scale at t = 0: the scale must be above 0, not 0\n"
+              "scene.toml:6: material.model: there is no model 'gx'; did you mean 'ggx'? known: "
+              "lambert, blinn-phong, ggx\n"
+              "scene.toml:7: material.color: must be [r, g, b], linear ([1, 0, 0] is red), or "
+              "{ keys = [[t, [r, g, b]], ...] }\n"
+              "scene.toml:10: camera.projection: must be perspective or orthographic, not 'flat'\n"
+              "scene.toml:12: camera.zoom at t = 0: the zoom must be above 0, not 0");
+}
+
+TEST_F(SeveralMistakes, OfValuesOutOfRange) {
+    EXPECT_EQ(mistake("[surface]\nformula = \"x\"\n[camera]\nfov = \"200 - t\"\nzoom = -1\n"
+                      "[fog]\ndensity = -1\n[[lights]]\ndirection = [0, 0, 0]\nradius = 90\n"),
+              "scene.toml:4: camera.fov at t = 0: the field of view must be above 0 and below 180 "
+              "degrees, not 200\n"
+              "scene.toml:5: camera.zoom at t = 0: the zoom must be above 0, not -1\n"
+              "scene.toml:7: fog.density at t = 0: the density must not be below 0, as -1 is\n"
+              "scene.toml:9: lights[0].direction.x at t = 0: the direction to the light has length "
+              "0\n"
+              "scene.toml:10: lights[0].radius at t = 0: must be from 0 to 45, not 90");
+}
+
+TEST_F(SeveralMistakes, OfArraysThatStandInTheFile) {
+    EXPECT_EQ(mistake(blobs("count = 3\ncx = \"2*j\"\nw = true") + "\n[camera]\nfob = 3\n"),
+              "scene.toml:6: arrays.blobs.cx: unknown name 'j'; known: t, i, n, cx, w, pi\n"
+              "    2*j\n"
+              "      ^\n"
+              "scene.toml:7: arrays.blobs.w: must be a number, an expression in t, i and n, or a "
+              "list of numbers\n"
+              "scene.toml:10: camera.fob: unknown key; did you mean 'fov'?");
+}
+
+TEST_F(SeveralMistakes, OfSeveralSurfacesWhatTheyShareOnce) {
+    EXPECT_EQ(mistake("[[surfaces]]\nformula = \"x + q\"\n[[surfaces]]\nformula = \"x\"\n"
+                      "transform = { scale = 0 }\n[camera]\nfob = 3\n"),
+              "scene.toml:2: surface.formula: unknown name 'q'; known: x, y, z, pi\n"
+              "    x + q\n"
+              "        ^\n"
+              "scene.toml:5: surface.transform.scale at t = 0: the scale must be above 0, not 0\n"
+              "scene.toml:7: camera.fob: unknown key; did you mean 'fov'?");
+}
+
+TEST_F(SeveralMistakes, OfAFormulaWithoutAPlace) {
+    for (const char* formula : {"1=1", "3", "x - x = 0", "pi"})
+        EXPECT_EQ(mistake(fmt::format("[surface]\nformula = \"{}\"\n", formula)),
+                  "scene.toml:2: surface.formula: the formula has the same value everywhere and so "
+                  "no surface; write an equation of x, y and z");
+    // All of space, of which a section shows a cap.
+    EXPECT_EQ(mistake("[surface]\nformula = \"-1\"\nbounds = { sphere = 1 }\n"
+                      "[[sections]]\nnormal = [0, 0, 1]\n"),
+              "nothing is wrong");
 }
 
 TEST_F(SeveralMistakes, NameNoNumberThatNobodyWrote) {

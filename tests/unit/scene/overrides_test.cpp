@@ -68,7 +68,45 @@ TEST_F(Overrides, WhatIsNoSetting) {
     EXPECT_EQ(wrong({""}), "--set : write name=value");
     EXPECT_EQ(wrong({"title.long=3"}), "--set title.long=3: 'title' is not a table");
     EXPECT_EQ(mistake(ball_and("[[lights]]\ndirection = [0, 0, 1]"), {"lights.color=[1, 1, 1]"}),
-              "--set lights.color=[1, 1, 1]: 'lights' is not a table");
+              "--set lights.color=[1, 1, 1]: 'lights' is a list: write lights[0] for its first");
+}
+
+TEST_F(Overrides, ATableOfAListByItsNumber) {
+    const std::string two = ball_and("[[lights]]\ndirection = [0, 0, 1]\n"
+                                     "[[lights]]\ndirection = [0, 1, 0]");
+    const SceneAt now = at_time(loaded(two, {"lights[1].color=[1, 0, 0]"}), 0);
+    EXPECT_EQ(now.lights[0].color, glm::dvec3(1));
+    EXPECT_EQ(now.lights[1].color, glm::dvec3(1, 0, 0));
+    EXPECT_EQ(mistake(two, {"lights[2].color=[1, 0, 0]"}),
+              "--set lights[2].color=[1, 0, 0]: the scene lists no lights[2]");
+    EXPECT_EQ(wrong({"lights[0].color=[1, 0, 0]"}),
+              "--set lights[0].color=[1, 0, 0]: the scene lists no lights[0]");
+}
+
+// Of keys that exclude each other the one that is set holds.
+TEST_F(Overrides, TakeThePlaceOfWhatTheyExclude) {
+    EXPECT_EQ(loaded(ball_with(4, "seconds = 3"), {"time.frames=7"}).timeline.frames, 7);
+    EXPECT_EQ(loaded(ball(), {"time.seconds=3"}).timeline.frames, 90);
+    EXPECT_EQ(set({"surface.bounds.box=[[-1, -1, -1], [1, 1, 2]]"}).bounds.max.z, 2);
+    EXPECT_NEAR(set({"camera.elevation=90"}).camera.position.x, 0, 1e-12);
+    EXPECT_THAT(wrong({"time.frames=7", "time.seconds=3"}),
+                StartsWith("--set: time.seconds: says again how long the scene is"));
+}
+
+TEST_F(Overrides, FewerFramesHaveThePosterAmongThem) {
+    const std::string late = ball() + "poster = 40\n";
+    EXPECT_EQ(loaded(late).output.poster, 40);
+    EXPECT_EQ(loaded(late, {"time.frames=7"}).output.poster, 7);
+    EXPECT_EQ(loaded(late, {"time.seconds=1"}).output.poster, 30);
+    EXPECT_EQ(mistake(late, {"time.frames=7", "output.poster=8"}),
+              "--set: output.poster: must be from 1 to 7, a frame of the scene, not 8");
+    EXPECT_THAT(mistake(ball() + "poster = 61\n"),
+                StartsWith("scene.toml:15: output.poster: must be from 1 to 60, "));
+}
+
+TEST_F(Overrides, KeysWithoutTheirSectionAreToldIt) {
+    EXPECT_EQ(wrong({"frames=7"}), "--set: parameters.frames: nothing uses this parameter; did you "
+                                   "mean the scene's key time.frames?");
 }
 
 TEST_F(Overrides, UnknownNamesAreThoseOfTheCommandLine) {

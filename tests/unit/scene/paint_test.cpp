@@ -69,7 +69,7 @@ TEST_F(PaintOfScene, Mistakes) {
     expect("value = 'nz'\nrange = [0, 1]\nvalues = 1",
            "18: material.colormap.values: unknown key; did you mean 'value'?");
     expect("value = 'nz'\nrange = [2, '2 + t']",
-           " material.colormap.range at t = 0: the two ends must differ, and both are 2");
+           "17: material.colormap.range at t = 0: the two ends must differ, and both are 2");
 }
 
 } // namespace

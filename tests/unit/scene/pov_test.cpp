@@ -154,6 +154,24 @@ TEST(Pov, DeclaredObjectsAndLooks) {
     EXPECT_EQ(scene.material.model, Material::Model::blinn_phong);
 }
 
+// What cuts the surface counts; what only saves time does where nothing cuts it.
+TEST(Pov, BoundsAreOneShape) {
+    const auto bounds_of = [](const std::string& parts) {
+        const Scene scene = scene_of("quadric { <1, 1, -1>, 0, 0, -1 " + parts + " }\n");
+        return at(scene, scene.timeline.values(1)).bounds;
+    };
+    const std::string ball = "{ sphere { 0, 2 } } ", box = "{ box { -3, 3 } } ";
+    EXPECT_EQ(bounds_of("clipped_by " + ball + "bounded_by { clipped_by }").radius, 2);
+    EXPECT_EQ(bounds_of("clipped_by " + ball + "bounded_by " + box).radius, 2);
+    EXPECT_EQ(bounds_of("bounded_by " + box + "clipped_by " + ball).radius, 2);
+    EXPECT_EQ(bounds_of("bounded_by " + box).max.x, 3);
+    const Scene unit = scene_of("isosurface { function { x*x + y*y + z*z - 1.2 } }\n");
+    EXPECT_EQ(at(unit, unit.timeline.values(1)).bounds.min, glm::dvec3(-1));
+    EXPECT_THAT(mistake_of("quadric { <1, 1, -1>, 0, 0, -1\nclipped_by " + ball + "\nclipped_by " +
+                           box + "}\n"),
+                testing::StartsWith("ball.pov:3: clipped_by: is the second shape"));
+}
+
 TEST(Pov, MistakesHaveTheLinesOfTheFile) {
     const auto expect = [](const std::string& text, const std::string& start) {
         EXPECT_THAT(mistake_of(text), testing::StartsWith("ball.pov:" + start));

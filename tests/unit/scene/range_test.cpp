@@ -103,9 +103,9 @@ TEST_F(Range, TooLargeForAFloat) {
 // At the first frame the scene doesn't even load.
 TEST_F(Range, WrongFromTheStart) {
     EXPECT_EQ(mistake(ball_with(7, "bounds = { sphere = \"t\" }")),
-              "scene.toml: surface.bounds.sphere at t = 0: the radius must be above 0, not 0");
+              "scene.toml:7: surface.bounds.sphere at t = 0: the radius must be above 0, not 0");
     EXPECT_EQ(mistake(ball_with(12, "fov = 200")),
-              "scene.toml: camera.fov at t = 0: the field of view must be above 0 and below 180 "
+              "scene.toml:12: camera.fov at t = 0: the field of view must be above 0 and below 180 "
               "degrees, not 200");
 }
 

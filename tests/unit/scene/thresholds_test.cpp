@@ -108,7 +108,7 @@ TEST_F(FieldThresholds, OfAFieldWithPolesAreFinite) {
 }
 
 TEST_F(FieldThresholds, OfAConstantFieldLeaveTheBaseStep) {
-    const Thresholds found = of("1");
+    const Thresholds found = of("max(x, 9) - 8");
     EXPECT_EQ(found.near, 0);
     EXPECT_GT(found.far, 1e29); // no value is far
     EXPECT_EQ(found.horizon, 0);

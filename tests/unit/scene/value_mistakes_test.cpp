@@ -9,6 +9,9 @@ constexpr const char* moving_number =
     "\"smooth\" }";
 constexpr const char* moving_vector = "must be [x, y, z] or { keys = [[t, [x, y, z]], ...] }";
 
+constexpr const char* moving_color =
+    "must be [r, g, b], linear ([1, 0, 0] is red), or { keys = [[t, [r, g, b]], ...] }";
+
 constexpr const char* background =
     "output.background: must be [r, g, b] (linear), { top = [r, g, b], bottom = [r, g, b] } or "
     "\"transparent\"";
@@ -50,7 +53,7 @@ TEST_F(ValueMistakes, WrongTypes) {
     expect_in("isolation", "method = 3", "method: must be a text in quotes");
     expect_in("isolation", "step = \"small\"", "step: must be a number");
     expect_in("isolation", "bisections = 2.0", "bisections: must be an integer");
-    expect_in("material", "color = \"red\"", "color: " + std::string(moving_vector));
+    expect_in("material", "color = \"red\"", "color: " + std::string(moving_color));
     expect(14, "background = \"white\"", background);
     expect(14, "background = [1, 2]", background);
     expect(14, "background = [1, 1, \"t\"]", "output.background: must be a number");

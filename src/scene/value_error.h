@@ -1,0 +1,30 @@
+// A value that is out of its range at a time.
+#pragma once
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "scene/error.h"
+
+namespace isomotion::scene {
+
+// `name` is the value's, as tracks and arrays' fields are called: "camera.fov", "blobs.cx[2]".
+class ValueError : public SceneError {
+public:
+    ValueError(const std::string& file, std::string name, double time, const std::string& why)
+        : SceneError(fmt::format("{}: {} at t = {}: {}", file, name, time, why))
+        , name_(std::move(name))
+        , time_(time)
+        , why_(why) {}
+    const std::string& name() const { return name_; }
+    double time() const { return time_; }
+    const std::string& why() const { return why_; }
+
+private:
+    std::string name_;
+    double time_;
+    std::string why_;
+};
+
+} // namespace isomotion::scene
