@@ -164,6 +164,8 @@ std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest) {
     // single pixels lie side by side.
     const int bits = finest == 1 ? 6 : 4;
     if (!has_lists(storage)) return {{finest, none, 1, bits}};
+    // Fewer programs: a page shows its first picture when all are compiled.
+    if (has_masks(storage)) return {{32, whole, 0.3, 2}, {finest, front, 0.12, bits}};
     return {{64, whole, 0.3, 2}, {16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
 }
 

@@ -161,6 +161,7 @@ TEST_F(CompileWithGlslang, EveryPassOfBrowsers) {
             if (!seen.insert(pass.text).second) continue;
             // WebGL has a choice of numbers and vectors alone.
             EXPECT_EQ(occurrences(pass.text, "? finish("), 0) << pass.name;
+            EXPECT_EQ(occurrences(pass.text, "? Lists("), 0) << pass.name;
             expect_valid(pass.text, "frag", pass.name);
         }
     };
@@ -172,6 +173,8 @@ TEST_F(CompileWithGlslang, EveryPassOfBrowsers) {
     }
     expect_passes_valid(surface_text("x^4 + y^2*z - 1", every_bounds[0], "chebyshev"));
     expect_passes_valid(surface_text("(x^2 + y^2 - z)^2", every_bounds[0], "hermite"));
+    for (const int elements : {9, 32, 33, 128, 129})
+        expect_passes_valid(blobs_text(elements, every_bounds[1], "hermite"));
     for (const auto& effect : every_effect) {
         expect_passes_valid(blobs_text(70, every_bounds[0], "hermite") + effect);
     }
