@@ -69,7 +69,7 @@ TEST(WebScene, UpTo128ElementsAreTheBitsOfBeams) {
         const synthesis::Passes passes = web_scene(scene_of(balls(count))).passes;
         EXPECT_TRUE(synthesis::has_masks(passes)) << count;
         EXPECT_FALSE(synthesis::array_with_grid(passes)) << count;
-        EXPECT_EQ(passes.beams.size(), 3u);
+        EXPECT_EQ(passes.beams.size(), 2u);
         for (const synthesis::Role role : {synthesis::Role::beams, synthesis::Role::fused}) {
             const std::string& text = passes.at(role).text;
             EXPECT_THAT(text, Not(HasSubstr("e0 < array0_count"))) << "a loop over all";
