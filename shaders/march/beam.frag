@@ -5,11 +5,6 @@
 // short against the block. What it passed holds no root of any of the block's rays, rounding included.
 
 layout(location = 0) out vec4 part; // of tau, empty without roots; where front and middle end
-#ifdef LISTS
-// Elements and the first, of each list: of the front and of the middle; of all.
-layout(location = 1) out vec4 lists;
-layout(location = 2) out vec4 list_of_all;
-#endif
 
 uniform int beam_evaluations;
 #ifdef GRID
@@ -27,7 +22,7 @@ void main() {
 #ifdef LISTS
     enter_list(whole.all);
     evaluations = min(evaluations, MOST_TERMS / max(array0_count, 1)); // as in beam_list.glsl
-    vec2 front = whole.front, middle = whole.front, all = whole.all;
+    LIST front = whole.front, middle = whole.front, all = whole.all;
     float front_end = whole.front_end, middle_end = whole.front_end;
     // Few elements matter in the front, where most rays end; the walk there is the cheaper, too.
     if (LIST_OF_ALL == 0 && open) {
@@ -90,8 +85,7 @@ void main() {
         front_end = middle_end = made.front_end;
     }
     part = vec4(low, open ? high : low, front_end, middle_end);
-    lists = vec4(front, middle);
-    list_of_all = vec4(all, 0.0, 0.0);
+    store_lists(front, middle, all);
 #else
     part = vec4(low, open ? high : low, low, low);
 #endif

@@ -5,24 +5,11 @@
 
 // Elements and the first, of all of a way and of its front, which ends at a depth.
 struct Lists {
-    vec2 all, front;
+    LIST all, front;
     float front_end;
 };
 
-// What does not fit goes on with the list it came from.
-vec2 list_from(int first, int kept) {
-    return kept <= list.y ? vec2(float(kept), float(first))
-                          : vec2(float(array0_count), float(array0_first));
-}
-
-void keep(int e, int first, int kept) {
-    if (kept >= list.y) return;
-    for (int t = 0; t < TEXELS; ++t) listed[(first + kept) * TEXELS + t] = array0_texel(e, t);
-}
-
 Lists lists_of(ivec2 block, Beam way, float low, float high) {
-    int first = list.x + (block.y * list.z + block.x) * LISTS_OF_A_BLOCK * list.y;
-    int first_of_front = first + list.y;
     // Loops must end before drivers end them, silently.
     int pieces = clamp(MOST_TERMS / max(array0_count, 1), 1, PIECES);
     int front_pieces = min(FRONT_PIECES, pieces);
@@ -44,8 +31,14 @@ Lists lists_of(ivec2 block, Beam way, float low, float high) {
     box_around(way, mix(low, high, 1.0 - part), high, last_x, last_y, last_z);
     vec2 rounding = vec2(-beam.w, beam.w);
     float per_piece = 1.0 / max(float(pieces - 1), 1.0);
-    int kept = 0, kept_in_front = 0;
+    NewList kept = new_list(block, 0), kept_in_front = new_list(block, 1);
+#ifdef MASKS
+    for (int word = 0; word < MASK_WORDS; ++word)
+    for (uint bits = listed_bits(word); bits != 0u; bits &= bits - 1u) {
+        int e = first_listed(word, bits);
+#else
     for (int e = 0; e < array0_count; ++e) {
+#endif
         float largest = 0.0, in_front = 0.0;
         for (int k = 0; k < pieces; ++k) {
             float along = float(k) * per_piece;
@@ -60,19 +53,17 @@ Lists lists_of(ivec2 block, Beam way, float low, float high) {
         if (largest <= 0.125 * left) {
             left -= largest;
         } else {
-            keep(e, first, kept);
-            kept += 1;
+            keep(kept, e);
         }
         if (LISTS_OF_A_BLOCK == 1) continue;
         if (in_front <= 0.125 * left_in_front) {
             left_in_front -= in_front;
         } else {
-            keep(e, first_of_front, kept_in_front);
-            kept_in_front += 1;
+            keep(kept_in_front, e);
         }
     }
-    vec2 all = list_from(first, kept);
+    LIST all = list_of(kept);
     float front_end = mix(low, high, float(front_pieces) * part);
-    return LISTS_OF_A_BLOCK == 1 ? Lists(all, all, high)
-                                 : Lists(all, list_from(first_of_front, kept_in_front), front_end);
+    if (LISTS_OF_A_BLOCK == 1) return Lists(all, all, high);
+    return Lists(all, list_of(kept_in_front), front_end);
 }

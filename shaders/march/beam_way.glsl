@@ -23,7 +23,7 @@ struct Part {
 #ifdef LISTS
     // The elements to go through up to front_end, and everywhere.
     float front_end;
-    vec2 front, all;
+    LIST front, all;
 #endif
 };
 

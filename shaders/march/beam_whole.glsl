@@ -3,7 +3,7 @@
 Part parent_part(ivec2 block) {
     float first = 0.125 * (beam.y - beam.x);
 #ifdef LISTS
-    vec2 all = vec2(float(array0_count), float(array0_first));
+    LIST all = entered_list();
     return Part(beam.x, beam.y, first, beam.y, all, all);
 #else
     return Part(beam.x, beam.y, first);

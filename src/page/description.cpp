@@ -103,6 +103,7 @@ Json beams_of(const WebScene& web) {
     Json all = Json::array();
     for (const synthesis::BeamLevel& level : web.passes.beams) {
         all.push_back({{"block", level.block},
+                       {"masks", synthesis::has_masks(web.passes)},
                        {"evaluations", render::evaluations_of_a_beam(
                                            web.passes, *web.scene.surface.field, level.lists)}});
     }
@@ -139,8 +140,7 @@ Json grid_of(const WebScene& web) {
     return {{"array", *array},
             // Its place in the block Parameters, in floats.
             {"place", 4 * (web.passes.parameter_vectors + web.passes.count_vectors)},
-            {"leastOfNone", formula::Operations<float>::least_of_none()},
-            {"budget", web.plan.element_budget}};
+            {"leastOfNone", formula::Operations<float>::least_of_none()}};
 }
 
 // What a slider makes of elements may matter in other cells: then the shaders go through all.
@@ -298,6 +298,7 @@ std::string description(const WebScene& web, const FrameValues& values,
     all["parameterVectors"] = passes.parameter_vectors;
     all["arrays"] = arrays_of(passes);
     all["grid"] = grid_of(web);
+    all["elementBudget"] = web.plan.element_budget;
     all["passes"] = passes_of(web, texts);
     all["lines"] = texts.all();
     all["view"] = places_of(values.view_places);

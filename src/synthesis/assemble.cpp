@@ -22,8 +22,8 @@ namespace {
 
 // From so many elements on a grid finds those that matter faster than beams do.
 constexpr int most_by_lists = 500;
-// And where no lists can be made, in GLSL ES; from so many on a grid is faster than beams that go
-// through all.
+// And where beams keep neither lists nor bits, in GLSL ES; from so many on a grid is faster than
+// beams that go through all.
 constexpr int most_in_beams_of_a_page = 24;
 
 // Whether rays ask for bounds of F over pieces of them.
@@ -73,7 +73,11 @@ FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers, Platform
     const bool is_large =
         by_place && counts[std::size_t(*by_place)] > most_by_lists && scene.isolation.beam != true;
     Finding finding;
-    finding.by_lists = !is_large && writes_buffers && uses_beams(scene) && !counts.empty() &&
+    // Rays that begin on a surface have no beams there, and find elements faster by place.
+    finding.by_masks = platform == Platform::webgl && !keeps_surfaces(scene) &&
+                       by_place.value_or(0) == 0 && !counts.empty() && counts[0] <= most_in_masks;
+    const bool keeps_lists = writes_buffers || finding.by_masks;
+    finding.by_lists = !is_large && keeps_lists && uses_beams(scene) && !counts.empty() &&
                        counts[0] >= fewest && counts[0] <= most &&
                        formula::linear_sum(*scene.surface.field).has_value();
     if (!finding.by_lists) finding.by_place = by_place;
@@ -111,7 +115,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     const bool solves = method.steps == scene::Steps::polynomial;
     if (solves) passes.degree = scene::solved_degree(*scene.surface.field);
     passes.state_textures = method.state_textures;
-    // A page's beams, which make no lists, find elements by place as its rays do.
+    // A page's beams that keep no bits find elements by place as its rays do.
     const bool by_beams = uses_beams(scene) && (on_web || !array_with_grid(passes));
     if (by_beams) passes.beams = beam_levels(passes, finest_beam);
     if (on_web) lay_side_by_side(passes.beams);

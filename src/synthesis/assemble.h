@@ -18,8 +18,8 @@ namespace isomotion::synthesis {
 // Pixels across the smallest beams.
 inline constexpr int usual_beam = 8;
 
-// What compiles the shaders. `webgl` is WebGL2: GLSL ES 3.00, in which beams make no lists
-// of elements and lights have no beams.
+// What compiles the shaders. `webgl` is WebGL2: GLSL ES 3.00, in which beams keep bits instead of
+// lists of elements and lights have no beams.
 enum class Platform { opengl, webgl };
 
 // `writes_buffers`: shaders may (OpenGL 4.3), which the lists of beams need. `finest_beam`: 8, or 1

@@ -41,13 +41,19 @@ void add_bounds_of_sum(ShaderText& text, const formula::Field& field, const Fiel
               true);
 }
 
+void add_stored_lists(ShaderText& text, const FieldStorage& storage) {
+    text.file(has_masks(storage) ? "march/read_masks.glsl" : "march/read_lists.glsl");
+}
+
 // Around pieces of beams within those of `parent`, if it is not null.
-void add_boxes(ShaderText& text, const scene::Scene& scene, const BeamLevel* parent) {
+void add_boxes(ShaderText& text, const scene::Scene& scene, const Passes& passes,
+               const BeamLevel* parent) {
     text.generated("generated: least and most tau, the shortest piece; rounding, a length",
                    "uniform vec4 beam;\n");
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
     text.file("march/beam_way.glsl");
+    if (parent && has_lists(passes)) add_stored_lists(text, passes);
     if (parent) {
         text.define("PARENT_BLOCK", parent->block);
         text.define("PARENT_SQUARE_BITS", parent->square_bits);
@@ -87,7 +93,8 @@ Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
     const BeamLevel* parent = level > 0 ? &beam - 1 : nullptr;
     ShaderText text;
     const bool makes_lists = beam.lists != BeamLists::none;
-    if (makes_lists) text.version(430);
+    const bool writes_buffer = makes_lists && !has_masks(passes);
+    if (writes_buffer) text.version(430);
     define_blocks(text, beam);
     text.define("BOTH_ENDS", int(beam.lists == BeamLists::whole));
     if (has_lists(passes)) {
@@ -111,12 +118,10 @@ Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
         text.define("MOST_TERMS", parent ? most_terms : most_terms_at_first);
         // Read as a texture: software renderers go through the lanes one by one to read a storage
         // buffer.
-        text.generated("generated: where this level's lists go",
-                       "uniform ivec3 list; // first element, most of one, blocks across\n"
-                       "layout(std430, binding = 0) buffer lists_buffer { vec4 listed[]; };\n");
+        text.file(writes_buffer ? "march/write_lists.glsl" : "march/write_masks.glsl");
     }
     text.file("frame.glsl");
-    add_boxes(text, scene, parent);
+    add_boxes(text, scene, passes, parent);
     add_sections_over_boxes(text, scene);
     if (makes_lists) text.file("march/beam_list.glsl");
     text.file("march/beam.frag");
@@ -130,7 +135,7 @@ Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
 void add_beam_of_block(ShaderText& text, const scene::Scene& scene, const Passes& passes,
                        int block) {
     const bool lies_in_beams = !passes.beams.empty() && passes.beams.back().block >= block;
-    add_boxes(text, scene, lies_in_beams ? &passes.beams.back() : nullptr);
+    add_boxes(text, scene, passes, lies_in_beams ? &passes.beams.back() : nullptr);
 }
 
 void add_light_beams(ShaderText& text, const Passes& passes) {
@@ -141,7 +146,10 @@ void add_light_beams(ShaderText& text, const Passes& passes) {
 
 void add_entrance(ShaderText& text, const Passes& passes, bool by_beams) {
     if (by_beams) define_blocks(text, passes.beams.back());
-    if (by_beams && has_lists(passes)) text.file("march/choose_list.glsl");
+    if (by_beams && has_lists(passes)) {
+        add_stored_lists(text, passes);
+        text.file("march/choose_list.glsl");
+    }
     text.file(by_beams ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
 }
 
@@ -156,6 +164,8 @@ std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest) {
     // single pixels lie side by side.
     const int bits = finest == 1 ? 6 : 4;
     if (!has_lists(storage)) return {{finest, none, 1, bits}};
+    // Fewer programs: a page shows its first picture when all are compiled.
+    if (has_masks(storage)) return {{32, whole, 0.3, 2}, {finest, front, 0.12, bits}};
     return {{64, whole, 0.3, 2}, {16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
 }
 

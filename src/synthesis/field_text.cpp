@@ -8,6 +8,7 @@
 #include "formula/linear_sum.h"
 #include "synthesis/cells_text.h"
 #include "synthesis/loop_limit.h"
+#include "synthesis/masks_text.h"
 #include "synthesis/shader_files.h"
 #include "synthesis/shader_text.h"
 
@@ -55,11 +56,14 @@ std::string declarations(const FieldStorage& storage) {
                               fmt::format("int {}_count = {};\n", array.name, count));
         text += fmt::format("#define {}_least {}\n", array.name, formula::glsl_least_of_none());
         std::string element = "element";
-        if (array.has_lists) {
+        if (array.has_lists && !array.has_masks) {
             // Another list than all elements, once entered.
-            text += fmt::format("int {0}_first = 0;\nvoid enter_list(vec2 list) {{ {0}_count = "
-                                "int(list.x); {0}_first = int(list.y); }}\n",
-                                array.name);
+            text += fmt::format(
+                "#define LIST vec2\nint {0}_first = 0;\n"
+                "LIST entered_list() {{ return LIST(float({0}_count), float({0}_first)); }}\n"
+                "void enter_list(LIST list) {{ {0}_count = int(list.x); {0}_first = int(list.y); "
+                "}}\n",
+                array.name);
             element = fmt::format("({}_first + element)", array.name);
         }
         const std::string at =
@@ -234,6 +238,10 @@ bool has_lists(const FieldStorage& storage) {
     return !storage.arrays.empty() && storage.arrays[0].has_lists;
 }
 
+bool has_masks(const FieldStorage& storage) {
+    return has_lists(storage) && storage.arrays[0].has_masks;
+}
+
 FieldStorage field_storage(const formula::Field& field, int parameters, std::span<const int> counts,
                            const Finding& finding) {
     FieldStorage storage;
@@ -245,12 +253,13 @@ FieldStorage field_storage(const formula::Field& field, int parameters, std::spa
         array.capacity = std::max(1, counts[a]);
         const std::size_t bytes = std::size_t(array.capacity) * std::size_t(array.texels) * 16;
         array.has_lists = finding.by_lists;
+        array.has_masks = finding.by_masks;
         array.has_grid = finding.by_place == int(a);
         if (array.has_grid) array.sums = int(formula::own_sums(field, int(a)).size());
-        array.kind =
-            !array.has_lists && !array.has_grid && bytes <= ArrayStorage::uniform_block_bytes
-                ? ArrayStorage::Kind::uniform_block
-                : ArrayStorage::Kind::texture_buffer;
+        array.kind = (!array.has_lists || array.has_masks) && !array.has_grid &&
+                             bytes <= ArrayStorage::uniform_block_bytes
+                         ? ArrayStorage::Kind::uniform_block
+                         : ArrayStorage::Kind::texture_buffer;
         storage.arrays.push_back(array);
     }
     storage.count_vectors = (int(storage.arrays.size()) + 3) / 4;
@@ -277,10 +286,12 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     std::string generated;
     const bool by_place = array_with_grid(storage).has_value();
     FieldPrograms programs(field);
+    const bool by_masks = has_masks(storage);
     for (const FieldFunction function : functions) {
         FunctionParts parts = parts_of(field, programs, function);
         (parts.on_intervals ? interval_kernels : kernels).merge(parts.kernels);
         on_intervals |= parts.on_intervals;
+        if (by_masks) parts.glsl = over_masks(parts.glsl);
         generated += by_place ? in_cells(function, parts.glsl) : parts.glsl;
     }
     for (const GeneratedFunction& function : beside) {
@@ -295,12 +306,14 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     text.generated("generated: parameters of the surface", declarations(storage));
     define_grid_limits(text, field, storage, functions);
     if (by_place) add_cells(text, storage);
+    if (by_masks) add_masks(text, storage);
     if (!functions.empty()) {
         text.generated("generated from: " + as_comment(field.text), generated);
     }
     for (const GeneratedFunction& function : beside) {
         text.generated("generated from: " + as_comment(function.from),
-                       !by_place           ? function.glsl
+                       by_masks            ? over_masks(function.glsl)
+                       : !by_place         ? function.glsl
                        : function.sums_all ? over_all_elements(storage, function.glsl)
                                            : entering_cells(function.glsl));
     }

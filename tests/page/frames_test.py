@@ -42,6 +42,8 @@ ALL = QUICK + [
     ("mirror.toml", 1, []),
     ("many.toml", 3, [CAMERA]),
     ("capsules.toml", 2, []),
+    ("bits.toml", 2, []),
+    ("bits.toml", 2, [CAMERA, "surface.bounds={box = [[-1, -1, -1], [1.2, 1, 1]]}"], {"c": 0.3}),
     ("blur.toml", 2, [], {"c": 0.4}),
     ("cut.toml", 3, []),
     ("cut.toml", 3, [CAMERA]),
@@ -183,6 +185,29 @@ cz = "2*random(i, 3) - 1 + 0.1*t"
 [[lights]]
 direction = [1, 2, 2]
 shadow = true
+""",
+    # As many elements as beams have bits for, of two texels, cut open and painted.
+    "bits.toml": """[time]
+frames = 4
+fps = 4
+[surface]
+formula = "(2 + x)*sum(b, w*exp(-k*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))) - 0.8 - 0.1*c"
+bounds = { sphere = 1.6 }
+[parameters]
+c = "0.2*t"
+[arrays.b]
+count = 128
+cx = "1.3*sin(i + c)"
+cy = "1.3*sin(2*i + t)"
+cz = "1.3*sin(3*i)"
+k = "20 + 20*random(i, 1)"
+w = "0.6 + 0.3*random(i, 2)"
+[[sections]]
+normal = [1, 0, 0]
+offset = 0.4
+[material.colormap]
+value = "mean_curvature"
+range = [-6, 6]
 """,
     # Motion blur, of elements found by place as well, and of the camera.
     "blur.toml": """[time]

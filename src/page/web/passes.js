@@ -5,7 +5,7 @@ class PassTable {
     constructor(gl, about, pageShaders) {
         this.gl = gl;
         this.passes = about.passes;
-        this.grid = about.grid;
+        this.elementBudget = about.elementBudget;
         this.units = new Map();
         this.bindings = new Map();
         this.programs = new Map(); // compiling or ready
@@ -49,7 +49,7 @@ class PassTable {
         if (program.uniforms) return;
         while (!program.isReady()) await soon(5);
         program.finish(this.units, this.bindings);
-        if (this.grid) program.set("element_budget", this.grid.budget);
+        program.set("element_budget", this.elementBudget);
         for (const [name, value] of Object.entries(this.effects)) program.set(name, value);
     }
 

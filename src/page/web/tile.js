@@ -14,9 +14,10 @@ class TileDrawer {
             [float, this.keepsSurfaces ? gl.RG32UI : gl.R32UI]).withDepth().expectComplete();
         this.newStates = () => [0, 1].map(() => target(Array(about.stateTextures).fill(float)));
         this.newEnds = () => target([float, float, float]);
-        this.beams = about.beams.map(({ block }) => {
+        this.beams = about.beams.map(({ block, masks }) => {
             const blocks = Math.ceil(side / block);
-            return new Target(gl, blocks, blocks, [float]).expectComplete();
+            const formats = masks ? [float, ...Array(3).fill(gl.RGBA32UI)] : [float];
+            return new Target(gl, blocks, blocks, formats).expectComplete();
         });
         this.isFused = table.has("fused"); // as long as every ray ended in one draw
         this.counter = target([gl.R8]); // nothing is drawn into it, but fragments are counted
@@ -63,7 +64,8 @@ class TileDrawer {
             program.set("around_middles", 0);
             this.run("beams", this.beams[level],
                 { width: Math.ceil(width / block), height: Math.ceil(height / block) }, level);
-            table.bind("beam_texture", this.beams[level].textures[0]);
+            ["beam", "beam_front", "beam_middle", "beam_all"].forEach((name, k) =>
+                table.bind(`${name}_texture`, this.beams[level].textures[k] ?? null));
         });
     }
 

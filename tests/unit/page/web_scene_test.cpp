@@ -63,6 +63,24 @@ TEST(WebScene, IsOfGlslEsWithoutListsProofsOrBuffers) {
     }
 }
 
+// Beams tell them by bits, where all rays begin at the eye.
+TEST(WebScene, UpTo128ElementsAreTheBitsOfBeams) {
+    for (const int count : {9, 75, 128}) {
+        const synthesis::Passes passes = web_scene(scene_of(balls(count))).passes;
+        EXPECT_TRUE(synthesis::has_masks(passes)) << count;
+        EXPECT_FALSE(synthesis::array_with_grid(passes)) << count;
+        EXPECT_EQ(passes.beams.size(), 2u);
+        for (const synthesis::Role role : {synthesis::Role::beams, synthesis::Role::fused}) {
+            const std::string& text = passes.at(role).text;
+            EXPECT_THAT(text, Not(HasSubstr("e0 < array0_count"))) << "a loop over all";
+            EXPECT_THAT(text, HasSubstr("int e0 = first_listed(word, bits);"));
+        }
+    }
+    for (const std::string& scene :
+         {balls(8), balls(129), balls(75) + "[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n"})
+        EXPECT_FALSE(synthesis::has_masks(web_scene(scene_of(scene)).passes)) << scene;
+}
+
 TEST(FrameValues, RefuseTooMuchOfThem) {
     const WebScene web = web_scene(scene_of(balls(90) + "[time]\nframes = 250000\n"));
     try {

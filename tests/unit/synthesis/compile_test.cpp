@@ -177,6 +177,7 @@ TEST_F(CompileWithGlslang, EveryPassOfBrowsers) {
             if (!seen.insert(pass.text).second) continue;
             // WebGL has a choice of numbers and vectors alone.
             EXPECT_EQ(occurrences(pass.text, "? finish("), 0) << pass.name;
+            EXPECT_EQ(occurrences(pass.text, "? Lists("), 0) << pass.name;
             add(pass.text, "frag");
         }
     };
@@ -188,6 +189,8 @@ TEST_F(CompileWithGlslang, EveryPassOfBrowsers) {
     }
     add_passes(surface_text("x^4 + y^2*z - 1", every_bounds[0], "chebyshev"));
     add_passes(surface_text("(x^2 + y^2 - z)^2", every_bounds[0], "hermite"));
+    for (const int elements : {9, 32, 33, 128, 129})
+        add_passes(blobs_text(elements, every_bounds[1], "hermite"));
     for (const auto& effect : every_effect) {
         add_passes(blobs_text(70, every_bounds[0], "hermite") + effect);
     }

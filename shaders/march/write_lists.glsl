@@ -1,0 +1,36 @@
+// Where beams keep their lists: elements one after the other in a buffer, of which each beam has a
+// part. A list is how many there are, and the first.
+
+layout(location = 1) out vec4 lists; // of the front and of the middle
+layout(location = 2) out vec4 list_of_all;
+
+uniform ivec3 list; // this level's first element, most of one list, blocks across
+layout(std430, binding = 0) buffer lists_buffer { vec4 listed[]; };
+
+struct NewList {
+    int first, kept;
+};
+
+// List `which` of a block's.
+NewList new_list(ivec2 block, int which) {
+    int place = (block.y * list.z + block.x) * LISTS_OF_A_BLOCK + which;
+    return NewList(list.x + place * list.y, 0);
+}
+
+void keep(inout NewList made, int e) {
+    if (made.kept < list.y) {
+        for (int t = 0; t < TEXELS; ++t)
+            listed[(made.first + made.kept) * TEXELS + t] = array0_texel(e, t);
+    }
+    made.kept += 1;
+}
+
+// What does not fit goes on with the list it came from.
+LIST list_of(NewList made) {
+    return made.kept <= list.y ? LIST(float(made.kept), float(made.first)) : entered_list();
+}
+
+void store_lists(LIST front, LIST middle, LIST all) {
+    lists = vec4(front, middle);
+    list_of_all = vec4(all, 0.0, 0.0);
+}
