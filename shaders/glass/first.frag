@@ -5,7 +5,7 @@ void main() {
     Ray ray = pixel_ray();
     SurfacePoint p = load_surface();
     bool hit = is_on_surface(p);
-    Path path = Path(vec3(0.0), PATH_ENDED, ray.direction, 0, vec3(1.0), vec3(0.0));
+    Path path = Path(vec3(0.0), PATH_ENDED, ray.direction, 0, 0.0, vec3(1.0), vec3(0.0));
     float end = hit || p.on_ground ? min(p.t, ray.t_far) : ray.t_far;
     bool in_bounds = ray.t_near < end;
     vec3 begin = ray_point(ray, ray.t_near);

@@ -10,6 +10,7 @@ struct Path {
     int state;
     vec3 direction; // unit length
     int evaluations; // so far
+    float off;      // how far along its ray that is on the side that it goes to
     vec3 weight;    // of what the ray sees, in the pixel
     vec3 light;     // in the pixel so far
 };
@@ -22,8 +23,8 @@ uniform sampler2D glass_texture_3;
 Path load_path() {
     ivec2 at = ivec2(pixel_centre);
     vec4 a = texelFetch(glass_texture_0, at, 0), b = texelFetch(glass_texture_1, at, 0);
-    return Path(a.xyz, int(a.w), b.xyz, int(b.w), texelFetch(glass_texture_2, at, 0).xyz,
-                texelFetch(glass_texture_3, at, 0).xyz);
+    vec4 c = texelFetch(glass_texture_2, at, 0), d = texelFetch(glass_texture_3, at, 0);
+    return Path(a.xyz, int(a.w), b.xyz, int(b.w), c.w, c.xyz, d.xyz);
 }
 
 bool goes_on(Path path) {

@@ -10,7 +10,7 @@ Ray pixel_ray() {
     ray.anchor = path.position;
     ray.direction = path.direction;
     vec2 inside = clip_to_bounds(ray.anchor, ray.direction);
-    ray.t_near = max(inside.x, 0.0);
+    ray.t_near = max(inside.x, path.off);
     ray.t_far = goes_on(path) ? inside.y : -1.0;
     ray.to_eye = 0.0;
     return ray;

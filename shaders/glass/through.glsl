@@ -21,7 +21,10 @@ Path through(Path path, SurfacePoint p, float in_glass, float part) {
 #ifdef SECTIONS
     if (p.cap >= 0) offset = offset_from_cap(p.position, p.normal, p.cap, p.inside, p.pixel);
 #endif
-    path.position = p.position + offset * p.normal;
+    // As far off the surface, but on the ray itself, unless that is nearly along the surface.
+    float rise = dot(p.normal, path.direction);
+    path.off = offset / max(rise, 0.25);
+    path.position = p.position + (offset - path.off * rise) * p.normal;
     path.state = p.inside ? PATH_IN_GLASS : PATH_OUTSIDE;
     return path;
 }
