@@ -1,12 +1,8 @@
-// Goes on from where a ray of a path ended.
+// Goes on from where a ray of a path ended; run where paths go on.
 uniform int rays_left;
 
 void main() {
     Path path = load_path();
-    if (!goes_on(path)) {
-        store_path(path);
-        return;
-    }
     Ray ray = pixel_ray();
     RayState s = load_state();
     SurfacePoint p = end_of_ray(ray, s);

@@ -31,7 +31,7 @@ void SecondaryRays::trace(PassTable& table, const RayMarcher& marcher, const gpu
         table.draw(table.program(Role::mirror_surface), tile, mirror_->ends);
         table.bind_numbered("mirrored_texture", mirror_->ends);
     }
-    if (glass_) glass_->trace(table, marcher, tile, counted_into, draws);
+    if (glass_) glass_->trace(table, marcher, tile, draws);
     const auto trace_shadows = [&](const gpu::Target& from, const RayTargets& rays,
                                    const char* seen_as) {
         table.bind_numbered("surface_texture", from);

@@ -115,11 +115,13 @@ Pass next_pass(const scene::Scene& scene, const Passes& passes) {
     return std::move(text).pass(Role::glass_next, "glass next", When::until_rays_end);
 }
 
-Pass active_pass_of_glass() {
+// Passes that look at paths alone.
+Pass path_pass(Role role, const char* name, const char* file) {
     ShaderText text;
     text.file("glass/path.glsl");
-    text.file("glass/active.frag");
-    return std::move(text).pass(Role::glass_active, "glass active", When::until_rays_end);
+    if (role == Role::glass_copy) text.file("glass/store_path.glsl");
+    text.file(file);
+    return std::move(text).pass(role, name, When::until_rays_end);
 }
 
 Pass ground_pass(const scene::Scene& scene) {
@@ -181,7 +183,9 @@ std::vector<Pass> glass_passes(const scene::Scene& scene, const Passes& passes) 
     all.push_back(first_pass(scene, passes));
     all.push_back(march_pass(scene, passes, Origin::glass, When::until_rays_end));
     all.push_back(next_pass(scene, passes));
-    all.push_back(active_pass_of_glass());
+    all.push_back(path_pass(Role::glass_copy, "glass copy", "glass/copy.frag"));
+    all.push_back(path_pass(Role::glass_mask, "glass mask", "glass/mask.frag"));
+    all.push_back(path_pass(Role::glass_active, "glass active", "glass/active.frag"));
     if (shows_shadows_through_glass(scene)) all.push_back(ground_pass(scene));
     return all;
 }
