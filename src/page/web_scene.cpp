@@ -38,6 +38,11 @@ void expect_few_elements(const scene::Scene& scene, const synthesis::Passes& pas
 
 WebScene web_scene(scene::Scene scene) {
     scene::expect_one_surface(scene, "a page");
+    if (scene.material.glass) {
+        refuse(scene,
+               "material.transmission: a page shows no glass; leave it out, or share a movie "
+               "(isomotion render --movie)");
+    }
     WebScene web;
     scene.isolation.certify = false;
     web.passes = synthesis::assemble(scene, {}, synthesis::Stage::fragment, false,

@@ -61,7 +61,7 @@ struct Renderer::Parts {
             several.emplace(std::move(all));
         } else {
             if (!one_draw) eye_rays.emplace(passes, plan.march);
-            if (passes.has(Role::surface)) secondary.emplace(passes, plan.march);
+            if (passes.has(Role::surface)) secondary.emplace(passes, scene, plan.march);
         }
         if (scene.environment) load_environment();
         if (passes.has(Role::motion)) moved.emplace(plan.march);

@@ -77,8 +77,10 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
         const double occlusion = passes.has(synthesis::Role::occlusion)
                                      ? 5 * loops_of(field.gradient, counts)
                                      : 0.0; // of several surfaces: six values and five gradients
+        // Glass looks for the side that a ray goes on from, too.
+        const int samples = passes.has(synthesis::Role::glass) ? 16 : 8;
         const double end = std::max(loops_of(field.gradient, counts), occlusion) +
-                           8 * loops_of(field.value, counts);
+                           samples * loops_of(field.value, counts);
         if (end > loop_iterations_per_pass) {
             throw std::length_error(
                 fmt::format("shadows, mirrors and other effects sum {:.0f} terms a pixel; a "

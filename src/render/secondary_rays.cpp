@@ -9,7 +9,8 @@ constexpr int attachments = 3; // of what is kept of an end, see shaders/effects
 
 } // namespace
 
-SecondaryRays::SecondaryRays(const synthesis::Passes& passes, const MarchPlan& tile)
+SecondaryRays::SecondaryRays(const synthesis::Passes& passes, const scene::Scene& scene,
+                             const MarchPlan& tile)
     : ends_(tile.tile_width, tile.tile_height, attachments) {
     if (passes.has(Role::shadow)) shadow_.emplace(passes, tile);
     if (passes.has(Role::mirror)) {
@@ -17,6 +18,8 @@ SecondaryRays::SecondaryRays(const synthesis::Passes& passes, const MarchPlan& t
                          gpu::Target(tile.tile_width, tile.tile_height, attachments), std::nullopt};
         if (shadow_) mirror_->shadows.emplace(passes, tile);
     }
+    if (passes.has(Role::glass)) glass_.emplace(passes, tile, scene.material.glass->depth);
+    if (passes.has(Role::glass_ground)) shadow_through_glass_.emplace(passes, tile);
 }
 
 void SecondaryRays::trace(PassTable& table, const RayMarcher& marcher, const gpu::Rectangle& tile,
@@ -28,6 +31,7 @@ void SecondaryRays::trace(PassTable& table, const RayMarcher& marcher, const gpu
         table.draw(table.program(Role::mirror_surface), tile, mirror_->ends);
         table.bind_numbered("mirrored_texture", mirror_->ends);
     }
+    if (glass_) glass_->trace(table, marcher, tile, draws);
     const auto trace_shadows = [&](const gpu::Target& from, const RayTargets& rays,
                                    const char* seen_as) {
         table.bind_numbered("surface_texture", from);
@@ -37,6 +41,9 @@ void SecondaryRays::trace(PassTable& table, const RayMarcher& marcher, const gpu
     };
     if (mirror_ && mirror_->shadows)
         trace_shadows(mirror_->ends, *mirror_->shadows, "mirrored_shadow_texture");
+    if (shadow_through_glass_)
+        trace_shadows(glass_->draw_ground(table, tile), *shadow_through_glass_,
+                      "glass_shadow_texture");
     if (shadow_) trace_shadows(ends_, *shadow_, "shadow_texture");
 }
 

@@ -1,9 +1,11 @@
-// Rays that start where the eye's rays ended: shadow rays and mirrored ones.
+// Rays that start where the eye's rays ended: shadow rays and mirrored ones and
+// those through glass.
 #pragma once
 
 #include <optional>
 
 #include "gpu/target.h"
+#include "render/glass_paths.h"
 #include "render/pass_table.h"
 #include "render/ray_marcher.h"
 
@@ -12,7 +14,8 @@ namespace isomotion::render {
 // For scenes whose passes keep where rays ended (Role::surface).
 class SecondaryRays {
 public:
-    SecondaryRays(const synthesis::Passes& passes, const MarchPlan& tile);
+    SecondaryRays(const synthesis::Passes& passes, const scene::Scene& scene,
+                  const MarchPlan& tile);
 
     // Traces what starts on the ends of a tile's rays, which are bound as state textures, and binds
     // what the shade pass reads of it. `counted_into` and `draws`: as RayMarcher has them.
@@ -28,7 +31,8 @@ private:
 
     gpu::Target ends_;
     std::optional<Mirror> mirror_;
-    std::optional<RayTargets> shadow_;
+    std::optional<GlassPaths> glass_;
+    std::optional<RayTargets> shadow_, shadow_through_glass_;
 };
 
 } // namespace isomotion::render

@@ -32,6 +32,7 @@ inline constexpr double values_of_a_frame = 1e7;
 inline constexpr double operations_of_a_frame = 2e8;
 inline constexpr int lights = 8;
 inline constexpr int sections = 8;
+inline constexpr int glass_depth = 16; // rays of a pixel after the eye's
 // A colour's parts and an environment's intensity: products of them stay floats.
 inline constexpr double brightness = 1e6;
 inline constexpr int picture_side = 16384; // pixels

@@ -164,6 +164,14 @@ struct Contours {
     Vec3Track color{};
 };
 
+// The solid F < 0 as clear matter: light goes through, bent where it enters and leaves.
+struct Glass {
+    TrackId transmission = 0; // of the light that is not reflected, the part that goes in: 0..1
+    TrackId ior = 0;          // index of refraction against what is around, above 0
+    Vec3Track absorption{};   // per world unit: light fades by exp(-absorption * way)
+    int depth = 4;            // rays that are followed after the eye's, 0 to limits::glass_depth
+};
+
 // `color` is seen from where F > 0. Only a surface with `inside` has two colours.
 struct Material {
     enum class Reflection { none, sky, self };
@@ -181,6 +189,7 @@ struct Material {
     std::optional<Vec3Track> cap;             // of caps, where sections cut; else as inside
     std::optional<Paint> paint;               // instead of all
     std::optional<Contours> contours;         // over them
+    std::optional<Glass> glass;
     // Each only where the model has it.
     std::optional<TrackId> shininess;           // exponent, 0 to max_shininess
     std::optional<TrackId> roughness, metallic; // 0..1

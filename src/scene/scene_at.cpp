@@ -262,6 +262,13 @@ public:
                 not_negative(from.width, "the width"), color(from.color)};
     }
 
+    GlassAt glass(const Glass& from) const {
+        GlassAt to{within(from.transmission, 1), positive(from.ior, "the index of refraction"), {}};
+        for (int k = 0; k < 3; ++k)
+            to.absorption[k] = not_negative(from.absorption[std::size_t(k)], "the absorption");
+        return to;
+    }
+
     FogAt fog(const Fog& from) const {
         return {not_negative(from.density, "the density"), not_negative(from.start, "the start"),
                 color(from.color)};
@@ -364,6 +371,7 @@ SceneAt in_formula_coordinates(SceneAt scene) {
     }
     for (SectionAt& section : scene.sections)
         section = in_formula_coordinates(section, scene.placement);
+    scene.glass.absorption *= scene.placement.scale;
     scene.fog.density *= scene.placement.scale;
     scene.fog.start /= scene.placement.scale;
     scene.occlusion.reach /= scene.placement.scale;
@@ -403,6 +411,7 @@ SceneAt matter_at(const Scene& scene, const Reader& read, const animation::Value
     if (scene.material.inside) now.inside_color = read.color(*scene.material.inside);
     if (scene.material.cap) now.cap_color = read.color(*scene.material.cap);
     if (scene.material.contours) now.contours = read.contours(*scene.material.contours);
+    if (scene.material.glass) now.glass = read.glass(*scene.material.glass);
     now.gloss = read.gloss();
     return now;
 }

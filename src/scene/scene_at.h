@@ -60,6 +60,11 @@ struct ContoursAt {
     glm::dvec3 color{0};
 };
 
+struct GlassAt {
+    double transmission = 0, ior = 1.5;
+    glm::dvec3 absorption{0}; // per world unit
+};
+
 struct GroundAt {
     double height = 0;
     glm::dvec3 color{0};
@@ -97,6 +102,7 @@ struct SceneAt {
     glm::dvec3 cap_color{1};         // of one whose caps have a colour of their own
     std::vector<SectionAt> sections; // world
     ContoursAt contours;             // where the material has them
+    GlassAt glass;                   // where the material is
     GroundAt ground;                 // these where the scene has them
     FogAt fog;
     AmbientAt ambient;

@@ -12,6 +12,7 @@
 #include "synthesis/beam_text.h"
 #include "synthesis/effect.h"
 #include "synthesis/effect_text.h"
+#include "synthesis/glass_text.h"
 #include "synthesis/march_text.h"
 #include "synthesis/proof_text.h"
 #include "synthesis/shade_text.h"
@@ -143,6 +144,9 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
         add(march_pass(scene, passes, Origin::mirror, When::until_rays_end));
         add(surface_pass(scene, passes, Origin::mirror));
         if (is_among(scene)) add(seen_pass(scene, passes));
+    }
+    if (has_glass(scene)) {
+        for (Pass& pass : glass_passes(scene, passes)) add(std::move(pass));
     }
     if (shadow_mask(scene) != 0) add(shadow_pass(scene, passes));
     if (is_among(scene) && scene.occlusion) add(occlusion_pass(scene, passes));

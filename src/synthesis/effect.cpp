@@ -175,6 +175,14 @@ const std::array table{
                      if (s.material.contours->value->uses("t"))
                          to.push_back({"contour_time", float(now.time)});
                  }},
+    EffectTraits{
+        Effect::glass, "glass", "material.transmission: light goes through, refracted and absorbed",
+        [](const Scene& s) { return s.material.glass.has_value(); },
+        [](Scene& s) { s.material.glass.reset(); }, true, "", "",
+        [](const Scene& s, const SceneAt& now, Uniforms& to) {
+            add(to, "glass", {now.glass.transmission, now.glass.ior, s.material.glass->depth});
+            add(to, "absorption", now.glass.absorption * now.placement.scale);
+        }},
 };
 
 } // namespace

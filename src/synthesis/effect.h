@@ -34,6 +34,7 @@ enum class Effect {
     ambient,
     sections,
     contours,
+    glass,
 };
 
 struct EffectTraits {

@@ -6,6 +6,7 @@
 
 #include "formula/hessian.h"
 #include "synthesis/effect.h"
+#include "synthesis/glass_text.h"
 #include "synthesis/shader_files.h"
 #include "synthesis/surfaces_text.h"
 
@@ -20,9 +21,11 @@ std::string lit(const scene::Scene& scene, const char* name, const char* visibil
                 bool is_occluded) {
     const bool occluded = scene.occlusion && is_occluded;
     std::string text = fmt::format("vec3 {}(SurfacePoint p, Hit hit, vec3 to_viewer) {{\n", name);
+    const char* color =
+        has_glass(scene) ? "surface_color(hit) * opaque_part()" : "surface_color(hit)";
     text += scene.ground
-                ? "    vec3 albedo = p.on_ground ? ground_color.rgb : surface_color(hit);\n"
-                : "    vec3 albedo = surface_color(hit);\n";
+                ? fmt::format("    vec3 albedo = p.on_ground ? ground_color.rgb : {};\n", color)
+                : fmt::format("    vec3 albedo = {};\n", color);
     // Metal has no matt part that light from everywhere could come back from.
     const bool metal = scene.material.model == scene::Material::Model::ggx;
     text += fmt::format("    vec3 sum = {} * albedo{}{};\n",
@@ -127,12 +130,16 @@ void add_effects(ShaderText& text, const scene::Scene& scene, bool in_mirror) {
             text.file(fmt::format("effects/{}.glsl", row.file));
         }
     }
-    text.file(scene.environment && scene.environment->background ? "effects/sky_environment.glsl"
-              : scene.output.gradient                            ? "effects/sky_gradient.glsl"
-                                                                 : "effects/sky_flat.glsl");
+    text.file(sky_file(scene));
 }
 
 } // namespace
+
+const char* sky_file(const scene::Scene& scene) {
+    return scene.environment && scene.environment->background ? "effects/sky_environment.glsl"
+           : scene.output.gradient                            ? "effects/sky_gradient.glsl"
+                                                              : "effects/sky_flat.glsl";
+}
 
 int shadow_mask(const scene::Scene& scene) {
     int mask = 0;
@@ -188,7 +195,12 @@ void add_shading(ShaderText& text, const scene::Scene& scene) {
     if (mirrors_environment(scene)) text.file("effects/rough_environment.glsl");
     if (mirrors_shadows(scene)) text.file("effects/mirrored_shadow_mask.glsl");
 
-    std::string glue = scene.ground ? "uniform vec4 ground_color;\n" : "";
+    if (has_glass(scene)) {
+        add_matter(text, scene);
+        add_seen_through_glass(text, scene);
+    }
+    // Glass has declared it.
+    std::string glue = scene.ground && !has_glass(scene) ? "uniform vec4 ground_color;\n" : "";
     glue += lit(scene, "lit", has_shadows ? "visibility" : nullptr, true);
     if (reflection == Reflection::self && !is_among(scene))
         glue += lit(scene, "lit_again", mirrors_shadows(scene) ? "mirrored_visibility" : nullptr,
@@ -201,12 +213,16 @@ void add_shading(ShaderText& text, const scene::Scene& scene) {
     }
     glue += "    vec3 color = lit(p, hit, -ray.direction);\n";
     if (reflection != Reflection::none) glue += "    color = mirrored(color, ray, p, hit);\n";
+    if (has_glass(scene)) glue += "    color = with_glass(color, ray, p);\n";
     if (scene.fog) glue += "    color = in_fog(color, p.t - ray_begin(ray));\n";
     glue += "    return color;\n}\n";
     std::string evaluations =
         has_shadows ? "texelFetch(shadow_texture, ivec2(gl_FragCoord.xy), 0).z" : "0.0";
     if (mirrors_shadows(scene))
         evaluations += " + texelFetch(mirrored_shadow_texture, ivec2(gl_FragCoord.xy), 0).z";
+    if (has_glass(scene)) evaluations += " + float(load_path().evaluations)";
+    if (shows_shadows_through_glass(scene))
+        evaluations += " + texelFetch(glass_shadow_texture, ivec2(gl_FragCoord.xy), 0).z";
     glue += fmt::format("float further_evaluations() {{\n    return {};\n}}\n", evaluations);
     text.generated("generated: what shines and what it passes through", glue);
 }

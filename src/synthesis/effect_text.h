@@ -22,6 +22,9 @@ std::optional<formula::Program> mirror_hessian(const scene::Scene& scene);
 // Whether shadow rays start from what mirrored rays met, too.
 bool mirrors_shadows(const scene::Scene& scene);
 
+// The file of shaders/ with sky(): what is seen beside the surface.
+const char* sky_file(const scene::Scene& scene);
+
 // The parts of the shade pass after rays, shading.glsl and surface_color(): the generated shade().
 void add_shading(ShaderText& text, const scene::Scene& scene);
 // light_at().

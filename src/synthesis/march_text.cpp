@@ -6,6 +6,7 @@
 #include "synthesis/bernstein_text.h"
 #include "synthesis/cells_text.h"
 #include "synthesis/effect_text.h"
+#include "synthesis/glass_text.h"
 #include "synthesis/section_text.h"
 #include "synthesis/surfaces_text.h"
 
@@ -107,7 +108,12 @@ void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin) {
     } else {
         text.generated("the eye's ray by another name", "#define pixel_ray eye_ray\n");
         text.file("march/ray.glsl");
-        text.generated("and the mirrored one by its", "#undef pixel_ray\n");
+        text.generated(origin == Origin::mirror ? "and the mirrored one by its"
+                                                : "and the path's by its",
+                       "#undef pixel_ray\n");
+    }
+    if (origin == Origin::glass) add_glass_ray(text);
+    if (origin == Origin::mirror) {
         text.file("effects/surface_point.glsl");
         add_load_surface(text, scene);
         add_mirror_ray(text, scene);
@@ -159,8 +165,15 @@ Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, 
     text.file_of_stage("march/store_state.glsl", "stage/store_state.glsl");
     text.file("march/march_pixel.glsl");
     text.file_of_stage("stage/march.frag", "stage/march.comp");
-    return origin == Origin::eye ? std::move(text).pass(Role::march, "march", when)
-                                 : std::move(text).pass(Role::mirror, "mirror", when);
+    switch (origin) {
+    case Origin::mirror:
+        return std::move(text).pass(Role::mirror, "mirror", when);
+    case Origin::glass:
+        return std::move(text).pass(Role::glass, "glass", when);
+    case Origin::eye:
+        break;
+    }
+    return std::move(text).pass(Role::march, "march", when);
 }
 
 Pass active_pass(When when) {

@@ -1,4 +1,4 @@
-// The shaders that march rays: the eye's, mirrored ones, and shadow rays.
+// The shaders that march rays: the eye's, mirrored ones, those through glass, and shadow rays.
 #pragma once
 
 #include "scene/scene.h"
@@ -6,7 +6,7 @@
 
 namespace isomotion::synthesis {
 
-enum class Origin { eye, mirror };
+enum class Origin { eye, mirror, glass };
 
 // What a turn of the method's march asks of the field.
 std::vector<FieldFunction> samples_of(const scene::Scene& scene, bool march_takes_gradient);

@@ -23,6 +23,13 @@ enum class Role {
     surface,        // keeps where rays ended, for the passes that begin there
     mirror,         // marches the mirrored rays
     mirror_surface, // keeps where those ended
+    glass_first,    // where the eye's rays met glass, begins the rays that go through it
+    glass,          // marches those
+    glass_next,     // goes on from where they ended: what they bring, and the next ray
+    glass_copy,     // copies those that went on to where all are kept
+    glass_mask,     // depth lets the next passes run where paths go on
+    glass_active,   // counts those
+    glass_ground,   // what they met of the ground, for shadow rays
     seen,           // colours what the mirrored rays see of one surface among several
     shadow,         // marches the shadow rays
     occlusion,      // what one surface among several leaves of the light from everywhere

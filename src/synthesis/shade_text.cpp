@@ -8,6 +8,7 @@
 #include "synthesis/beam_text.h"
 #include "synthesis/effect.h"
 #include "synthesis/effect_text.h"
+#include "synthesis/glass_text.h"
 #include "synthesis/paint_text.h"
 #include "synthesis/section_text.h"
 #include "synthesis/surfaces_text.h"
@@ -263,9 +264,10 @@ Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
     }
     add_channels(text, scene, passes.attachments);
     if (!from_surface) text.file("shade/shade.glsl");
-    text.file(is_among(scene) ? "surfaces/shade.frag"
-              : from_surface  ? "effects/shade.frag"
-                              : "shade/shade.frag");
+    text.file(is_among(scene)    ? "surfaces/shade.frag"
+              : has_glass(scene) ? "glass/shade.frag"
+              : from_surface     ? "effects/shade.frag"
+                                 : "shade/shade.frag");
     return std::move(text).pass(Role::shade, "shade", when, has_flat_shading(scene));
 }
 

@@ -46,6 +46,7 @@ std::string section(Random& random) {
          "model = 'blinn-phong'\nreflection = 'self'\n",
          {"shininess"},
          {"back_color"}},
+        {"[material]", "transmission = 0.9\n", {"ior"}, {"absorption", "color"}},
         {"[material.colormap]", "value = '1/x'\nrange = [-1, 1e30]\n", {}, {}},
         {"[camera]", "", {"fov", "azimuth", "elevation", "distance", "zoom"}, {"target"}},
         {"[camera]", "projection = 'orthographic'\n", {"height", "zoom"}, {"position", "up"}},

@@ -33,7 +33,8 @@ TEST(EffectText, APlainSceneHasNone) {
                               "[material]\ncolor = [1, 0, 0]\n"}) {
         const Passes plain = passes_of(scene);
         EXPECT_FALSE(has_effects(plain)) << scene;
-        for (const Role role : {Role::surface, Role::shadow, Role::mirror, Role::mirror_surface}) {
+        for (const Role role : {Role::surface, Role::shadow, Role::mirror, Role::mirror_surface,
+                                Role::glass, Role::glass_next}) {
             EXPECT_FALSE(plain.has(role));
         }
         EXPECT_THAT(all_of(plain), testing::Not(testing::HasSubstr("effects/")));
@@ -64,6 +65,7 @@ const std::vector<Named> every_effect{
     {"[material]\ncolor = [\"nz\", 1, 0]\n", "effects/color_by_place.glsl", "color_value"},
     {"[material]\nreflection = \"self\"\n", "effects/mirror_ray.glsl", "load_mirrored"},
     {"[material.contours]\nvalue = \"z\"\nevery = 1\n", "effects/contours.glsl", "on_contours"},
+    {"[material]\ntransmission = 0.1\n", "glass/through.glsl", "refraction_at"},
 };
 
 // Mirrors blur an environment that there is, and show shadows that there are.

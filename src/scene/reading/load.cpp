@@ -414,6 +414,11 @@ Scene read_listed(const toml::table& root, const Parse& parse, const fs::path& f
                  "the GPU's proofs know one surface; leave it out (audits and `accuracy` know "
                  "several)");
         }
+        if (scene.material.glass && names.size() > 1) {
+            fail(
+                *root.get("surfaces"), "material.transmission",
+                "glass is of a scene with one surface; leave it out, or give each surface a scene");
+        }
         scenes.push_back(std::move(scene));
     }
     if (mistakes) throw *mistakes;

@@ -6,6 +6,7 @@
 
 #include "base/nearest_name.h"
 #include "formula/graph/vocabulary.h"
+#include "scene/limits.h"
 
 namespace isomotion::scene {
 namespace {
@@ -91,6 +92,35 @@ void read_gloss(Section& section, Material& material, TrackTable& tracks) {
     }
 }
 
+// Light goes in where `transmission` says so; the other keys are of what it goes through.
+void read_glass(Section& section, Material& material, TrackTable& tracks) {
+    const toml::node* transmission = section.find("transmission");
+    for (const char* name : {"ior", "absorption", "depth"}) {
+        const toml::node* node = section.find(name);
+        if (!node || transmission) continue;
+        fail(*node, section.dotted(name),
+             fmt::format("{} is of matter that light goes through; give transmission = 1 as well",
+                         name));
+    }
+    if (!transmission) return;
+    Glass& glass = material.glass.emplace();
+    const auto add = [&](const char* name, double standard) {
+        return tracks.add(section.dotted(name), section.track(name).value_or(standard),
+                          section.find(name));
+    };
+    glass.transmission = add("transmission", 1);
+    glass.ior = add("ior", 1.5); // glass; water has 1.33
+    const toml::node* absorption = section.find("absorption");
+    glass.absorption = absorption ? tracks.add(section.dotted("absorption"),
+                                               *section.vector("absorption"), absorption)
+                                  : tracks.add(section.dotted("absorption"), 0, 0, 0);
+    glass.depth = section.integer("depth", 0, limits::glass_depth).value_or(glass.depth);
+    if (material.reflection == Material::Reflection::none) return;
+    fail(*section.find("reflection"), section.dotted("reflection"),
+         "what light goes through mirrors what is around by its ior; leave reflection out, or "
+         "transmission");
+}
+
 void read_reflection(Section& section, Material& material) {
     using Reflection = Material::Reflection;
     const auto text = section.text("reflection");
@@ -115,6 +145,7 @@ MaterialParts read_material(Section& document, const SurfaceParts& parts, TrackT
         material.model = read_model(*own);
         read_gloss(*own, material, tracks);
         read_reflection(*own, material);
+        read_glass(*own, material, tracks);
         if (auto paint = own->section("colormap")) read.colormap = read_paint(*paint, tracks);
         if (auto lines = own->section("contours")) read.contours = read_contours(*lines, tracks);
         own->refuse_rest();

@@ -93,6 +93,49 @@ TEST_F(Materials, TheCommandLineSetsThem) {
     EXPECT_EQ(at_time(scene, 0).gloss.x, 0.1);
 }
 
+TEST_F(Materials, WhatLightGoesThrough) {
+    EXPECT_FALSE(loaded(ball()).material.glass);
+    const Scene plain = loaded(with("transmission = 1"));
+    EXPECT_EQ(plain.material.glass->depth, 4);
+    EXPECT_EQ(at_time(plain, 0).glass.ior, 1.5);
+    const Scene moving = loaded(with("transmission = \"t/2\"\nior = \"1 + t\"\ndepth = 16\n"
+                                     "absorption = [\"t\", 0, 0.5]"));
+    const GlassAt glass = at_time(moving, 1).glass;
+    EXPECT_EQ(glass.transmission, 0.5);
+    EXPECT_EQ(glass.ior, 2);
+    EXPECT_EQ(glass.absorption, glm::dvec3(1, 0, 0.5));
+    EXPECT_EQ(moving.material.glass->depth, 16);
+}
+
+TEST_F(Materials, WhatLightCannotGoThrough) {
+    for (const char* key : {"ior = 1.5", "absorption = [0, 0, 0]", "depth = 3"}) {
+        const std::string name = std::string(key).substr(0, std::string(key).find(' '));
+        EXPECT_EQ(mistake(with(key)), "scene.toml:16: material." + name + ": " + name +
+                                          " is of matter that light goes through; give "
+                                          "transmission = 1 as well");
+    }
+    EXPECT_EQ(mistake(with("transmission = 1\nreflection = \"sky\"")),
+              "scene.toml:17: material.reflection: what light goes through mirrors what is around "
+              "by its ior; leave reflection out, or transmission");
+    EXPECT_EQ(mistake(with("transmission = 1\ndepth = 17")),
+              "scene.toml:17: material.depth: must be from 0 to 16, not 17");
+    const auto at_once = [&](const std::string& lines) {
+        const std::string message = mistake(with(lines));
+        return message.substr(message.find("material."));
+    };
+    EXPECT_EQ(at_once("transmission = 1.5"),
+              "material.transmission at t = 0: must be from 0 to 1, not 1.5");
+    EXPECT_EQ(at_once("transmission = 1\nior = 0"),
+              "material.ior at t = 0: the index of refraction must be above 0, not 0");
+    EXPECT_EQ(at_once("transmission = 1\nabsorption = [0, -1, 0]"),
+              "material.absorption.y at t = 0: the absorption must not be below 0, as -1 is");
+    EXPECT_EQ(mistake("[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - 1\"\n[[surfaces]]\n"
+                      "formula = \"x\"\nbounds = { sphere = 1 }\n"
+                      "material = { transmission = 1 }\n"),
+              "scene.toml:1: material.transmission: glass is of a scene with one surface; leave it "
+              "out, or give each surface a scene");
+}
+
 // A surface of the catalogue has colours only.
 TEST_F(Materials, OfTheCatalogue) {
     const std::string body = "formula = \"x^2 + y^2 + z^2 - 1\"\nbounds = { sphere = 2 }\n"

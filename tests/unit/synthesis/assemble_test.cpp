@@ -98,6 +98,8 @@ const std::vector<Called> calls{
     {"", ""},
     {"reflection = 'self'\n", "[[lights]]\ndirection = [#, 1, 0]\nshadow = true\n"},
     {"back_color = [#, 0, 0]\n", "[fog]\ndensity = #\n[ground]\nheight = -#\n[occlusion]\n"},
+    {"transmission = #\nior = #\nabsorption = [#, 0, 0]\n",
+     "[[lights]]\ndirection = [#, 1, 0]\nshadow = true\n[ground]\nheight = -#\n"},
     {"", "[material.colormap]\nvalue = 'nz'\nrange = [-#, 1]\n"},
     {"cap_color = [#, 0, 0]\n", "[[sections]]\nnormal = [#, 1, 0]\noffset = #\n[[sections]]\n"
                                 "sphere = #\n[material.contours]\nvalue = 'z'\nevery = #\n"}};

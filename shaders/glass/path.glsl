@@ -1,0 +1,32 @@
+// The light of a pixel on its way through glass, back to front: what it has brought so far, and the
+// ray that looks for the rest.
+const int PATH_ENDED = 0;
+const int PATH_IN_GLASS = 1;  // its ray goes on, within F < 0
+const int PATH_OUTSIDE = 2;   // and outside
+const int PATH_ON_GROUND = 3; // it ended there
+
+struct Path {
+    vec3 position;  // where its ray begins; on the ground, where it ended
+    int state;
+    vec3 direction; // unit length
+    int evaluations; // so far
+    float off;      // how far along its ray that is on the side that it goes to
+    vec3 weight;    // of what the ray sees, in the pixel
+    vec3 light;     // in the pixel so far
+};
+
+uniform sampler2D glass_texture_0;
+uniform sampler2D glass_texture_1;
+uniform sampler2D glass_texture_2;
+uniform sampler2D glass_texture_3;
+
+Path load_path() {
+    ivec2 at = ivec2(pixel_centre);
+    vec4 a = texelFetch(glass_texture_0, at, 0), b = texelFetch(glass_texture_1, at, 0);
+    vec4 c = texelFetch(glass_texture_2, at, 0), d = texelFetch(glass_texture_3, at, 0);
+    return Path(a.xyz, int(a.w), b.xyz, int(b.w), c.w, c.xyz, d.xyz);
+}
+
+bool goes_on(Path path) {
+    return path.state == PATH_IN_GLASS || path.state == PATH_OUTSIDE;
+}

@@ -1,0 +1,17 @@
+// The ray of a pixel's light through glass; `eye_ray` is pixel_ray() of march/ray.glsl. Needs path.glsl.
+
+float ray_begin(Ray ray) {
+    return 0.0;
+}
+
+Ray pixel_ray() {
+    Path path = load_path();
+    Ray ray = eye_ray();
+    ray.anchor = path.position;
+    ray.direction = path.direction;
+    vec2 inside = clip_to_bounds(ray.anchor, ray.direction);
+    ray.t_near = max(inside.x, path.off);
+    ray.t_far = goes_on(path) ? inside.y : -1.0;
+    ray.to_eye = 0.0;
+    return ray;
+}

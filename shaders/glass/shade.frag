@@ -1,0 +1,23 @@
+// The picture of a scene with glass: effects/shade.frag, what is seen without a surface being seen
+// through the glass that the eye is in.
+
+layout(location = 0) out vec4 color;
+layout(location = 1) out uvec2 record; // and evaluations of further rays
+
+void main() {
+    Ray ray = pixel_ray();
+    RayState s = load_state();
+    SurfacePoint p = load_surface();
+    Hit hit = hit_of(p);
+    if (is_on_surface(p) || p.on_ground) {
+        color = vec4(shade(ray, p, hit), 1.0);
+    } else if (p.verdict == VERDICT_NAN) {
+        color = vec4(1.0, 0.0, 1.0, 1.0); // no pixel lies silently: magenta,
+    } else if (p.verdict == VERDICT_STEP_LIMIT) {
+        color = vec4(1.0, 0.8, 0.0, 1.0); // amber
+    } else {
+        color = sky(ray.direction) * vec4(load_path().weight, 1.0);
+    }
+    record = uvec2(packed_record(p.verdict, s.evaluations), uint(further_evaluations()));
+    write_channels(ray, hit, p.verdict);
+}

@@ -1,0 +1,193 @@
+#include "synthesis/glass_text.h"
+
+#include <fmt/format.h>
+
+#include "synthesis/effect_text.h"
+#include "synthesis/march_text.h"
+#include "synthesis/section_text.h"
+#include "synthesis/shader_files.h"
+
+namespace isomotion::synthesis {
+namespace {
+
+using Model = scene::Material::Model;
+
+// What is seen beside the surface, without the ground.
+void add_far_away(ShaderText& text, const scene::Scene& scene) {
+    if (scene.environment) {
+        for (const auto& file : kernel_files({"atan"})) text.file(file);
+        text.file("effects/environment.glsl");
+    }
+    text.file(sky_file(scene));
+    // Mirrored is the map, also where another background is seen.
+    const char* around = scene.environment ? "environment(direction)" : "sky(direction).rgb";
+    const char* behind = scene.output.transparent ? around : "sky(direction).rgb";
+    text.generated("generated: what is far away, mirrored and behind glass",
+                   fmt::format("vec3 around(vec3 direction) {{\n    return {};\n}}\n"
+                               "vec3 behind(vec3 direction) {{\n    return {};\n}}\n",
+                               around, behind));
+}
+
+void add_ground_light(ShaderText& text, const scene::Scene& scene) {
+    add_lights(text, scene);
+    if (scene.ambient) text.file("effects/ambient.glsl");
+    text.generated("generated: light from everywhere",
+                   fmt::format("vec3 light_from_everywhere(vec3 normal) {{\n    return {};\n}}\n",
+                               scene.ambient ? "ambient(normal)" : "vec3(0.12)"));
+    text.file("glass/ground_light.glsl");
+}
+
+constexpr const char* all_arrives = "float arrives(int k) {\n    return 1.0;\n}\n";
+
+// seen_around(), see_behind().
+void add_surroundings(ShaderText& text, const scene::Scene& scene) {
+    add_far_away(text, scene);
+    if (!scene.ground) {
+        text.file("glass/no_ground.glsl");
+        text.generated("generated: what is around a place",
+                       "vec3 seen_around(vec3 position, vec3 direction) {\n"
+                       "    return around(direction);\n}\n");
+        return;
+    }
+    text.file("glass/ground_ahead.glsl");
+    text.generated("generated: no shadow rays go from what is mirrored", all_arrives);
+    add_ground_light(text, scene);
+    text.generated("generated: what is around a place",
+                   "vec3 seen_around(vec3 position, vec3 direction) {\n"
+                   "    float way = ground_ahead(position, direction);\n"
+                   "    if (way > 0.0) return ground_light(position + way * direction, "
+                   "ground_normal(direction));\n"
+                   "    return around(direction);\n}\n");
+}
+
+// transmission(): metal lets no light in.
+std::string transmission_of(const scene::Scene& scene) {
+    const bool is_ggx = scene.material.model == Model::ggx;
+    return fmt::format("float transmission() {{\n    return glass.x{};\n}}\n",
+                       is_ggx ? " * (1.0 - gloss.y)" : "");
+}
+
+// through(), of places that end_of_ray() tells of.
+void add_way_through(ShaderText& text, const scene::Scene& scene) {
+    if (!scene.sections.empty()) text.file("section/distance.glsl");
+    text.file("effects/end_of_ray.glsl");
+    text.file("glass/matter.glsl");
+    add_surroundings(text, scene);
+    text.file("glass/behind.glsl");
+    text.file("glass/through.glsl");
+    text.file("glass/store_path.glsl");
+}
+
+Pass first_pass(const scene::Scene& scene, const Passes& passes) {
+    ShaderText text;
+    text.define("LIGHTS", int(scene.lights.size()));
+    add_field(text, *scene.surface.field, passes, {FieldFunction::value});
+    add_ray(text, scene);
+    text.file("shade/shading.glsl");
+    text.file("effects/surface_point.glsl");
+    text.file("effects/load_surface.glsl");
+    text.file("glass/path.glsl");
+    text.generated(
+        "generated: no ray ends here",
+        "vec3 surface_gradient(RayState s, vec3 position) {\n    return vec3(0.0);\n}\n");
+    add_way_through(text, scene);
+    const bool is_ggx = scene.material.model == Model::ggx;
+    text.generated("generated: how much goes in",
+                   (is_ggx ? "uniform vec4 gloss;\n" : "") + transmission_of(scene));
+    text.file("glass/first.frag");
+    return std::move(text).pass(Role::glass_first, "glass first", When::once_a_tile);
+}
+
+Pass next_pass(const scene::Scene& scene, const Passes& passes) {
+    ShaderText text;
+    text.define("LIGHTS", int(scene.lights.size()));
+    std::vector<FieldFunction> functions{FieldFunction::value};
+    if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
+    add_field(text, *scene.surface.field, passes, functions);
+    add_ray(text, scene, Origin::glass);
+    text.file("shade/shading.glsl");
+    text.file("effects/surface_point.glsl");
+    add_gradient_of_rest(text, scene,
+                         passes.march_takes_gradient ? "shade/gradient_from_state.glsl"
+                                                     : "shade/gradient_from_field.glsl");
+    add_way_through(text, scene);
+    text.file("glass/next.frag");
+    return std::move(text).pass(Role::glass_next, "glass next", When::until_rays_end);
+}
+
+// Passes that look at paths alone.
+Pass path_pass(Role role, const char* name, const char* file) {
+    ShaderText text;
+    text.file("glass/path.glsl");
+    if (role == Role::glass_copy) text.file("glass/store_path.glsl");
+    text.file(file);
+    return std::move(text).pass(role, name, When::until_rays_end);
+}
+
+Pass ground_pass(const scene::Scene& scene) {
+    ShaderText text;
+    text.file("math/bits.glsl");
+    add_ray(text, scene);
+    text.file("effects/surface_point.glsl");
+    text.file("effects/load_surface.glsl");
+    text.file("effects/store_surface.glsl");
+    text.file("glass/path.glsl");
+    text.file("glass/ground_ahead.glsl");
+    text.file("glass/ground_end.frag");
+    return std::move(text).pass(Role::glass_ground, "ground through glass", When::once_a_tile);
+}
+
+} // namespace
+
+bool shows_shadows_through_glass(const scene::Scene& scene) {
+    return has_glass(scene) && scene.ground && shadow_mask(scene) != 0;
+}
+
+void add_glass_ray(ShaderText& text) {
+    text.file("glass/path.glsl");
+    text.file("glass/ray.glsl");
+}
+
+void add_matter(ShaderText& text, const scene::Scene& scene) {
+    text.file("glass/path.glsl");
+    text.file("glass/matter.glsl");
+    text.generated("generated: the part of the surface that is as without glass",
+                   transmission_of(scene) +
+                       "float opaque_part() {\n    return 1.0 - transmission();\n}\n");
+}
+
+void add_seen_through_glass(ShaderText& text, const scene::Scene& scene) {
+    if (scene.ground) {
+        if (shows_shadows_through_glass(scene)) {
+            text.file("glass/ground_shadow.glsl");
+        } else {
+            text.generated("generated: no shadows", all_arrives);
+        }
+        text.file("glass/ground_ahead.glsl");
+        add_ground_light(text, scene);
+    }
+    // What a matt surface gives back entered it; highlights leave the rest in their models.
+    const bool matt = scene.material.model == Model::lambert;
+    text.generated("generated: what is seen through glass",
+                   fmt::format("float beside_reflection(float reflected) {{\n    return {};\n}}\n"
+                               "vec3 ground_through_glass(Path path) {{\n    return {};\n}}\n",
+                               matt ? "1.0 - reflected" : "1.0",
+                               scene.ground
+                                   ? "ground_light(path.position, ground_normal(path.direction))"
+                                   : "vec3(0.0)"));
+    text.file("glass/seen.glsl");
+}
+
+std::vector<Pass> glass_passes(const scene::Scene& scene, const Passes& passes) {
+    std::vector<Pass> all;
+    all.push_back(first_pass(scene, passes));
+    all.push_back(march_pass(scene, passes, Origin::glass, When::until_rays_end));
+    all.push_back(next_pass(scene, passes));
+    all.push_back(path_pass(Role::glass_copy, "glass copy", "glass/copy.frag"));
+    all.push_back(path_pass(Role::glass_mask, "glass mask", "glass/mask.frag"));
+    all.push_back(path_pass(Role::glass_active, "glass active", "glass/active.frag"));
+    if (shows_shadows_through_glass(scene)) all.push_back(ground_pass(scene));
+    return all;
+}
+
+} // namespace isomotion::synthesis
