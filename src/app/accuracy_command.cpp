@@ -75,7 +75,7 @@ scene::Scene load(const AccuracyArguments& arguments) {
     as_render.settings.insert(as_render.settings.end(), arguments.settings.begin(),
                               arguments.settings.end());
     as_render.certify = arguments.certify;
-    const scene::Scene scene = scene::load(arguments.scene, overrides(as_render), arguments.reach);
+    scene::Scene scene = scene::load(arguments.scene, overrides(as_render), arguments.reach);
     if (arguments.surface.empty()) return scene;
     return scene::alone(scene, scene::surface_named(scene, arguments.surface));
 }

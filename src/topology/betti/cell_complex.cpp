@@ -81,11 +81,42 @@ CellComplex::Packed CellComplex::packed(const CellKey& key) {
             std::uint64_t(key.at[1]) << 32 | std::uint64_t(key.at[2])};
 }
 
-// Fibonacci's multiplier; the high bits, which it mixes best, are folded into the low ones.
-std::size_t CellComplex::Hash::operator()(const Packed& key) const {
+CellComplex::Table::Table() { grow(); }
+
+// From the high bits of a product, which Fibonacci's multiplier mixes best, and on to the next
+// ones.
+CellComplex::Table::Slot& CellComplex::Table::slot(const Packed& key) {
     constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;
     const std::uint64_t mixed = (key[0] * golden ^ key[1]) * golden;
-    return std::size_t(mixed ^ mixed >> 32);
+    for (std::size_t at = std::size_t(mixed >> (64 - bits_));; at = (at + 1) % slots_.size()) {
+        Slot& here = slots_[at];
+        if (here.key == key || here.key == no_key) return here;
+    }
+}
+
+CellComplex::Cell& CellComplex::Table::operator[](const Packed& key) {
+    Slot* found = &slot(key);
+    if (found->key == key) return found->cell;
+    if (3 * (taken_ + 1) > 2 * slots_.size()) {
+        grow();
+        found = &slot(key);
+    }
+    ++taken_;
+    found->key = key;
+    return found->cell;
+}
+
+void CellComplex::Table::grow() {
+    bits_ = bits_ == 0 ? 10 : bits_ + 1;
+    const std::vector<Slot> before = std::move(slots_);
+    slots_.assign(std::size_t(1) << bits_, {});
+    for (const Slot& old : before) {
+        if (old.key != no_key) slot(old.key) = old;
+    }
+}
+
+void CellComplex::Table::list_none() {
+    for (Slot& slot : slots_) slot.cell.is_listed = false;
 }
 
 CellComplex::Cell& CellComplex::cell(const CellKey& key) { return cells_[packed(key)]; }
@@ -114,7 +145,7 @@ void CellComplex::smallest(const CellKey& key, Cells& found) {
 }
 
 bool CellComplex::list(const Limits& limits) {
-    for (auto& [key, cell] : cells_) cell.is_listed = false;
+    cells_.list_none();
     for (Cells& cells : listed_) cells.clear();
     Cells open{CellKey{}};
     for (int dimension = 3; dimension >= 0; --dimension) {
@@ -156,22 +187,22 @@ bool CellComplex::list(const Limits& limits) {
 // A cell that S sinks in has of it what the facets have that it sinks to. These are a disc, an arc
 // or a point; of S they have what is made of their cells that it meets.
 bool CellComplex::settle(const CellKey& key) {
-    Cell& now = cell(key);
-    if (now.fact.kind != CellFact::Kind::sinking) {
-        now.is_in_s = now.fact.kind == CellFact::Kind::inside;
+    const CellFact fact = cell(key).fact;
+    if (fact.kind != CellFact::Kind::sinking) {
+        cell(key).is_in_s = fact.kind == CellFact::Kind::inside;
         return true;
     }
     const auto is_on_other_facet = [&](const CellKey& part) {
         for (std::size_t k = 0; k < 3; ++k) {
             if (!key.is_along(k) || part.is_along(k)) continue;
-            if (part.at[k] == key.at[k] && now.fact.sinks_to[k] != -1) return true;
-            if (part.at[k] == key.end(k) && now.fact.sinks_to[k] != 1) return true;
+            if (part.at[k] == key.at[k] && fact.sinks_to[k] != -1) return true;
+            if (part.at[k] == key.end(k) && fact.sinks_to[k] != 1) return true;
         }
         return false;
     };
     Cells open;
     for (std::size_t k = 0; k < 3; ++k) {
-        if (now.fact.sinks_to[k] != 0) smallest(key.facet(k, now.fact.sinks_to[k] > 0), open);
+        if (fact.sinks_to[k] != 0) smallest(key.facet(k, fact.sinks_to[k] > 0), open);
     }
     std::map<Packed, std::size_t> number;
     std::vector<std::pair<std::size_t, std::size_t>> incident;
@@ -189,8 +220,8 @@ bool CellComplex::settle(const CellKey& key) {
             open.push_back(facet);
         }
     }
-    now.is_in_s = !number.empty();
-    if (!now.is_in_s) return true;
+    cell(key).is_in_s = !number.empty();
+    if (number.empty()) return true;
     UnionFind together(number.size());
     std::size_t components = number.size();
     for (const CellKey& part : open) {
@@ -219,7 +250,7 @@ Betti CellComplex::count() {
     int euler = 0;
     for (std::size_t d = 0; d < 4; ++d) {
         for (const CellKey& key : listed_[d]) {
-            const Cell& now = cell(key);
+            const Cell now = cell(key);
             const std::size_t number = first[d] + std::size_t(now.number);
             const bool is_on_wall = key.is_on_wall();
             if (now.is_in_s) {
@@ -232,7 +263,7 @@ Betti CellComplex::count() {
             Cells facets;
             for (const CellKey& facet : key.facets()) smallest(facet, facets);
             for (const CellKey& facet : facets) {
-                const Cell& of = cell(facet);
+                const Cell of = cell(facet);
                 const std::size_t other = first[d - 1] + std::size_t(of.number);
                 if (now.is_in_s && of.is_in_s && met.unite(number, other)) --components;
                 if (is_unmet && (!of.is_in_s || facet.is_on_wall()) && unmet.unite(number, other))

@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "topology/timeline/betti.h"
@@ -89,11 +88,32 @@ private:
     // Tells cells apart.
     using Packed = std::array<std::uint64_t, 2>;
     static Packed packed(const CellKey& key);
-    struct Hash {
-        std::size_t operator()(const Packed& key) const;
+
+    // The cells that were asked for, in one piece of memory: finding them is what takes the time.
+    class Table {
+    public:
+        Table();
+        // A new one where there is none. Holds until another one is made.
+        Cell& operator[](const Packed& key);
+        void list_none();
+
+    private:
+        struct Slot {
+            Packed key = no_key;
+            Cell cell;
+        };
+        // No cell's: they have axes, or are points on level 0.
+        static constexpr Packed no_key{~std::uint64_t(0), ~std::uint64_t(0)};
+
+        Slot& slot(const Packed& key);
+        void grow();
+
+        std::vector<Slot> slots_; // 2^bits_ of them, at least a third empty
+        int bits_ = 0;
+        std::size_t taken_ = 0;
     };
 
-    Cell& cell(const CellKey& key);
+    Cell& cell(const CellKey& key); // as Table's
     bool list(const Limits& limits);
     void add(const CellKey& key);
     // The undivided cells that a cell is made of, itself where it is one.
@@ -102,7 +122,7 @@ private:
     Betti count();
 
     Ask ask_;
-    std::unordered_map<Packed, Cell, Hash> cells_;
+    Table cells_;
     std::array<Cells, 4> listed_; // by dimension
     CellKey failed_;
     std::size_t asked_ = 0;
