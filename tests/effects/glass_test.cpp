@@ -109,7 +109,10 @@ TEST(Glass, ABallIsSeenThroughAsGeometrySays) {
             for (std::size_t pixel = 0; pixel < 64 * 64; ++pixel) {
                 const EyeRay ray = eye_ray(scene, pixel);
                 if (!is_hit(picture, pixel)) continue;
-                if (glm::length(glm::cross(ray.from, ray.direction)) > 0.99) continue; // the edge
+                // At the edge rays begin off their line, and where reflection becomes total it
+                // rises without bound.
+                const double off = glm::length(glm::cross(ray.from, ray.direction));
+                if (off > 0.99 || std::abs(off - ior) < 0.01) continue;
                 ++hits;
                 const dvec3 expected = through_ball(ray, ior, {0.1, 0.5, 0}, depth);
                 for (int k = 0; k < 3; ++k)
