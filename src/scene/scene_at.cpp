@@ -263,9 +263,12 @@ public:
     }
 
     GlassAt glass(const Glass& from) const {
-        GlassAt to{within(from.transmission, 1), positive(from.ior, "the index of refraction"), {}};
-        for (int k = 0; k < 3; ++k)
-            to.absorption[k] = not_negative(from.absorption[std::size_t(k)], "the absorption");
+        GlassAt to{within(from.transmission, 1), number(from.ior), {}};
+        if (!(to.ior >= 0.01 && to.ior <= 100)) {
+            fail(from.ior,
+                 fmt::format("the index of refraction must be from 0.01 to 100, not {}", to.ior));
+        }
+        for (int k = 0; k < 3; ++k) to.absorption[k] = within(from.absorption[std::size_t(k)], 1e6);
         return to;
     }
 

@@ -63,14 +63,18 @@ image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& 
         metadata.push_back({"isomotion:camera.aperture", now.camera.aperture});
         metadata.push_back({"isomotion:camera.focus", now.camera.focus});
     }
+    // Names of the scene's own may be longer than a format knows.
+    const auto add = [&](std::string name, image::Value value) {
+        if (name.size() <= image::longest_name(format))
+            metadata.push_back({std::move(name), std::move(value)});
+    };
     for (int k = 0; k < scene.surface.parameters; ++k) {
         const auto index = std::size_t(k);
-        std::string name = "isomotion:parameter." + scene.timeline.animation.tracks()[index].name;
-        if (name.size() <= image::longest_name(format))
-            metadata.push_back({std::move(name), values.tracks[index]});
+        add("isomotion:parameter." + scene.timeline.animation.tracks()[index].name,
+            values.tracks[index]);
     }
     for (const scene::Scene& other : scene.others)
-        metadata.push_back({"isomotion:formula." + other.surface.label, other.surface.field->text});
+        add("isomotion:formula." + other.surface.label, other.surface.field->text);
     metadata.push_back({fingerprint_key, std::string()});
     return metadata;
 }

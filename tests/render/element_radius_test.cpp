@@ -91,7 +91,7 @@ TEST(LeastElementRadius, IsNoneOfWideOnesNorOfNone) {
 
 // A term without a value somewhere, or anywhere, is no reason to step finely or not to end.
 TEST(LeastElementRadius, OfWhatHasNoValueIsNone) {
-    EXPECT_EQ(least("sum(blobs, sqrt(-1 - cx^2 - cy^2 - cz^2)) - 1", 3, anywhere), infinite);
+    EXPECT_EQ(least("sum(blobs, sqrt(-1 - cx^2 - cy^2 - cz^2 - x^2)) - 1", 3, anywhere), infinite);
 }
 
 // Drops far apart in wide bounds, F flat about them: cubics hit what bounds prove is there.

@@ -19,7 +19,7 @@ int different(const render::Picture& a, const render::Picture& b) {
     return count;
 }
 
-// The scene scaled and moved, and its camera and sections, which lie in the world, with it.
+// The scene scaled and moved, and its camera, ground and sections, which lie in the world, with it.
 scene::SceneAt moved(scene::SceneAt now, double scale, const glm::dvec3& by) {
     const auto place = [&](const glm::dvec3& p) { return by + scale * p; };
     now.placement.translate = place(now.placement.translate);
@@ -27,6 +27,7 @@ scene::SceneAt moved(scene::SceneAt now, double scale, const glm::dvec3& by) {
     now.camera.position = place(now.camera.position);
     now.camera.target = place(now.camera.target);
     now.camera.height *= scale;
+    now.ground.height = by.z + scale * now.ground.height;
     for (scene::SectionAt& section : now.sections) {
         section.reach *= scale;
         if (section.is_ball)

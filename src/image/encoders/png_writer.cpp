@@ -52,7 +52,7 @@ void PngWriter::take(png_structp png, png_bytep data, std::size_t size) {
     try {
         const auto* first = reinterpret_cast<const std::byte*>(data);
         self.bytes_.insert(self.bytes_.end(), first, first + size);
-    } catch (const std::bad_alloc&) {
+    } catch (...) { // there is no memory for more
         done = false;
     }
     if (done) return;
@@ -62,7 +62,7 @@ void PngWriter::take(png_structp png, png_bytep data, std::size_t size) {
 
 void PngWriter::fail(png_structp png, const char* reason) {
     auto& self = *static_cast<PngWriter*>(png_get_error_ptr(png));
-    self.reason_ = reason; // libpng's texts are constants
+    std::snprintf(self.reason_, sizeof self.reason_, "%s", reason); // may lie on libpng's stack
     png_longjmp(png, 1);
 }
 
@@ -86,10 +86,13 @@ PngWriter::PngWriter(int width, int height, bool has_alpha, int bits, const Meta
     std::vector<png_text> texts;
     for (Words& now : words) {
         png_text text{};
-        text.compression = PNG_TEXT_COMPRESSION_NONE;
+        // Texts are in Latin-1, save those that say that they are in UTF-8.
+        const bool is_ascii =
+            std::ranges::all_of(now.text, [](unsigned char c) { return c < 128; });
+        text.compression = is_ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
         text.key = now.keyword.data();
         text.text = now.text.data();
-        text.text_length = now.text.size();
+        (is_ascii ? text.text_length : text.itxt_length) = now.text.size();
         texts.push_back(text);
     }
 

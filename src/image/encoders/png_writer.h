@@ -34,7 +34,7 @@ private:
     png_structp png_ = nullptr;
     png_infop info_ = nullptr;
     std::vector<std::byte> bytes_;
-    const char* reason_ = nullptr;
+    char reason_[128] = "";
     bool out_of_memory_ = false;
 };
 

@@ -62,7 +62,8 @@ std::string title_of(std::string_view formula) {
     if (title.ends_with(' ')) title.pop_back();
     if (title.size() > longest) {
         std::size_t end = longest;
-        while ((static_cast<unsigned char>(title[end]) & 0xc0) == 0x80) --end; // whole characters
+        // Whole characters.
+        while (end > 0 && (static_cast<unsigned char>(title[end]) & 0xc0) == 0x80) --end;
         title = title.substr(0, end) + "...";
     }
     return base::printable_line(title);

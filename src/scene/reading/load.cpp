@@ -374,11 +374,27 @@ Scene read_one(toml::table& root, const fs::path& file, const base::Confines& wi
         return scene;
     } catch (const PlacedError& first) {
         throw all_mistakes(root, first, [&](Rereading again) {
+            // Bounds may not have been looked for yet.
+            if (lacks_bounds(root)) put_bounds(root, {glm::dvec3(0), FoundBounds::reach});
             read_document_scene(root, file, within,
                                 again == Rereading::all ? Reading::for_bounds
                                                         : Reading::without_unused,
                                 for_others);
         });
+    }
+}
+
+// What only a scene with one surface may have.
+void refuse_among_several(const toml::table& root, const std::vector<Scene>& scenes) {
+    const auto any = [&](auto&& has) { return std::ranges::any_of(scenes, has); };
+    if (any([](const Scene& scene) { return scene.isolation.certify; })) {
+        fail(
+            *root.get("surfaces"), "isolation.certify",
+            "the GPU's proofs know one surface; leave it out (audits and `accuracy` know several)");
+    }
+    if (any([](const Scene& scene) { return scene.material.glass.has_value(); })) {
+        fail(*root.get("surfaces"), "material.transmission",
+             "glass is of a scene with one surface; leave it out, or give each surface a scene");
     }
 }
 
@@ -409,19 +425,10 @@ Scene read_listed(const toml::table& root, const Parse& parse, const fs::path& f
         }
         scene.surface.label = names[k];
         scene.among = {int(k), int(names.size())};
-        if (scene.isolation.certify && names.size() > 1) {
-            fail(*root.get("surfaces"), "isolation.certify",
-                 "the GPU's proofs know one surface; leave it out (audits and `accuracy` know "
-                 "several)");
-        }
-        if (scene.material.glass && names.size() > 1) {
-            fail(
-                *root.get("surfaces"), "material.transmission",
-                "glass is of a scene with one surface; leave it out, or give each surface a scene");
-        }
         scenes.push_back(std::move(scene));
     }
     if (mistakes) throw *mistakes;
+    if (scenes.size() > 1) refuse_among_several(root, scenes);
     if (!unused.empty()) {
         fail(*root["parameters"].as_table()->get(*unused.begin()), "parameters." + *unused.begin(),
              "no surface's formula and no expression uses this parameter");

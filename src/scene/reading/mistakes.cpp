@@ -83,7 +83,9 @@ Path value_of(const toml::table& root, const Path& path) {
     for (const std::string& step : path) {
         const toml::table* table = node->as_table();
         const toml::array* array = node->as_array();
-        const bool is_list_of_tables = array && array->is_array_of_tables();
+        // No others have stand-ins: a vector of three tables of keys is one value.
+        const bool is_list_of_tables = array && array->is_array_of_tables() && value.size() == 1 &&
+                                       is_one_of(value[0], {"lights", "sections"});
         if (!table && !is_list_of_tables) break;
         value.push_back(step);
         node = table ? table->get(step) : array->get(std::stoul(step));
@@ -194,6 +196,7 @@ Mistakes joined(const Mistakes& a, const Mistakes& b) {
     std::ranges::copy_if(b.told(), std::back_inserter(told), [&](const ToldMistake& mistake) {
         return std::ranges::count(a.told(), mistake) == 0;
     });
+    if (told.size() > most_told) told.resize(most_told);
     return Mistakes(std::move(told));
 }
 
@@ -228,14 +231,15 @@ Mistakes all_mistakes(toml::table& root, const PlacedError& first,
     };
     bool has_more = take(first);
     has_more = has_more && !has_large_arrays(root);
-    while (has_more) {
+    // Mistakes that are taken out untold are few to one that is told.
+    for (std::size_t reading = 0; has_more && reading < 4 * most_told; ++reading) {
         try {
             read(may_leave_unused ? Rereading::without_unused : Rereading::all);
-            break;
+            has_more = false;
         } catch (const PlacedError& mistake) {
             has_more = take(mistake);
         } catch (const SceneError&) { // of no place in the document
-            break;
+            has_more = false;
         }
     }
     return Mistakes(std::move(told));

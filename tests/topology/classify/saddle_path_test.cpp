@@ -96,7 +96,7 @@ TEST(SaddlePath, OutsideOfTheBounds) {
         is_path(ball.rest(), Corners{{1.2, 0, 0}, {1.7, 0, 0}, {-1.7, 0, 0}, {-1.2, 0, 0}}));
     EXPECT_FALSE(is_path(ball.rest(), Corners{{1.2, 0, 0}, {-1.2, 0, 0}}));
     // The solid ends where the bounds do.
-    const Still all("-1 + 0*x", "{ box = [[-1, -1, -1], [1, 1, 1]] }");
+    const Still all("-1 + 1e-9*x", "{ box = [[-1, -1, -1], [1, 1, 1]] }");
     EXPECT_TRUE(is_path(all.solid(), Corners{{0.9, 0, 0}, {-0.9, 0.9, 0}}));
     EXPECT_FALSE(is_path(all.solid(), Corners{{0.9, 0, 0}, {1.1, 0, 0}}));
 }

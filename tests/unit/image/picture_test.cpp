@@ -189,6 +189,13 @@ TEST_F(Picture, PngKeepsMetadataAsText) {
     }
 }
 
+TEST_F(Picture, MetadataInUtf8IsKept) {
+    Frame frame = plain(2, 2, 0, 0, 0);
+    frame.metadata = {{"isomotion:title", "Flächen, die sich bewegen: x² + y² = 1"}};
+    for (const Format format : {Format::png8, Format::exr})
+        EXPECT_EQ(there_and_back(frame, format).metadata, frame.metadata);
+}
+
 TEST_F(Picture, LongMetadataIsKept) {
     Frame frame = plain(2, 2, 0, 0, 0);
     frame.metadata = {{"isomotion:scene", std::string(200'000, 'x')}};

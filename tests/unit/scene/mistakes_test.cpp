@@ -85,6 +85,26 @@ TEST_F(SeveralMistakes, OfOneSection) {
               "scene.toml:12: camera.zoom at t = 0: the zoom must be above 0, not 0");
 }
 
+// Vectors of three tables of keys are no lists of lights.
+TEST_F(SeveralMistakes, OfVectorsOfKeys) {
+    const std::string words =
+        mistake("[surface]\nformula = \"x\"\n[camera]\n"
+                "position = [{ keys = [[0, 1], [1, \"q\"]] }, { keys = [[0, 1]] }, "
+                "{ keys = [[0, 1]] }]\nzoom = 0\n[[lights]]\ndirection = [0, 0, 1]\n"
+                "color = [{ keys = [[0, 1]] }, { keys = [[0, \"w\"]] }, { keys = 3 }]\n");
+    EXPECT_THAT(words, testing::HasSubstr("camera.position"));
+    EXPECT_THAT(words, testing::HasSubstr("scene.toml:5: camera.zoom"));
+    EXPECT_THAT(words, testing::HasSubstr("lights[0].color"));
+    EXPECT_THAT(words, testing::Not(testing::HasSubstr("direction")));
+}
+
+TEST_F(SeveralMistakes, OfAWrongLook) {
+    const std::string words = mistake("look = \"studioo\"\n[surface]\nformula = \"x + q\"\n");
+    EXPECT_THAT(words, testing::HasSubstr("'studio'"));
+    EXPECT_THAT(words, testing::HasSubstr("surface.formula: unknown name 'q'"));
+    EXPECT_THAT(words, testing::Not(testing::HasSubstr("bounds")));
+}
+
 TEST_F(SeveralMistakes, OfValuesOutOfRange) {
     EXPECT_EQ(mistake("[surface]\nformula = \"x\"\n[camera]\nfov = \"200 - t\"\nzoom = -1\n"
                       "[fog]\ndensity = -1\n[[lights]]\ndirection = [0, 0, 0]\nradius = 90\n"),

@@ -413,6 +413,10 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         const Passes passes = assemble(scene_of(text));
         add(passes);
     }
+    for (const auto& glass : every_glass) {
+        const Passes passes = assemble(scene_of(surface_text("x") + glass));
+        add(passes);
+    }
     const Passes by_compute = assemble(scene_of(surface_text("x")), {}, Stage::compute);
     add(by_compute);
     const std::vector<Passes> of_surfaces = passes_of_surfaces(two_surfaces("0.5"));

@@ -62,6 +62,12 @@ std::vector<Text> fragment_texts() {
     for (const Channel channel : every_channel) {
         add(fmt::format("channel {}", int(channel)), assemble(scene, {channel}));
     }
+    for (const auto& glass : every_glass) {
+        const Passes passes = assemble(scene_of(surface_text(formula) + two_arrays + glass));
+        for (const Pass& pass : passes.list) {
+            if (seen.insert(pass.text).second) all.push_back({glass + pass.name, pass.text});
+        }
+    }
     return all;
 }
 

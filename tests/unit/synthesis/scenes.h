@@ -75,6 +75,13 @@ inline const std::vector<std::string> every_effect{
     "[material]\nreflection = 'self'\n[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n"
     "[material.colormap]\nvalue = 'mean_curvature'\nrange = [-1, 1]\n"};
 
+// Glass, over a ground and in the open.
+inline const std::vector<std::string> every_glass{
+    "[material]\ntransmission = 1\n[ground]\nheight = -1\n[[lights]]\ndirection = [1, 0, 1]\n"
+    "shadow = true\n",
+    "[material]\ntransmission = 't/2'\nior = 1.3\nabsorption = [1, 't', 0]\n[environment]\n"
+    "map = 'studio.exr'\n"};
+
 inline std::string surface_text(const std::string& formula,
                                 const std::string& bounds = every_bounds[0],
                                 const std::string& method = "amp-sign") {
