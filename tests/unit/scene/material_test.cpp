@@ -128,7 +128,7 @@ TEST_F(Materials, WhatLightCannotGoThrough) {
     EXPECT_EQ(at_once("transmission = 1\nior = 0"),
               "material.ior at t = 0: the index of refraction must be from 0.01 to 100, not 0");
     EXPECT_EQ(at_once("transmission = 1\nabsorption = [0, -1, 0]"),
-              "material.absorption.y at t = 0: must be from 0 to 1e+06, not -1");
+              "material.absorption.y at t = 0: must be from 0 to 1000000, not -1");
     EXPECT_EQ(mistake("[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - 1\"\n[[surfaces]]\n"
                       "formula = \"x\"\nbounds = { sphere = 1 }\n"
                       "material = { transmission = 1 }\n"),

@@ -100,7 +100,7 @@ TEST_F(SeveralMistakes, OfVectorsOfKeys) {
 
 TEST_F(SeveralMistakes, OfAWrongLook) {
     const std::string words = mistake("look = \"studioo\"\n[surface]\nformula = \"x + q\"\n");
-    EXPECT_THAT(words, testing::HasSubstr("'studio'"));
+    EXPECT_THAT(words, testing::HasSubstr("scene.toml:1: look: there is no look"));
     EXPECT_THAT(words, testing::HasSubstr("surface.formula: unknown name 'q'"));
     EXPECT_THAT(words, testing::Not(testing::HasSubstr("bounds")));
 }
