@@ -75,7 +75,16 @@ template<class Calls> void PngWriter::by_libpng(Calls&& calls) {
     throw std::runtime_error(fmt::format("encoding failed: {}", reason_));
 }
 
-PngWriter::PngWriter(int width, int height, bool has_alpha, int bits, const Metadata& metadata) {
+PngWriter::PngWriter()
+    : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, this, fail, nullptr))
+    , info_(png_ ? png_create_info_struct(png_) : nullptr) {
+    if (info_) return;
+    png_destroy_write_struct(&png_, nullptr);
+    throw std::bad_alloc();
+}
+
+PngWriter::PngWriter(int width, int height, bool has_alpha, int bits, const Metadata& metadata)
+    : PngWriter() {
     std::vector<Words> words;
     std::optional<png_time> time;
     for (const Entry& entry : metadata) {
@@ -84,6 +93,7 @@ PngWriter::PngWriter(int width, int height, bool has_alpha, int bits, const Meta
         if (now.keyword != "DateTime" || !time) words.push_back(std::move(now));
     }
     std::vector<png_text> texts;
+    texts.reserve(words.size());
     for (Words& now : words) {
         png_text text{};
         // Texts are in Latin-1, save those that say that they are in UTF-8.
@@ -95,32 +105,20 @@ PngWriter::PngWriter(int width, int height, bool has_alpha, int bits, const Meta
         (is_ascii ? text.text_length : text.itxt_length) = now.text.size();
         texts.push_back(text);
     }
-
-    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, fail, nullptr);
-    if (png_) info_ = png_create_info_struct(png_);
-    if (!info_) {
-        png_destroy_write_struct(&png_, nullptr);
-        throw std::bad_alloc();
-    }
-    try {
-        by_libpng([&] {
-            png_set_write_fn(png_, this, take, nullptr);
-            png_set_IHDR(png_, info_, png_uint_32(width), png_uint_32(height), bits,
-                         has_alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
-                         PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-            png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
-            // Rendered frames have flat backgrounds: filters take time and save little.
-            png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_NO_FILTERS);
-            png_set_compression_level(png_, 6);
-            if (time) png_set_tIME(png_, info_, &*time);
-            png_set_text(png_, info_, texts.data(), int(texts.size()));
-            png_write_info(png_, info_);
-            if (bits == 16 && std::endian::native == std::endian::little) png_set_swap(png_);
-        });
-    } catch (...) {
-        png_destroy_write_struct(&png_, &info_);
-        throw;
-    }
+    by_libpng([&] {
+        png_set_write_fn(png_, this, take, nullptr);
+        png_set_IHDR(png_, info_, png_uint_32(width), png_uint_32(height), bits,
+                     has_alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
+        // Rendered frames have flat backgrounds: filters take time and save little.
+        png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_NO_FILTERS);
+        png_set_compression_level(png_, 6);
+        if (time) png_set_tIME(png_, info_, &*time);
+        png_set_text(png_, info_, texts.data(), int(texts.size()));
+        png_write_info(png_, info_);
+        if (bits == 16 && std::endian::native == std::endian::little) png_set_swap(png_);
+    });
 }
 
 PngWriter::~PngWriter() { png_destroy_write_struct(&png_, &info_); }

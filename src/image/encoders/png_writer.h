@@ -27,6 +27,7 @@ public:
     std::vector<std::byte> finish() &&;
 
 private:
+    PngWriter();
     static void take(png_structp png, png_bytep data, std::size_t size);
     static void fail(png_structp png, const char* reason);
     template<class Calls> void by_libpng(Calls&& calls);

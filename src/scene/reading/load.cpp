@@ -427,7 +427,7 @@ Scene read_listed(const toml::table& root, const Parse& parse, const fs::path& f
         scene.among = {int(k), int(names.size())};
         scenes.push_back(std::move(scene));
     }
-    if (mistakes) throw *mistakes;
+    if (mistakes) throw Mistakes(*mistakes);
     if (scenes.size() > 1) refuse_among_several(root, scenes);
     if (!unused.empty()) {
         fail(*root["parameters"].as_table()->get(*unused.begin()), "parameters." + *unused.begin(),
