@@ -22,7 +22,7 @@ void add_glass_ray(ShaderText& text);
 void add_matter(ShaderText& text, const scene::Scene& scene);
 void add_seen_through_glass(ShaderText& text, const scene::Scene& scene);
 
-// Those of glass beside the march, in the order in which a tile takes them.
+// The passes of glass beside its march, in the order in which a tile takes them.
 std::vector<Pass> glass_passes(const scene::Scene& scene, const Passes& passes);
 
 } // namespace isomotion::synthesis

@@ -265,7 +265,7 @@ TEST_P(Hermite, ARayThatStartsInsideMeetsTheWallAhead) {
 }
 
 TEST_P(Hermite, AConstantIsAMiss) {
-    for (const char* formula : {"1 + 1e-30*x", "1e-30*x - 1e-25", "1e10 + 1e-20*x", "max(1, x - 5)",
+    for (const char* formula : {"1 + 1e-30*x", "1e-36*x - 1e-30", "1e30 + 1e-7*x", "max(1, x - 5)",
                                 "1e-20*x - 1", "x^2 + 1e-30 + 1"}) {
         for (const bool beam : {false, true}) {
             const Picture picture = look(formula, {2.4, 32, beam});

@@ -138,12 +138,12 @@ protected:
     void add(const std::string& text, const char* stage) {
         std::ofstream(folder_ / fmt::format("{}.{}", count_++, stage)) << text;
     }
-    // Of all at once: to begin takes glslang longer than to read a shader. It names the files, each
-    // of which is in what it tells.
+    // One process reads all texts, since glslang takes longer to begin than to read one.
     void expect_valid() const {
         EXPECT_GT(count_, 0);
         const auto command = fmt::format("cd '{}' && glslangValidator *", folder_.string());
         if (std::system(command.c_str()) == 0) return;
+        ADD_FAILURE() << "glslang refuses some of " << count_ << " shaders";
         for (const auto& file : std::filesystem::directory_iterator(folder_)) {
             const auto alone = fmt::format("glslangValidator '{}'", file.path().string());
             EXPECT_EQ(std::system(alone.c_str()), 0) << std::ifstream(file.path()).rdbuf();
