@@ -8,7 +8,7 @@ LIST entered = LIST(0xffffffffu);
 LIST entered_list() { return entered; }
 void enter_list(LIST list) { entered = list; }
 
-// Those of a word, of the elements that there are.
+// The bits of a word that stand for elements that there are.
 uint listed_bits(int word) {
     int n = clamp(array0_count - 32 * word, 0, 32);
     return n < 32 ? entered[word] & ((1u << uint(n)) - 1u) : entered[word];

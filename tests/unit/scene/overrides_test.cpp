@@ -83,7 +83,7 @@ TEST_F(Overrides, ATableOfAListByItsNumber) {
               "--set lights[0].color=[1, 0, 0]: the scene lists no lights[0]");
 }
 
-// Of keys that exclude each other the one that is set holds.
+// Where keys exclude each other, the one that is set holds.
 TEST_F(Overrides, TakeThePlaceOfWhatTheyExclude) {
     EXPECT_EQ(loaded(ball_with(4, "seconds = 3"), {"time.frames=7"}).timeline.frames, 7);
     EXPECT_EQ(loaded(ball(), {"time.seconds=3"}).timeline.frames, 90);
