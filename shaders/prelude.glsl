@@ -9,6 +9,7 @@ precision highp float;
 precision highp int;
 precision highp sampler2D;
 precision highp usampler2D;
+precision highp usampler2DArray;
 #define precise
 #elif __VERSION__ < 400
 #extension GL_ARB_gpu_shader5 : enable

@@ -24,11 +24,20 @@ void main() {
     evaluations = min(evaluations, MOST_TERMS / max(array0_count, 1)); // as in beam_list.glsl
     LIST front = whole.front, middle = whole.front, all = whole.all;
     float front_end = whole.front_end, middle_end = whole.front_end;
+#ifdef COPIES
+    KEPT kept = new_list(block, 0), kept_in_front = new_list(block, 1);
+#endif
     // Few elements matter in the front, where most rays end; the walk there is the cheaper, too.
     if (LIST_OF_ALL == 0 && open) {
         front_end = mix(low, high, FRONT);
         enter_list(front_end <= middle_end ? middle : all);
+#ifdef COPIES
+        // Its copies are made later: the walk goes through what it was made from.
+        kept_in_front = lists_of(block, way, low, front_end).all;
+        front = entered_list();
+#else
         front = lists_of(block, way, low, front_end).all;
+#endif
     }
 #endif
     for (int k = 0; k < evaluations; ++k) {
@@ -80,12 +89,21 @@ void main() {
     if (LIST_OF_ALL == 1 && open) {
         enter_list(all);
         Lists made = lists_of(block, way, low, high);
+#ifdef COPIES
+        kept = made.all;
+        kept_in_front = made.front;
+#else
         all = made.all;
         front = middle = made.front;
+#endif
         front_end = middle_end = made.front_end;
     }
     part = vec4(low, open ? high : low, front_end, middle_end);
+#ifdef COPIES
+    store_masks(kept_in_front, kept);
+#else
     store_lists(front, middle, all);
+#endif
 #else
     part = vec4(low, open ? high : low, low, low);
 #endif

@@ -5,7 +5,7 @@
 
 // Elements and the first, of all of a way and of its front, which ends at a depth.
 struct Lists {
-    LIST all, front;
+    KEPT all, front;
     float front_end;
 };
 
@@ -32,13 +32,7 @@ Lists lists_of(ivec2 block, Beam way, float low, float high) {
     vec2 rounding = vec2(-beam.w, beam.w);
     float per_piece = 1.0 / max(float(pieces - 1), 1.0);
     NewList kept = new_list(block, 0), kept_in_front = new_list(block, 1);
-#ifdef MASKS
-    for (int word = 0; word < MASK_WORDS; ++word)
-    for (uint bits = listed_bits(word); bits != 0u; bits &= bits - 1u) {
-        int e = first_listed(word, bits);
-#else
     for (int e = 0; e < array0_count; ++e) {
-#endif
         float largest = 0.0, in_front = 0.0;
         for (int k = 0; k < pieces; ++k) {
             float along = float(k) * per_piece;
@@ -62,7 +56,7 @@ Lists lists_of(ivec2 block, Beam way, float low, float high) {
             keep(kept_in_front, e);
         }
     }
-    LIST all = list_of(kept);
+    KEPT all = list_of(kept);
     float front_end = mix(low, high, float(front_pieces) * part);
     if (LISTS_OF_A_BLOCK == 1) return Lists(all, all, high);
     return Lists(all, list_of(kept_in_front), front_end);

@@ -8,8 +8,11 @@ void enter_beam(inout Ray ray) {
     ray.t_far = part.x < part.y ? min(ray.t_far, part.y * ray.to_eye) : ray.t_near - 1.0;
 #ifdef LISTS
     vec2 ends = part.zw * ray.to_eye;
-    LIST all = all_of_beam(at);
-    beam_lists = BeamLists(front_of_beam(at), middle_of_beam(at), all, ends.x, ends.y);
-    enter_list(all);
+#ifdef COPIES
+    beam_lists = lists_of_beam(ivec2(pixel_centre) / BLOCK, ends.x, ends.y);
+#else
+    beam_lists = BeamLists(front_of_beam(at), middle_of_beam(at), all_of_beam(at), ends.x, ends.y);
+#endif
+    enter_list(beam_lists.all);
 #endif
 }

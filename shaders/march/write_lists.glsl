@@ -7,6 +7,8 @@ layout(location = 2) out vec4 list_of_all;
 uniform ivec3 list; // this level's first element, most of one list, blocks across
 layout(std430, binding = 0) buffer lists_buffer { vec4 listed[]; };
 
+#define KEPT LIST
+
 struct NewList {
     int first, kept;
 };

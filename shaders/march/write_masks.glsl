@@ -1,22 +1,38 @@
-// Where beams keep which elements matter in them: bits, see elements/masks.glsl.
+// Where beams keep which elements matter in them: the layers of a texture are drawn into at once,
+// MASK_TEXELS of them for the front, and where LIST_OF_ALL is 1 as many for all. Later levels hold no
+// more of all than the first.
+layout(location = 1) out uvec4 masks[MASK_TEXELS * LISTS_OF_A_BLOCK];
 
-layout(location = 1) out uvec4 list_of_front;
-layout(location = 2) out uvec4 list_of_middle;
-layout(location = 3) out uvec4 list_of_all;
+#define KEPT Mask
+#define NewList Mask
 
-#define NewList LIST
-
-NewList new_list(ivec2 block, int which) { return NewList(0u); }
+NewList new_list(ivec2 block, int which) { return Mask(uvec4[MASK_TEXELS](TEXELS_OF_NONE)); }
 
 void keep(inout NewList made, int e) {
     uint bit = 1u << uint(e & 31);
-    made |= bit * uvec4(equal(ivec4(e >> 5), ivec4(0, 1, 2, 3)));
+    for (int k = 0; k < MASK_TEXELS; ++k) {
+        made.texels[k] |= bit * uvec4(equal(ivec4(e >> 5), 4 * k + ivec4(0, 1, 2, 3)));
+    }
 }
 
-LIST list_of(NewList made) { return made; }
+KEPT list_of(NewList made) { return made; }
 
-void store_lists(LIST front, LIST middle, LIST all) {
-    list_of_front = front;
-    list_of_middle = middle;
-    list_of_all = all;
+// Outputs are written by constant indices alone.
+void store_masks(KEPT front, KEPT all) {
+    masks[0] = front.texels[0];
+#if MASK_TEXELS > 1
+    masks[1] = front.texels[1];
+#endif
+#if MASK_TEXELS > 2
+    masks[2] = front.texels[2];
+#endif
+#if LISTS_OF_A_BLOCK == 2
+    masks[MASK_TEXELS] = all.texels[0];
+#if MASK_TEXELS > 1
+    masks[MASK_TEXELS + 1] = all.texels[1];
+#endif
+#if MASK_TEXELS > 2
+    masks[MASK_TEXELS + 2] = all.texels[2];
+#endif
+#endif
 }

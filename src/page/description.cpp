@@ -19,6 +19,7 @@
 #include "render/march_plan.h"
 #include "render/sample_pattern.h"
 #include "scene/color_map.h"
+#include "synthesis/beam_copies_text.h"
 #include "synthesis/effect.h"
 #include "synthesis/effect_text.h"
 
@@ -36,6 +37,8 @@ std::string name_of(Role role) {
     switch (role) {
     case Role::beams:
         return "beams";
+    case Role::beam_copies:
+        return "beamCopies";
     case Role::mask:
         return "mask";
     case Role::fused:
@@ -101,11 +104,14 @@ Json passes_of(const WebScene& web, Texts& texts) {
 
 Json beams_of(const WebScene& web) {
     Json all = Json::array();
+    const bool copied = synthesis::has_copies(web.passes);
     for (const synthesis::BeamLevel& level : web.passes.beams) {
-        all.push_back({{"block", level.block},
-                       {"masks", synthesis::has_masks(web.passes)},
-                       {"evaluations", render::evaluations_of_a_beam(
-                                           web.passes, *web.scene.surface.field, level.lists)}});
+        all.push_back(
+            {{"block", level.block},
+             {"masks", synthesis::masks_of_level(web.passes, level)},
+             {"listRows", copied ? synthesis::rows_of_copies(web.passes, int(all.size())) : 0},
+             {"evaluations",
+              render::evaluations_of_a_beam(web.passes, *web.scene.surface.field, level.lists)}});
     }
     return all;
 }

@@ -9,6 +9,7 @@
 #include "formula/element_kernels.h"
 #include "formula/linear_sum.h"
 #include "scene/method_domain.h"
+#include "synthesis/beam_copies_text.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/effect.h"
 #include "synthesis/effect_text.h"
@@ -75,9 +76,9 @@ FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers, Platform
         by_place && counts[std::size_t(*by_place)] > most_by_lists && scene.isolation.beam != true;
     Finding finding;
     // Rays that begin on a surface have no beams there, and find elements faster by place.
-    finding.by_masks = platform == Platform::webgl && !keeps_surfaces(scene) &&
-                       by_place.value_or(0) == 0 && !counts.empty() && counts[0] <= most_in_masks;
-    const bool keeps_lists = writes_buffers || finding.by_masks;
+    finding.by_copies = platform == Platform::webgl && !keeps_surfaces(scene) &&
+                        by_place.value_or(0) == 0 && !counts.empty() && counts[0] <= most_in_copies;
+    const bool keeps_lists = writes_buffers || finding.by_copies;
     finding.by_lists = !is_large && keeps_lists && uses_beams(scene) && !counts.empty() &&
                        counts[0] >= fewest && counts[0] <= most &&
                        formula::linear_sum(*scene.surface.field).has_value();
@@ -130,6 +131,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     const auto add = [&](Pass pass) { passes.list.push_back(std::move(pass)); };
     for (std::size_t level = 0; level < passes.beams.size(); ++level) {
         add(beam_pass(scene, passes, int(level)));
+        if (has_copies(passes)) add(beam_copies_pass(scene, passes, int(level)));
     }
     const bool fuses = stage == Stage::fragment && can_fuse(scene, channels);
     if (fuses) {

@@ -6,6 +6,7 @@
 
 #include "formula/glsl/glsl_interval.h"
 #include "formula/linear_sum.h"
+#include "synthesis/beam_copies_text.h"
 #include "synthesis/section_text.h"
 #include "synthesis/shader_text.h"
 
@@ -41,10 +42,6 @@ void add_bounds_of_sum(ShaderText& text, const formula::Field& field, const Fiel
               true);
 }
 
-void add_stored_lists(ShaderText& text, const FieldStorage& storage) {
-    text.file(has_masks(storage) ? "march/read_masks.glsl" : "march/read_lists.glsl");
-}
-
 // Around pieces of beams within those of `parent`, if it is not null.
 void add_boxes(ShaderText& text, const scene::Scene& scene, const Passes& passes,
                const BeamLevel* parent) {
@@ -53,7 +50,11 @@ void add_boxes(ShaderText& text, const scene::Scene& scene, const Passes& passes
     const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
     text.file("march/beam_way.glsl");
-    if (parent && has_lists(passes)) add_stored_lists(text, passes);
+    if (parent && has_copies(passes)) {
+        add_copies_of_parent(text, passes);
+    } else if (parent && has_lists(passes)) {
+        text.file("march/read_lists.glsl");
+    }
     if (parent) {
         text.define("PARENT_BLOCK", parent->block);
         text.define("PARENT_SQUARE_BITS", parent->square_bits);
@@ -93,14 +94,14 @@ Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
     const BeamLevel* parent = level > 0 ? &beam - 1 : nullptr;
     ShaderText text;
     const bool makes_lists = beam.lists != BeamLists::none;
-    const bool writes_buffer = makes_lists && !has_masks(passes);
+    const bool writes_buffer = makes_lists && !has_copies(passes);
     if (writes_buffer) text.version(430);
     define_blocks(text, beam);
     text.define("BOTH_ENDS", int(beam.lists == BeamLists::whole));
     if (has_lists(passes)) {
         text.define("LISTS", 1);
         text.file("elements/left_out.glsl");
-        add_bounds_of_sum(text, field, passes);
+        add_bounds_of_sum(text, field, parent ? through_copies(passes) : FieldStorage(passes));
     } else {
         add_field(text, field, passes, {FieldFunction::value_interval});
     }
@@ -118,7 +119,10 @@ Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
         text.define("MOST_TERMS", parent ? most_terms : most_terms_at_first);
         // Read as a texture: software renderers go through the lanes one by one to read a storage
         // buffer.
-        text.file(writes_buffer ? "march/write_lists.glsl" : "march/write_masks.glsl");
+        if (writes_buffer)
+            text.file("march/write_lists.glsl");
+        else
+            add_masks(text, passes);
     }
     text.file("frame.glsl");
     add_boxes(text, scene, passes, parent);
@@ -147,8 +151,9 @@ void add_light_beams(ShaderText& text, const Passes& passes) {
 void add_entrance(ShaderText& text, const Passes& passes, bool by_beams) {
     if (by_beams) define_blocks(text, passes.beams.back());
     if (by_beams && has_lists(passes)) {
-        add_stored_lists(text, passes);
+        if (!has_copies(passes)) text.file("march/read_lists.glsl");
         text.file("march/choose_list.glsl");
+        if (has_copies(passes)) add_copies_of_ray(text, passes);
     }
     text.file(by_beams ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
 }
@@ -165,7 +170,11 @@ std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest) {
     const int bits = finest == 1 ? 6 : 4;
     if (!has_lists(storage)) return {{finest, none, 1, bits}};
     // Fewer programs: a page shows its first picture when all are compiled.
-    if (has_masks(storage)) return {{32, whole, 0.3, 2}, {finest, front, 0.12, bits}};
+    if (has_copies(storage)) {
+        // Smaller blocks have shorter lists, and more places to copy to: one for every element.
+        const int first = storage.arrays[0].capacity <= 128 ? 16 : 32;
+        return {{first, whole, 0.3, 2}, {finest, front, 0.12, bits}};
+    }
     return {{64, whole, 0.3, 2}, {16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
 }
 

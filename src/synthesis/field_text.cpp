@@ -8,7 +8,6 @@
 #include "formula/linear_sum.h"
 #include "synthesis/cells_text.h"
 #include "synthesis/loop_limit.h"
-#include "synthesis/masks_text.h"
 #include "synthesis/shader_files.h"
 #include "synthesis/shader_text.h"
 
@@ -19,6 +18,21 @@ namespace {
 std::string by_name_in_es(std::string_view name, std::string_view value,
                           std::string_view declaration) {
     return fmt::format("#ifdef GL_ES\n#define {} {}\n#else\n{}#endif\n", name, value, declaration);
+}
+
+// Of the elements of the list entered last: shaders/march/copies.glsl.
+std::string declared_copies(const ArrayStorage& array) {
+    const std::string row = array.texels == 1
+                                ? "element >> 4"
+                                : fmt::format("(element >> 4) * {} + texel", array.texels);
+    return fmt::format("uniform sampler2D {0}_lists;\n"
+                       "#define LIST vec3\nint {0}_count = 0;\nivec2 {0}_first = ivec2(0);\n"
+                       "LIST entered_list() {{ return LIST({0}_count, {0}_first); }}\n"
+                       "void enter_list(LIST list) {{ {0}_count = int(list.x); "
+                       "{0}_first = ivec2(list.yz); }}\n"
+                       "vec4 {0}_texel(int element, int texel) {{ return texelFetch({0}_lists, "
+                       "{0}_first + ivec2(element & 15, {1}), 0); }}\n",
+                       array.name, row);
 }
 
 std::string declarations(const FieldStorage& storage) {
@@ -52,11 +66,21 @@ std::string declarations(const FieldStorage& storage) {
             continue;
         }
         const std::string count = fmt::format("array_counts[{}].{}", a / 4, "xyzw"[a % 4]);
+        text += fmt::format("#define {}_least {}\n", array.name, formula::glsl_least_of_none());
+        if (array.reads_copies) {
+            text += declared_copies(array);
+            continue;
+        }
         text += by_name_in_es(array.name + "_count", count,
                               fmt::format("int {}_count = {};\n", array.name, count));
-        text += fmt::format("#define {}_least {}\n", array.name, formula::glsl_least_of_none());
         std::string element = "element";
-        if (array.has_lists && !array.has_masks) {
+        if (array.has_copies) {
+            text += fmt::format("#define LIST vec3\n"
+                                "LIST entered_list() {{ return LIST({}_count, ivec2(0)); }}\n"
+                                "void enter_list(LIST list) {{}}\n",
+                                array.name);
+        }
+        if (array.has_lists && !array.has_copies) {
             // Another list than all elements, once entered.
             text += fmt::format(
                 "#define LIST vec2\nint {0}_first = 0;\n"
@@ -238,8 +262,8 @@ bool has_lists(const FieldStorage& storage) {
     return !storage.arrays.empty() && storage.arrays[0].has_lists;
 }
 
-bool has_masks(const FieldStorage& storage) {
-    return has_lists(storage) && storage.arrays[0].has_masks;
+bool has_copies(const FieldStorage& storage) {
+    return has_lists(storage) && storage.arrays[0].has_copies;
 }
 
 FieldStorage field_storage(const formula::Field& field, int parameters, std::span<const int> counts,
@@ -253,10 +277,10 @@ FieldStorage field_storage(const formula::Field& field, int parameters, std::spa
         array.capacity = std::max(1, counts[a]);
         const std::size_t bytes = std::size_t(array.capacity) * std::size_t(array.texels) * 16;
         array.has_lists = finding.by_lists;
-        array.has_masks = finding.by_masks;
+        array.has_copies = finding.by_copies;
         array.has_grid = finding.by_place == int(a);
         if (array.has_grid) array.sums = int(formula::own_sums(field, int(a)).size());
-        array.kind = (!array.has_lists || array.has_masks) && !array.has_grid &&
+        array.kind = (!array.has_lists || array.has_copies) && !array.has_grid &&
                              bytes <= ArrayStorage::uniform_block_bytes
                          ? ArrayStorage::Kind::uniform_block
                          : ArrayStorage::Kind::texture_buffer;
@@ -286,12 +310,10 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     std::string generated;
     const bool by_place = array_with_grid(storage).has_value();
     FieldPrograms programs(field);
-    const bool by_masks = has_masks(storage);
     for (const FieldFunction function : functions) {
         FunctionParts parts = parts_of(field, programs, function);
         (parts.on_intervals ? interval_kernels : kernels).merge(parts.kernels);
         on_intervals |= parts.on_intervals;
-        if (by_masks) parts.glsl = over_masks(parts.glsl);
         generated += by_place ? in_cells(function, parts.glsl) : parts.glsl;
     }
     for (const GeneratedFunction& function : beside) {
@@ -306,14 +328,12 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     text.generated("generated: parameters of the surface", declarations(storage));
     define_grid_limits(text, field, storage, functions);
     if (by_place) add_cells(text, storage);
-    if (by_masks) add_masks(text, storage);
     if (!functions.empty()) {
         text.generated("generated from: " + as_comment(field.text), generated);
     }
     for (const GeneratedFunction& function : beside) {
         text.generated("generated from: " + as_comment(function.from),
-                       by_masks            ? over_masks(function.glsl)
-                       : !by_place         ? function.glsl
+                       !by_place           ? function.glsl
                        : function.sums_all ? over_all_elements(storage, function.glsl)
                                            : entering_cells(function.glsl));
     }

@@ -28,8 +28,10 @@ struct ArrayStorage {
     int capacity = 0; // elements
     // Lists of those that matter in a beam follow the elements in their texture buffer.
     bool has_lists = false;
-    // Lists are bits, at most most_in_masks, and follow nothing: shaders/elements/masks.glsl.
-    bool has_masks = false;
+    // Lists are copies in a texture of their own, of at most most_in_copies elements, for shaders
+    // that can write no lists (beam_copies_text.h); and whether this shader goes through them.
+    bool has_copies = false;
+    bool reads_copies = false;
     // A grid over the bounds tells which of them matter where (elements/element_grid.h). F has so
     // many sums over the array.
     bool has_grid = false;
@@ -47,9 +49,10 @@ struct FieldStorage {
 };
 
 bool has_lists(const FieldStorage& storage);
-// Where they are bits.
-bool has_masks(const FieldStorage& storage);
-inline constexpr int most_in_masks = 128;
+// Where they are copies in a texture.
+bool has_copies(const FieldStorage& storage);
+// Browsers draw into 8 textures at once: a beam, and three each for the bits of two lists.
+inline constexpr int most_in_copies = 3 * 128;
 // The array whose elements are found by place, if there is one.
 std::optional<int> array_with_grid(const FieldStorage& storage);
 // vec4s of the block Parameters that describe the grid, behind the counts; with what its lists
@@ -61,7 +64,7 @@ inline constexpr int grid_vectors_of_place = 3;
 struct Finding {
     bool by_lists = false;       // of the first array, in beams
     std::optional<int> by_place; // of this array
-    bool by_masks = false;       // lists are bits
+    bool by_copies = false;      // lists are copies in a texture
 };
 
 FieldStorage field_storage(const formula::Field& field, int parameters, std::span<const int> counts,

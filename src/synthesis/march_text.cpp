@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "synthesis/beam_copies_text.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/bernstein_text.h"
 #include "synthesis/cells_text.h"
@@ -159,7 +160,7 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes
 Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when) {
     ShaderText text(passes.stage);
     define_state(text, passes);
-    add_field(text, *scene.surface.field, passes, passes.samples);
+    add_field(text, *scene.surface.field, through_copies(passes), passes.samples);
     add_ray(text, scene, origin);
     add_march(text, scene, passes, origin);
     text.file_of_stage("march/store_state.glsl", "stage/store_state.glsl");

@@ -16,6 +16,7 @@ namespace isomotion::synthesis {
 // What a pass does, in the order in which a tile is drawn.
 enum class Role {
     beams,          // finds what part of their way blocks of rays need to march; one pass a level
+    beam_copies,    // copies the elements that matter in those, where shaders can write no lists
     mask,           // depth lets the fused pass run where rays have a way to march
     fused,          // march and picture in one draw, of plain scenes
     march,          // takes rays some turns on

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "formula/hessian.h"
+#include "synthesis/beam_copies_text.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/effect.h"
 #include "synthesis/effect_text.h"
@@ -129,7 +130,8 @@ Pass fused_pass(const scene::Scene& scene, const Passes& passes) {
     text.define("LIGHTS", int(scene.lights.size()));
     std::vector<FieldFunction> functions = passes.samples;
     if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
-    add_field(text, *scene.surface.field, passes, functions, painting_functions(scene, passes));
+    add_field(text, *scene.surface.field, through_copies(passes), functions,
+              painting_functions(scene, passes));
     add_ray(text, scene);
     add_march(text, scene, passes, Origin::eye);
     add_picture(text, scene);

@@ -20,6 +20,7 @@ QUICK = [
     ("blobby75", 20, [CAMERA], {"s": 1.45, "R": 0.3}),
     ("many.toml", 2, []),
     ("blur.toml", 2, []),
+    ("lists.toml", 2, []),
 ]
 ALL = QUICK + [
     ("barth_decic", 40, []),
@@ -42,8 +43,7 @@ ALL = QUICK + [
     ("mirror.toml", 1, []),
     ("many.toml", 3, [CAMERA]),
     ("capsules.toml", 2, []),
-    ("bits.toml", 2, []),
-    ("bits.toml", 2, [CAMERA, "surface.bounds={box = [[-1, -1, -1], [1.2, 1, 1]]}"], {"c": 0.3}),
+    ("lists.toml", 2, [CAMERA, "surface.bounds={box = [[-1, -1, -1], [1.2, 1, 1]]}"], {"c": 0.3}),
     ("blur.toml", 2, [], {"c": 0.4}),
     ("cut.toml", 3, []),
     ("cut.toml", 3, [CAMERA]),
@@ -186,8 +186,9 @@ cz = "2*random(i, 3) - 1 + 0.1*t"
 direction = [1, 2, 2]
 shadow = true
 """,
-    # As many elements as beams have bits for, of two texels, cut open and painted.
-    "bits.toml": """[time]
+    # As many elements as beams have lists for, of two texels, cut open and painted; more of them
+    # matter in some beams than rays' lists have places for.
+    "lists.toml": """[time]
 frames = 4
 fps = 4
 [surface]
@@ -196,12 +197,12 @@ bounds = { sphere = 1.6 }
 [parameters]
 c = "0.2*t"
 [arrays.b]
-count = 128
+count = 384
 cx = "1.3*sin(i + c)"
 cy = "1.3*sin(2*i + t)"
 cz = "1.3*sin(3*i)"
 k = "20 + 20*random(i, 1)"
-w = "0.6 + 0.3*random(i, 2)"
+w = "0.2 + 0.1*random(i, 2)"
 [[sections]]
 normal = [1, 0, 0]
 offset = 0.4

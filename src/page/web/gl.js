@@ -80,14 +80,17 @@ class Program {
     }
 }
 
-function textureOf(gl, internal, width, height) {
+// Of several layers where they are told.
+function textureOf(gl, internal, width, height, layers = 0) {
+    const kind = layers ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
     const texture = gl.createTexture();
     gl.activeTexture(gl.TEXTURE0 + editingUnit);
-    gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, internal, width, height);
+    gl.bindTexture(kind, texture);
+    if (layers) gl.texStorage3D(kind, 1, internal, width, height, layers);
+    else gl.texStorage2D(kind, 1, internal, width, height);
     for (const [name, value] of [[gl.TEXTURE_MIN_FILTER, gl.NEAREST],
         [gl.TEXTURE_MAG_FILTER, gl.NEAREST], [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
-        [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE]]) gl.texParameteri(gl.TEXTURE_2D, name, value);
+        [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE]]) gl.texParameteri(kind, name, value);
     return texture;
 }
 
@@ -121,6 +124,24 @@ class Target {
         gl.drawBuffers([gl.NONE]); // of the latter
         return this;
     }
+    // So many more textures, the layers of one.
+    withLayers(format, count) {
+        const { gl } = this;
+        if (count === 0) return this;
+        const drawn = this.textures.length + count, most = gl.getParameter(gl.MAX_DRAW_BUFFERS);
+        if (drawn > most) {
+            throw new NotPossible(`This browser or its graphics card draws into ${most} textures at ` +
+                `once, and this scene needs ${drawn}.`);
+        }
+        this.layers = textureOf(gl, format, this.width, this.height, count);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
+        for (let k = 0; k < count; ++k) {
+            gl.framebufferTextureLayer(gl.FRAMEBUFFER,
+                gl.COLOR_ATTACHMENT0 + this.textures.length + k, this.layers, 0, k);
+        }
+        gl.drawBuffers(Array.from({ length: drawn }, (_, k) => gl.COLOR_ATTACHMENT0 + k));
+        return this;
+    }
     expectComplete() {
         const { gl } = this;
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
@@ -134,7 +155,7 @@ class Target {
     }
     free() {
         const { gl } = this;
-        this.textures.forEach((texture) => gl.deleteTexture(texture));
+        [...this.textures, this.layers ?? null].forEach((texture) => gl.deleteTexture(texture));
         gl.deleteFramebuffer(this.framebuffer);
     }
 }

@@ -82,11 +82,11 @@ class PassTable {
         gl.bindBufferBase(gl.UNIFORM_BUFFER, this.bindings.get(name), this.buffers.get(name));
     }
 
-    bind(sampler, texture) {
+    bind(sampler, texture, kind = this.gl.TEXTURE_2D) {
         const { gl } = this;
         if (!this.units.has(sampler)) return;
         gl.activeTexture(gl.TEXTURE0 + this.units.get(sampler));
-        gl.bindTexture(gl.TEXTURE_2D, texture);
+        gl.bindTexture(kind, texture);
     }
     bindNumbered(sampler, target) {
         target.textures.forEach((texture, k) => this.bind(`${sampler}_${k}`, texture));

@@ -16,14 +16,26 @@ class TileDrawer {
         this.newEnds = () => target([float, float, float]);
         this.beams = about.beams.map(({ block, masks }) => {
             const blocks = Math.ceil(side / block);
-            const formats = masks ? [float, ...Array(3).fill(gl.RGBA32UI)] : [float];
-            return new Target(gl, blocks, blocks, formats).expectComplete();
+            return new Target(gl, blocks, blocks, [float]).withLayers(gl.RGBA32UI, masks)
+                .expectComplete();
         });
+        if (table.has("beamCopies")) this.lists = this.newLists();
         this.isFused = table.has("fused"); // as long as every ray ended in one draw
         this.counter = target([gl.R8]); // nothing is drawn into it, but fragments are counted
         this.states = new Map();
         if (this.keepsSurfaces) this.ends = this.newEnds();
         if (table.has("mirror")) this.mirrorEnds = this.newEnds();
+    }
+
+    // Textures of lists, see shaders/march/copies.glsl: those of the first beams, which smaller ones
+    // read, and all, which rays read.
+    newLists() {
+        const { gl, about } = this;
+        const rows = about.beams.map(({ listRows }, k) => listRows * this.beams[k].height);
+        const list = (height) =>
+            new Target(gl, 16 * this.beams[1].width, height, [gl.RGBA32F]).expectComplete();
+        this.firstListsRow = rows[1];
+        return [list(rows[0]), list(rows[0] + rows[1])];
     }
 
     statesOf(role) {
@@ -62,11 +74,31 @@ class TileDrawer {
             program.set("beam", inputs.beams[level]);
             program.set("beam_evaluations", evaluations);
             program.set("around_middles", 0);
-            this.run("beams", this.beams[level],
-                { width: Math.ceil(width / block), height: Math.ceil(height / block) }, level);
-            ["beam", "beam_front", "beam_middle", "beam_all"].forEach((name, k) =>
-                table.bind(`${name}_texture`, this.beams[level].textures[k] ?? null));
+            const blocks = { width: Math.ceil(width / block), height: Math.ceil(height / block) };
+            this.run("beams", this.beams[level], blocks, level);
+            table.bind("beam_texture", this.beams[level].textures[0]);
+            if (this.lists) this.copyLists(level, blocks);
         });
+        if (this.lists) {
+            for (const role of ["fused", "march"])
+                table.program(role)?.set("first_lists_row", this.firstListsRow);
+        }
+    }
+
+    // The first level's lists go to both textures.
+    copyLists(level, { width, height }) {
+        const { gl, table, about, lists } = this;
+        const size = { width: 16 * width, height: about.beams[level].listRows * height };
+        const program = table.program("beamCopies", level);
+        table.bind("beam_masks_texture", this.beams[level].layers, gl.TEXTURE_2D_ARRAY);
+        const copy = (to, row) => {
+            program.set("first_row", row);
+            this.run("beamCopies", to, { y: row, ...size }, level);
+        };
+        table.bind("array0_lists", level > 0 ? lists[0].textures[0] : null);
+        if (level === 0) copy(lists[0], 0);
+        copy(lists[1], level === 0 ? this.firstListsRow : 0);
+        table.bind("array0_lists", lists[level].textures[0]);
     }
 
     // Where rays have no way to march the shader is not run: such pixels are misses.

@@ -1,6 +1,7 @@
 // What a page refuses, and what its passes are.
 #include "page/web_scene.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "page/frame_values.h"
 #include "scene/error.h"
 #include "scene/reading/load.h"
+#include "synthesis/beam_copies_text.h"
 
 namespace isomotion::page {
 namespace {
@@ -63,22 +65,44 @@ TEST(WebScene, IsOfGlslEsWithoutListsProofsOrBuffers) {
     }
 }
 
-// Beams tell them by bits, where all rays begin at the eye.
-TEST(WebScene, UpTo128ElementsAreTheBitsOfBeams) {
-    for (const int count : {9, 75, 128}) {
+// Beams tell which elements matter, and a pass copies those, where all rays begin at the eye.
+TEST(WebScene, UpTo384ElementsAreCopiedToListsOfBeams) {
+    using synthesis::Role;
+    for (const int count : {9, 75, 128, 129, 384}) {
+        SCOPED_TRACE(count);
         const synthesis::Passes passes = web_scene(scene_of(balls(count))).passes;
-        EXPECT_TRUE(synthesis::has_masks(passes)) << count;
-        EXPECT_FALSE(synthesis::array_with_grid(passes)) << count;
-        EXPECT_EQ(passes.beams.size(), 2u);
-        for (const synthesis::Role role : {synthesis::Role::beams, synthesis::Role::fused}) {
-            const std::string& text = passes.at(role).text;
-            EXPECT_THAT(text, Not(HasSubstr("e0 < array0_count"))) << "a loop over all";
-            EXPECT_THAT(text, HasSubstr("int e0 = first_listed(word, bits);"));
+        EXPECT_TRUE(synthesis::has_copies(passes));
+        EXPECT_FALSE(synthesis::array_with_grid(passes));
+        ASSERT_EQ(passes.beams.size(), 2u);
+        // A beam and its bits are drawn at once; browsers have 8 textures for that.
+        const int texels = (count + 127) / 128;
+        EXPECT_EQ(synthesis::masks_of_level(passes, passes.beams[0]), 2 * texels);
+        EXPECT_EQ(synthesis::masks_of_level(passes, passes.beams[1]), texels);
+        const auto reads = [&](Role role, int level) {
+            const std::vector<std::string>& samplers = passes.at(role, level).samplers;
+            return std::ranges::count(samplers, "array0_lists") == 1;
+        };
+        for (const Role role : {Role::beams, Role::beam_copies}) {
+            EXPECT_FALSE(reads(role, 0)) << "these go through all";
+            EXPECT_TRUE(reads(role, 1));
         }
+        for (const Role role : {Role::fused, Role::march}) EXPECT_TRUE(reads(role, 0));
     }
     for (const std::string& scene :
-         {balls(8), balls(129), balls(75) + "[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n"})
-        EXPECT_FALSE(synthesis::has_masks(web_scene(scene_of(scene)).passes)) << scene;
+         {balls(8), balls(385), balls(75) + "[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n"})
+        EXPECT_FALSE(synthesis::has_copies(web_scene(scene_of(scene)).passes)) << scene;
+}
+
+// Rows of 16 elements, the last place of a list for its length.
+TEST(WebScene, ListsOfTheFirstBeamsHaveRoomForAllElements) {
+    for (const int count : {9, 15, 16, 75, 383, 384}) {
+        SCOPED_TRACE(count);
+        const synthesis::Passes passes = web_scene(scene_of(balls(count))).passes;
+        const int texels = passes.arrays[0].texels;
+        EXPECT_GE(rows_of_copies(passes, 0) * 16 / texels, 2 * (count + 1));
+        EXPECT_LT(rows_of_copies(passes, 0) * 16 / texels, 2 * (count + 17));
+        EXPECT_LE(rows_of_copies(passes, 1), 3 * texels);
+    }
 }
 
 TEST(FrameValues, RefuseTooMuchOfThem) {
@@ -110,7 +134,7 @@ TEST(FrameValues, HaveARowForEachMomentOfMotionBlur) {
 }
 
 TEST(FrameValues, HaveAGridOfElementsThatAreFoundByPlace) {
-    const WebScene web = web_scene(scene_of(balls(300) + "[time]\nframes = 2\n"));
+    const WebScene web = web_scene(scene_of(balls(400) + "[time]\nframes = 2\n"));
     ASSERT_TRUE(synthesis::array_with_grid(web.passes));
     EXPECT_FALSE(frame_values(web).grids.empty());
     EXPECT_TRUE(frame_values(web_scene(scene_of(balls(20)))).grids.empty());

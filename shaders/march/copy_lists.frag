@@ -1,0 +1,61 @@
+// Copies the elements that matter in the blocks of a level of beams, as its bits tell, to lists that
+// rays and smaller beams go through: copies.glsl says where. Bits are of the elements of the list
+// that they were made from.
+
+layout(location = 0) out vec4 copied;
+
+uniform usampler2DArray beam_masks_texture;
+uniform int first_row; // of the level's lists in the texture
+
+// Of bits; ES 3.00 has no bitCount().
+int bits_in(uint word) {
+    word -= (word >> 1) & 0x55555555u;
+    word = (word & 0x33333333u) + ((word >> 2) & 0x33333333u);
+    word = (word + (word >> 4)) & 0x0f0f0f0fu;
+    return int((word * 0x01010101u) >> 24);
+}
+
+// The place of the k-th bit of a word, from 0 on.
+int place_of_bit(uint word, int k) {
+    int place = 0;
+    for (int half_size = 16; half_size > 0; half_size >>= 1) {
+        int below = bits_in(word & ((1u << uint(half_size)) - 1u));
+        if (k >= below) {
+            k -= below;
+            word >>= uint(half_size);
+            place += half_size;
+        }
+    }
+    return place;
+}
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy) - ivec2(0, first_row);
+    const int rows = SLOTS / 16 * TEXELS;
+    ivec2 block = ivec2(at.x >> 4, at.y / (rows * LISTS_OF_A_BLOCK));
+    int row = at.y - block.y * rows * LISTS_OF_A_BLOCK;
+    int which = row / rows;
+    row -= which * rows;
+    int slot = 16 * (row / TEXELS) + (at.x & 15), texel = row % TEXELS;
+    int count = 0, before = 0, place = 0;
+    uint found = 0u;
+    for (int word = 0; word < MASK_WORDS; ++word) {
+        int layer = which * MASK_TEXELS + (word >> 2);
+        uint bits = texelFetch(beam_masks_texture, ivec3(block, layer), 0)[word & 3];
+        int next = count + bits_in(bits);
+        if (count <= slot && slot < next) {
+            found = bits;
+            before = count;
+            place = 32 * word;
+        }
+        count = next;
+    }
+    if (slot == SLOTS - 1) {
+        copied = vec4(count < SLOTS ? count : -1);
+        return;
+    }
+    copied = vec4(0.0);
+    if (found == 0u) return;
+    enter_parent(block);
+    copied = array0_texel(place + place_of_bit(found, slot - before), texel);
+}

@@ -1,0 +1,106 @@
+#include "synthesis/beam_copies_text.h"
+
+#include <cassert>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace isomotion::synthesis {
+namespace {
+
+constexpr int columns = 16; // of a list
+
+// Places of a list, the last of which holds how many elements there are. The first level's lists
+// may be of all; in a later one's front few matter, and where there are more, rays take what that
+// list was made from.
+int slots(const Passes& passes, int level) {
+    constexpr int of_a_front = 3 * columns;
+    const int all = (passes.arrays[0].capacity / columns + 1) * columns;
+    return level == 0 ? all : std::min(all, of_a_front);
+}
+
+int texels_of_a_mask(const FieldStorage& storage) {
+    return (storage.arrays[0].capacity + 127) / 128;
+}
+
+std::string repeated(std::string_view value, int times) {
+    const std::vector<std::string_view> all(std::size_t(times), value);
+    return fmt::format("{}", fmt::join(all, ", "));
+}
+
+// Where lists lie.
+void add_places(ShaderText& text, const Passes& passes) {
+    assert(passes.beams.size() == 2);
+    text.define("COPIES", 1);
+    text.define("TEXELS", passes.arrays[0].texels);
+    text.define("FIRST_SLOTS", slots(passes, 0));
+    text.file("march/copies.glsl");
+}
+
+} // namespace
+
+int masks_of_level(const FieldStorage& storage, const BeamLevel& level) {
+    return has_copies(storage) ? texels_of_a_mask(storage) * lists_of_a_block(level) : 0;
+}
+
+int rows_of_copies(const Passes& passes, int level) {
+    const int lists = lists_of_a_block(passes.beams[std::size_t(level)]);
+    return slots(passes, level) / columns * passes.arrays[0].texels * lists;
+}
+
+FieldStorage through_copies(FieldStorage storage) {
+    if (has_copies(storage)) storage.arrays[0].reads_copies = true;
+    return storage;
+}
+
+void add_masks(ShaderText& text, const FieldStorage& storage) {
+    const int texels = texels_of_a_mask(storage);
+    text.define("COPIES", 1);
+    text.define("MASK_TEXELS", texels);
+    // ES 3.00 has initial values of constants alone.
+    text.generated("no bits",
+                   fmt::format("#define TEXELS_OF_NONE {}\n", repeated("uvec4(0u)", texels)));
+    text.file("elements/mask.glsl");
+    text.file("march/write_masks.glsl");
+}
+
+void add_copies_of_parent(ShaderText& text, const Passes& passes) {
+    add_places(text, passes);
+    text.file("march/copies_of_parent.glsl");
+}
+
+void add_copies_of_ray(ShaderText& text, const Passes& passes) {
+    add_places(text, passes);
+    text.define("LAST_SLOTS", slots(passes, 1));
+    text.define("FIRST_BLOCK", passes.beams[0].block);
+    text.file("march/copies_of_ray.glsl");
+}
+
+Pass beam_copies_pass(const scene::Scene& scene, const Passes& passes, int level) {
+    const BeamLevel& beam = passes.beams[std::size_t(level)];
+    ShaderText text;
+    text.define("BLOCK", beam.block);
+    text.define("LISTS_OF_A_BLOCK", lists_of_a_block(beam));
+    text.define("SLOTS", slots(passes, level));
+    text.define("MASK_TEXELS", texels_of_a_mask(passes));
+    text.define("MASK_WORDS", (passes.arrays[0].capacity + 31) / 32);
+    add_field(text, *scene.surface.field, level > 0 ? through_copies(passes) : FieldStorage(passes),
+              {});
+    if (level > 0) {
+        text.define("PARENT_BLOCK", passes.beams[0].block);
+        add_places(text, passes);
+        text.file("march/copy_of_copies.glsl");
+    } else {
+        text.define("TEXELS", passes.arrays[0].texels);
+        text.file("march/copy_of_all.glsl");
+    }
+    text.file("march/copy_lists.frag");
+    Pass pass = std::move(text).pass(
+        Role::beam_copies, fmt::format("lists of {} pixels", beam.block), When::once_a_tile);
+    pass.level = level;
+    return pass;
+}
+
+} // namespace isomotion::synthesis

@@ -1,0 +1,32 @@
+// Lists of the elements that matter in beams, where shaders can write no lists, in GLSL ES: the
+// beams of a level write bits, and a pass of its own copies the elements that they stand for into a
+// texture, which smaller beams and rays read. See shaders/march/copies.glsl.
+#pragma once
+
+#include "scene/scene.h"
+#include "synthesis/shader_text.h"
+
+namespace isomotion::synthesis {
+
+// Textures of 128 bits a texel that a level draws its lists' bits into; 0 without copies.
+int masks_of_level(const FieldStorage& storage, const BeamLevel& level);
+
+// Rows of the texture of copies that the lists of a row of blocks take, 16 columns a block.
+int rows_of_copies(const Passes& passes, int level);
+
+// The storage for shaders that go through copies: where there are none, the same.
+FieldStorage through_copies(FieldStorage storage);
+
+// What a level of beams writes its bits by.
+void add_masks(ShaderText& text, const FieldStorage& storage);
+
+// What beams within those of the first level read.
+void add_copies_of_parent(ShaderText& text, const Passes& passes);
+
+// What rays read, which go by all levels.
+void add_copies_of_ray(ShaderText& text, const Passes& passes);
+
+// Copies the elements that the bits of a level tell.
+Pass beam_copies_pass(const scene::Scene& scene, const Passes& passes, int level);
+
+} // namespace isomotion::synthesis
