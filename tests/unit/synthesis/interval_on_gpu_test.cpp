@@ -227,7 +227,10 @@ constexpr const char* operations[] = {"-(x*y)",
                                       "exp(-x^2)*y",
                                       "x^257",
                                       "abs(x)^-1.5",
-                                      "x^-300"};
+                                      "x^-300",
+                                      "cos(5*acos(x))",
+                                      "u = max(1, abs(x)); cos(14*acos(min(abs(x), 1)))*"
+                                      "cosh(14*log(u + sqrt((u - 1)*(u + 1))))"};
 
 // Boxes that are neither points nor huge: rounding is small against what they are wide.
 TEST_P(IntervalOnGpu, OperationsAreAsNarrowAsTheCpus) {
