@@ -1,5 +1,5 @@
-// im_add, im_subtract, im_multiply, im_square, im_abs, im_select on intervals. Needs float32.glsl or
-// float64.glsl.
+// im_add, im_subtract, im_multiply, im_square, im_abs, im_unless_zero, im_select on intervals. Needs
+// float32.glsl or float64.glsl.
 //
 // An interval (lo, hi) is as in src/formula/interval/interval.h: lo <= hi, lo < infinity, hi > -infinity, no
 // NaN, an infinite end is no bound, and 0 times an unbounded interval is 0. Ends are 0 or normal:
@@ -112,8 +112,18 @@ REAL2 im_square(REAL2 a) {
     return im_not_negative(im_outwards(r));
 }
 
+// A product r of a, or a sum of what both are in a: exactly 0 where a is, so that a factor without
+// bounds leaves it 0. By a and not by r, which may be 0 by underflow.
+REAL2 im_unless_zero(REAL2 a, REAL2 r) {
+    return IM_SELECT2(a.x == 0.0 && a.y == 0.0, REAL2(0.0), r);
+}
+
+REAL2 im_hull(REAL2 a, REAL2 b) {
+    return REAL2(min(a.x, b.x), max(a.y, b.y));
+}
+
 REAL2 im_select(REAL2 a, REAL2 b, REAL2 then, REAL2 otherwise) {
-    REAL2 either = REAL2(min(then.x, otherwise.x), max(then.y, otherwise.y));
+    REAL2 either = im_hull(then, otherwise);
     either = IM_SELECT2(a.x >= b.y, otherwise, either);
     return IM_SELECT2(a.y < b.x, then, either);
 }

@@ -1,5 +1,6 @@
 #include "formula/enclosure.h"
 
+#include "formula/graph/chebyshev_form.h"
 #include "formula/graph/continuity.h"
 #include "formula/graph/decoration.h"
 #include "formula/graph/degree.h"
@@ -26,18 +27,20 @@ struct Enclosed {
     explicit Enclosed(const Field& field)
         : graph(field.graph) {
         graph.fold_exactly();
-        const NodeId without = gaps(graph, field.root);
-        value = graph.add(field.root, without);
+        const NodeId root = with_chebyshev(graph, field.root);
+        const NodeId without = gaps(graph, root);
+        value = graph.add(root, without);
         const auto slope = [&](const std::vector<NodeId>& directions) {
-            return graph.add(
-                differentiate_inputs(graph, field.root, directions, Slopes::generalized), without);
+            return graph.add(differentiate_inputs(graph, root, directions, Slopes::generalized),
+                             without);
         };
         const NodeId one = graph.constant(1), zero = graph.constant(0);
         along = slope(direction(graph));
         gradient = {slope({one, zero, zero}), slope({zero, one, zero}), slope({zero, zero, one})};
-        jump = jumps(graph, field.root);
-        none = within_gaps(graph, field.root);
-        is_root = field.wall_distance > 0 ? unless_bounded(graph, value) : jump;
+        const NodeId jumping = jumps(graph, root);
+        jump = jumping;
+        none = within_gaps(graph, root);
+        is_root = field.wall_distance > 0 ? unless_bounded(graph, value) : jumping;
     }
 
     bool may_lack_values() const { return !graph.is_constant(none, 0); }
@@ -52,13 +55,13 @@ struct Enclosed {
 EnclosurePrograms enclosure_programs(const Field& field) {
     Enclosed e(field);
     Graph& g = e.graph;
-    return {schedule(g, std::array{e.value}),
-            schedule(g, std::array{e.value, e.along}),
-            schedule(g, e.gradient),
-            schedule(g, std::array{e.is_root, e.none}),
-            schedule(g, std::array{e.jump, e.none}),
-            schedule(g, std::array{e.value, anywhere(g, roughness(g, field.root))}),
-            e.may_lack_values()};
+    return {
+        schedule(g, std::array{e.value}), schedule(g, std::array{e.value, e.along}),
+        schedule(g, e.gradient), schedule(g, std::array{e.is_root, e.none}),
+        schedule(g, std::array{e.jump, e.none}),
+        // As it is evaluated: what is smooth on paper may lose its slope in floats.
+        schedule(g, std::array{with_gaps(g, field.root), anywhere(g, roughness(g, field.root))}),
+        e.may_lack_values()};
 }
 
 // Enclosures add nodes to a copy of the field's graph, whose own keep their numbers.
@@ -84,7 +87,8 @@ std::optional<EnclosuresApart> enclosures_apart(const Field& field, int array) {
 Program value_enclosure(const Field& field) {
     Graph g = field.graph;
     g.fold_exactly();
-    return schedule(g, std::array{g.add(field.root, gaps(g, field.root))});
+    const NodeId root = with_chebyshev(g, field.root);
+    return schedule(g, std::array{g.add(root, gaps(g, root))});
 }
 
 std::optional<Program> hessian_program(const Field& field) {

@@ -21,6 +21,10 @@ struct Known {
     bool point = false;        // `text` is a number, else an interval
     bool not_negative = false; // then no lower end is below 0 either
     bool positive_constant = false;
+    // Exactly 0 over some boxes, by a comparison: the slope of max(1, x) where x is less. It is to
+    // stay 0 until it meets a factor without bounds, such as the slope of a root at 0.
+    bool may_rest = false;
+    bool may_be_subnormal = false; // a number that is given, which drivers may take for 0
 };
 
 using Floats = std::numeric_limits<float>;
@@ -38,6 +42,7 @@ Known constant_on_doubles(double value) {
     Known known;
     known.not_negative = value >= 0;
     known.positive_constant = value > 0;
+    known.may_rest = value == 0;
     const double size = std::abs(value);
     if (std::isnan(value)) {
         known.text = "IM_ENTIRE";
@@ -59,6 +64,7 @@ Known constant(double value) {
     Known known;
     known.not_negative = value >= 0;
     known.positive_constant = value > 0;
+    known.may_rest = value == 0;
     const double size = std::abs(value);
     if (std::isnan(value)) {
         known.text = "IM_ENTIRE";
@@ -155,13 +161,26 @@ private:
             return;
         case Op::parameter:
             known(now.result) = {glsl_parameter(now.index), true};
+            known(now.result).may_be_subnormal = true;
             return;
         case Op::element:
             known(now.result) = {element_text(now.index, now.second, packing_), true};
+            known(now.result).may_be_subnormal = true;
             return;
         default:
             operation(now);
+            known(now.result).may_be_subnormal = keeps_subnormals(now);
         }
+    }
+
+    // What rounds gives 0 or a normal number.
+    bool keeps_subnormals(const Instruction& now) const {
+        const bool is_select = now.op == Op::select;
+        const bool is_exact = is_select || now.op == Op::negate || now.op == Op::abs ||
+                              now.op == Op::min || now.op == Op::max;
+        for (std::size_t k = is_select ? 2 : 0; is_exact && k < std::size_t(now.arity); ++k)
+            if (known_[std::size_t(now.operands[k])].may_be_subnormal) return true;
+        return false;
     }
 
     bool is_listed(const Instruction& now) const { return listed_ && listed_->array == now.index; }
@@ -218,14 +237,15 @@ private:
                 known(now.result) = {fmt::format("(-{})", known(a).text), true};
             } else {
                 define(now.result, fmt::format("-{}.yx", known(a).text), false);
+                known(now.result).may_rest = known(a).may_rest;
             }
             return;
         case Op::add: {
             const bool positive = a_positive && b_positive;
-            return define(now.result, limited(call("im_add", a, b), positive), positive);
+            return add(now.result, a, b, limited(call("im_add", a, b), positive), positive);
         }
         case Op::subtract:
-            return define(now.result, call("im_subtract", a, b), false);
+            return add(now.result, a, b, call("im_subtract", a, b), false);
         case Op::multiply:
             return multiply(now.result, a, b);
         case Op::divide:
@@ -243,10 +263,14 @@ private:
         }
         case Op::select: {
             const Register then = now.operands[2], otherwise = now.operands[3];
-            return define(now.result,
-                          fmt::format("im_select({}, {}, {}, {})", interval(a), interval(b),
-                                      interval(then), interval(otherwise)),
-                          known(then).not_negative && known(otherwise).not_negative);
+            define(now.result,
+                   fmt::format("im_select({}, {}, {}, {})", interval(a), interval(b),
+                               interval(then), interval(otherwise)),
+                   known(then).not_negative && known(otherwise).not_negative);
+            known(now.result).may_rest =
+                (known(then).may_rest && !known(otherwise).may_be_subnormal) ||
+                (known(otherwise).may_rest && !known(then).may_be_subnormal);
+            return;
         }
         case Op::chebyshev:
             if (now.second >= 2) {
@@ -277,25 +301,41 @@ private:
         }
     }
 
+    void add(Register result, Register a, Register b, std::string value, bool positive) {
+        const bool may_rest = known(a).may_rest && known(b).may_rest;
+        if (may_rest) {
+            value =
+                fmt::format("im_unless_zero(im_hull({}, {}), {})", interval(a), interval(b), value);
+        }
+        define(result, value, positive);
+        known(result).may_rest = may_rest;
+    }
+
     void multiply(Register result, Register a, Register b) {
         if (a == b) return define(result, call("im_square", a), true);
         if (known(b).point) std::swap(a, b);
         if (!known(b).not_negative && !known(a).point) std::swap(a, b);
         const bool positive = known(a).not_negative && known(b).not_negative;
+        std::string value;
         if (known(a).point) {
             const bool up = known(a).positive_constant;
-            return define(result,
-                          limited(fmt::format("{}({}, {})", up ? "im_scale_up" : "im_scale",
-                                              known(a).text, interval(b)),
-                                  positive),
-                          positive);
+            value = limited(fmt::format("{}({}, {})", up ? "im_scale_up" : "im_scale",
+                                        known(a).text, interval(b)),
+                            positive);
+        } else {
+            value = call(positive                ? "im_multiply_not_negative"
+                         : known(b).not_negative ? "im_multiply_by_not_negative"
+                                                 : "im_multiply",
+                         a, b);
         }
-        define(result,
-               call(positive                ? "im_multiply_not_negative"
-                    : known(b).not_negative ? "im_multiply_by_not_negative"
-                                            : "im_multiply",
-                    a, b),
-               positive);
+        bool may_rest = false;
+        for (const Register factor : {a, b}) {
+            if (known(factor).point || !known(factor).may_rest) continue;
+            value = fmt::format("im_unless_zero({}, {})", interval(factor), value);
+            may_rest = true;
+        }
+        define(result, value, positive);
+        known(result).may_rest = may_rest;
     }
 
     static std::string limited(const std::string& text, bool not_negative) {

@@ -260,6 +260,8 @@ constexpr std::array kinked{
     "chebyshev(5, x)*chebyshev(3, y) + chebyshev(30, z)",
     "exp(-x^2)*y/(2 + sin(z)) + tanh(x*z) - log(2 + y)",
     "(x^2)^0.3 + 2^y - (2 + x)^y",
+    "u = max(1, abs(x)); cos(6*acos(min(1, abs(x))))*cosh(6*log(u + sqrt(u*u - 1))) - y",
+    "u = max(1, abs(y)); cos(5*acos(y))*cosh(5*log(u + sqrt(u*u - 1))) - cos(9*acos(x - 1/8))*z",
     "cosh(x)*sinh(y) - tan(z/2) + atan(5*x)"};
 
 // Divided differences of any two points, not only derivatives: across kinks and jumps too.

@@ -175,6 +175,9 @@ glm::vec2 interval(Random& random) {
     }
 }
 
+constexpr const char* halves_of_chebyshev = "u = max(1, abs(x)); v = log(u + sqrt(u^2 - 1)); "
+                                            "cos(14*acos(x))*cosh(14*v)";
+
 constexpr const char* operations[] = {"-(x*y)",
                                       "abs(x)",
                                       "sign(x)",
@@ -227,7 +230,12 @@ constexpr const char* operations[] = {"-(x*y)",
                                       "exp(-x^2)*y",
                                       "x^257",
                                       "abs(x)^-1.5",
-                                      "x^-300"};
+                                      "x^-300",
+                                      "cos(5*acos(x))",
+                                      "u = max(1, abs(x)); y*sqrt((u - 1)*(u + z))",
+                                      "max(x, 0)^2*min(y, 0) - max(0, z)*x",
+                                      "u = max(1, x); cosh(5*log(u + sqrt(u^2 - 1)))",
+                                      halves_of_chebyshev};
 
 // Boxes that are neither points nor huge: rounding is small against what they are wide.
 TEST_P(IntervalOnGpu, OperationsAreAsNarrowAsTheCpus) {
@@ -270,6 +278,39 @@ TEST_P(IntervalOnGpu, OperationsHoldTheirValues) {
             subject.expect_holds(boxes[k], bounds[k], random, 4);
             if (HasFatalFailure()) return;
         }
+    }
+}
+
+// Boxes over which one factor of a slope is exactly 0 and another has no bound.
+TEST_P(IntervalOnGpu, SlopesThatRestMeetNoBound) {
+    formula::Vocabulary vocabulary;
+    for (const char* text :
+         {"u = max(1, abs(x)); y + sqrt((u - 1)*(u + 1))",
+          "u = min(x, 2); y - sqrt(3*(2 - u)*(u + 1))", "y*acos(0.25*max(4, x)) - y"}) {
+        const formula::Field field = formula::make_field(text, vocabulary);
+        const bool is_left = std::string_view(text).starts_with("u = min");
+        Subject subject(text, field, {{}, {}, 0});
+        std::vector<GpuBox> boxes(64);
+        std::vector<DoubleBox> double_boxes(boxes.size());
+        for (std::size_t b = 0; b < boxes.size(); ++b) {
+            const float x = is_left ? random.in(2.1f, 4) : random.in(-0.9f, 0.8f);
+            const float y = random.in(1, 2), d = random.in(-1, 1);
+            boxes[b] = {glm::vec2(x, x + 0.1f), {y, y + 0.1f}, {0, 0}, {d, d}, {1, 1}, {0, 0}};
+            for (std::size_t k = 0; k < 6; ++k) double_boxes[b][k] = boxes[b][k];
+        }
+        const auto expect_bounded = [&](const auto& outputs) {
+            for (std::size_t o = 1; o < outputs.size(); ++o) {
+                EXPECT_GT(outputs[o].x, -10) << text << ", output " << o;
+                EXPECT_LT(outputs[o].y, 10) << text << ", output " << o;
+            }
+        };
+        const auto bounds = subject.on_gpu(boxes);
+        for (std::size_t b = 0; b < boxes.size(); ++b) {
+            expect_bounded(bounds[b].outputs);
+            subject.expect_holds(boxes[b], bounds[b], random, 4);
+        }
+        if (!context->info().has(4, 0)) continue;
+        for (const DoubleBox& outputs : subject.in_doubles(double_boxes)) expect_bounded(outputs);
     }
 }
 

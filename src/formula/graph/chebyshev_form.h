@@ -1,0 +1,18 @@
+// Chebyshev polynomials that are written by angles, as primitives.
+//
+// cos(n acos a) is T_n(a), and cosh(n acosh a), of a >= 1, is T_n(a) as well; with acosh a written
+// as log(a + sqrt(a^2 - 1)). Of one that counts inside [-1, 1] and one that counts outside, which
+// are 1 elsewhere, the product is T_n everywhere. Values on paper are the same. But intervals of
+// the slope of acos and of that root have no bound at 1, where the polynomial's slope is n^2.
+#pragma once
+
+#include "formula/graph/graph.h"
+
+namespace isomotion::formula {
+
+// An expression whose intervals hold all that `root` may be, on paper and evaluated. Of a graph
+// that folds exactly. `root` itself where no such thing is found, and of formulas that go through
+// the elements of arrays, whose sums keep their numbers.
+NodeId with_chebyshev(Graph& graph, NodeId root);
+
+} // namespace isomotion::formula
