@@ -64,8 +64,7 @@ int main(int count, char** words) {
     std::vector<std::unique_ptr<Drawn>> all;
     all.push_back(std::make_unique<Drawn>(*context, scene, pixels, frame));
     for (int k = 0; k < scene.among.count; ++k) {
-        all.push_back(
-            std::make_unique<Drawn>(*context, scene::alone(scene, k), pixels, frame));
+        all.push_back(std::make_unique<Drawn>(*context, scene::alone(scene, k), pixels, frame));
     }
     for (int round = 0; round < rounds; ++round) {
         for (const auto& one : all) one->times.push_back(one->draw());
@@ -80,8 +79,9 @@ int main(int count, char** words) {
                    scene::surface_names(scene)[std::size_t(k)], one.median(), one.evaluations);
     }
     Drawn& together = *all.front();
-    fmt::print("{:12} {:9.2f} ms {:12} evaluations\n{:12} {:9.2f} ms {:12} evaluations, {:.3f} times "
-               "the sum\n",
-               "sum", sum, evaluations, "together", together.median(), together.evaluations,
-               together.median() / sum);
+    fmt::print(
+        "{:12} {:9.2f} ms {:12} evaluations\n{:12} {:9.2f} ms {:12} evaluations, {:.3f} times "
+        "the sum\n",
+        "sum", sum, evaluations, "together", together.median(), together.evaluations,
+        together.median() / sum);
 }
