@@ -1,11 +1,10 @@
-// A surface that comes after others in the file is the nearer one only by more than roots are known to:
-// where surfaces coincide, the earlier is seen. Needs nearest.glsl and before().
+// A surface that comes after others in the file is the nearer one only by more than roots are known to.
+// Needs nearest.glsl, least_nearer() and before().
 void store_nearest(Ray ray, SurfacePoint p, int evaluations) {
     vec4 others = before(3);
     float way = way_to_end(ray, p);
-    float least = surface_way.x * max(0.0625 * p.pixel, 4.0 * cubics.z);
     float all = others.y + float(evaluations);
-    if (way < NO_END && way < others.x - least) {
+    if (way < NO_END && way < others.x - least_nearer(p.position)) {
         store_end(p, way, all);
     } else {
         surface_0 = before(0);

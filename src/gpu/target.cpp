@@ -66,6 +66,19 @@ void Target::clear(int attachment, std::uint32_t value) const {
     glClearBufferuiv(GL_COLOR, attachment, values);
 }
 
+void Target::copy_from(const Target& other, Rectangle area) const {
+    forget_errors();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, other.id());
+    glActiveTexture(GL_TEXTURE0 + GLenum(editing_unit));
+    for (int k = 0; k < attachments(); ++k) {
+        glReadBuffer(GL_COLOR_ATTACHMENT0 + GLenum(k));
+        glBindTexture(GL_TEXTURE_2D, texture(k).id());
+        glCopyTexSubImage2D(GL_TEXTURE_2D, 0, area.x, area.y, area.x, area.y, area.width,
+                            area.height);
+    }
+    expect_success("copying pixels");
+}
+
 std::vector<float> Target::read(int attachment, int x, int y, int width, int height) const {
     std::vector<float> pixels(numbers_in(attachment, {x, y, width, height}));
     read(attachment, x, y, width, height, pixels);

@@ -27,6 +27,9 @@ public:
     /// And one of whole numbers.
     void clear(int attachment, std::uint32_t value) const;
 
+    /// Takes the pixels of all attachments in an area from a target with the same ones.
+    void copy_from(const Target& other, Rectangle area) const;
+
     /// Rows from the bottom, as many numbers a pixel as the attachment has: the format it is stored
     /// in, as a conversion in the driver costs more than the copy. Waits for the draws before it.
     std::vector<float> read(int attachment, int x, int y, int width, int height) const;

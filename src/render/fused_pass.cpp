@@ -2,9 +2,23 @@
 
 #include <limits>
 
+#include "render/renderer.h"
+
 namespace isomotion::render {
 
-using synthesis::Role;
+using synthesis::Channel, synthesis::Role;
+
+void clear_to_misses(const gpu::Target& target, const std::vector<Channel>& channels,
+                     glm::vec4 background) {
+    target.clear(0, background);
+    target.clear(1, 0u);
+    for (std::size_t k = 0; k < channels.size(); ++k) {
+        const float none = channels[k] == Channel::depth    ? std::numeric_limits<float>::infinity()
+                           : channels[k] == Channel::ending ? Ending::nowhere
+                                                            : 0.0f;
+        target.clear(2 + int(k), glm::vec4(none, 0, 0, 0));
+    }
+}
 
 FusedPass::FusedPass(const synthesis::Passes& passes, const gpu::Target& result)
     : result_(result)
@@ -17,23 +31,8 @@ void FusedPass::draw(PassTable& table, const gpu::Rectangle& tile, const ScenePl
     program.set("evaluations_per_pass", plan.march.evaluations_per_pass);
     program.set("element_budget", plan.element_budget);
     mask_.set([&] { table.draw(table.program(Role::mask), tile); });
-    clear_to_misses(background);
+    clear_to_misses(result_, channels_, background);
     mask_.apply([&] { table.draw(program, tile); });
-}
-
-// What the shader writes of rays that end on nothing before they are marched.
-void FusedPass::clear_to_misses(glm::vec4 background) const {
-    result_.clear(0, background);
-    result_.clear(1, 0u);
-    for (std::size_t k = 0; k < channels_.size(); ++k) {
-        float nowhere = 0;
-        if (channels_[k] == synthesis::Channel::depth) {
-            nowhere = std::numeric_limits<float>::infinity();
-        } else if (channels_[k] == synthesis::Channel::ending) {
-            nowhere = 1e30f; // march/verdict.glsl
-        }
-        result_.clear(2 + int(k), glm::vec4(nowhere, 0, 0, 0));
-    }
 }
 
 } // namespace isomotion::render

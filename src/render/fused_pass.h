@@ -12,6 +12,11 @@
 
 namespace isomotion::render {
 
+// Makes a target with colour, record and these channels what shaders write of rays that end on
+// nothing before they are marched.
+void clear_to_misses(const gpu::Target& target, const std::vector<synthesis::Channel>& channels,
+                     glm::vec4 background);
+
 class FusedPass {
 public:
     // Draws into `result`, which outlives it: colour, record and the attachments of `passes`.
@@ -25,8 +30,6 @@ public:
     const gpu::DepthMask& mask() const { return mask_; }
 
 private:
-    void clear_to_misses(glm::vec4 background) const;
-
     const gpu::Target& result_;
     std::vector<synthesis::Channel> channels_; // of the attachments from the third on
     gpu::DepthMask mask_;

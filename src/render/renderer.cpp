@@ -11,6 +11,7 @@
 #include "image/environment_levels.h"
 #include "render/frame_pictures.h"
 #include "render/fused_pass.h"
+#include "render/fused_surfaces.h"
 #include "render/layers.h"
 #include "render/pictures_in_flight.h"
 #include "render/planes.h"
@@ -27,12 +28,14 @@ namespace {
 using synthesis::Channel, synthesis::Role;
 
 // The formats of the shade pass's attachments.
-std::vector<gpu::Format> formats(const synthesis::Passes& passes, const Record& record) {
+std::vector<gpu::Format> formats(const synthesis::Passes& passes, const Record& record,
+                                 bool over_each_other) {
     std::vector<gpu::Format> all(2 + passes.attachments.size(), gpu::Format::rgba32f);
     all[1] = record.format();
     for (std::size_t k = 0; k < passes.attachments.size(); ++k) {
         if (passes.attachments[k] == Channel::ending) all[2 + k] = gpu::Format::r32f;
     }
+    if (over_each_other) all.push_back(way_format);
     return all;
 }
 
@@ -49,17 +52,19 @@ struct Renderer::Parts {
         , options(std::move(wanted))
         , surfaces(surfaces_of(drawn))
         , passes_print(fingerprint_of_passes(drawn))
-        , record(plan.march.tile_width * plan.march.tile_height, passes.has(Role::surface))
+        , record(plan.march.tile_width * plan.march.tile_height,
+                 passes.has(Role::surface) && !passes.has(Role::fused))
         , planes(options.width, options.height)
         , layers(options.channels, passes.attachments)
-        , result(plan.march.tile_width, plan.march.tile_height, formats(passes, record)) {
-        if (passes.has(Role::fused)) fused.emplace(passes, result);
-        one_draw = fused.has_value();
-        if (surfaces.size() > 1) {
-            std::vector<SurfacePasses*> all;
-            for (const auto& surface : surfaces) all.push_back(surface.get());
-            several.emplace(std::move(all));
+        , result(plan.march.tile_width, plan.march.tile_height,
+                 formats(passes, record, draws_over_each_other())) {
+        if (draws_over_each_other()) {
+            fused_surfaces.emplace(all_surfaces(), result, formats(passes, record, true));
+        } else if (surfaces.size() > 1) {
+            several.emplace(all_surfaces());
         } else {
+            if (passes.has(Role::fused)) fused.emplace(passes, result);
+            one_draw = fused.has_value();
             if (!one_draw) eye_rays.emplace(passes, plan.march);
             if (passes.has(Role::surface)) secondary.emplace(passes, scene, plan.march);
         }
@@ -69,6 +74,15 @@ struct Renderer::Parts {
             proofs.emplace(passes, scene, plan.march, fused ? &fused->mask() : nullptr,
                            options.proofs_in_doubles && context.info().has(4, 0));
         }
+    }
+
+    // Whether each of several surfaces is drawn in one draw.
+    bool draws_over_each_other() const { return surfaces.size() > 1 && passes.has(Role::fused); }
+
+    std::vector<SurfacePasses*> all_surfaces() const {
+        std::vector<SurfacePasses*> all;
+        for (const auto& surface : surfaces) all.push_back(surface.get());
+        return all;
     }
 
     void load_environment() {
@@ -113,7 +127,7 @@ struct Renderer::Parts {
             inputs.others.push_back(
                 surfaces[k]->prepare(now.others[k - 1], aim, nullptr, width, height, fields[k]));
         }
-        for (std::size_t k = 0; several && k < surfaces.size(); ++k) {
+        for (std::size_t k = 0; surfaces.size() > 1 && k < surfaces.size(); ++k) {
             synthesis::Uniforms& effects = k == 0 ? inputs.effects : inputs.others[k - 1].effects;
             for (auto& uniform : uniforms_among(now, int(k), width, height, aim))
                 effects.push_back(std::move(uniform));
@@ -132,16 +146,15 @@ struct Renderer::Parts {
     }
 
     std::string fingerprint_of_passes(const scene::Scene& drawn) const {
+        std::string prints;
+        if (!options.tells_endings) {
+            for (const auto& surface : surfaces) prints += surface->passes.fingerprint();
+            return prints;
+        }
         RenderOptions plain = options;
         plain.tells_endings = false;
-        std::string prints;
-        const bool is_planned = !options.tells_endings;
-        for (std::size_t k = 0; k < surfaces.size(); ++k) {
-            const scene::Scene surface = scene::of_surface(drawn, int(k));
-            prints += is_planned
-                          ? surfaces[k]->passes.fingerprint()
-                          : PlannedSurface(surface, plain, context.info()).passes.fingerprint();
-        }
+        for (const PlannedSurface& planned : plan_surfaces(drawn, plain, context.info()))
+            prints += planned.passes.fingerprint();
         return prints;
     }
 
@@ -184,7 +197,7 @@ struct Renderer::Parts {
                 stop_if_asked();
                 const gpu::Rectangle tile{x, y, std::min(across, options.width - x),
                                           std::min(up, options.height - y)};
-                if (!several) own.draw_beams(inputs, tile);
+                if (surfaces.size() == 1) own.draw_beams(inputs, tile);
                 const gpu::Target* rays = draw_tile(inputs, tile, picture);
                 fill_counts(tile, picture.frame);
                 if (const auto at = endings_in(inputs)) {
@@ -213,6 +226,15 @@ struct Renderer::Parts {
     // rays, or null if they were not kept.
     const gpu::Target* draw_tile(const PictureInputs& inputs, const gpu::Rectangle& tile,
                                  Picture& picture) {
+        if (fused_surfaces) {
+            fused_surfaces->draw(inputs, tile, picture.passes);
+            record.read(result, 1, tile.width, tile.height);
+            if (take_ended(tile, picture)) return nullptr;
+            // Some ray takes longer than a draw may; others of this scene will too.
+            fused_surfaces.reset();
+            several.emplace(all_surfaces());
+            picture.compiled = true;
+        }
         if (several) {
             several->draw(inputs, tile, result, environment ? &*environment : nullptr,
                           picture.passes);
@@ -224,11 +246,7 @@ struct Renderer::Parts {
             fused->draw(table, tile, plan, inputs.background());
             ++picture.passes;
             record.read(result, 1, tile.width, tile.height);
-            const Tally tally = record.tally();
-            if (tally.rays() == std::int64_t(tile.width) * tile.height) {
-                add(tally, picture);
-                return nullptr;
-            }
+            if (take_ended(tile, picture)) return nullptr;
             // Some ray takes longer than a draw may; others of this scene will too.
             one_draw = false;
             eye_rays.emplace(passes, plan.march);
@@ -242,6 +260,14 @@ struct Renderer::Parts {
         record.read(result, 1, tile.width, tile.height);
         add(record.tally(), picture);
         return &rays;
+    }
+
+    // Adds the record that was read last to the picture's, if all rays of its tile ended.
+    bool take_ended(const gpu::Rectangle& tile, Picture& picture) const {
+        const Tally tally = record.tally();
+        if (tally.rays() != std::int64_t(tile.width) * tile.height) return false;
+        add(tally, picture);
+        return true;
     }
 
     // Takes the endings that the inputs ask for of a tile, given as rows from the bottom.
@@ -398,6 +424,7 @@ struct Renderer::Parts {
     Planes planes;
     Layers layers;
     gpu::Target result;
+    std::optional<FusedSurfaces> fused_surfaces; // into `result`, as long as that is enough
     std::optional<SeveralSurfaces> several;
     std::optional<FusedPass> fused; // into `result`
     bool one_draw = false;          // as long as every tile's rays ended in the fused pass

@@ -7,6 +7,7 @@
 #include "scene/error.h"
 #include "scene/surfaces.h"
 #include "synthesis/inlined_size.h"
+#include "synthesis/surfaces_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -59,6 +60,9 @@ std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const Rende
     for (int k = 0; k <= int(scene.others.size()); ++k)
         all.emplace_back(scene::of_surface(scene, k), options, info);
     if (all.size() == 1) return all;
+    std::vector<synthesis::Passes*> passes;
+    for (PlannedSurface& one : all) passes.push_back(&one.passes);
+    synthesis::agree_on_draws(passes);
     int width = largest_tile_of_several, height = largest_tile_of_several;
     for (const PlannedSurface& one : all) {
         width = std::min(width, one.plan.march.tile_width);

@@ -141,10 +141,11 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     const When after_fused = fuses ? When::where_fused_ends : When::until_rays_end;
     add(march_pass(scene, passes, Origin::eye, after_fused));
     add(active_pass(after_fused));
-    if (keeps_surfaces(scene)) add(surface_pass(scene, passes, Origin::eye));
+    const When once = fuses ? When::where_fused_ends : When::once_a_tile;
+    if (keeps_surfaces(scene)) add(surface_pass(scene, passes, Origin::eye, once));
     if (has_mirrored_rays(scene)) {
         add(march_pass(scene, passes, Origin::mirror, When::until_rays_end));
-        add(surface_pass(scene, passes, Origin::mirror));
+        add(surface_pass(scene, passes, Origin::mirror, When::once_a_tile));
         if (is_among(scene)) add(seen_pass(scene, passes));
     }
     if (has_glass(scene)) {
@@ -152,7 +153,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     }
     if (shadow_mask(scene) != 0) add(shadow_pass(scene, passes));
     if (is_among(scene) && scene.occlusion) add(occlusion_pass(scene, passes));
-    add(shade_pass(scene, passes, fuses ? When::where_fused_ends : When::once_a_tile));
+    add(shade_pass(scene, passes, once));
     if (std::find(channels.begin(), channels.end(), Channel::velocity) != channels.end()) {
         add(motion_pass(scene, passes));
     }

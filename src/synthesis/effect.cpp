@@ -207,12 +207,13 @@ Scene without(Effect effect, Scene scene) {
     return scene;
 }
 
-bool keeps_surfaces(const Scene& scene) {
-    return scene.among.count > 1 ||
-           std::any_of(table.begin(), table.end(), [&](const EffectTraits& row) {
-               return row.keeps_surfaces && row.is_called(scene);
-           });
+bool calls_for_ends(const Scene& scene) {
+    return std::any_of(table.begin(), table.end(), [&](const EffectTraits& row) {
+        return row.keeps_surfaces && row.is_called(scene);
+    });
 }
+
+bool keeps_surfaces(const Scene& scene) { return scene.among.count > 1 || calls_for_ends(scene); }
 
 Uniforms effect_uniforms(const Scene& scene, const SceneAt& now) {
     Uniforms uniforms;

@@ -63,6 +63,8 @@ std::vector<Effect> effects(const scene::Scene& scene);
 // The scene as if it did not call for the effect.
 scene::Scene without(Effect effect, scene::Scene scene);
 // Whether any that it calls for needs where rays ended.
+bool calls_for_ends(const scene::Scene& scene);
+// And whether passes may: several surfaces need it, too.
 bool keeps_surfaces(const scene::Scene& scene);
 // The plain uniforms of what it calls for.
 Uniforms effect_uniforms(const scene::Scene& scene, const scene::SceneAt& now);

@@ -20,25 +20,32 @@ using Reflection = scene::Material::Reflection;
 std::string lit(const scene::Scene& scene, const char* name, const char* visibility,
                 bool is_occluded) {
     const bool occluded = scene.occlusion && is_occluded;
-    std::string text = fmt::format("vec3 {}(SurfacePoint p, Hit hit, vec3 to_viewer) {{\n", name);
-    const char* color =
-        has_glass(scene) ? "surface_color(hit) * opaque_part()" : "surface_color(hit)";
-    text += scene.ground
-                ? fmt::format("    vec3 albedo = p.on_ground ? ground_color.rgb : {};\n", color)
-                : fmt::format("    vec3 albedo = {};\n", color);
-    // Metal has no matt part that light from everywhere could come back from.
+    const bool glass = has_glass(scene);
+    // Metal has no matt part that light from everywhere could come back from, nor light go through.
     const bool metal = scene.material.model == scene::Material::Model::ggx;
-    text += fmt::format("    vec3 sum = {} * albedo{}{};\n",
-                        scene.ambient ? "ambient(p.normal)" : "0.12",
-                        metal ? " * (1.0 - gloss.y)" : "", occluded ? " * openness(p)" : "");
+    std::string text = fmt::format("vec3 {}(SurfacePoint p, Hit hit, vec3 to_viewer) {{\n", name);
+    const std::string_view matt =
+        glass && !metal ? "surface_color(hit) * opaque_part()" : "surface_color(hit)";
+    text += scene.ground
+                ? fmt::format("    vec3 albedo = p.on_ground ? ground_color.rgb : {};\n", matt)
+                : fmt::format("    vec3 albedo = {};\n", matt);
+    std::string part = metal ? "(1.0 - gloss.y)" : "";
+    if (metal && glass) part = "opaque_part() * " + part;
+    if (metal && scene.ground) part = fmt::format("(p.on_ground ? 1.0 : {})", part);
+    text += fmt::format("    vec3 sum = {} * albedo{}{}{};\n",
+                        scene.ambient ? "ambient(p.normal)" : "0.12", metal ? " * " : "", part,
+                        occluded ? " * openness(p)" : "");
+    const std::string lit_surface =
+        fmt::format("{}(albedo, p.normal, to_viewer, light.direction)",
+                    metal && glass ? "reflected_by_glass" : "reflected");
     text += "    for (int k = 0; k < LIGHTS; ++k) {\n"
             "        LightRay light = light_at(k, p.position);\n";
     text += scene.ground
-                ? "        vec3 share = p.on_ground\n"
-                  "            ? albedo * max(dot(p.normal, light.direction), 0.0)\n"
-                  "            : reflected(albedo, p.normal, to_viewer, light.direction);\n"
-                : "        vec3 share = reflected(albedo, p.normal, to_viewer, "
-                  "light.direction);\n";
+                ? fmt::format("        vec3 share = p.on_ground\n"
+                              "            ? albedo * max(dot(p.normal, light.direction), 0.0)\n"
+                              "            : {};\n",
+                              lit_surface)
+                : fmt::format("        vec3 share = {};\n", lit_surface);
     text += fmt::format("        sum += light.strength * share{};\n",
                         visibility ? fmt::format(" * {}(k)", visibility) : "");
     return text + "    }\n    return sum;\n}\n";

@@ -60,7 +60,7 @@ void add_surroundings(ShaderText& text, const scene::Scene& scene) {
                    "    return around(direction);\n}\n");
 }
 
-// transmission(): metal lets no light in.
+// transmission(), of all that meets the surface: metal lets no light in.
 std::string transmission_of(const scene::Scene& scene) {
     const bool is_ggx = scene.material.model == Model::ggx;
     return fmt::format("float transmission() {{\n    return glass.x{};\n}}\n",
@@ -151,9 +151,9 @@ void add_glass_ray(ShaderText& text) {
 void add_matter(ShaderText& text, const scene::Scene& scene) {
     text.file("glass/path.glsl");
     text.file("glass/matter.glsl");
-    text.generated("generated: the part of the surface that is as without glass",
-                   transmission_of(scene) +
-                       "float opaque_part() {\n    return 1.0 - transmission();\n}\n");
+    text.generated("generated: the part of what is matt that is as without glass",
+                   "float opaque_part() {\n    return 1.0 - glass.x;\n}\n");
+    if (scene.material.model == Model::ggx) text.file("glass/matt_ggx.glsl");
 }
 
 void add_seen_through_glass(ShaderText& text, const scene::Scene& scene) {

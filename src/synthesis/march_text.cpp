@@ -139,12 +139,13 @@ bool samples_tell_caps(const scene::Scene& scene, const Passes& passes) {
     return method.steps == scene::Steps::cubics && !meets_rough_places(scene);
 }
 
-void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes, Origin origin) {
+void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes, Origin origin,
+               Draws draws) {
     const bool beam = !passes.beams.empty() && origin == Origin::eye;
     if (beam && has_lists(passes)) text.define("LISTS", 1);
     begin_entrance(text, scene, origin);
     add_entrance(text, passes, beam);
-    end_entrance(text, scene, origin);
+    end_entrance(text, scene, origin, draws);
     add_isolation(text, scene, passes);
     text.file(passes.march_takes_gradient ? "march/gradient_at_root.glsl"
                                           : "march/end_at_root.glsl");

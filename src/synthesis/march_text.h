@@ -15,8 +15,11 @@ std::vector<FieldFunction> samples_of(const scene::Scene& scene, bool march_take
 void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin = Origin::eye);
 // Tells the ray's state what else it keeps; before the ray.
 void define_state(ShaderText& text, const Passes& passes);
+// Whether march and picture are one draw, or several.
+enum class Draws { one, several };
 // Defines begin() and march(), after the field and the ray.
-void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes, Origin origin);
+void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes, Origin origin,
+               Draws draws = Draws::several);
 
 // One pass of rays. `when`: of the eye's rays, whether they are tried in one draw before.
 Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when);

@@ -90,7 +90,8 @@ Passes without_fused_pass(Passes passes) {
     });
     for (Pass& pass : passes.list) {
         if (pass.when != When::where_fused_ends) continue;
-        pass.when = pass.role == Role::shade ? When::once_a_tile : When::until_rays_end;
+        const bool marches = pass.role == Role::march || pass.role == Role::active;
+        pass.when = marches ? When::until_rays_end : When::once_a_tile;
     }
     return passes;
 }

@@ -26,41 +26,57 @@ struct ChannelShader {
     const char* file;
     const char* function;
     const char* location;
+    const char* output;
 };
 
 constexpr ChannelShader channel_shaders[] = {
-    {Channel::depth, "channels/depth.glsl", "write_depth", "DEPTH_LOCATION"},
-    {Channel::normal, "channels/normal.glsl", "write_normal", "NORMAL_LOCATION"},
-    {Channel::position, "channels/position.glsl", "write_position", "POSITION_LOCATION"},
-    {Channel::cap, "channels/cap.glsl", "write_cap", "CAP_LOCATION"},
-    {Channel::surface, "channels/surface.glsl", "write_surface", "SURFACE_LOCATION"},
-    {Channel::ending, "channels/ending.glsl", "write_ending", "ENDING_LOCATION"},
+    {Channel::depth, "channels/depth.glsl", "write_depth", "DEPTH_LOCATION", "depth_out"},
+    {Channel::normal, "channels/normal.glsl", "write_normal", "NORMAL_LOCATION", "normal_out"},
+    {Channel::position, "channels/position.glsl", "write_position", "POSITION_LOCATION",
+     "position_out"},
+    {Channel::cap, "channels/cap.glsl", "write_cap", "CAP_LOCATION", "cap_out"},
+    {Channel::surface, "channels/surface.glsl", "write_surface", "SURFACE_LOCATION", "surface_out"},
+    {Channel::ending, "channels/ending.glsl", "write_ending", "ENDING_LOCATION", "ending_out"},
 };
 
-// write_channels(), to the attachments from the third on.
-void add_channels(ShaderText& text, const scene::Scene& scene,
-                  const std::vector<Channel>& written) {
-    std::string calls;
+// write_channels(), to the attachments from the third on. Surfaces that draw over each other have
+// keep_channels() beside it.
+void add_channels(ShaderText& text, const scene::Scene& scene, const std::vector<Channel>& written,
+                  Draws draws = Draws::several) {
+    const bool over_others = is_among(scene) && draws == Draws::one;
+    std::string calls, samplers, kept;
     int location = 2;
     for (const ChannelShader& shader : channel_shaders) {
         if (!contains(written, shader.channel)) continue;
-        text.define(shader.location, location++);
+        text.define(shader.location, location);
         const bool lacks_caps = shader.channel == Channel::cap && scene.sections.empty();
         if (shader.channel == Channel::surface)
             text.define("SURFACE_NUMBER", scene.among.index + 1);
         if (shader.channel == Channel::ending && is_among(scene)) {
-            text.file("surfaces/ending.glsl");
+            if (over_others) text.file("surfaces/eye_way.glsl");
+            text.file(over_others ? "surfaces/own_ending.glsl" : "surfaces/ending.glsl");
         } else {
             text.file(lacks_caps ? "channels/no_cap.glsl" : shader.file);
         }
         calls += fmt::format("    {}(ray, hit, verdict);\n", shader.function);
+        samplers += fmt::format("uniform sampler2D before_texture_{};\n", location);
+        kept += fmt::format("    {} = texelFetch(before_texture_{}, at, 0){};\n", shader.output,
+                            location, shader.channel == Channel::ending ? ".x" : "");
+        ++location;
     }
     text.generated("generated: the channels asked for",
                    "void write_channels(Ray ray, Hit hit, int verdict) {\n" + calls + "}\n");
+    if (over_others && !is_first(scene))
+        text.generated("generated: the same of the surfaces before",
+                       samplers + "void keep_channels(ivec2 at) {\n" + kept + "}\n");
 }
 
-bool has_flat_shading(const scene::Scene& scene) {
-    return scene.lights.size() == 1 && !keeps_surfaces(scene);
+// Whether colours take no more than the plain light.
+bool is_plain(const scene::Scene& scene) { return !calls_for_ends(scene) && !painting(scene); }
+
+bool has_flat_shading(const scene::Scene& scene, Draws draws) {
+    const bool keeps = draws == Draws::one ? calls_for_ends(scene) : keeps_surfaces(scene);
+    return scene.lights.size() == 1 && !keeps;
 }
 
 void add_gradient(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
@@ -104,8 +120,8 @@ bool sees_from_surfaces(const scene::Scene& scene) {
 }
 
 // Shading, Hit and the record of a pixel.
-void add_picture(ShaderText& text, const scene::Scene& scene) {
-    text.file(has_flat_shading(scene) ? "shade/shading_flat.glsl" : "shade/shading.glsl");
+void add_picture(ShaderText& text, const scene::Scene& scene, Draws draws = Draws::several) {
+    text.file(has_flat_shading(scene, draws) ? "shade/shading_flat.glsl" : "shade/shading.glsl");
     text.file("shade/hit.glsl");
     text.file("shade/record.glsl");
 }
@@ -121,7 +137,7 @@ std::vector<Channel> written_channels(const std::vector<Channel>& channels) {
 }
 
 bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels) {
-    return !keeps_surfaces(scene) && !painting(scene) && !contains(channels, Channel::velocity);
+    return is_plain(scene) && !contains(channels, Channel::velocity);
 }
 
 Pass fused_pass(const scene::Scene& scene, const Passes& passes) {
@@ -133,27 +149,35 @@ Pass fused_pass(const scene::Scene& scene, const Passes& passes) {
     add_field(text, *scene.surface.field, through_copies(passes), functions,
               painting_functions(scene, passes));
     add_ray(text, scene);
-    add_march(text, scene, passes, Origin::eye);
-    add_picture(text, scene);
+    add_march(text, scene, passes, Origin::eye, Draws::one);
+    add_picture(text, scene, Draws::one);
     add_color(text, scene);
     text.file("shade/lambert.glsl");
     add_gradient(text, scene, passes);
-    add_channels(text, scene, passes.attachments);
+    add_channels(text, scene, passes.attachments, Draws::one);
     text.file("shade/shade.glsl");
-    text.file("shade/fused.frag");
-    return std::move(text).pass(Role::fused, "fused", When::once_a_tile, has_flat_shading(scene));
+    if (is_among(scene)) {
+        add_keep_nearest(text, scene, passes);
+        text.file("surfaces/fused.frag");
+    } else {
+        text.file("shade/fused.frag");
+    }
+    return std::move(text).pass(Role::fused, "fused", When::once_a_tile,
+                                has_flat_shading(scene, Draws::one));
 }
 
 Pass mask_pass(const scene::Scene& scene, const Passes& passes) {
     ShaderText text;
     text.file("math/bits.glsl");
     add_ray(text, scene);
+    begin_entrance(text, scene, Origin::eye);
     add_way(text, passes, !passes.beams.empty());
+    end_entrance(text, scene, Origin::eye, Draws::one);
     text.file("march/mask.frag");
     return std::move(text).pass(Role::mask, "mask", When::once_a_tile);
 }
 
-Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin) {
+Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when) {
     ShaderText text;
     const bool begins_rays = !is_among(scene) || sees_from_surfaces(scene);
     std::vector<FieldFunction> functions;
@@ -194,7 +218,7 @@ Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin
                     is_among(scene) ? "store_nearest(ray, p, s.evaluations)" : "store_surface(p)"));
     const bool of_eye = origin == Origin::eye;
     return std::move(text).pass(of_eye ? Role::surface : Role::mirror_surface,
-                                of_eye ? "surface" : "mirror surface", When::once_a_tile);
+                                of_eye ? "surface" : "mirror surface", when);
 }
 
 Pass seen_pass(const scene::Scene& scene, const Passes& passes) {
@@ -254,9 +278,16 @@ Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
         text.file("effects/eye_begin.glsl");
         text.file("effects/surface_point.glsl");
         text.file("effects/load_surface.glsl");
+    }
+    if (calls_for_ends(scene)) {
         add_shading(text, scene);
     } else {
         text.file("shade/lambert.glsl");
+        if (is_among(scene)) {
+            text.file("effects/hit_of.glsl");
+            text.file(sky_file(scene));
+            text.file("surfaces/plain.glsl");
+        }
     }
     if (needs_gradient) add_gradient(text, scene, passes);
     if (is_among(scene)) {
@@ -270,7 +301,8 @@ Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
               : has_glass(scene) ? "glass/shade.frag"
               : from_surface     ? "effects/shade.frag"
                                  : "shade/shade.frag");
-    return std::move(text).pass(Role::shade, "shade", when, has_flat_shading(scene));
+    return std::move(text).pass(Role::shade, "shade", when,
+                                has_flat_shading(scene, Draws::several));
 }
 
 Pass motion_pass(const scene::Scene& scene, const Passes& passes) {

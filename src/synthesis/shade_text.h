@@ -16,7 +16,7 @@ bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels);
 Pass fused_pass(const scene::Scene& scene, const Passes& passes);
 Pass mask_pass(const scene::Scene& scene, const Passes& passes);
 
-Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin);
+Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when);
 // What mirrored rays see of this surface among several.
 Pass seen_pass(const scene::Scene& scene, const Passes& passes);
 Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when);

@@ -1,5 +1,7 @@
 #include "synthesis/surfaces_text.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace isomotion::synthesis {
@@ -48,10 +50,11 @@ void begin_entrance(ShaderText& text, const scene::Scene& scene, Origin origin) 
                    "#define enter_beam enter_own_beam\n");
 }
 
-void end_entrance(ShaderText& text, const scene::Scene& scene, Origin origin) {
+void end_entrance(ShaderText& text, const scene::Scene& scene, Origin origin, Draws draws) {
     if (!ends_before(scene, origin)) return;
     text.generated("enter_beam() that ends at the surfaces before", "#undef enter_beam\n");
     text.file("surfaces/eye_way.glsl");
+    text.file(draws == Draws::one ? "surfaces/way_of_picture.glsl" : "surfaces/way_of_ends.glsl");
     text.file("surfaces/enter_before.glsl");
 }
 
@@ -75,7 +78,26 @@ void add_store_nearest(ShaderText& text, const scene::Scene& scene, Origin origi
     // Mirrored rays have declared none of these.
     text.generated("generated: the nearest so far",
                    samplers + "vec4 before(int k) {\n" + reads + "    return vec4(0.0);\n}\n");
+    text.file("surfaces/least_nearer.glsl");
     text.file("surfaces/next.glsl");
+}
+
+void add_keep_nearest(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
+    text.file("surfaces/eye_way.glsl");
+    text.define("WAY_LOCATION", way_attachment(passes));
+    text.file("surfaces/seen_way.glsl");
+    if (is_first(scene)) {
+        text.file("surfaces/keep_first.glsl");
+        return;
+    }
+    text.file("surfaces/least_nearer.glsl");
+    text.file("surfaces/keep_nearest.glsl");
+}
+
+void agree_on_draws(std::vector<Passes*> all) {
+    const auto is_fused = [](const Passes* passes) { return passes->has(Role::fused); };
+    if (std::ranges::all_of(all, is_fused)) return;
+    for (Passes* passes : all) *passes = without_fused_pass(std::move(*passes));
 }
 
 void begin_shadow_after_others(ShaderText& text, const scene::Scene& scene, int mask) {

@@ -3,6 +3,8 @@
 // is in textures.
 #pragma once
 
+#include <vector>
+
 #include "scene/scene.h"
 #include "synthesis/march_text.h"
 #include "synthesis/shader_text.h"
@@ -21,7 +23,14 @@ void add_load_surface(ShaderText& text, const scene::Scene& scene);
 void add_mirror_ray(ShaderText& text, const scene::Scene& scene);
 // enter_beam() of rays that march no farther than to the surfaces before.
 void begin_entrance(ShaderText& text, const scene::Scene& scene, Origin origin);
-void end_entrance(ShaderText& text, const scene::Scene& scene, Origin origin);
+void end_entrance(ShaderText& text, const scene::Scene& scene, Origin origin, Draws draws);
+// keep_nearest() of what is drawn in one draw. Needs
+// keep_channels().
+void add_keep_nearest(ShaderText& text, const scene::Scene& scene, const Passes& passes);
+// The attachment of pictures drawn so that has the way to what is seen, after those of channels.
+inline int way_attachment(const Passes& passes) { return 2 + int(passes.attachments.size()); }
+// All surfaces are drawn in one draw each, or none.
+void agree_on_draws(std::vector<Passes*> all);
 // store_nearest().
 void add_store_nearest(ShaderText& text, const scene::Scene& scene, Origin origin);
 // What shadow rays begin with where surfaces before this one may have hidden lights.

@@ -35,6 +35,18 @@ scene::Scene scene_with(const std::string& surface, const std::string& glass,
                                 surface, glass, view, dark, more, side, side, behind));
 }
 
+// Lit, before black.
+Picture lit_ball(const std::string& material) {
+    return draw(
+        context_of_glass(),
+        scene_of(fmt::format(
+            "{}[material]\nmodel = \"ggx\"\nroughness = 0.5\n{}\n{}[[lights]]\ndirection = [0.3, "
+            "-1, "
+            "0.5]\n[ambient]\ntop = [0.5, 0.5, 0.5]\nbottom = [0.5, 0.5, 0.5]\n[output]\nsize = "
+            "[32, 32]\nbackground = [0, 0, 0]\n",
+            ball, material, along_y)));
+}
+
 dvec3 color(const Picture& picture, std::size_t pixel) {
     dvec3 found;
     for (int k = 0; k < 3; ++k) found[k] = picture.frame.channels[std::size_t(k)].samples[pixel];
@@ -357,6 +369,21 @@ TEST(Glass, NeitherDrawsNorPlaceMatter) {
         if (!is_hit(whole, pixel)) continue;
         ASSERT_LT(glm::distance(color(whole, pixel), color(moved, pixel)), 0.02) << pixel;
     }
+}
+
+// Half a metal that lets all other light through: half of the metal's highlight, half of the
+// coat's, and nothing of the matt part.
+TEST(Glass, TakesNothingFromTheHighlightOfMetal) {
+    const Picture glass = lit_ball("transmission = 1\nmetallic = 0.5\ncolor = [0.9, 0.5, 0.2]\n");
+    const Picture metal = lit_ball("metallic = 1\ncolor = [0.9, 0.5, 0.2]\n");
+    const Picture coat = lit_ball("metallic = 0\ncolor = [0, 0, 0]\n");
+    double brightest = 0;
+    for (std::size_t pixel = 0; pixel < 32 * 32; ++pixel) {
+        const dvec3 expected = 0.5 * (color(metal, pixel) + color(coat, pixel));
+        ASSERT_LT(glm::distance(color(glass, pixel), expected), 1e-5) << pixel;
+        brightest = std::max(brightest, expected.r);
+    }
+    EXPECT_GT(brightest, 0.2);
 }
 
 } // namespace

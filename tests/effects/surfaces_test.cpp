@@ -30,11 +30,13 @@ std::string ball(const std::string& name, const std::string& place, double radiu
 constexpr const char* view =
     "[camera]\nposition = [0, -6, 1]\ntarget = [0, 0, 0]\n[output]\nsize = [64, 64]\n";
 
-Picture drawn(const scene::Scene& scene, StageChoice stage = StageChoice::fragment) {
+Picture drawn(const scene::Scene& scene, StageChoice stage = StageChoice::fragment,
+              const std::optional<MarchPlan>& plan = {}) {
     RenderOptions options{scene.output.width, scene.output.height, every_channel, {}};
     std::erase(options.channels, Channel::velocity);
     options.channels.push_back(Channel::surface);
     options.stage = stage;
+    options.plan = plan;
     Renderer renderer(context_of_surfaces(), scene, options);
     return renderer.draw(scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1))));
 }
@@ -108,6 +110,60 @@ TEST(Surfaces, OneByItselfIsTheSameAmongOthersThatAreElsewhere) {
             if (mine != among_all) { // both may be infinite
                 ASSERT_NEAR(mine, among_all, 1e-5) << layer;
             }
+        }
+    }
+}
+
+// One draw a surface, or passes: cubics may take other steps by last bits of F.
+TEST(Surfaces, PlainOnesTakeADrawEachAndLookAsInPasses) {
+    const std::string quartic =
+        "[[surfaces]]\nname = \"turned\"\nformula = \"x^4 + y^4 + z^4 - 0.4\"\nbounds = { sphere = "
+        "1.6 }\nisolation = { method = \"affine\" }\ntransform = { translate = [0, -0.8, 0.5], "
+        "rotate = [20, 30, 40] }\n";
+    const std::string balls =
+        ball("left", "[-0.6, 0, 0]", 1) + ball("right", "[0.6, -0.3, 0.1]", 0.9);
+    const std::string rests[] = {"",
+                                 "[[sections]]\nnormal = [0, -1, 0.2]\noffset = 0.5\n[[lights]]\n"
+                                 "direction = [1, -1, 1]\n[[lights]]\ndirection = [-1, 0, 1]\n"};
+    for (const std::string& rest : rests) {
+        const scene::Scene scene = scene_of(balls + quartic + rest + view);
+        const Picture one = drawn(scene);
+        EXPECT_EQ(one.passes, 3);
+        for (const int evaluations : {2, 5, 50}) {
+            SCOPED_TRACE(evaluations);
+            const Picture passes =
+                drawn(scene, StageChoice::fragment,
+                      MarchPlan{64, 64, rest.empty() ? evaluations : 20 + evaluations});
+            EXPECT_GE(passes.passes, 3);
+            if (evaluations == 2 && rest.empty()) {
+                EXPECT_GT(passes.passes, 3);
+            }
+            for (const image::Channel& channel : one.frame.channels) {
+                const std::vector<float>& other = passes.frame.find(channel.name)->samples;
+                int different = 0;
+                for (std::size_t k = 0; k < other.size(); ++k) {
+                    const float mine = channel.samples[k];
+                    different += mine != other[k] && !(std::abs(mine - other[k]) < 1e-4f);
+                }
+                EXPECT_LE(different, channel.name == "evaluations" ? 60 : 2) << channel.name;
+            }
+        }
+    }
+}
+
+// Where one hides the other, rays to the other end before they reach it, and nothing of it shows.
+TEST(Surfaces, TheHiddenOneChangesNoPixelAndIsNotMarchedTo) {
+    const std::string front = ball("front", "[0, 0, 0]", 1);
+    const std::string behind = ball("behind", "[0, 3, -0.5]", 0.5);
+    const Picture alone = drawn(scene_of(front + ball("beside", "[0, -20, 0]", 1) + view));
+    for (const std::string& text : {front + behind, behind + front}) {
+        const bool is_last = text.starts_with(front);
+        const Picture both = drawn(scene_of(text + view));
+        EXPECT_EQ(count_of(both, is_last ? 2 : 1), 0);
+        if (!is_last) continue; // which then has coordinates of its own
+        for (const char* layer : {"R", "G", "B", "A", "P.X", "P.Y", "P.Z", "N.X", "N.Y", "N.Z", "Z",
+                                  "verdict", "evaluations"}) {
+            EXPECT_EQ(alone.frame.find(layer)->samples, both.frame.find(layer)->samples) << layer;
         }
     }
 }

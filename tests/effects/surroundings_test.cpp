@@ -66,6 +66,19 @@ TEST_P(Surroundings, GroundIsWhereItsPlaneIs) {
     }
 }
 
+TEST_P(Surroundings, TheGroundIsNoMetalWhereTheSurfaceIs) {
+    const std::string look = "[ground]\nheight = -1\ncolor = [0.4, 0.6, 0.8]\n[material]\nmodel = "
+                             "\"ggx\"\nmetallic = ";
+    const Picture plastic = drawn(ball(look + "0\n")), metal = drawn(ball(look + "1\n"));
+    int seen = 0;
+    for (std::size_t pixel = 0; pixel < 65 * 65; ++pixel) {
+        if (std::isfinite(depth(plastic, pixel))) continue; // on the ball
+        ASSERT_EQ(red(plastic, pixel), red(metal, pixel)) << pixel;
+        seen += red(plastic, pixel) != 0.25; // not the sky
+    }
+    EXPECT_GT(seen, 100);
+}
+
 TEST_P(Surroundings, NothingIsNearAPlane) {
     const std::string plane = "[surface]\nformula = \"z\"\nbounds = { sphere = 1 }\n"
                               "[camera]\nposition = [0, -3, 2]\n[output]\nsize = [64, 64]\n";

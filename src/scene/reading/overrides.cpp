@@ -51,6 +51,19 @@ void take_out_others(toml::table& table, std::string_view section, std::string_v
     }
 }
 
+// The section of a scene of one surface that a path of the command line leads to: what a listed
+// surface has beside its own sections is that scene's [surface].
+std::string section_of(std::string_view path) {
+    constexpr std::string_view list = "surfaces.";
+    if (!path.starts_with(list)) return std::string(path);
+    path.remove_prefix(std::min(path.find('.', list.size()), path.size()));
+    if (path.empty()) return "surface";
+    path.remove_prefix(1);
+    const std::string_view section = path.substr(0, path.find('.'));
+    const bool is_own = std::ranges::find(own_sections, section) != std::end(own_sections);
+    return is_own ? std::string(path) : fmt::format("surface.{}", path);
+}
+
 // "lights[0]": a table of a list, as messages call it.
 toml::table* listed_table(toml::table& table, const std::string& part) {
     const std::size_t open = part.find('[');
@@ -90,7 +103,7 @@ void override_key(toml::table& document, const std::string& setting) {
     // line.
     toml::table* table = &document;
     const auto section_above = [&](std::size_t begin) {
-        return std::string_view(path).substr(0, begin == 0 ? 0 : begin - 1);
+        return section_of(std::string_view(path).substr(0, begin == 0 ? 0 : begin - 1));
     };
     std::size_t begin = 0;
     for (std::size_t dot = path.find('.'); dot != path.npos; dot = path.find('.', begin)) {

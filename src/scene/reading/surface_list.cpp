@@ -13,7 +13,6 @@ namespace isomotion::scene {
 namespace {
 
 // What a surface may have of its own beside what [surface] has.
-constexpr const char* own_sections[] = {"parameters", "arrays", "material", "isolation"};
 
 constexpr std::size_t longest_name = 64;
 

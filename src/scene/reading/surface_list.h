@@ -10,6 +10,9 @@
 
 namespace isomotion::scene {
 
+// The sections that a listed surface may have itself.
+inline constexpr const char* own_sections[] = {"parameters", "arrays", "material", "isolation"};
+
 bool lists_surfaces(const toml::table& document);
 
 // What the surfaces are called: their names, else their numbers. Throws PlacedError for a list that

@@ -50,6 +50,23 @@ double parameter(const Scene& scene, const char* name) {
     return animation.at(0).tracks[std::size_t(animation.find(name).value())];
 }
 
+// What --set gives of a surface takes the place of what excludes it, as of a scene of one.
+TEST(Surfaces, SettingsReplaceWhatExcludesThem) {
+    std::string boxed = two;
+    boxed.replace(boxed.find("{ sphere = 2 }"), 14, "{ box = [[-2, -2, -2], [2, 2, 2]] }");
+    for (const char* name : {"ball", "1"}) {
+        const Scene scene = read(boxed, {fmt::format("surfaces.{}.bounds.sphere=3", name)});
+        EXPECT_EQ(at(scene, scene.timeline.values(1)).bounds.radius, 3);
+    }
+    const Scene back = read(two, {"surfaces.ball.bounds.box=[[-1, -1, -1], [1, 1, 1]]"});
+    EXPECT_EQ(back.surface.bounds.shape, Bounds::Shape::box);
+    // A key by its former name.
+    const Scene moved = read(two, {"surfaces.ring.placement.scale=3"});
+    EXPECT_EQ(at(moved, moved.timeline.values(1)).others[0].placement.scale, 3);
+    EXPECT_THAT(read(two, {"surfaces.ring.material.inside=[0, 0, 1]"}).others[0].material.inside,
+                testing::Ne(std::nullopt));
+}
+
 TEST(Surfaces, HaveTheirOwnAndWhatTheyShare) {
     const Scene scene = read(two);
     EXPECT_THAT(surface_names(scene), ElementsAre("ball", "ring"));

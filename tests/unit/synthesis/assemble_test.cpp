@@ -139,6 +139,15 @@ height = -#
     return scene_of(text);
 }
 
+// Without effects: drawn over each other.
+scene::Scene two_plain_surfaces(const std::string& value) {
+    const std::string one =
+        "[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - r\"\nbounds = { sphere = 2 "
+        "}\nparameters = { r = " +
+        value + " }\nmaterial = { color = [" + value + ", 1, 0] }\n";
+    return scene_of(one + one);
+}
+
 std::vector<Passes> passes_of_surfaces(const scene::Scene& scene) {
     const std::vector<Channel> channels{Channel::surface, Channel::ending};
     return {assemble(scene::of_surface(scene, 0), channels),
@@ -162,11 +171,13 @@ TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
     }
     const Passes polynomial = assemble(scene_of(surface_text("x") + "certify = true\n"));
     for (const Pass& pass : polynomial.list) roles.insert(pass.role);
-    const std::vector<Passes> one = passes_of_surfaces(two_surfaces("0.25"));
-    const std::vector<Passes> other = passes_of_surfaces(two_surfaces("0.5"));
-    for (std::size_t k = 0; k < one.size(); ++k) {
-        expect_same_text(one[k], other[k]);
-        for (const Pass& pass : one[k].list) roles.insert(pass.role);
+    for (const auto& described : {two_surfaces, two_plain_surfaces}) {
+        const std::vector<Passes> one = passes_of_surfaces(described("0.25"));
+        const std::vector<Passes> other = passes_of_surfaces(described("0.5"));
+        for (std::size_t k = 0; k < one.size(); ++k) {
+            expect_same_text(one[k], other[k]);
+            for (const Pass& pass : one[k].list) roles.insert(pass.role);
+        }
     }
     EXPECT_EQ(roles.size(), std::size_t(Role::double_proof) + 1) << "a role that no scene has";
 }
@@ -421,6 +432,8 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     add(by_compute);
     const std::vector<Passes> of_surfaces = passes_of_surfaces(two_surfaces("0.5"));
     for (const Passes& passes : of_surfaces) add(passes);
+    const std::vector<Passes> of_plain_surfaces = passes_of_surfaces(two_plain_surfaces("0.5"));
+    for (const Passes& passes : of_plain_surfaces) add(passes);
     const Passes of_long_mirror =
         assemble(scene_of(surface_text(long_formula()) + "[material]\nreflection = 'sky'\n"
                                                          "[environment]\nmap = 'studio.exr'\n"));

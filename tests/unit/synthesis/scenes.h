@@ -79,7 +79,8 @@ inline const std::vector<std::string> every_effect{
 inline const std::vector<std::string> every_glass{
     "[material]\ntransmission = 1\n[ground]\nheight = -1\n[[lights]]\ndirection = [1, 0, 1]\n"
     "shadow = true\n",
-    "[material]\ntransmission = 't/2'\nior = 1.3\nabsorption = [1, 't', 0]\n[environment]\n"
+    "[material]\nmodel = 'ggx'\nmetallic = 0.5\ntransmission = 't/2'\nior = 1.3\nabsorption = [1, "
+    "'t', 0]\n[environment]\n"
     "map = 'studio.exr'\n"};
 
 inline std::string surface_text(const std::string& formula,

@@ -1,0 +1,8 @@
+// Shading of one surface among several that calls for no more than shade/lambert.glsl.
+vec3 shade(Ray ray, SurfacePoint p, Hit hit) {
+    return shade(hit);
+}
+
+float further_evaluations() {
+    return 0.0;
+}

@@ -1,0 +1,33 @@
+// March and picture of a tile in one draw for each surface, of scenes with several plain ones: each
+// draws over those before it where it is nearer. See shaders/surfaces/fused.frag.
+#pragma once
+
+#include <vector>
+
+#include "gpu/depth_mask.h"
+#include "gpu/target.h"
+#include "render/surface_passes.h"
+
+namespace isomotion::render {
+
+// The formats of the attachments of pictures drawn so, after colour, record and channels.
+inline constexpr gpu::Format way_format = gpu::Format::r32f;
+
+class FusedSurfaces {
+public:
+    // `all`, which have fused passes, and `result` outlive this.
+    FusedSurfaces(std::vector<SurfacePasses*> all, const gpu::Target& result,
+                  std::vector<gpu::Format> formats);
+
+    // Draws a tile, whose inputs are uploaded, into `result`; adds its draws to `draws`. Where a
+    // ray did not end, the record says so, and the tile has to be drawn in passes.
+    void draw(const PictureInputs& inputs, const gpu::Rectangle& tile, int& draws);
+
+private:
+    std::vector<SurfacePasses*> all_;
+    const gpu::Target& result_;
+    gpu::Target before_; // a copy, which a surface reads while it draws into `result`
+    gpu::DepthMask mask_;
+};
+
+} // namespace isomotion::render
