@@ -26,14 +26,14 @@ namespace isomotion::topology {
 
 struct Statement {
     std::string text;
-    bool is_nothing_else = false; // every event is meant by one of the other statements
-    int least = 1, most = 1;      // how many; `most` may be INT_MAX
+    bool is_nothing_else = false; // no events other than those of the other statements
+    int least = 1, most = 1;      // number of events; `most` may be INT_MAX
     std::optional<Kind> kind;     // empty: of any kind
-    // Inside the bounds, or on them; empty: either.
+    // Inside the bounds, or on them; unset: either.
     std::optional<bool> is_inside;
-    // Events in these are meant; an infinite end is that of the frames that were searched.
+    // Frames of the events; an infinite end stands for that of the frames searched.
     formula::Interval frames = formula::Interval::entire();
-    // The same as it was written: all of it must have been searched.
+    // The frames as written: all of them must have been searched.
     formula::Interval asked = formula::Interval::entire();
 
     bool admits(Kind found) const { return !kind || *kind == found; }
@@ -42,7 +42,7 @@ struct Statement {
     }
 };
 
-// `tolerance` is D, in frames, of lone frames that have none of their own. Throws
+// `tolerance` is D, in frames, for lone frames without one of their own. Throws
 // std::invalid_argument with what is wrong and what would be right.
 Statement parse_statement(std::string_view text, animation::FrameRate fps,
                           std::optional<double> tolerance = {});
@@ -51,11 +51,11 @@ enum class Truth { holds, fails, open };
 
 struct Judgement {
     Truth truth = Truth::open;
-    std::string why; // what was found instead, or what is missing to decide
+    std::string why; // what was found instead, or what is missing for a decision
 };
 
-// Holds or fails only by what the timeline proves, and holds only if all frames that it speaks of
-// were searched. Kind::none is no event.
+// Uses only what the timeline proves. A statement holds only if all frames that it names were
+// searched. Kind::none doesn't count as an event.
 Judgement judge(const Statement& statement, const std::vector<Statement>& all,
                 const Timeline& timeline, animation::FrameRate fps);
 
