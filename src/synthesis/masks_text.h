@@ -1,5 +1,5 @@
-// Functions of a field of which beams tell by bits which elements matter: the set bits are what
-// they go through.
+// Functions of a field whose beams mark the elements that matter by bits: loops run over the set
+// bits.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@ namespace isomotion::synthesis {
 
 class ShaderText;
 
-// The bits, behind the declarations of the field's storage.
+// Adds the bits, after the declarations of the field's storage.
 void add_masks(ShaderText& text, const FieldStorage& storage);
 
-// A generated function whose loops over the first array go through the bits that are set.
+// A generated function whose loops over the first array run over the set bits.
 std::string over_masks(std::string glsl);
 
 } // namespace isomotion::synthesis
