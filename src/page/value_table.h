@@ -27,7 +27,7 @@ public:
     void add(std::span<const std::uint32_t> row);
 
     const std::string& name() const { return name_; }
-    std::size_t width() const { return first_.size(); } // words of a row
+    std::size_t width() const { return first_.size(); } // words per row
     std::size_t rows() const { return rows_; }
     std::size_t moving() const { return moving_; } // columns
 
@@ -40,7 +40,7 @@ private:
     std::vector<std::vector<std::uint32_t>> columns_; // all rows of those that move, others empty
 };
 
-// A row of floats or of doubles, each of which is two words, the lower one first.
+// A row of floats or of doubles; a double is two words, the lower one first.
 std::vector<std::uint32_t> words_of(std::span<const float> numbers);
 std::vector<std::uint32_t> words_of(std::span<const double> numbers);
 

@@ -24,8 +24,8 @@ double scale_of(int rung);
 
 // The cost of a picture; never negative.
 struct CostModel {
-    double fixed = 0;  // a: milliseconds whatever the size
-    double filled = 0; // b: milliseconds a picture of full size takes beside that
+    double fixed = 0;  // a: milliseconds independent of the size
+    double filled = 0; // b: additional milliseconds of a picture of full size
 
     double at(double scale) const { return fixed + filled * scale * scale; }
 };
@@ -36,28 +36,28 @@ struct MeasuredDraw {
     double at = 0; // seconds, by the caller's clock
 };
 
-// Least squares of relative errors, with a and b not below 0. Draws that all have one scale don't
-// tell a from b: then a is the same part of the whole as in `before`.
+// Least squares of relative errors, with a and b at least 0. Draws of one scale can't separate a
+// from b; then a is the same part of the total as in `before`.
 CostModel cost_of(const std::vector<MeasuredDraw>& draws, const CostModel& before);
 
 struct ResolutionController {
     int rung = 0;                      // scale_of(rung) is the next draw's
     std::vector<MeasuredDraw> draws;   // the model is fitted to these, the latest last
-    std::optional<MeasuredDraw> stray; // the last one, if it was far off the cost of its scale
+    std::optional<MeasuredDraw> stray; // the last draw, if it was far off the cost of its scale
     CostModel model;
-    int over = 0;          // draws in a row over the budget
-    int roomy = 0;         // draws in a row that leave room for a larger picture
-    int patience = 6;      // so many of them make it larger
+    int over = 0;          // successive draws over the budget
+    int roomy = 0;         // successive draws that leave room for a larger picture
+    int patience = 6;      // the number of such draws that make it larger
     int steady = 0;        // draws since the scale changed
-    double changed = -1e9; // when that was, seconds
+    double changed = -1e9; // time of that change, seconds
     int settling = 0;      // draws since the cost last changed
-    bool rose = false;     // when it did
+    bool rose = false;     // whether it rose then
 
     double scale() const { return scale_of(rung); }
 };
 
-// Takes a draw into account, of whatever scale; `fps` is the wanted rate. Ignores times and scales
-// that are not positive.
+// Updates the controller with a draw of any scale; `fps` is the desired rate. Ignores times and
+// scales that are not positive.
 ResolutionController adjusted(ResolutionController controller, const MeasuredDraw& draw,
                               double fps);
 
