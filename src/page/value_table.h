@@ -1,12 +1,14 @@
-// Numbers of every frame as a page keeps them: rows of 32-bit words, packed so that they deflate
+// Numbers of every frame as a page stores them: rows of 32-bit words, packed so that they deflate
 // well.
 //
-// Most columns never change and those that do change little from one frame to the next. Packed, a
+// Most columns never change, and the others change little from one frame to the next. A packed
 // table is:
-//   a byte a column: 1 if it moves;
-//   the first row, four bytes a word, the least first;
-//   of the moving columns the differences of each row from the one before, column by column: the
+//
+//   one byte per column: 1 if it changes;
+//   the first row, four bytes per word, little-endian;
+//   for the changing columns the differences of each row from the one before, column by column: the
 //   most significant byte of all differences, then the next of all, down to the least.
+//
 // src/page/web/data.js unpacks it.
 #pragma once
 

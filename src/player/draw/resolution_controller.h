@@ -1,16 +1,19 @@
-// Controls the resolution while something moves, so that pictures keep coming at a wanted rate.
+// Controls the resolution while something moves, so that pictures come at a desired rate.
 //
-// A draw at scale s of the window's width and height is taken to cost a + b s^2 milliseconds. Both
-// are fitted to the draws since the cost last changed, by least squares of relative errors. From
-// that follows the largest scale within the budget of 1000 / fps. Scales come from a short ladder,
-// and four rules keep them still:
-//   * down only after two draws in a row over the budget, so that a hiccup of the machine changes
-//     nothing and a heavier scene is answered at its second picture (the very first draw at once);
-//   * up only when the model promises room to spare, `patience` times in a row;
-//   * a rise that had to be taken back doubles the patience;
+// The model is that a draw at scale s of the window's width and height costs a + b s^2
+// milliseconds. Both are fitted to the draws since the cost last changed, by least squares of
+// relative errors. They give the largest scale within the budget of 1000 / fps. Scales come from a
+// short ladder, and four rules keep them stable:
+//
+//   * down only after two successive draws over the budget, so that a hiccup of the machine changes
+//     nothing and a heavier scene takes effect at its second picture (the very first draw at once);
+//   * up only when the model predicts room to spare, `patience` times in a row;
+//   * a rise that had to be reversed doubles the patience;
 //   * once settled, no change within two seconds of the last, unless the cost has changed or a
-//     draw takes half as long again as it may.
-// Pure: the state is a value, the clock is the caller's. Leave out draws that compile.
+//     draw takes half as long again as the budget.
+//
+// The controller is pure: the state is a value, and the caller provides the clock. Leave out draws
+// that compile.
 #pragma once
 
 #include <optional>

@@ -1,13 +1,14 @@
-// Playing as a pure function of a clock: which frame is to be seen at a moment.
+// Playing as a pure function of a clock: the frame to be seen at a moment.
 //
-// A playback is a straight line: at the moment of its anchor it stood at the anchor's position, and
-// since then it moves by fps x speed. Whatever a person does (pause, step, scrub, another speed)
-// is a new line with an anchor of its own; nothing is added up from draw to draw, so that a slow
-// draw, a sleep or an hour of looping leaves no error behind. What a frame shows is the Timeline's
-// business alone: playing only chooses frames.
+// A playback is linear: at the moment of its anchor it was at the anchor's position, and since then
+// it moves by fps x speed. Every action of a person (pause, step, scrub, another speed) makes a new
+// playback with its own anchor. Nothing accumulates from draw to draw, so a slow draw, a sleep or
+// an hour of looping leaves no error. Playing only chooses frames; the Timeline alone decides what
+// a frame shows.
 //
-// A position is a frame and the part of its duration gone by: 7.9 shows frame 7. Moments are
-// seconds of any clock that does not run backwards; were it to, playing would stand at its anchor.
+// A position is a frame and the fraction of its duration that has passed: 7.9 shows frame 7.
+// Moments are seconds of any clock that does not run backwards. If it did, playing would stay at
+// its anchor.
 #pragma once
 
 #include <cstdint>

@@ -1,10 +1,10 @@
-// What is expected of an animation's topology: a timeline kept from an earlier run, or what a
-// person claims of it in a few lines of JSON or TOML:
+// An expectation of an animation's topology: a timeline kept from an earlier run, or the claims of
+// a person in a few lines of JSON or TOML:
 //
 //     { "components": { "1": 75, "end": 1 },      at these frames; "5..9": at all frames from 5 on
 //       "tunnels": { "40.5": 2 }, "voids": {...},
-//       "events": ["merge at frame 12..13", "no split", "nothing else"],         see statement.h
-//       "tolerance": 2 }                           frames about each lone frame of an event
+//       "events": ["merge at frame 12..13", "no split", "nothing else"],      see statement.h
+//       "tolerance": 2 }                          frames around each lone frame of an event
 #pragma once
 
 #include <filesystem>
