@@ -55,7 +55,7 @@ public:
     // The columns that elements in the graph refer to: an array's own fields, then the index of
     // each element and the motion of its samples (ElementSamples::Span): way, square, cube.
     std::vector<formula::ArrayColumns<double>> columns() const;
-    // The parts that the nodes made so far depend on, and those put in place.
+    // The parts that the nodes made or replaced so far depend on.
     const Parts& used() const { return used_; }
 
 private:

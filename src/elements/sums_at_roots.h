@@ -44,7 +44,8 @@ public:
     public:
         Boxes(const SumsAtRoots& of, const formula::Bindings<float>& bindings);
 
-        // Boxes x, y, z and `sums` of each box, as many: excluded[k] is whether there is no root.
+        // x, y, z and `sums` of each box, all of equal length. Sets excluded[k] if box k has no
+        // root.
         void exclude(std::span<const std::vector<formula::Interval>> places_and_sums,
                      std::vector<bool>& excluded);
 

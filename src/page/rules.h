@@ -16,11 +16,11 @@ namespace isomotion::page {
 bool can_be_held(const scene::Scene& scene, int track);
 
 // {"seed": decimal text, "tracks": [[place, program]], "bounds": [[number of the bounds, program]],
-//  "arrays": [[field]]}, each after what it depends on. The numbers of bounds are a sphere's centre
-// and radius or a box's corners. A field is {"slot": place among what shaders read, or -1} with
-// "program", "values" or neither, where it is a column; its siblings are numbered in this order.
-// A program is {"code": [[result, operation, operands...]], "out": register, "tracks": [those that
-// it names]}.
+//  "arrays": [[field]]}, with each entry after those it depends on. The numbers of bounds are a
+// sphere's centre and radius or a box's corners. A field is {"slot": place among the fields that
+// shaders read, or -1}, with "program" or "values", or with neither if it is a column. The fields
+// of an array are numbered in this order. A program is {"code": [[result, operation, operands...]],
+// "out": register, "tracks": [the tracks that it names]}.
 nlohmann::ordered_json rules_of(const scene::Scene& scene);
 
 } // namespace isomotion::page

@@ -24,7 +24,7 @@ struct Motion {
 // animation that doesn't loop. Throws as scene::at does.
 Motion motion_about(const scene::Scene& scene, int frame);
 
-// Formula coordinates of `from` to those of `to` by way of the world, as three rows.
+// Converts formula coordinates of `from` to those of `to` through world coordinates; three rows.
 std::array<glm::vec4, 3> change_of_place(const scene::PlacementAt& from,
                                          const scene::PlacementAt& to);
 

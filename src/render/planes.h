@@ -21,7 +21,8 @@ public:
     // k, unless it is null.
     void read(const gpu::Target& from, int attachment, const gpu::Rectangle& tile,
               const std::vector<image::Channel*>& channels);
-    // The same of rows from the bottom that are here already, `y` being the first's in the tile.
+    // The same for rows from the bottom that are in memory; `y` is the first row's place in the
+    // tile.
     void copy(const float* texels, const gpu::Rectangle& tile, int y, int rows,
               const std::vector<image::Channel*>& channels) const;
     // Fills a channel pixel by pixel, rows from the bottom.

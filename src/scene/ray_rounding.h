@@ -1,11 +1,10 @@
-// How far float32 may carry a ray from where it is: what truth's tubes, the boxes around beams and
-// the proofs are thickened by.
+// Bounds the error of a ray computed in float32. Truth's tubes, the boxes around beams and the
+// proofs are thickened by this bound.
 //
-// The exact ray of a pixel is the one of the uniforms as floats, in real arithmetic. The shader's
-// (shaders/march/ray.glsl) differs from it by its rounding, and nothing else. Let u = 2^-24, the
-// relative error of a sum or a product; GLSL allows 5 u for a quotient and 9 u for a square root
-// (made of 1 / inversesqrt), any order of evaluation, and fused or unfused products. To first
-// order:
+// The exact ray of a pixel follows from the uniforms as floats, in real arithmetic. The shader's
+// ray (shaders/march/ray.glsl) differs from it only by rounding. Let u = 2^-24, the relative error
+// of a sum or a product. GLSL allows 5 u for a quotient and 9 u for a square root (computed as 1 /
+// inversesqrt), any order of evaluation, and fused or unfused products. To first order:
 //
 //   at        = (pixel + shift) * (2 / size) - 1; the sum, 2 / size and the product carry u each of
 //               at + 1, which is 2 at most, and the difference one of itself: 7 u

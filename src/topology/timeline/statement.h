@@ -1,17 +1,17 @@
-// What a person says of an animation's events, in words: "merge at frame 12..13".
+// Parses a person's statement on an animation's events, in words: "merge at frame 12..13".
 //
 //     statement = [number] events [place] [when] | "nothing else"
 //     number    = 3 | "three" | 2..4 | "no" | "a" | "an" | "at least" 3 | "at most" 3
-//                                                                      (else: exactly 1)
+//                                                                      (default: exactly 1)
 //     events    = "merge" | "merges" | "tunnel closes" | "tunnels close" | ... | "event" | "events"
-//     place     = "inside" | "on the bounds"                           (else: anywhere)
+//     place     = "inside" | "on the bounds"                           (default: anywhere)
 //     when      = "at frame" F ["+-" D] | "at frame" F..F | "between frames" F "and" F |
-//                 "before frame" F | "after frame" F                   (else: at any time)
+//                 "before frame" F | "after frame" F                   (default: at any time)
 //
 // "at time 1.28", "at 1.28 s" and "between 1 s and 2 s" count seconds. "start" and "end" are the
-// ends of what was searched: F..end. A lone frame F is meant as precisely as it is written: 12 is
-// 11.5 to 12.5, 40.2 is 40.15 to 40.25; or to D frames before and after it. The ends of F..F, of
-// "between" and of "+-" are exact (to a millionth of a frame) and belong to it.
+// ends of the range searched: F..end. A lone frame F is as precise as it is written: 12 means 11.5
+// to 12.5, 40.2 means 40.15 to 40.25; or it extends D frames before and after. The ends of F..F, of
+// "between" and of "+-" are exact (to a millionth of a frame) and included.
 #pragma once
 
 #include <optional>
