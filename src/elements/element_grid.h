@@ -28,8 +28,8 @@ struct Cell {
 
     // Number of elements that matter; in the upper bits, the free distance.
     std::uint32_t packed = 0;
-    // Where its list begins. For an empty cell: the number of cells around it, in all directions,
-    // that are empty as well.
+    // Where its list begins. For an empty cell: the number of cells on each side of it, in all
+    // directions, that are empty as well.
     std::uint32_t first = 0;
 
     std::uint32_t elements() const { return packed & most_elements; }
