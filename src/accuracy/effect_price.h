@@ -1,4 +1,4 @@
-// Measures what each effect that a scene calls for costs.
+// Measures the cost of each effect that a scene uses.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct EffectPrice {
 };
 
 // Draws a frame with all effects and without each of them in turn, `pairs` times, one right after
-// the other, so that other load of the machine weighs on both.
+// the other, so that other load of the machine affects both equally.
 std::vector<EffectPrice> effect_prices(gpu::Context& context, const scene::Scene& scene, int frame,
                                        int width, int height, int pairs,
                                        render::StageChoice stage = render::StageChoice::fragment);

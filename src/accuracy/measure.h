@@ -1,4 +1,4 @@
-// Measures what a setting costs and how many pixels it gets wrong.
+// Measures the cost of a setting and the number of pixels that it gets wrong.
 #pragma once
 
 #include <filesystem>
@@ -29,7 +29,7 @@ struct MeasureOptions {
     int width = 0, height = 0;
     int repeat = 3;
     render::StageChoice stage = render::StageChoice::fragment;
-    std::filesystem::path cache; // of truth, see truth_cache.h; empty for none
+    std::filesystem::path cache; // for truth, see truth_cache.h; empty for none
     std::function<void(const std::string& what, double part)> progress;
 };
 
@@ -37,11 +37,12 @@ struct MeasureOptions {
 std::vector<Measurement> measure(gpu::Context& context, const scene::Scene& scene,
                                  const std::vector<Setting>& settings, const MeasureOptions& how);
 
-// Those that no other beats in both time and wrong pixels, from the fastest to the most accurate.
+// The measurements that no other beats in both time and wrong pixels, from the fastest to the most
+// accurate.
 std::vector<std::size_t> front(const std::vector<Measurement>& measurements);
 
-// The cheapest of the front with at most so many wrong pixels in a million; the most accurate that
-// takes at most so long per frame. Empty if there is none.
+// The cheapest measurement of the front with at most so many wrong pixels in a million; the most
+// accurate one with at most so much time per frame. Empty if there is none.
 std::optional<std::size_t> cheapest(const std::vector<Measurement>& measurements,
                                     double most_wrong_ppm);
 std::optional<std::size_t> most_accurate(const std::vector<Measurement>& measurements,

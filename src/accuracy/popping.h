@@ -11,7 +11,7 @@ namespace isomotion::accuracy {
 
 class Popping {
 public:
-    // Call for neighbouring frames, in order.
+    // Call it for successive frames, in order.
     void add(const image::Frame& drawn, const truth::Truth& truth);
     std::int64_t count() const { return count_; }
 

@@ -11,14 +11,14 @@
 namespace isomotion::accuracy {
 
 struct Report {
-    std::string title, machine; // of the scene; who drew
+    std::string title, machine; // of the scene; the machine and driver
     scene::Isolation isolation; // the scene's own
     std::vector<int> frames;
     int width = 0, height = 0;
     std::vector<Measurement> measurements;
 };
 
-// Thrown without a program to plot with. The message says what to install.
+// There is no program to plot with. The message says what to install.
 class PlotError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -29,8 +29,8 @@ std::string table(const Report& report);
 std::string csv(const Report& report);
 std::string json(const Report& report);
 
-// accuracy.csv, accuracy.json, wrong-NN.png for each setting, accuracy.svg and accuracy.png (wrong
-// pixels against time, by gnuplot) and index.html, which holds all of it. Makes the folder.
+// Writes accuracy.csv, accuracy.json, wrong-NN.png for each setting, accuracy.svg and accuracy.png
+// (wrong pixels against time, by gnuplot) and index.html with all of these. Makes the folder.
 // Throws PlotError, base::FileError.
 void write(const Report& report, const std::filesystem::path& folder);
 

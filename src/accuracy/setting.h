@@ -20,13 +20,13 @@ struct Setting {
 // "hermite safety=32".
 std::string name(const Setting& setting, const scene::Isolation& scene);
 
-// The scene with the setting in place of its own.
-// The first surface's own setting leaves others of a scene with theirs, any other is that of all.
+// The scene with the setting instead of its own. The first surface's own setting leaves the other
+// surfaces of a scene with theirs; any other setting applies to all.
 scene::Scene apply(const Setting& setting, scene::Scene scene);
 
-// Each method once: at each step those that take steps, hermite with several safeties; the scene's
-// own method and step also with other thresholds and numbers of bisections. No methods: all that
-// can draw it. No steps: the scene's, and it times 4 and 2 and down to 1/8.
+// Each method once: methods with steps at each step, hermite with several safeties; the scene's own
+// method and step also with other thresholds and numbers of bisections. Without `methods`: all that
+// can draw the scene. Without `steps`: the scene's step, times 4 and 2, and down to 1/8 of it.
 std::vector<Setting> sweep(const scene::Scene& scene, std::vector<scene::Method> methods,
                            std::vector<double> steps);
 

@@ -1,4 +1,4 @@
-// Keeps certified truth on disk, so that sweeps over many settings certify once.
+// Keeps certified truth on disk, so that sweeps over many settings certify only once.
 #pragma once
 
 #include <filesystem>

@@ -1,9 +1,9 @@
-// The elements of an array at some times, as a simulation writes them, and between those times.
+// The elements of an array at the sampled times of a simulation, and between these times.
 //
-// An element that is in two neighbouring samples moves from one place to the other. One without a
-// successor stays where it was until the next sample, or goes on as fast as it was where velocities
-// are known; one without a predecessor appears at its sample. So the number of elements changes at
-// samples only.
+// An element that is in two successive samples moves from one place to the other. One without a
+// successor stays in place until the next sample or, if velocities are known, continues at its
+// velocity. One without a predecessor appears at its sample. So the number of elements changes only
+// at samples.
 #pragma once
 
 #include <cstdint>
@@ -18,48 +18,48 @@ namespace isomotion::animation {
 
 class ElementSamples {
 public:
-    // How values go from sample to sample; `hermite` takes velocities in, of the columns that have
-    // some, and moves the others as `linear` does.
+    // The interpolation between samples. `hermite` uses velocities for the columns that have some,
+    // and treats the others as `linear` does.
     enum class Interpolation { linear, hold, hermite };
     using Rows = SampleRows;
 
     ElementSamples(Rows rows, Interpolation interpolation);
     ElementSamples(std::shared_ptr<const SampleSource> source, Interpolation interpolation);
 
-    // The same, but a column's values multiplied.
+    // A copy with a column's values multiplied.
     ElementSamples multiplied(std::size_t column, double factor) const;
-    // The same, but only these columns have values; the others are empty, and never read.
+    // A copy in which only these columns have values; the others are empty and never read.
     ElementSamples only(std::vector<bool> columns) const;
 
-    // Outside the samples, the first or the last one. Elements come in the order of the sample at
+    // Outside of the samples, the first or the last one. Elements are in the order of the sample at
     // or before `time`; at a sample's own time its values are exact.
     formula::ArrayColumns<double> at(double time) const;
 
-    // How elements move between two neighbouring samples. With u from 0 to 1, a value is
-    // begin + u (way + u (square + u cube)).
+    // The motion of elements between two successive samples. With u from 0 to 1, a value is begin +
+    // u (way + u (square + u cube)).
     struct Span {
         formula::ArrayColumns<double> begin;
-        std::vector<std::vector<double>> way;          // [column][row], as the next
-        std::vector<std::vector<double>> square, cube; // of columns that is_curved(); else empty
+        std::vector<std::vector<double>> way;          // [column][row], as are the next two
+        std::vector<std::vector<double>> square, cube; // for columns with is_curved(), else empty
         double begin_time = 0, end_time = 0;
     };
-    // Between the samples around `time`; before the first and after the last nothing moves.
+    // The span around `time`; before the first sample and after the last nothing moves.
     Span span(double time) const;
-    // The times of those samples, once more the same where nothing moves.
+    // The times of those samples; equal times where nothing moves.
     std::pair<double, double> ends(double time) const;
     int count(double time) const;
     // The sample at or before `time`, or the first.
     std::size_t sample_at(double time) const;
-    // Whether a column's values may go otherwise than straight from sample to sample.
+    // Whether a column's values may move other than linearly between samples.
     bool is_curved(std::size_t column) const;
 
     const std::vector<double>& times() const { return source_->times(); }
     // Whether values jump at sample k: elements appear, disappear or are held until it.
     bool jumps(std::size_t k) const;
-    // Whether there are more or fewer elements at sample k than before it.
+    // Whether the number of elements changes at sample k.
     bool recounts(std::size_t k) const;
-    // Whether an element that stays is in another row at sample k than before it. Its own values
-    // don't jump for that; what is computed from the row's number does.
+    // Whether an element that stays changes its row at sample k. Its own values don't jump by that,
+    // but values computed from the row's number do.
     bool reorders(std::size_t k) const;
 
     int most() const { return source_->most(); } // elements at one time
@@ -68,7 +68,7 @@ public:
     Interpolation interpolation() const { return interpolation_; }
     const SampleSource& source() const { return *source_; }
 
-    // Of a column's values, and of all times, ids and rules.
+    // Add a column's values, and all times, ids and rules, to a fingerprint.
     void add_column(base::Fingerprint& print, std::size_t column) const;
     void add_rows(base::Fingerprint& print) const;
 
@@ -77,7 +77,7 @@ private:
     struct Change {
         bool jumps = false, recounts = false, reorders = false;
     };
-    // What was found out of changes: samples may be far away.
+    // Known changes, kept since samples may be expensive to read.
     struct Memo {
         std::mutex mutex;
         std::vector<std::optional<Change>> changes;

@@ -8,10 +8,10 @@
 
 namespace isomotion::animation {
 
-// Throws std::invalid_argument with a message for the user. Frames in the order given, each once.
+// Frames in the order given, each once. Throws std::invalid_argument with a message for the user.
 std::vector<int> parse_frame_range(std::string_view text);
 
-// A short such text for these frames, in ascending order: "1-10,12,20-30x2". Empty for none.
+// Such a text, short, for these frames in ascending order: "1-10,12,20-30x2". Empty for none.
 std::string frame_range(std::vector<int> frames);
 
 } // namespace isomotion::animation

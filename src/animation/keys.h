@@ -9,8 +9,8 @@ namespace isomotion::animation {
 
 enum class Ease {
     linear,
-    smooth, // at rest at every key: smoothstep
-    hold,   // the last key's value
+    smooth, // velocity 0 at every key: smoothstep
+    hold,   // the previous key's value
     cubic,  // through the keys with continuous velocity: Catmull-Rom on uneven times
 };
 
@@ -21,14 +21,14 @@ struct Key {
     double value = 0;
 };
 
-// Keys in strictly ascending time (at least one); constant before the first and after the last.
+// Keys in strictly ascending time (at least one). Constant before the first and after the last.
 struct Keys {
     std::vector<Key> keys;
     Ease ease = Ease::linear;
 
     double at(double time) const;
-    // The cubic's derivative at key k: the slope between its neighbours (Catmull-Rom); at the ends,
-    // that of the only segment.
+    // The cubic's derivative at key k: the slope between its neighbours (Catmull-Rom), or at the
+    // ends that of the only segment.
     double velocity(std::size_t k) const;
 };
 

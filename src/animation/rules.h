@@ -1,8 +1,8 @@
-// How everything moves, as expressions of time that other expressions can be built on: to
-// differentiate by time, and to enclose values over a span of time.
+// All motion as expressions of time, from which other expressions can be built: to differentiate by
+// time, and to enclose values over a span of time.
 //
 // Animation::at() gives values at one time; the rules here are the same functions of real numbers,
-// free of the rounding of at(). Between two neighbouring knots each track and field has one rule.
+// without the rounding of at(). Between two successive knots each track and field has one rule.
 #pragma once
 
 #include <map>
@@ -21,20 +21,20 @@ struct Knot {
     bool jumps = false; // values before and after differ
 };
 
-// Indices of tracks and of arrays, by what of them is read.
+// Indices of tracks and of arrays, by which part of them is read.
 struct Parts {
-    std::set<int> tracks, arrays; // of arrays the values of fields
-    std::set<int> counts{};       // how many elements there are: what every sum reads
-    std::set<int> rows{}; // which row an element is in: what reads its index or a list of numbers
+    std::set<int> tracks, arrays; // arrays: the values of fields
+    std::set<int> counts{};       // the number of elements, which every sum reads
+    std::set<int> rows{}; // the row of an element, which its index and lists of numbers depend on
 };
 
 // The times inside `range` at which a rule of these parts changes, ascending: times of keys and of
-// samples, and the range's end if values jump there, as at a jump's own time values are those
-// after.
+// samples, and the range's end if values jump there, since values at a jump's own time are those
+// after it.
 std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula::Interval range);
 
-// A track whose value another node gives: what depends on time through this track alone then
-// depends on that node alone.
+// A track whose value another node gives. Values that depend on time by this track alone then
+// depend on that node alone.
 struct Driver {
     int track = 0;
     formula::NodeId node = 0;
@@ -42,20 +42,20 @@ struct Driver {
 
 class Rules {
 public:
-    // Rules that hold around the time `within`, which lies between two knots; at a knot, after it.
-    // Makes nodes in `graph`, where `time` stands for the time.
+    // Rules that hold around the time `within`, which lies between two knots; if it is at a knot,
+    // those after it. Makes nodes in `graph`, where `time` represents the time.
     Rules(const Animation& animation, double within, formula::Graph& graph, formula::NodeId time,
           std::optional<Driver> driver = {});
 
     formula::NodeId track(int track);
     // For use inside a sum over the array.
     formula::NodeId field(int array, int field);
-    // What takes the place of a node in an expression of tracks and arrays (formula::Replacement).
+    // The replacement of a node in an expression of tracks and arrays (formula::Replacement).
     formula::NodeId in_place(const formula::Node& node, formula::NodeId rebuilt);
     // The columns that elements in the graph refer to: an array's own fields, then the index of
-    // each element and how its samples move (ElementSamples::Span): way, square, cube.
+    // each element and the motion of its samples (ElementSamples::Span): way, square, cube.
     std::vector<formula::ArrayColumns<double>> columns() const;
-    // The parts that the nodes made so far depend on, and those put in place.
+    // The parts that the nodes made or replaced so far depend on.
     const Parts& used() const { return used_; }
 
 private:

@@ -1,5 +1,5 @@
-// Where the elements of an array at some times come from: a table in memory, or a file for each
-// time. The same question always has the same answer; it may come from any thread.
+// The source of an array's elements at the sampled times: a table in memory, or one file per time.
+// The same question always has the same answer. Any thread may ask.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +15,19 @@ namespace isomotion::animation {
 
 class SampleSource {
 public:
-    // The elements at one time. What it refers to lives as long as `keep` and the source.
+    // The elements at one time. The data lives as long as `keep` and the source.
     struct Sample {
         std::size_t count = 0;
-        std::vector<std::span<const double>> columns; // those that were not asked for are empty
+        std::vector<std::span<const double>> columns; // empty for columns that were not asked for
         std::shared_ptr<const void> keep{};
     };
 
-    // Of each row of a sample, the row of the same element in the next one.
+    // For each row of a sample, the row of the same element in the next sample.
     class Successors {
     public:
-        static constexpr std::uint32_t none = std::uint32_t(-1); // it has gone
+        static constexpr std::uint32_t none = std::uint32_t(-1); // the element has disappeared
 
-        // The first `both` rows stay where they are.
+        // The first `both` rows keep their row.
         explicit Successors(std::size_t both)
             : both_(both) {}
         Successors(std::span<const std::uint32_t> rows, std::shared_ptr<const void> keep)
@@ -47,23 +47,23 @@ public:
 
     virtual ~SampleSource() = default;
 
-    // Of the samples, ascending, at least one.
+    // Times of the samples, ascending, at least one.
     virtual const std::vector<double>& times() const = 0;
     virtual std::size_t columns() const = 0;
-    // `columns`: which ones are asked for.
+    // `columns`: those that are needed.
     virtual Sample sample(std::size_t k, const std::vector<bool>& columns) const = 0;
-    // Of the rows of sample k, which is not the last.
+    // For the rows of sample k, which is not the last.
     virtual Successors successors(std::size_t k) const = 0;
     virtual int most() const = 0; // elements at one time
-    // The column that has the velocity of another, in its units a second.
+    // The column with the velocity of another, in that column's units per second.
     virtual std::optional<std::size_t> velocity_of(std::size_t column) const = 0;
 
-    // Of what the samples say, not of where they are kept.
+    // Fingerprints of the samples' content, not of the place where it is stored.
     virtual void add_column(base::Fingerprint& print, std::size_t column) const = 0;
     virtual void add_rows(base::Fingerprint& print) const = 0;
 
-    // For people: where sample k comes from ("p.0007.ply: PLY, ascii; 1 of 90 files"), and what its
-    // columns are called there.
+    // For people: the origin of sample k ("p.0007.ply: PLY, ascii; 1 of 90 files"), and the names
+    // of its columns there.
     virtual std::string origin(std::size_t k) const = 0;
     virtual std::vector<std::string> names() const = 0;
 
@@ -73,12 +73,12 @@ protected:
     SampleSource& operator=(const SampleSource&) = default;
 };
 
-// Of the rows of one sample, by the ids of its elements and of those of the next. Ids are unique
-// within each.
+// Matches the rows of one sample to those of the next by the ids of their elements. Ids are unique
+// within each sample.
 std::vector<std::uint32_t> match(std::span<const std::int64_t> here,
                                  std::span<const std::int64_t> there);
 
-// The first row whose id one before it has already, and that one.
+// The first row with the id of an earlier row, and that earlier row.
 struct Twins {
     std::size_t first = 0, second = 0;
 };

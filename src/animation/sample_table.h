@@ -1,4 +1,4 @@
-// All samples in memory, one after the other.
+// Samples kept in memory, one after the other.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace isomotion::animation {
 
-// The table, row by row; each row is one element at one time.
+// The table by rows; each row is one element at one time.
 struct SampleRows {
     std::vector<double> times;               // of the samples, ascending, at least one
     std::vector<std::size_t> begin;          // first row of each sample, and the end of the last
     std::vector<std::vector<double>> values; // [column][row]
-    // Identify elements, unique within a sample. Without any, the k-th element of a sample is
-    // the k-th of the next.
+    // Identify elements, unique within a sample. Without ids, the k-th element of a sample is the
+    // k-th of the next.
     std::vector<std::int64_t> ids;
     std::vector<std::optional<std::size_t>> velocities{}; // of each column; may be empty
     std::string origin{};                                 // for people
@@ -39,7 +39,7 @@ private:
     std::size_t count(std::size_t k) const { return rows_.begin[k + 1] - rows_.begin[k]; }
 
     SampleRows rows_;
-    std::vector<std::uint32_t> successors_; // of each row, where there are ids
+    std::vector<std::uint32_t> successors_; // for each row, if there are ids
 };
 
 } // namespace isomotion::animation

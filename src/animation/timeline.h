@@ -1,7 +1,7 @@
-// The only way from a frame's number to the values that it shows.
+// Converts a frame number to the values that the frame shows. There is no other way to do this.
 //
-// Playing, exporting, measuring and topology all call it: frame 812 alone equals frame 812 of the
-// whole sequence. Frames count from 1; frame f shows time (f - 1) / fps.
+// Playing, exporting, measuring and topology all call it, so frame 812 alone equals frame 812 of
+// the whole sequence. Frames count from 1; frame f shows time (f - 1) / fps.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,8 @@ struct FrameRate {
     bool operator==(const FrameRate&) const = default;
 };
 
-// "30", "30000/1001", "23.976" (an exact decimal fraction); empty if it is none or not positive.
+// "30", "30000/1001", "23.976" (an exact decimal fraction); empty if it isn't one of these or not
+// positive.
 std::optional<FrameRate> parse_frame_rate(std::string_view text);
 std::string to_string(FrameRate rate); // "30", "30000/1001"
 
@@ -28,12 +29,12 @@ struct Timeline {
     FrameRate fps;
     int frames = 1;
     Animation animation;
-    bool loops = false; // the frame after the last would be the first again
+    bool loops = false; // the frame after the last would equal the first
 
     double time(std::int64_t frame) const {
         return double((frame - 1) * fps.denominator) / double(fps.numerator);
     }
-    // `part` of a frame's duration, 0 to 1, after its time.
+    // The time `part` of a frame's duration, 0 to 1, after the frame's time.
     double time(std::int64_t frame, double part) const {
         return time(frame) + part * double(fps.denominator) / double(fps.numerator);
     }

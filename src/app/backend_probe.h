@@ -1,4 +1,4 @@
-// Probes an OpenGL back end: its driver, its abilities and its arithmetic.
+// Probes an OpenGL back end: its driver, its features and its arithmetic.
 #pragma once
 
 #include <chrono>
@@ -11,11 +11,12 @@
 namespace isomotion::app {
 
 // Probes in this process, which a driver may end. Returns an object with "works"; then "backend",
-// "vendor", "renderer", "opengl", "glsl", "limits", "compute" and "arithmetic", or else "reason".
+// "vendor", "renderer", "opengl", "glsl", "limits", "compute" and "arithmetic", otherwise "reason".
 nlohmann::ordered_json probe_here(gpu::Backend backend);
 
-// Probes each in a process of its own, all at once. One that crashes or does not answer in time
-// does not work; the reason names the signal or the time. Results come in the order given.
+// Probes each in a process of its own, all at once. A process that crashes or does not answer in
+// time counts as not working; the reason names the signal or the time. Results come in the order
+// given.
 std::vector<nlohmann::ordered_json> probe_apart(const std::vector<gpu::Backend>& backends,
                                                 std::chrono::seconds longest);
 

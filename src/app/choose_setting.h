@@ -1,4 +1,4 @@
-// --max-wrong: the cheapest method and step that are accurate enough.
+// Implements --max-wrong: finds the cheapest method and step that are accurate enough.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@ struct SettingChoice {
     bool quiet = false;
 };
 
-// Measured against certified truth on up to three of the frames, in a smaller picture. None where
-// no setting is that accurate.
+// Measures against certified truth on up to three of the frames, in a smaller picture. None if no
+// setting is accurate enough.
 std::optional<scene::Isolation> choose_setting(gpu::Context& context, const scene::Scene& scene,
                                                const std::vector<int>& frames,
                                                const SettingChoice& choice);

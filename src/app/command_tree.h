@@ -1,5 +1,5 @@
-// The command line as plain values. The manual page and the completions are written from it, so
-// that they always describe the command line that the program has.
+// The command line as plain values. The manual page and the completions are generated from it, so
+// that they always match the program's command line.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ class App;
 namespace isomotion::app {
 
 struct OptionText {
-    std::vector<std::string> names; // "-o", "--output"; of a positional argument its name alone
+    std::vector<std::string> names; // "-o", "--output"; for a positional argument only its name
     std::string value;              // "TEXT", "FLOAT"; empty: a flag
     std::string description;
-    std::vector<std::string> choices; // all values there are; empty where any will do
+    std::vector<std::string> choices; // all possible values; empty if any value is allowed
     bool positional = false, required = false;
 };
 

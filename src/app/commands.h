@@ -1,5 +1,5 @@
 // The commands of the program. Each adds itself to the command line and throws on failure; run()
-// turns exceptions into messages and exit codes.
+// converts exceptions to messages and exit codes.
 #pragma once
 
 #include <functional>
@@ -21,13 +21,13 @@ enum ExitCode {
     exit_done = 0,
     exit_check_failed = 1,
     exit_usage = 2,         // a wrong command line or scene
-    exit_incomplete = 2,    // of a check: neither passed nor failed
+    exit_incomplete = 2,    // a check neither passed nor failed
     exit_machine = 3,       // no GL, disk full, unwritable
-    exit_open = 4,          // a timeline that was to be proved is not complete
+    exit_open = 4,          // a timeline that should be proved is not complete
     exit_interrupted = 130, // Ctrl-C, as shells count it
 };
 
-// Each sets `chosen` to its action when its command is given.
+// Each sets `chosen` to its action if its command is given.
 using Action = std::function<int()>;
 void add_render(CLI::App& app, Action& chosen);
 void add_submit(CLI::App& app, Action& chosen);
@@ -42,14 +42,14 @@ void add_verify(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
 void add_describe(CLI::App& app, Action& chosen);
 
-// All of them, and what holds for all.
+// Adds all commands and the common options.
 void add_commands(CLI::App& app, Action& chosen);
 
-// --allow-outside: the scene may name files beyond its own folder.
+// --allow-outside: the scene may name files outside of its own folder.
 CLI::Option* add_allow_outside(CLI::App& command, scene::Reach& reach);
 
-// Throws unless an option that is given is finite and at least 0. `right` says what to write:
-// "--dt nan: write seconds, 0 or more: 1e-9".
+// Throws unless a given option is finite and at least 0. `right` states what to write: "--dt nan:
+// write seconds, 0 or more: 1e-9".
 void check_amount(std::string_view option, std::optional<double> amount, std::string_view right);
 inline constexpr std::string_view wrong_pixels = "wrong pixels in a million, 0 or more: 10";
 

@@ -1,4 +1,4 @@
-// Completions of `isomotion` for bash, zsh and fish, written from the command line itself.
+// Completions of `isomotion` for bash, zsh and fish, generated from the command line.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace isomotion::app {
 
-// Scripts for the shells' completion folders. `scenes`: names that an argument `scene` takes
+// Scripts for the shells' completion folders. `scenes`: names that an argument `scene` accepts
 // besides files.
 std::string bash_completion(const CommandTree& tree, const std::vector<std::string>& scenes);
 std::string zsh_completion(const CommandTree& tree, const std::vector<std::string>& scenes);

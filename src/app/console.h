@@ -1,5 +1,5 @@
-// What the program says: results on standard output, which must not be lost in silence, and
-// messages on standard error, which must never end anything.
+// Output of the program: results on standard output, whose loss must be reported, and messages on
+// standard error, whose loss must have no effect.
 #pragma once
 
 #include <string_view>
@@ -9,33 +9,34 @@
 
 namespace isomotion::app {
 
-// Opens what is closed of the descriptors 0, 1 and 2, so that no file of the program's becomes one
-// of them and gets what is meant for a person. What is written to an output that was closed fails.
+// Opens those of the descriptors 0, 1 and 2 that are closed. Otherwise a file that the program
+// opens could get such a number and receive text meant for a person. Writing to an output that was
+// closed fails.
 void keep_standard_descriptors();
 
-// The environment's variable that says so to a process whose standard input is held open by the one
-// that started it: where that one ends, however it does, this one is asked to end, as by SIGTERM.
+// Environment variable for a process whose parent holds its standard input open. When the parent
+// ends, in any way, the process is asked to end, as by SIGTERM.
 inline constexpr const char* ends_with_input = "ISOMOTION_ENDS_WITH_INPUT";
 void end_with_input();
 
-// Prints a part of the result. One that cannot be written keeps nothing else from being done:
-// finish_output() tells of it in the end.
+// Prints a part of the result. A failed write doesn't stop the program; finish_output() reports it
+// at the end.
 void write_result(std::string_view text);
 template<class... Parts> void print_result(fmt::format_string<Parts...> format, Parts&&... parts) {
     write_result(fmt::format(format, std::forward<Parts>(parts)...));
 }
 
-// Writes to standard error as it is: for what moves the cursor and holds no text of others.
+// Writes to standard error unchanged: for cursor control, never for text of strangers.
 void control_terminal(std::string_view text);
 
-// Writes a message to standard error, or drops it where that cannot be written. Nothing in it is
-// obeyed by a terminal, whoever wrote the words.
+// Writes a message to standard error, or drops it if that fails. Control characters in it have no
+// effect on a terminal, whoever wrote the text.
 void write_message(std::string_view text);
 template<class... Parts> void message(fmt::format_string<Parts...> format, Parts&&... parts) {
     write_message(fmt::format(format, std::forward<Parts>(parts)...));
 }
 
-// Whether all that was printed has left the program; tells why not.
+// Whether all output has left the program; reports the reason if not.
 bool finish_output();
 
 } // namespace isomotion::app

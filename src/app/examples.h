@@ -1,4 +1,4 @@
-// An example for each command: help and the manual page begin with them, and tests run them.
+// One example per command. Help and the manual page begin with them, and tests run them.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// How far a frame is, of those that take long: Progress counts whole ones.
+// Progress within a frame that takes long; Progress counts whole frames.
 #pragma once
 
 #include <chrono>
@@ -10,8 +10,9 @@
 
 namespace isomotion::app {
 
-// What is said of a frame of which `part` is drawn after so long: an estimate where it will take
-// over a minute in all, none before ten seconds; that nothing is done yet after a minute.
+// The message on a frame of which `part` is drawn after the time `passed`. It is an estimate if the
+// frame will take over a minute in total, and says that nothing is done yet after a minute. None
+// before ten seconds.
 std::optional<std::string> long_frame(int frame, std::chrono::duration<double> passed, double part);
 
 class FrameProgress {
@@ -19,7 +20,7 @@ public:
     explicit FrameProgress(Progress& progress)
         : progress_(progress) {}
 
-    // Says once a sequence how long its frames take, in a log as on a terminal.
+    // Reports once per sequence how long its frames take, in a log as on a terminal.
     void show(const sequence::ExportProgress& now);
 
 private:
@@ -27,7 +28,7 @@ private:
 
     Progress& progress_;
     int done_ = -1;
-    Clock::time_point begin_{}, shown_{}; // of the frame, and of what the line says
+    Clock::time_point begin_{}, shown_{}; // of the frame, and of the text shown
     bool told_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Help that begins with an example.
+// Writes help that begins with an example.
 #pragma once
 
 namespace CLI {
@@ -7,7 +7,7 @@ class App;
 
 namespace isomotion::app {
 
-// For the command line and the commands that are added to it afterwards.
+// Applies to the command line and to commands added to it later.
 void write_help_with_examples(CLI::App& app);
 
 } // namespace isomotion::app

@@ -5,7 +5,7 @@
 
 namespace isomotion::app {
 
-// An object each for "files", "processors", "disk", "ffmpeg" and "sbatch", with "reason" where
+// One object each for "files", "processors", "disk", "ffmpeg" and "sbatch", with "reason" if
 // something is wrong. Writes a file in the current folder and removes it.
 nlohmann::ordered_json machine_report();
 

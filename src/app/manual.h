@@ -1,4 +1,4 @@
-// isomotion(1), written from the command line itself.
+// isomotion(1), generated from the command line.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Files that a user goes on with: never written over.
+// Writes files for the user to edit, never over existing ones.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,7 @@
 
 namespace isomotion::app {
 
-// Throws std::invalid_argument where there is something of this name, FileError where it cannot be
-// written.
+// Throws std::invalid_argument if a file of this name exists, FileError if it cannot be written.
 void write_new_file(const std::filesystem::path& file, std::string_view text);
 
 } // namespace isomotion::app

@@ -1,4 +1,4 @@
-// What a new user types that is no command line yet.
+// Handles input of new users that is not a valid command line.
 #pragma once
 
 #include <string>
@@ -8,17 +8,18 @@
 
 namespace isomotion::app {
 
-// What `isomotion` alone says.
+// The text that `isomotion` prints without arguments.
 std::string first_words();
 
-// The command line that is meant by "help", "help render" and "render help"; others stay as they
-// are. Words are those after the program's name.
+// Converts "help", "help render" and "render help" to the command line that they mean; returns
+// others unchanged. `words` are the arguments after the program's name.
 std::vector<std::string> understood(std::vector<std::string> words, const CommandTree& tree);
 
-// Why the first word is no command, and what to write instead; empty where it is one, or an option.
+// Why the first word is not a command, and what to write instead; empty if it is a command or an
+// option.
 std::string why_no_command(const std::vector<std::string>& words, const CommandTree& tree);
 
-// Why these words were left over by a command, and what to write instead.
+// Why a command did not accept these words, and what to write instead.
 std::string why_left_over(const std::vector<std::string>& words, const CommandText& command);
 
 } // namespace isomotion::app

@@ -1,4 +1,5 @@
-// One line on a terminal that tells how far a sequence is; silent where nobody looks.
+// A line on a terminal that shows the progress of a sequence; silent if the output isn't a
+// terminal.
 #pragma once
 
 #include <chrono>
@@ -15,7 +16,7 @@ public:
 
     void show(int done, const std::string& note = {});
 
-    // A message of its own on stderr, above the line.
+    // Prints a message of its own on stderr, above the line.
     void tell(const std::string& text);
 
 private:

@@ -1,4 +1,4 @@
-// What is asked of `render`, and how its words become settings.
+// The arguments of `render`, and their conversion to settings.
 #pragma once
 
 #include <optional>
@@ -29,26 +29,26 @@ struct RenderArguments {
     scene::Reach reach = scene::Reach::own_folder;
 };
 
-// The options by which `render` and `submit` are asked for a sequence: which frames of what go
-// where (add_sequence_options), and all that decides their pixels (add_picture_options, which
-// returns them).
+// The options of `render` and `submit` for a sequence: scene, frames and output
+// (add_sequence_options), and everything that determines their pixels (add_picture_options, which
+// returns these options).
 void add_sequence_options(CLI::App& command, RenderArguments& arguments);
 std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments& arguments);
 
-// What is meant where -o names a movie: the movie, of frames in files beside it.
+// The arguments for an -o that names a movie: the movie, made of frames in files beside it.
 RenderArguments with_movie_apart(RenderArguments arguments);
 
-// Each of these throws std::invalid_argument with a message that names the option as it was
-// written, not the key of the scene file that it stands for.
+// Each of these throws std::invalid_argument. The message names the option as it was written, not
+// the key of the scene file that it sets.
 
 // The scene's keys that the options set, --set first.
 std::vector<scene::Override> overrides(const RenderArguments& arguments);
 
-// Throws where --frames names some that the scene doesn't have.
+// Throws if --frames names frames that the scene doesn't have.
 void expect_frames_of(std::span<const int> frames, const scene::Scene& scene);
 
-// What renders the frames asked for, by default all of the scene, to out/SCENE.####.png if no other
-// output is named. Everything is refused that `render` would refuse before it draws.
+// An exporter for the requested frames, by default all of the scene, to out/SCENE.####.png if no
+// other output is named. Refuses everything that `render` would refuse before it draws.
 sequence::Exporter exporter_of(const RenderArguments& arguments);
 
 } // namespace isomotion::app

@@ -5,10 +5,10 @@
 
 namespace isomotion::app {
 
-// While it lives, SIGINT and SIGTERM set a flag and do not end the process, so that only whole
-// files are left. A second signal of the same kind ends it at once. So does the first before the
-// work has begun, where nobody asks for the flag within two seconds: a driver that compiles shaders
-// can't be stopped otherwise. Make one at a time.
+// During its lifetime SIGINT and SIGTERM set a flag instead of ending the process, so that only
+// complete files are left. A second signal of the same kind ends the process at once. So does the
+// first one before work has begun, if nobody reads the flag within two seconds, since a driver that
+// compiles shaders can't be stopped otherwise. Make one at a time.
 class StopOnSignal {
 public:
     StopOnSignal();
@@ -17,7 +17,7 @@ public:
     StopOnSignal& operator=(const StopOnSignal&) = delete;
 
     bool asked() const;
-    // Something was drawn or found: from now on a signal waits until it is asked for.
+    // Work has produced something: from now on a signal only sets the flag.
     void work_has_begun() const;
 
 private:

@@ -12,7 +12,7 @@ public:
         : Ball() {
         arb_set_d(value_, exact);
     }
-    // All of [low, high], which are finite.
+    // All of [low, high]; both must be finite.
     Ball(double low, double high)
         : Ball(low) {
         const Ball other(high);
@@ -40,10 +40,10 @@ public:
     arb_srcptr get() const { return value_; }
 
     bool is_finite() const { return arb_is_finite(value_); }
-    // 1 or -1 if all members have that sign, 0 if that isn't known.
+    // 1 or -1 if all members have that sign, 0 if the sign isn't known.
     int sign() const { return arb_is_positive(value_) ? 1 : arb_is_negative(value_) ? -1 : 0; }
 
-    // It has bounds, and all members are in [low, high]; no member is.
+    // Whether it has bounds and all members are in [low, high]; whether no member is.
     bool is_in(double low, double high) const {
         return is_finite() && compare_low(low) >= 0 && compare_high(high) <= 0;
     }
@@ -52,11 +52,11 @@ public:
     }
 
 private:
-    // The least member and the greatest against a number: negative, 0 or positive.
+    // Compare the least and the greatest member with a number: negative, 0 or positive.
     int compare_low(double number) const { return compare_end(number, arb_get_lbound_arf); }
     int compare_high(double number) const { return compare_end(number, arb_get_ubound_arf); }
     int compare_end(double number, void (*end)(arf_t, const arb_t, slong)) const {
-        // Rounded outwards at so many bits that two ends that differ don't become one.
+        // Rounded outwards with enough bits that two different ends don't become equal.
         constexpr slong precision = 4096;
         arf_t bound;
         arf_init(bound);

@@ -1,11 +1,11 @@
-// A second opinion on formulas: their programs run in Arb's ball arithmetic.
+// Runs the programs of formulas in Arb's ball arithmetic, as a second opinion.
 //
-// It has nothing in common with Evaluator<Interval> but the program. Values are those on paper:
-// what Operations<double> cuts off at saturation is not cut off here, and what has no value (x/0,
-// the logarithm of 0, a power of a negative number, the least of no elements) is a ball without
-// bounds. A ball of which only
-// a part has a value stands for that part under sqrt, asin, acos and real powers, as rounding
-// carries balls of |x| below 0 and those of cosines beyond 1.
+// It shares only the program with Evaluator<Interval>. Values are exact: results that
+// Operations<double> cuts off at saturation are not cut off here. An operation without a value
+// (x/0, the logarithm of 0, a power of a negative number, the least of no elements) gives a ball
+// without bounds. If only a part of a ball has a value under sqrt, asin, acos and real powers, the
+// ball represents that part, since rounding extends balls of |x| below 0 and those of cosines
+// beyond 1.
 #pragma once
 
 #include <span>
@@ -22,7 +22,7 @@ public:
         : program_(&program)
         , registers_(std::size_t(program.registers)) {}
 
-    // Each output's ball holds its value for all members of the inputs. Precision in bits.
+    // Each output's ball holds its value for all members of the inputs. Precision is in bits.
     void evaluate(const formula::Bindings<double>& bindings, std::span<const Ball> inputs,
                   std::span<Ball> outputs, slong precision);
 

@@ -6,7 +6,7 @@
 
 namespace isomotion::base {
 
-/// Bytes as text for a "data:...;base64," address (RFC 4648).
+/// Encodes bytes as text for a "data:...;base64," address (RFC 4648).
 std::string base64(std::span<const std::byte> bytes);
 
 } // namespace isomotion::base

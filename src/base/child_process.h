@@ -15,14 +15,14 @@
 
 namespace isomotion::base {
 
-/// The program of that name in the folders of PATH.
+/// Finds the program of that name in the folders of PATH.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
-/// What becomes of what a program writes to its standard output.
+/// Whether a program's standard output is kept.
 enum class Output { discard, keep };
 
-/// A running program that is fed through its standard input, started without a shell. It is killed
-/// if it still runs when this object goes.
+/// A running program that gets its input through its standard input, started without a shell. The
+/// destructor kills it if it still runs.
 class ChildProcess {
 public:
     /// Throws a std::system_error if the program cannot be started.
@@ -32,47 +32,48 @@ public:
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// Asked now and then while something is waited for; true ends the waiting.
+    /// Called now and then while this class waits; true ends the waiting.
     using Stop = std::function<bool()>;
 
-    /// Hands the bytes over; false if the program no longer takes any, or if it was stopped.
+    /// Passes bytes to the program. Returns false if the program no longer takes any, or if
+    /// stopped.
     bool feed(std::span<const std::byte> bytes, const Stop& stop = {});
 
-    /// Ends the input and waits for the program: true if it ended with exit status 0.
+    /// Closes the input and waits for the program. Returns true if it ended with exit status 0.
     bool finish();
 
-    /// The same, but the program is killed, and this is false, once `stop` says so.
+    /// The same, but once `stop` returns true the program is killed and the result is false.
     bool finish_unless(const Stop& stop);
 
-    /// Ends the input and waits for the program, which is killed if it still runs at this time:
-    /// true if it ended by itself, however it did.
+    /// Closes the input and waits for the program; kills it if it still runs at the deadline.
+    /// Returns true if it ended by itself, with any status.
     bool finish_by(std::chrono::steady_clock::time_point deadline);
 
-    /// Whether it has ended; does not wait for it.
+    /// Whether it has ended. Does not wait.
     bool ended();
 
-    /// Asks it to end, as Ctrl-C does.
+    /// Sends SIGINT, as Ctrl-C does.
     void interrupt();
 
-    /// Asks it to end by SIGTERM: Ctrl-C at a terminal reaches it too, and a second interrupt would
-    /// not leave it the time to put its files in order. wait() for it, with its input open.
+    /// Sends SIGTERM. Ctrl-C at a terminal reaches the program too, and a second interrupt would
+    /// leave it no time to put its files in order. Then call wait(), with its input still open.
     void terminate();
 
-    /// Waits for the program without ending its input, which a worker of a farm takes for its
-    /// farm's end, so for a second SIGTERM.
+    /// Waits for the program without closing its input. A worker of a farm takes a closed input as
+    /// its farm's end, and so as a second SIGTERM.
     void wait();
 
     /// Only after finish() or wait(), or once it has ended().
     bool succeeded() const;
     /// How it ended: "exit status 1", "signal 9".
     std::string ending() const;
-    /// What it returned; nothing if a signal ended it.
+    /// Its exit status; empty if a signal ended it.
     std::optional<int> exit_status() const;
 
-    /// What it wrote to its standard output so far, where that is kept.
+    /// Its standard output so far, if that is kept.
     std::string output() const;
 
-    /// The last lines it wrote to its standard error.
+    /// The last lines of its standard error.
     std::string last_words(std::size_t lines) const;
 
 private:

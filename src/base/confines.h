@@ -10,21 +10,21 @@
 
 namespace isomotion::base {
 
-/// Where an open file or folder lies, without links, as the kernel has it. None where that is not
-/// to be told: in a system without /proc.
+/// The path of an open file or folder, without links, as the kernel knows it. Empty if that is not
+/// available: in a system without /proc.
 std::optional<std::filesystem::path> place_of(const FileDescriptor& open);
 
-/// An open folder to look names up in, whatever its own name leads to later. Invalid if there is
-/// none.
+/// Opens a folder to look up names in it, even if its own path leads elsewhere later. Invalid if
+/// there is none.
 FileDescriptor open_folder(const std::filesystem::path& folder);
 
-/// Where a file may lie that a stranger names. What is asked is the file that is open already and
-/// that will be read: a link that is changed after a look at the name leads nowhere.
+/// The places where a file may lie that a stranger names. The check is made on the open file that
+/// will be read, so a link changed after the check has no effect.
 class Confines {
 public:
     Confines() = default; ///< anywhere
-    /// In these folders, which are what place_of() says, and in those below them. `refusal` is what
-    /// messages say after the name of a file that lies elsewhere.
+    /// Inside these folders, given as place_of() returns them. Messages append `refusal` to the
+    /// name of a file that lies elsewhere.
     Confines(std::vector<std::filesystem::path> folders, std::string refusal)
         : folders_(std::move(folders))
         , refusal_(std::move(refusal)) {}

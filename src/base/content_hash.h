@@ -10,20 +10,21 @@ struct XXH3_state_s;
 
 namespace isomotion::base {
 
-/// Tells whether bytes are what they were: XXH3 with 128 bits, at the speed of memory. It holds
-/// against accidents, not against somebody who wants two files to have one hash.
+/// Detects changes of bytes: XXH3 with 128 bits, at the speed of memory. It detects accidents, but
+/// not somebody who constructs two files with one hash.
 class ContentHash {
 public:
     ContentHash();
 
     ContentHash& add(std::span<const std::byte> bytes);
-    /// With its length, so that neighbouring texts do not run into one another.
+    /// Includes the length, so that adjacent texts can't run into each other.
     ContentHash& add(std::string_view text);
     template<class T> ContentHash& add_values(std::span<const T> values) {
         return add(std::as_bytes(values));
     }
 
-    /// Of what was added so far, 32 hexadecimal digits as the program xxh128sum prints them.
+    /// The hash of everything added so far: 32 hexadecimal digits as the program xxh128sum prints
+    /// them.
     std::string text() const;
 
 private:

@@ -1,5 +1,5 @@
-// A JSON or TOML document, read key by key. What is wrong with it is an InputError that says where:
-// "file:line: key: what is wrong, and what would be right". A key that is given twice is refused.
+// Reads a JSON or TOML document key by key. Mistakes are InputErrors with their place: "file:line:
+// key: what is wrong, and what would be right". A key that is given twice is refused.
 #pragma once
 
 #include <cstdint>
@@ -31,18 +31,18 @@ public:
 private:
     friend class DocumentNode;
     explicit Document(std::string file);
-    std::size_t line_of(const std::string& key) const; // 0: of the whole
+    std::size_t line_of(const std::string& key) const; // 0: of the whole document
 
     std::string file_;
     std::unique_ptr<nlohmann::ordered_json> value_;
-    std::map<std::string, std::size_t> lines_; // of TOML: "components.12", "events[3]"
-    std::string json_;                         // where lines are looked up when one is asked for
+    std::map<std::string, std::size_t> lines_; // of TOML keys: "components.12", "events[3]"
+    std::string json_;                         // searched for a line when one is needed
 };
 
 class DocumentNode {
 public:
     [[noreturn]] void fail(const std::string& message) const;
-    // As messages name it: "bounds.shape", "events[2]"; empty for the whole.
+    // The key as messages name it: "bounds.shape", "events[2]"; empty for the whole document.
     const std::string& key() const { return key_; }
 
     std::string text() const;
@@ -74,13 +74,13 @@ private:
 
 class DocumentTable {
 public:
-    explicit DocumentTable(const DocumentNode& node); // fails if it is none
+    explicit DocumentTable(const DocumentNode& node); // fails if the node is not a table
 
-    DocumentNode at(const std::string& name); // fails if there is none
+    DocumentNode at(const std::string& name); // fails if there is no such key
     std::optional<DocumentNode> find(const std::string& name);
-    std::vector<DocumentNode> all();                    // every value in it, as they are written
-    std::string key_of(const DocumentNode& node) const; // without the table's own
-    void refuse_rest() const;                           // fails if there is a key nobody asked for
+    std::vector<DocumentNode> all(); // every value in it, in the order of the file
+    std::string key_of(const DocumentNode& node) const; // without the table's own key
+    void refuse_rest() const;                           // fails if there is a key that was not read
 
 private:
     DocumentNode node_;

@@ -6,7 +6,7 @@
 
 namespace isomotion::base {
 
-/// The extension with its dot, in small letters: `.png` for `A.PNG`.
+/// The extension with its dot, in lower case: `.png` for `A.PNG`.
 inline std::string lower_extension(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     std::ranges::transform(extension, extension.begin(),

@@ -11,15 +11,15 @@
 
 namespace isomotion::base {
 
-/// The file system refused, or a file is not what it has to be. The message has the path, what was
-/// tried or is wrong, and the system's reason if there is one.
+/// The file system refused an operation, or a file is not what it must be. The message has the
+/// path, the attempt or the defect, and the system's reason if there is one.
 class FileError : public std::runtime_error {
 public:
     FileError(const std::filesystem::path& path, const std::string& attempt, int code);
     FileError(const std::filesystem::path& path, const std::string& wrong);
 
     const std::filesystem::path& path() const { return path_; }
-    /// The errno, such as ENOSPC; 0 where it was not the system that refused.
+    /// The errno, such as ENOSPC; 0 if the system didn't refuse.
     int code() const { return code_; }
 
 private:
@@ -27,23 +27,23 @@ private:
     int code_;
 };
 
-/// Writes a file that is never seen half done: the bytes go to `.NAME.part.EXT` in the same folder,
-/// reach the disk and only then take the name. Nothing is left behind on an error; a killed run
-/// leaves at most that one hidden file, which the next run uses again. Two processes that write the
-/// same file take turns. A device or a pipe is written straight.
+/// Writes a file that is never visible half-written. The bytes go to `.NAME.part.EXT` in the same
+/// folder and reach the disk; only then the file gets its name. An error leaves nothing behind; a
+/// killed run leaves at most that one hidden file, which the next run reuses. Two processes that
+/// write the same file take turns. A device or a pipe is written directly.
 void write_whole(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// A regular file's bytes (regular_file.h). A file of more than `most` bytes is refused.
+/// The bytes of a regular file (regular_file.h). Refuses a file of more than `most` bytes.
 std::vector<std::byte> read_whole(const std::filesystem::path& path,
                                   std::size_t most = std::size_t(4) << 30,
                                   const Confines& within = {});
 std::string read_whole_text(const std::filesystem::path& path, std::size_t most,
                             const Confines& within = {});
-/// Of the file of this name in an open folder.
+/// The same for the file of this name in an open folder.
 std::string read_whole_text(const FileDescriptor& folder, const std::filesystem::path& path,
                             std::size_t most);
 
-/// The content_hash() of a regular file's bytes, of which few are held at once.
+/// The content_hash() of a regular file's bytes, computed in pieces.
 std::string hash_of_file(const std::filesystem::path& path);
 
 } // namespace isomotion::base

@@ -1,4 +1,4 @@
-// A file that a user named, as a whole.
+// Reads a whole file that a user named.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,8 @@
 
 namespace isomotion::base {
 
-// Throws InputError ("drops.csv: ...") for what is missing, no regular file (a folder, a pipe, a
-// device: reading them may never end), larger than `most` bytes, unreadable or outside its
-// confines.
+// Throws InputError ("drops.csv: ...") for a file that is missing, not regular (reading a folder, a
+// pipe or a device may never end), larger than `most` bytes, unreadable or outside its confines.
 std::string file_text(const std::filesystem::path& file, std::size_t most,
                       const Confines& within = {});
 // The file of this name in an open folder.

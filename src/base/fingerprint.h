@@ -1,4 +1,4 @@
-// 128 bits that change when the bytes they were taken from do.
+// A 128-bit fingerprint of bytes.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace isomotion::base {
 
-// FNV-1a on 128 bits: no defence against an adversary, but a stale frame is none.
+// FNV-1a with 128 bits: it doesn't resist an adversary, but a stale frame is not one.
 class Fingerprint {
 public:
     Fingerprint& add(std::span<const std::byte> bytes);
@@ -16,9 +16,9 @@ public:
     template<class T> Fingerprint& add_values(std::span<const T> values) {
         return add(std::as_bytes(values));
     }
-    // Eight bytes at a step, for much data: another text than add() gives.
+    // Adds eight bytes per step, for large data. The result differs from that of add().
     Fingerprint& add_words(std::span<const std::byte> bytes);
-    // A part that comes in pieces: how many bytes it has, then all of them.
+    // Adds a part in pieces: first its total number of bytes, then the pieces.
     Fingerprint& begin(std::uint64_t length);
     Fingerprint& append(std::span<const std::byte> piece);
     std::string text() const; // 32 hexadecimal digits

@@ -7,8 +7,8 @@
 
 namespace isomotion::base {
 
-// A mistake in what a user or a stranger wrote: what() is "file:line: key: what is wrong, and what
-// would be right". Names and texts of the file in it are printable.
+// A mistake in the input of a user or a stranger. what() is "file:line: key: what is wrong, and
+// what would be right". Names and texts from the file are printable in it.
 class InputError : public std::runtime_error {
 public:
     explicit InputError(const std::string& message)

@@ -1,11 +1,11 @@
-// Why a library could not be loaded.
+// The reason why a library could not be loaded.
 #pragma once
 
 #include <string>
 
 namespace isomotion::base {
 
-// The loader's words, led by what they mean where they tell of memory alone.
+// The loader's message, preceded by its meaning if it only mentions memory.
 inline std::string why_not_loaded(const std::string& words) {
     for (const char* sign : {"failed to map segment", "annot allocate", "annot create shared"}) {
         if (words.find(sign) != words.npos)

@@ -1,4 +1,4 @@
-// What a user meant who mistyped a name.
+// Finds the name that a user meant who mistyped it.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace isomotion::base {
 
-// The candidate with the smallest edit distance to `word`, or empty if none is near enough to be a
-// slip of the finger.
+// The candidate with the smallest edit distance to `word`; empty if none is close enough for a
+// typing mistake.
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
 
 } // namespace isomotion::base

@@ -8,16 +8,16 @@
 
 namespace isomotion::base {
 
-/// What a power cut may cost.
+/// The loss that a power cut may cause.
 enum class Durability {
-    synced,  ///< nothing: the bytes are on the disk when the file takes its name
-    at_ease, ///< the file, then empty or as it was; saves the milliseconds that a disk takes
+    synced,  ///< none: the bytes are on the disk when the file gets its name
+    at_ease, ///< the file may be empty or unchanged; saves the milliseconds that a disk takes
 };
 
-/// The hidden neighbour in which a file is made before it takes its name. It is removed unless it
-/// is published. Its name follows from the destination's and keeps the extension, from which
-/// programs guess the format; a lock makes two writers of one destination take turns, since they
-/// share that name.
+/// The hidden neighbour in which a file is written before it gets its name. It is removed unless it
+/// is published. Its name is derived from the destination's and keeps the extension, by which
+/// programs guess the format. Two writers of one destination share that name, so a lock makes them
+/// take turns.
 class PartialFile {
 public:
     explicit PartialFile(std::filesystem::path destination);
@@ -29,7 +29,7 @@ public:
 
     void write(std::span<const std::byte> bytes);
 
-    /// Brings the bytes to the disk, if synced, and gives the file its name.
+    /// Flushes the bytes to the disk, if synced, and gives the file its name.
     void publish(Durability durability = Durability::synced);
 
 private:
@@ -39,7 +39,7 @@ private:
     bool published_ = false;
 };
 
-/// Writes all bytes to a descriptor; a FileError names the path.
+/// Writes all bytes to a descriptor; a FileError names `path`.
 void write_all(int descriptor, std::span<const std::byte> bytes, const std::filesystem::path& path);
 
 } // namespace isomotion::base

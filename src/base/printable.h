@@ -1,4 +1,4 @@
-// Text of others, for a terminal.
+// Makes text of strangers safe for a terminal.
 #pragma once
 
 #include <string>
@@ -6,15 +6,15 @@
 
 namespace isomotion::base {
 
-// The text with U+FFFD in place of each character that would not be shown but obeyed: control
-// characters (escape sequences begin with one), those that turn the direction of writing, and bytes
-// that are no UTF-8. Line ends stay, without a carriage return, and tabs.
+// The text with U+FFFD for each character that a terminal would interpret instead of showing:
+// control characters (escape sequences begin with one), characters that change the direction of
+// writing, and bytes that aren't UTF-8. Line ends, without carriage returns, and tabs stay.
 std::string printable(std::string_view text);
 
-// The same with U+FFFD for line ends and tabs too: one line, whatever the text.
+// The same with U+FFFD also for line ends and tabs, so the result is always one line.
 std::string printable_line(std::string_view text);
 
-// True if the text is one line of such as are shown.
+// True if the text is a single line of printable characters.
 bool is_one_printable_line(std::string_view text);
 
 } // namespace isomotion::base

@@ -1,4 +1,4 @@
-// A loop whose turns threads share.
+// A loop whose iterations are shared by threads.
 #pragma once
 
 #include <atomic>
@@ -14,15 +14,16 @@ namespace isomotion::base {
 
 struct SharedLoop {
     std::size_t count = 0;
-    int threads = 1; // the caller's is one of them
-    // From any thread, before each turn; once true there are no more.
+    int threads = 1; // including the caller's
+    // Called from any thread, before each iteration; once it returns true no more are started.
     std::function<bool()> stopped{};
-    // Part of the turns that is done: never falls, called from one thread at a time.
+    // The finished part of the iterations. It never decreases, and is called from one thread at a
+    // time.
     std::function<void(double part)> progress{};
 };
 
-// Each thread makes a worker of its own, worker(k) for all k below the count. What one of them
-// throws ends the loop, and is thrown again once all threads have ended: the first of it.
+// Each thread makes its own worker; worker(k) is called for all k below the count. An exception of
+// a worker ends the loop. The first one is rethrown once all threads have ended.
 template<class MakeWorker> void share(const SharedLoop& loop, const MakeWorker& make_worker) {
     std::atomic<std::size_t> next{0};
     std::atomic<bool> ended{false};
@@ -50,7 +51,7 @@ template<class MakeWorker> void share(const SharedLoop& loop, const MakeWorker& 
         try {
             for (int k = 1; k < loop.threads && std::size_t(k) < loop.count; ++k)
                 others.emplace_back(work);
-        } catch (const std::system_error&) { // no more threads are to be had: fewer do it
+        } catch (const std::system_error&) { // no more threads are available; go on with fewer
         }
         work();
     }

@@ -1,4 +1,4 @@
-// The lists of a grid's cells, and bounds of the sums there.
+// Computes the lists of a grid's cells, and bounds of the sums in them.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace isomotion::elements {
 
-// Sums over the elements that matter in a cell, bounded; what is left out of them included.
+// Bounds of the sums over the elements that matter in a cell, including the elements left out.
 class CellSums {
 public:
     CellSums(const RootFree& root_free, std::size_t cells)
@@ -23,7 +23,8 @@ public:
 
     bool is_least() const { return root_free_.at_least.has_value(); }
 
-    // An element's set of quadric k, whose form's roots are at least those in a run of cells.
+    // Adds an element's level set of quadric k. `roots` are lower bounds of its form's root in a
+    // run of cells.
     void add(std::uint32_t element, int k, std::span<const double> roots, std::size_t first) {
         constexpr int shells = ElementTerms::shells;
         for (std::size_t sum = 0; sum < sums_; ++sum) {
@@ -38,7 +39,7 @@ public:
             }
         }
     }
-    // One whose sizes in a cell are known, as ElementTerms::sizes() tells them.
+    // Adds an element whose size in a cell is known, as ElementTerms::sizes() gives it.
     void add(std::size_t sum, float size, std::size_t cell) {
         float& bound = bounds_[cell * sums_ + sum];
         bound = is_least() ? std::min(bound, size) : bound + size;
@@ -53,14 +54,14 @@ public:
         }
         return true;
     }
-    // Bounds of a sum in a cell; what lists leave out is not in it.
+    // Bounds of a sum in a cell, without the elements that lists leave out.
     Interval sum(std::size_t cell, std::size_t sum, std::uint32_t elements) const {
         if (is_least()) return {double(bounds_[cell]), formula::infinity};
         return root_free_.signs[sum] * Interval(0.0, bound(cell, sum, elements));
     }
-    // At least what is listed of a sum is in size.
+    // An upper bound of the size of a sum over the listed elements.
     double bound(std::size_t cell, std::size_t sum, std::uint32_t elements) const {
-        // Additions in floats, each rounded.
+        // The additions are in floats and each is rounded.
         return (1 + 0x1p-23 * (elements + 1.0)) * double(bounds_[cell * sums_ + sum]);
     }
     std::size_t sums() const { return sums_; }
@@ -72,15 +73,15 @@ private:
     std::vector<float> bounds_;
 };
 
-// Fills the cells' lists of a grid that has its size, and the sums of the cells.
+// Fills the lists of a grid whose size is set, and the sums of its cells.
 class CellLists {
 public:
-    // `sets`: `each` level sets of the first element, then of the next. All that is named outlives
-    // this.
+    // `sets`: `each` level sets of the first element, then of the next. All arguments must outlive
+    // this object.
     CellLists(ElementGrid& grid, const Region& region, std::span<const LevelSet> sets, int each,
               const GridLimits& limits);
 
-    // Throws std::length_error where more than Cell::most_elements matter in one cell.
+    // Throws std::length_error if more than Cell::most_elements matter in one cell.
     void fill(CellSums& sums);
 
 private:
@@ -106,7 +107,7 @@ private:
     std::vector<Block> blocks_;
     std::size_t each_;
     int threads_;
-    int parts_; // turns, each with some layers of cells to itself
+    int parts_; // tasks, each with some layers of cells of its own
 };
 
 } // namespace isomotion::elements

@@ -1,4 +1,4 @@
-// How many elements can be near any one place.
+// Bounds the number of elements near any one place.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ class Crowding {
 public:
     explicit Crowding(std::span<const glm::dvec3> middles);
 
-    // At least as many as have their middle within that distance of any place.
+    // An upper bound of the number of elements whose middle is within that distance of any place.
     double most_within(double distance) const;
 
 private:
     static constexpr int across = 32;
 
-    // Elements in the cells before (x, y, z) in all three directions.
+    // The number of elements in cells before (x, y, z) in all three directions.
     std::int64_t before(int x, int y, int z) const {
         return sums_[std::size_t((z * (across + 1) + y) * (across + 1) + x)];
     }

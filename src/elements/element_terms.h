@@ -1,4 +1,4 @@
-// The terms of an array's elements at a frame: where each is larger than a tolerance.
+// The terms of an array's elements at a frame, and where each exceeds a tolerance.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ using formula::Interval;
 
 class ElementTerms {
 public:
-    // `kernels` and `bindings` outlive it. Equal for any number of threads.
+    // `kernels` and `bindings` must outlive it. The result is the same for any number of threads.
     ElementTerms(const formula::ElementKernels& kernels, const formula::Bindings<float>& bindings,
                  const Region& region, int threads = 1);
 
@@ -29,24 +29,25 @@ public:
     const formula::Bindings<float>& bindings() const { return bindings_; }
 
     // The level sets of elements [first, last), one for each quadric of the first element, then of
-    // the next: outside of them each term is at most the tolerance of its sum, by interval
-    // arithmetic; each key of a `least` is at least its tolerance. From any thread.
+    // the next. Outside of them each term is at most the tolerance of its sum, by interval
+    // arithmetic; each key of a `least` is at least its tolerance. May be called from any thread.
     void level_sets(std::span<const double> tolerance, int first, int last,
                     std::span<LevelSet> found) const;
 
-    // Bounds of the terms' sizes in shells of their level sets: for each element and each sum
-    // `shells` numbers, from the middle outwards, where the form's root is at least k / shells.
-    // Holds for all places beyond as well. Of keys, lower bounds.
+    // Bounds of the terms' sizes in shells of their level sets. For each element and each sum there
+    // are `shells` numbers, from the middle outwards; number k bounds the size where the form's
+    // root is at least k / shells. It holds for all places further out as well. For keys these are
+    // lower bounds.
     static constexpr int shells = 8;
     void sizes(std::span<const LevelSet> sets, int first, int last, std::span<float> found) const;
 
-    // Terms of single elements over boxes, for sets that are boxes. One a thread.
+    // Terms of single elements over boxes, for sets that are boxes. Use one per thread.
     class Boxes {
     public:
         explicit Boxes(const ElementTerms& of);
-        // Bounds an element's terms in these boxes; what follows tells of them.
+        // Bounds an element's terms in these boxes, for the functions below.
         void look(int element, std::span<const std::array<Interval, 3>> boxes);
-        // Whether some term of quadric k is larger than its tolerance in the box of that number.
+        // Whether some term of quadric k exceeds its tolerance in the box with that index.
         bool matters(int k, std::span<const double> tolerance, std::size_t box) const;
         float size(int sum, std::size_t box) const; // as sizes()
         const Interval& term(int sum, std::size_t box) const {
@@ -59,15 +60,15 @@ public:
         std::vector<std::vector<Interval>> inputs_, terms_;
     };
 
-    // Bounds of a sum's terms where an element's middle is at least so far away.
+    // Bounds of a sum's terms where an element's middle is at least `distance` away.
     Interval bounds(int sum, double distance) const;
 
 private:
     class Lanes;
     class Reader;
-    // What many elements have together.
+    // Ranges over many elements.
     struct Ranges {
-        std::vector<Quadric> hulls;   // of each quadric
+        std::vector<Quadric> hulls;   // for each quadric
         std::vector<Interval> fields; // in the order of the kernels' fields
     };
     bool keeps(const Interval& term, double tolerance) const;
@@ -85,10 +86,10 @@ private:
     Region region_;
     int count_ = 0;
     std::vector<Quadric> quadrics_;
-    Ranges ranges_;                  // of all elements
-    std::vector<Interval> anywhere_; // of each sum's terms, if some quadric bounds nothing
+    Ranges ranges_;                  // over all elements
+    std::vector<Interval> anywhere_; // for each sum's terms, if some quadric bounds nothing
     formula::Bindings<Interval> parameters_;
-    bool alike_ = false; // all elements have the same terms of their quadrics
+    bool alike_ = false; // all elements have the same terms as functions of their quadrics
 };
 
 } // namespace isomotion::elements

@@ -1,4 +1,4 @@
-// Finds, for a field and the values of a frame, which elements matter where.
+// Finds which elements matter in which cells, for a field and the values of a frame.
 #pragma once
 
 #include <memory>
@@ -12,13 +12,14 @@
 
 namespace isomotion::elements {
 
-// For one array of a field. Lists leave out elements whose terms are 0 by interval arithmetic, or,
-// of kernels that fade without end, so many of the smallest that they add up to less than
-// part_left_out (tolerance.h) of what the sum is at roots. Of least(array, key), those whose key is
-// so large that no root depends on it. Where no bound is found, a list holds all elements.
+// Makes grids for one array of a field. A list leaves out elements whose terms are 0 by interval
+// arithmetic. For kernels that fade without end it leaves out the smallest terms as long as they
+// add up to less than part_left_out (tolerance.h) of the sum's size at roots. For least(array, key)
+// it leaves out elements with keys so large that no root depends on them. If no bound is found, a
+// list holds all elements.
 class GridMaker {
 public:
-    // None if the terms of the array's sums, or the key of its least element, are no kernels of a
+    // None if the terms of the array's sums, or the key of its least element, are not kernels of a
     // distance (element_kernels.h).
     static std::optional<GridMaker> of(const formula::Field& field, int array);
 
@@ -30,19 +31,19 @@ public:
 private:
     GridMaker(const formula::Field& field, formula::ElementKernels kernels);
 
-    // Where each element matters, and what that tells of roots.
+    // Where each element matters, and the consequences for roots.
     struct Measured {
         RootFree root_free;
         Tolerances left_out;
-        std::vector<LevelSet> sets;                // all of the first element, then of the next
-        std::vector<float> sizes;                  // ElementTerms::sizes(), which root_free reads
-        std::unique_ptr<const ElementTerms> terms; // where some sets are boxes
+        std::vector<LevelSet> sets; // all sets of the first element, then of the next
+        std::vector<float> sizes;   // ElementTerms::sizes(), which root_free reads
+        std::unique_ptr<const ElementTerms> terms; // if some sets are boxes
     };
     Measured measure(const formula::Bindings<float>& bindings, const Region& region,
                      int threads) const;
     RootFree root_free(const ElementTerms& terms, const formula::Bindings<float>& bindings,
                        const Region& region, Tolerances& left_out) const;
-    // How large keys are that need not be known, and what that tells of roots.
+    // The key size above which keys are irrelevant, and the consequences for roots.
     float least_left_out(const ElementTerms& terms, const formula::Bindings<float>& bindings,
                          const Region& region, RootFree& root_free) const;
     static Tolerances choose(const ElementTerms& terms, std::vector<double> little,

@@ -1,8 +1,9 @@
-// From where on it does not matter how much more the least element's key is.
+// Finds the value above which the least element's key no longer matters.
 //
-// F = min(L, z), L = least(array, key): where L is above 0 F may have roots, those of z, but the
-// same ones whatever L is. So an element whose key is above that need not be known. Found for any
-// formula that asks for one array's least element, by intervals: F with a number in its place.
+// Example: F = min(L, z), L = least(array, key). Where L is above 0, F may have roots, those of z,
+// but they are the same whatever L is. So an element whose key is above that need not be known. The
+// value is found by intervals, with a number in place of the least key, for any formula that asks
+// for the least element of one array.
 #pragma once
 
 #include <optional>
@@ -18,8 +19,8 @@ class LeastAtRoots {
 public:
     LeastAtRoots(const formula::Field& field, int array);
 
-    // The least such number, as near as halving the range tells; never too small. None if even the
-    // range's upper end matters. The array's own elements are not read.
+    // The least such value, to the accuracy of halving the range; never too small. None if even the
+    // range's upper end matters. Doesn't read the array's own elements.
     std::optional<double> enough(const formula::Bindings<float>& bindings, const Region& region,
                                  const formula::Interval& range) const;
 
@@ -28,8 +29,8 @@ private:
 
     std::size_t array_;
     bool depends_on_place_ = false;
-    // Inputs: x y z L -> F and dF/dL, then the same of each part whose signs tell F's: of a and b
-    // where F is min(a, b), max(a, b) or a*b.
+    // Inputs: x y z L -> F and dF/dL, then the same for each part whose signs determine F's sign:
+    // for a and b where F is min(a, b), max(a, b) or a*b.
     formula::Program program_;
 };
 

@@ -1,4 +1,4 @@
-// Which cells of a grid a level set meets.
+// Finds the cells of a grid that a level set meets.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace isomotion::elements {
 
-// Cells from first to last, both included, on each axis.
+// Cells from first to last on each axis, both included.
 struct Block {
     glm::ivec3 first{0}, last{-1};
 
@@ -35,7 +35,7 @@ public:
 
     const glm::dvec3& cell() const { return cell_; }
 
-    // All places that belong to a cell, and what rounding takes for them.
+    // A box around all places of a cell, with a margin for rounding.
     std::pair<glm::dvec3, glm::dvec3> box(const glm::ivec3& place) const {
         const glm::dvec3 low = low_ + glm::dvec3(place) * cell_;
         return {low - slack_, low + cell_ + slack_};
@@ -56,8 +56,8 @@ public:
         return cells;
     }
 
-    // How near a level set comes to the cells of its block, row by row along x. Sets are convex:
-    // the cells of a row that one meets are a run.
+    // The distance of a level set to the cells of its block, row by row along x. Sets are convex,
+    // so the cells of a row that a set meets are contiguous.
     class Meeting {
     public:
         explicit Meeting(const Placing& of)
@@ -74,8 +74,8 @@ public:
             }
         }
 
-        // The first and the last cell that the set meets of a row of its block; none if the last is
-        // less. All of a box's.
+        // The first and the last cell of a row of its block that the set meets; none if the last is
+        // less. For a box, all cells of the row.
         std::pair<int, int> row(int y, int z) {
             int first = block_.first.x, last = block_.last.x;
             if (set_->kind == LevelSet::Kind::unbounded || set_->is_box) return {first, last};
@@ -86,7 +86,7 @@ public:
             } else {
                 farthest = farthest_;
                 take_row(y, z);
-                // The outermost cells hold all that is beyond them.
+                // The outermost cells hold everything beyond them.
                 if (is_end(1, y) || is_end(2, z)) return {first, last};
             }
             if (row_ > farthest && set_->is_round) return {0, -1};
@@ -97,13 +97,13 @@ public:
             return {first, last};
         }
 
-        // The least roots of the form in these cells of the row that was asked for last.
+        // The least roots of the form in these cells of the row last passed to row().
         std::span<const double> roots(int first, int last) {
             roots_.assign(std::size_t(last - first + 1), 0);
             if (set_->kind == LevelSet::Kind::unbounded) return roots_;
             for (int x = first; x <= last; ++x) roots_[std::size_t(x - first)] = square(x);
-            // The form's root is a norm: no place of a cell is nearer than its middle by more than
-            // half of the cell's diagonal.
+            // The form's root is a norm: no place of a cell is nearer than the cell's middle by
+            // more than half of its diagonal.
             const double half_cell = set_->is_round ? 0 : half_cell_;
             for (double& root : roots_)
                 root = std::max(std::sqrt(std::max(0.0, root)) - half_cell, 0.0);
@@ -111,7 +111,7 @@ public:
         }
 
     private:
-        // The form at the cell's nearest place, of round sets; of others at its middle.
+        // The form at the cell's nearest place for round sets, otherwise at its middle.
         double square(int x) const {
             if (set_->is_round) return row_ + squares_[0][std::size_t(x - block_.first.x)];
             const double off = middle(0, x);
@@ -120,7 +120,7 @@ public:
         double middle(int k, int place) const {
             return of_.low_[k] + (place + 0.5) * of_.cell_[k] - set_->centre[k];
         }
-        // The square of the part along one axis, of each of the block's cells.
+        // The squared distance along one axis, for each of the block's cells.
         void take_axis(int k) {
             std::vector<double>& squares = squares_[std::size_t(k)];
             squares.clear();
@@ -128,7 +128,7 @@ public:
             const double scale = 1 / (set_->half[k] * set_->half[k]);
             for (int place = block_.first[k]; place <= block_.last[k]; ++place) {
                 const double off = middle(k, place);
-                // From the centre to the cell. The outermost cells hold all that is beyond them.
+                // From the centre to the cell. The outermost cells hold everything beyond them.
                 const double below = place == 0 ? 0 : off - half_cell;
                 const double above = place + 1 == of_.across_[k] ? 0 : -off - half_cell;
                 const double near = std::max({below, above, 0.0});
@@ -157,10 +157,10 @@ public:
         const Placing& of_;
         const LevelSet* set_ = nullptr;
         Block block_;
-        std::array<std::vector<double>, 3> squares_; // of round sets
-        double row_ = 0;                             // the row's part of the square
-        double slope_ = 0;                           // of others, what x adds
-        double half_cell_ = 0;                       // in the form's norm
+        std::array<std::vector<double>, 3> squares_; // for round sets
+        double row_ = 0;       // the part of the square that is constant in the row
+        double slope_ = 0;     // for other sets, the coefficient of x
+        double half_cell_ = 0; // in the form's norm
         double farthest_ = 0;
         std::vector<double> roots_;
     };

@@ -1,5 +1,5 @@
-// Quadratic polynomials that grow in all directions, and their level sets: ellipsoids. Along some
-// axes they may be the same everywhere: those of kernels of a distance from a line or a plane.
+// Quadratic polynomials that grow in all directions, and their level sets: ellipsoids. They may be
+// constant along some axes, as for kernels of a distance from a line or a plane.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@
 
 namespace isomotion::elements {
 
-// A box of the places that are looked at.
+// The box of places that are of interest.
 struct Region {
     glm::dvec3 low{-1}, high{1};
 
-    // From a place to the corner of the region that is farthest from it.
+    // The distance from a place to the farthest corner of the region.
     double farthest(const glm::dvec3& from) const {
         return glm::length(glm::max(glm::abs(low - from), glm::abs(high - from)));
     }
@@ -27,13 +27,13 @@ struct Symmetric {
     double determinant() const {
         return xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
     }
-    // As far as doubles can tell: no eigenvalue may be 0 but for their rounding, and the inverse is
-    // right to some 1e-7. False where a number is none.
+    // Whether the matrix is positive definite, as far as doubles can tell: no eigenvalue is within
+    // rounding of 0, and the inverse is accurate to some 1e-7. False if an entry is NaN.
     bool is_positive() const {
         const double third = trace() / 3;
         return xx > 0 && xx * yy - xy * xy > 0 && determinant() > 1e-9 * third * third * third;
     }
-    // With that for what is flat along an axis.
+    // Sets the diagonal entries of axes along which it is flat.
     Symmetric filled(const glm::bvec3& is_flat, double flat = 1) const {
         Symmetric all = *this;
         if (is_flat.x) all.xx = flat;
@@ -53,19 +53,20 @@ inline Symmetric operator*(double s, const Symmetric& a) {
     return {s * a.xx, s * a.xy, s * a.xz, s * a.yy, s * a.yz, s * a.zz};
 }
 
-// Where an element matters. One that matters nowhere has an empty set; one of which no bound is
-// known is unbounded.
+// The places where an element matters. The set is empty if it matters nowhere, unbounded if no
+// bound is known.
 struct LevelSet {
     enum class Kind : std::uint8_t { empty, bounded, unbounded };
     Kind kind = Kind::empty;
     bool is_round = false;
-    // Found by intervals, for terms that are no kernels of a polynomial: a box, of which cells may
-    // be met or not.
+    // A box found by intervals, for terms that aren't kernels of a polynomial. Cells in it may or
+    // may not be met.
     bool is_box = false;
     glm::dvec3 centre{0};
-    glm::dvec3 half{0}; // of the box around it; beyond the region along a flat axis
+    // Half the sides of its bounding box; extends beyond the region along a flat axis.
+    glm::dvec3 half{0};
     glm::bvec3 is_flat{false};
-    Symmetric form;             // at most 1 inside, of places relative to the centre
+    Symmetric form;             // of places relative to the centre; at most 1 inside
     double least = 0, rise = 0; // the polynomial is least + rise * form
 };
 
@@ -73,20 +74,20 @@ struct LevelSet {
 struct Quadric {
     bool is_definite = false;
     double sign = 1;
-    double least = 0; // of P anywhere
-    double most = 0;  // of P in the region and far around it
-    // P is at least `least` + flattest * (distance from the centre)^2, the distance across the axes
-    // along which it is flat. There the centre is in the middle of the region.
+    double least = 0; // minimum of P anywhere
+    double most = 0;  // maximum of P in the region and far around it
+    // P is at least `least` + flattest * (distance from the centre)^2, with the distance measured
+    // across the axes along which P is flat. Along those the centre is in the middle of the region.
     double flattest = 0;
     glm::dvec3 centre{0};
     glm::bvec3 is_flat{false};
     double width = 0;  // of the region
     Symmetric hessian; // of P
 
-    // From the value, the gradient and the Hessian of Q at the origin. Rounded doubles: least and
-    // most leave room for that.
+    // From the value, the gradient and the Hessian of Q at the origin. Doubles are rounded; `least`
+    // and `most` have a margin for that.
     static Quadric from(const std::array<double, 10>& coefficients, const Region& region);
-    // Where P is at most that, and a millionth of the distance beyond.
+    // The set where P is at most `level`, extended by a millionth of the distance.
     LevelSet level_set(double level) const;
 };
 

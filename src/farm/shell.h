@@ -1,5 +1,5 @@
-// Words as text for /bin/sh (POSIX), which reads back the same words: spaces, quotes, `$`,
-// newlines, whatever bytes a file's name may hold.
+// Quotes words for /bin/sh (POSIX), which reads back the same words: with spaces, quotes, `$`,
+// newlines, any bytes that a file's name may hold.
 #pragma once
 
 #include <span>
@@ -8,15 +8,15 @@
 
 namespace isomotion::farm {
 
-// Never holds a newline, so that a command stays one line for xargs and the like, and a script has
-// no CR LF, which sbatch refuses. In place of it stands $nl.
+// Never contains a newline, so that a command stays one line for xargs and similar programs, and a
+// script has no CR LF, which sbatch refuses. $nl replaces each newline.
 std::string shell_word(std::string_view word);
 
-// What gives $nl its value, ending in a space; empty if no word needs it. A newline is not to be
-// had in one line otherwise: $(...) drops those at its end.
+// The definition of $nl, ending in a space; empty if no word needs it. There is no other way to
+// write a newline on one line: $(...) drops newlines at its end.
 std::string newline_definition(std::span<const std::string> words);
 
-// The words in one line, each quoted; with the definition they need in front.
+// The words in one line, each quoted, preceded by the definition that they need.
 std::string command_line(std::span<const std::string> words);
 
 } // namespace isomotion::farm

@@ -1,5 +1,5 @@
-// A sequence as jobs of Slurm: an array whose tasks render a chunk each, and a job after it that
-// joins what they made. One script is both.
+// Renders a sequence as jobs of Slurm: an array whose tasks render one chunk each, and a later job
+// that joins the results. One script serves both.
 #pragma once
 
 #include <cstddef>
@@ -14,29 +14,29 @@
 
 namespace isomotion::farm {
 
-// Slurm isn't here or refuses; the message says which, and what else there is.
+// Slurm isn't installed or refuses; the message says which, and names alternatives.
 class SlurmError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 struct Slurm {
-    std::filesystem::path script;          // out/name.slurm.sh; logs go to out/name.slurm/
-    std::size_t workers = 0;               // tasks at a time, at most; 0: as many as Slurm lets
-    int tries = 3;                         // of a chunk
-    std::vector<std::string> options = {}; // more of sbatch's
+    std::filesystem::path script; // out/name.slurm.sh; logs go to out/name.slurm/
+    std::size_t workers = 0;      // largest number of tasks at a time; 0: as many as Slurm allows
+    int tries = 3;                // attempts per chunk
+    std::vector<std::string> options = {}; // additional options of sbatch
 };
 
 // The text of the script. Tasks of the array count from 1.
 std::string slurm_script(const Job& job, std::span<const Chunk> chunks, const std::string& frames,
                          const Slurm& slurm);
 
-// The calls of sbatch: of the array, and of what begins when all of its tasks, of the job `array`,
-// ended well.
+// The calls of sbatch: for the array, and for the job that begins when all tasks of the job `array`
+// have succeeded.
 std::vector<std::string> sbatch_array(const Slurm& slurm, std::size_t chunks);
 std::vector<std::string> sbatch_joining(const Slurm& slurm, const std::string& array);
 
-// The most tasks that the Slurm of this machine takes as one array; Slurm's default where it can't
-// be asked.
+// The largest number of tasks that Slurm on this machine accepts in one array; Slurm's default if
+// it can't be asked.
 std::size_t largest_array();
 
 // Runs sbatch and returns the job's number. Throws SlurmError.

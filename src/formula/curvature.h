@@ -1,5 +1,5 @@
-// Curvatures of an implicit surface, from derivatives of F; shaders/effects/curvature.glsl is the
-// same in GLSL.
+// Curvatures of an implicit surface, from derivatives of F. shaders/effects/curvature.glsl computes
+// the same in GLSL.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@ struct Curvatures {
 };
 
 // Curvatures of the surface of F through a point with this gradient and these second derivatives,
-// in the order of hessian(). NaN where the gradient vanishes. Any multiple of F above 0 has the
-// same.
+// in the order of hessian(). NaN where the gradient vanishes. Positive multiples of F have the same
+// curvatures.
 Curvatures curvatures(const std::array<double, 3>& gradient, const std::array<double, 6>& hessian);
 
 } // namespace isomotion::formula

@@ -1,8 +1,8 @@
-// How elements weigh in means over them: by their terms of a field's sums. Where the field asks for
-// the least element, that one alone counts.
+// Weights of elements in means over them: their terms of a field's sums. If the field asks for the
+// least element, only that element counts.
 //
-// Where a field leaves out elements of its sums, as their terms are nothing there, so may a mean
-// that weighs by these terms; a mean that weighs otherwise may not.
+// A field may leave out elements of its sums where their terms are 0. A mean with these terms as
+// weights may leave out the same elements; a mean with other weights may not.
 #pragma once
 
 #include <optional>
@@ -13,18 +13,19 @@
 
 namespace isomotion::formula {
 
-// The term of the sums over the array below `field` that weighs its elements: the first sum's, or
-// of those that differ from it by factors of the place alone or of the element alone the one with
-// the fewest factors. So it is the weight of a ratio of sums, wherever that stands. None without
-// such a sum.
+// The term that weighs the elements of the sums over the array below `field`: that of the first
+// sum, or, among sums that differ from it by factors of the place alone or of the element alone,
+// that of the sum with the fewest factors. So it is the weight of a ratio of sums, wherever the
+// ratio stands. None without such a sum.
 std::optional<NodeId> element_weight(const Graph& graph, NodeId field, int array);
 
-// The key of the first `least` over the array below `field`, for those of which no sum tells more.
+// The key of the first `least` over the array below `field`, for fields without a sum to weigh by.
 std::optional<NodeId> least_key(const Graph& graph, NodeId field, int array);
 
-// Whether the terms of all sums over the array below `roots` are terms of sums of the field times
-// further factors, each of the place alone or of the element alone; and whatever asks for the least
-// element does so by a key that the field reads the place through, and through nothing else.
+// Whether the mean depends only on elements that the field keeps. The terms of all sums over the
+// array below `roots` must be terms of sums of the field times factors of the place alone or of the
+// element alone. Operations that ask for the least element must use a key through which alone the
+// field reads the place.
 bool weigh_like_field(const Graph& graph, NodeId field, std::span<const NodeId> roots, int array);
 
 } // namespace isomotion::formula

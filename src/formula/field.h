@@ -1,4 +1,4 @@
-// A surface's field F: the formula with everything derived from it, on both back ends.
+// A surface's field F: the formula and all programs derived from it, for both back ends.
 #pragma once
 
 #include <set>
@@ -25,10 +25,10 @@ struct Field {
     Program value;        // inputs x y z          -> F
     Program directional;  // inputs x y z dx dy dz -> F, dF/dt for the ray p + t d
     Program gradient;     // inputs x y z          -> F_x, F_y, F_z
-    ArrayPacking packing; // the fields each array must supply, in the order they are stored
-    double scale = 1;     // F is the user's times this, a power of two
-    // Above 0 where a jump of F across 0 is a wall: how near its normal is the gradient's, see
-    // graph/walls.h.
+    ArrayPacking packing; // the fields that each array must supply, in storage order
+    double scale = 1;     // F is the user's formula times this power of two
+    // Above 0 if jumps of F across 0 are walls: the distance from a jump within which the gradient
+    // is the wall's normal, see graph/walls.h.
     double wall_distance = 0;
 };
 
@@ -36,9 +36,10 @@ struct Field {
 Field make_field(std::string_view text, Vocabulary vocabulary);
 // The field times a power of two.
 Field scaled(Field field, double scale);
-// The same with more in its packing, behind what F reads: what a program beside it reads of arrays.
+// The same field with a larger packing: after what F reads, the fields that a program beside it
+// reads of arrays.
 Field with_elements_of(Field field, const Program& beside);
-// The same with walls where F jumps.
+// The same field with walls where F jumps.
 Field with_walls(Field field, double distance);
 
 // float field(vec3 p); vec2 field_directional(vec3 p, vec3 d); vec3 field_gradient(vec3 p)

@@ -1,4 +1,4 @@
-// Second derivatives of a field, made where something asks for them: most scenes never do.
+// Second derivatives of a field. They are made only where needed; most scenes never need them.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace isomotion::formula {
 
-// Inputs x y z -> F_xx, F_xy, F_xz, F_yy, F_yz, F_zz, by rules as the gradient is: where F has a
-// kink they are those of the side that the gradient is of.
+// Inputs x y z -> F_xx, F_xy, F_xz, F_yy, F_yz, F_zz, by the rules of the gradient: at a kink they
+// are those of the side that the gradient has.
 Program hessian(const Field& field);
 
 // struct Hessian { float xx, xy, xz, yy, yz, zz; }; Hessian field_hessian(vec3 p)

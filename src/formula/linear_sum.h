@@ -1,8 +1,8 @@
-// A field that is one sum over its array and something else: F = c S + R, where neither c nor R
-// depends on the sum S.
+// Fields of the form F = c S + R, where S is the one sum over an array, and neither c nor R depends
+// on S.
 //
-// At a root S is -R/c. That tells how large the sum is where it matters, and so which elements may
-// be left out of it there: those whose terms are nothing beside that.
+// At a root S is -R/c. This gives the size of the sum where it matters. Elements whose terms are
+// negligible relative to that size may be left out there.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ struct LinearSum {
     Program term;            // one element's part of S
 };
 
-// For fields with one array, summed over once; the programs are for intervals, as in enclosure.h.
+// For fields with one array and one sum over it. The programs are for intervals, as in enclosure.h.
 std::optional<LinearSum> linear_sum(const Field& field);
 
 // void rest_and_factor_interval(vec2 x, vec2 y, vec2 z, out vec2 rest, out vec2 factor); on doubles

@@ -1,7 +1,8 @@
-// What a formula is where it is looked at: a polynomial, smooth, with kinks, jumps or poles. By
-// intervals of what its operations are given, not by their names: sqrt(x^2 + 1) is smooth.
+// Classifies a formula within its domain: polynomial, smooth, with kinks, jumps or poles. The
+// classification uses intervals of the operations' arguments, not their names: sqrt(x^2 + 1) is
+// smooth.
 //
-// This chooses how rays march, and proves nothing.
+// It chooses the method of marching, and proves nothing.
 #pragma once
 
 #include <array>
@@ -15,22 +16,22 @@ namespace isomotion::formula {
 
 struct Smoothness {
     std::optional<int> degree{}; // of a polynomial in x, y and z
-    // Whether there may be any that a method has to know of, see graph/roughness.h.
+    // Whether there may be any that a method must know, see graph/roughness.h.
     bool kinks = false, jumps = false, poles = false;
-    bool squares = false; // of expressions, see graph/squares.h
+    bool squares = false; // squares of expressions, see graph/squares.h
 
     bool is_smooth() const { return !kinks && !jumps && !poles; }
 };
 
-// Where a formula is looked at, and what its names stand for meanwhile.
+// A part of a formula's domain, with the values of its names.
 struct Region {
     Bindings<Interval> bindings;
     std::array<Interval, 3> box;
 };
 
-// Smoothness in all regions together, for a few times so many operations; what is not told then
-// counts as rough. Kinks count where slopes really change, on random lines, as poles do on them;
-// what no such line meets counts where F may be 0.
+// Smoothness over all regions, with an effort of a few times `operations`; what is not decided then
+// counts as rough. Kinks and poles count if they are found on random lines, kinks only if slopes
+// really change there. Kinks and poles that meet no such line count where F may be 0.
 Smoothness smoothness(const Field& field, std::span<const Region> regions, double operations = 2e7);
 
 // "polynomial of degree 4", "smooth", "with kinks, jumps"

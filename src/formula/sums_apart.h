@@ -1,8 +1,8 @@
-// Programs taken apart: an array's sums, term by term, and what is done with the sums.
+// Splits programs into the terms of an array's sums and the operations on the sums.
 //
-// So they may be evaluated with the elements side by side, and over some elements in place of all.
-// What asks for the least element counts as a sum, whose terms are the keys, and the values of a
-// pick.
+// This allows evaluating the elements side by side, and evaluating sums over some elements instead
+// of all. An operation that asks for the least element counts as a sum, whose terms are the keys
+// and the values of a pick.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,13 @@ namespace isomotion::formula {
 
 struct SumsApart {
     int places = 0;          // inputs of the whole program
-    std::vector<int> fields; // of the array, that terms read
-    Program terms;           // inputs: those of the whole, then fields -> the terms of each sum
-    Program rest;            // inputs: those of the whole, then sums -> the outputs of the whole
+    std::vector<int> fields; // fields of the array that terms read
+    Program terms; // inputs: those of the whole program, then fields -> the terms of each sum
+    Program rest;  // inputs: those of the whole program, then sums -> its outputs
     struct Sum {
-        NodeId node; // in the graph that it was taken from; ascending
+        NodeId node; // in the original graph; ascending
         Op op;
-        int term; // its first output of `terms`
+        int term; // index of its first output of `terms`
     };
     std::vector<Sum> sums;
 
@@ -29,17 +29,17 @@ struct SumsApart {
     int first_sum() const { return places; }   // input of `rest`
 };
 
-// Takes a program with `places` inputs. None if a sum over `array` holds another sum or lies in
+// Splits a program with `places` inputs. None if a sum over `array` holds another sum or lies in
 // one.
 std::optional<SumsApart> sums_apart(const Graph& graph, std::span<const NodeId> roots, int array,
                                     int places);
 
-// The sums over the array below the roots, ascending, and what asks for its least element; empty
-// also if one holds another sum or lies in one.
+// The sums over the array below the roots, in ascending order, and the operations that ask for its
+// least element. Empty also if one holds another sum or lies in one.
 std::vector<NodeId> sums_over(const Graph& graph, std::span<const NodeId> roots, int array);
 
-// Fields of an array's current element as inputs from `first` on, for substitute(). Fields that are
-// new are added to `fields`.
+// Replaces fields of an array's current element by inputs from `first` on, for substitute(). Adds
+// new fields to `fields`.
 class FieldsAsInputs {
 public:
     FieldsAsInputs(std::vector<int>& fields, int array, int first)

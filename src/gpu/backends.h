@@ -8,17 +8,17 @@
 
 namespace isomotion::gpu {
 
-/// Core profile versions to ask for, best first. Asking for more than 4.5 fails on Mesa's software
-/// rasteriser instead of giving the best it has.
+/// Core profile versions to request, best first. On Mesa's software rasteriser a request for more
+/// than 4.5 fails instead of giving the best version available.
 inline constexpr std::pair<int, int> wanted_versions[] = {{4, 5}, {3, 3}};
 
-// Each opens a context that is not yet current, or returns null and adds why to `failed`.
+// Each opens a context that is not yet current, or returns null and adds the reason to `failed`.
 std::unique_ptr<Context> open_egl(std::vector<Attempt>& failed);
 std::unique_ptr<Context> open_osmesa(std::vector<Attempt>& failed);
 std::unique_ptr<Context> open_glfw(std::vector<Attempt>& failed);
 
-/// The library that OpenGL's functions were loaded from may be gone: the next context that is made
-/// current loads them again.
+/// Call it if the library that OpenGL's functions were loaded from may be gone. The next context
+/// that is made current loads them again.
 void forget_functions() noexcept;
 
 } // namespace isomotion::gpu

@@ -10,13 +10,13 @@
 
 namespace isomotion::gpu {
 
-/// The contents of a uniform block (std140), of a size fixed when it is made.
+/// The contents of a uniform block (std140), with a fixed size.
 class UniformBuffer {
 public:
     /// Throws ResourceError if the driver's blocks are smaller.
     explicit UniformBuffer(std::size_t capacity_bytes);
 
-    /// Replaces the first bytes; allocates nothing. Throws std::length_error beyond the capacity.
+    /// Replaces the first bytes without allocation. Throws std::length_error beyond the capacity.
     void update(std::span<const std::byte> bytes);
 
     void bind(unsigned binding) const;
@@ -28,19 +28,19 @@ private:
     std::size_t capacity_;
 };
 
-/// A long array of RGBA32F texels: `texelFetch(samplerBuffer, i)`. Of a size fixed when it is made.
+/// A long array of RGBA32F texels: `texelFetch(samplerBuffer, i)`, with a fixed size.
 class TextureBuffer {
 public:
     /// Throws ResourceError if the driver's texture buffers are smaller.
     explicit TextureBuffer(std::size_t capacity_texels);
 
-    /// Replaces the first texels; allocates nothing. Throws std::length_error beyond the capacity.
+    /// Replaces the first texels without allocation. Throws std::length_error beyond the capacity.
     void update(std::span<const glm::vec4> texels);
 
     void bind(int unit) const;
 
-    /// For shaders that write into it, as a storage buffer (OpenGL 4.3); and before others read
-    /// that, as texels or in the storage buffer.
+    /// Bind it as a storage buffer (OpenGL 4.3) for shaders that write it; wait before others read
+    /// it, as texels or as a storage buffer.
     void bind_storage(unsigned binding) const;
     void wait_for_storage() const;
 
@@ -52,13 +52,13 @@ private:
     std::size_t capacity_;
 };
 
-/// Unsigned integers, one or two a texel: `texelFetch(usamplerBuffer, i)`. Grows as it must.
+/// Unsigned integers, one or two per texel: `texelFetch(usamplerBuffer, i)`. Grows as needed.
 class IntegerBuffer {
 public:
     enum class Texel { one, two };
     explicit IntegerBuffer(Texel texel);
 
-    /// Replaces all of it. Throws ResourceError if the driver's texture buffers are smaller.
+    /// Replaces all numbers. Throws ResourceError if the driver's texture buffers are smaller.
     void update(std::span<const std::uint32_t> numbers);
 
     void bind(int unit) const;

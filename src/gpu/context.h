@@ -15,12 +15,12 @@ class Name;
 
 enum class Backend { automatic, egl, osmesa, glfw };
 
-/// Throws std::invalid_argument that lists the names there are.
+/// Throws std::invalid_argument that lists the valid names.
 Backend parse_backend(std::string_view text);
 std::string_view name(Backend backend);
 
 struct ContextInfo {
-    std::string backend; ///< how it was reached: "egl-device", "egl-surfaceless", "osmesa", "glfw"
+    std::string backend; ///< how it was opened: "egl-device", "egl-surfaceless", "osmesa", "glfw"
     std::string vendor, renderer, version, glsl_version;
     int major = 0, minor = 0;
     bool has(int wanted_major, int wanted_minor) const {
@@ -33,13 +33,13 @@ struct ContextInfo {
     bool software = false;
 };
 
-/// One way to a context that was tried and did not work.
+/// One back end that was tried and did not work.
 struct Attempt {
     std::string what;
     std::string reason;
 };
 
-/// No context can be had here. The message lists every attempt and what to install.
+/// No context is available. The message lists every attempt and what to install.
 class Unavailable : public std::runtime_error {
 public:
     explicit Unavailable(std::vector<Attempt> attempts);
@@ -49,16 +49,16 @@ private:
     std::vector<Attempt> attempts_;
 };
 
-/// An OpenGL core context, 4.5 where the driver has it and 3.3 at least.
+/// An OpenGL core context: 4.5 if the driver has it, at least 3.3.
 ///
-/// The GL functions belong to the back end whose context was made current last, in the whole
-/// process: draw from one thread, or from several with contexts of one back end, the first of which
-/// was current before the others' threads began. (llvmpipe gains nothing from several; processes
+/// The GL functions are those of the back end whose context was made current last in the process.
+/// So draw from one thread, or from several with contexts of one back end, the first of which was
+/// current before the other threads began. (llvmpipe gains nothing from several threads; processes
 /// scale.)
 class Context {
 public:
-    /// Returns a context that is current on this thread. `automatic` takes a graphics card where
-    /// there is one, and no display; `glfw` is of a hidden window. Throws Unavailable.
+    /// Returns a context that is current on this thread. `automatic` uses a graphics card if there
+    /// is one, and no display; `glfw` uses a hidden window. Throws Unavailable.
     static std::unique_ptr<Context> create(Backend backend = Backend::automatic);
 
     /// The context current on this thread, or null.
@@ -71,7 +71,8 @@ public:
     void make_current();
     void release() noexcept;
 
-    /// Throws ContextLost if the driver was reset since the context was made. It has to be current.
+    /// Throws ContextLost if the driver was reset since the context was made. The context must be
+    /// current.
     void expect_alive() const;
 
     const ContextInfo& info() const noexcept { return info_; }
@@ -87,7 +88,7 @@ private:
     friend class Name;
     friend std::unique_ptr<Context> context_of(GLFWwindow* window);
 
-    /// A destructor of a back end calls release() while these still are its own.
+    /// A back end's destructor must call release() while these functions are still its own.
     virtual void bind() = 0;
     virtual void unbind() noexcept = 0;
 

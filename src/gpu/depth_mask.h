@@ -6,24 +6,24 @@
 
 namespace isomotion::gpu {
 
-/// Which pixels of a target are drawn, in its depth buffer: early depth tests skip a fragment's
-/// shader, which on software renderers no branch in it does.
+/// Masks the pixels of a target by its depth buffer. Early depth tests skip a fragment's shader; on
+/// software renderers no branch in the shader saves its cost.
 class DepthMask {
 public:
-    /// For a target that outlives it. Throws ResourceError if the driver cannot test depth there.
+    /// The target must outlive it. Throws ResourceError if the driver cannot test depth there.
     explicit DepthMask(const Target& target);
 
-    /// Lets another target, as large, be drawn by it too.
+    /// Applies the mask to another target of the same size, too.
     void serve(const Target& other) const;
 
-    /// Sets the mask by what `draw` writes as depth, 1 to draw a pixel and 0 not to; no colour is
+    /// Sets the mask to the depth that `draw` writes: 1 to draw a pixel, 0 not to. No colour is
     /// written.
     void set(const std::function<void()>& draw) const { set(target_, draw); }
     void set(const Target& bound, const std::function<void()>& draw) const;
-    /// Takes pixels away that `draw` does not discard. `draw` has no depth of its own: then it is
-    /// not run where the mask has no pixel.
+    /// Removes pixels that `draw` does not discard. `draw` must not write depth; then it doesn't
+    /// run where the mask has no pixel.
     void remove(const Target& bound, const std::function<void()>& draw) const;
-    /// Does `draw`, whose depth is 0.5, as z = 0 gives it, on the mask's pixels.
+    /// Runs `draw` on the mask's pixels. Its depth must be 0.5, which z = 0 gives.
     void apply(const std::function<void()>& draw) const { apply(target_, draw); }
     void apply(const Target& into, const std::function<void()>& draw) const;
 

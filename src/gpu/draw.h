@@ -4,14 +4,14 @@
 
 namespace isomotion::gpu {
 
-/// Pixels, from the lower left corner.
+/// A rectangle of pixels, from the lower left corner.
 struct Rectangle {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
 void set_viewport(Rectangle area);
 
-/// Keeps draws and clears inside a rectangle for as long as it lives.
+/// Restricts draws and clears to a rectangle during its lifetime.
 class Scissor {
 public:
     explicit Scissor(Rectangle area);
@@ -20,22 +20,23 @@ public:
     Scissor& operator=(const Scissor&) = delete;
 };
 
-/// One triangle that covers the viewport: unlike two, it has no diagonal along which pixels are
-/// shaded twice. There are no attributes; a vertex shader places corner gl_VertexID (0, 1, 2) at
-/// `vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0`.
+/// One triangle that covers the viewport. Unlike two triangles it has no diagonal along which
+/// pixels are shaded twice. There are no attributes; a vertex shader places corner gl_VertexID (0,
+/// 1, 2) at `vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0`.
 class Fullscreen {
 public:
     void draw() const;
 
 private:
-    Name name_{Kind::vertex_array}; ///< empty, but a core profile draws nothing without one
+    // /< empty, but required: a core profile draws nothing without one.
+    Name name_{Kind::vertex_array};
 };
 
-/// The texture unit in which textures are made and updated, so that doing so unbinds none that a
-/// draw reads: bind to lower ones. (Every OpenGL 3.3 has 48.)
+/// The texture unit in which textures are made and updated, so that this unbinds no texture that a
+/// draw reads: bind those to lower units. (Every OpenGL 3.3 has 48.)
 inline constexpr int editing_unit = 47;
 
-/// Waits until everything asked for so far is done.
+/// Waits until all earlier commands are finished.
 void finish();
 
 } // namespace isomotion::gpu

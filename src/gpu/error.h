@@ -6,14 +6,14 @@
 
 namespace isomotion::gpu {
 
-/// The driver cannot give what was asked for: too large, too many, or out of memory.
+/// The driver cannot fulfil a request: too large, too many, or out of memory.
 class ResourceError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// The driver has reset the graphics card: the context and all that was made in it are of no more
-/// use. Only contexts of windows learn of it (KHR_robustness).
+/// The driver has reset the graphics card, so the context and everything made in it are useless.
+/// Only contexts of windows detect this (KHR_robustness).
 class ContextLost : public std::runtime_error {
 public:
     ContextLost()
@@ -35,10 +35,10 @@ private:
     std::string stage_, log_;
 };
 
-/// Forgets earlier GL errors, so that the next check speaks of what lies between.
+/// Discards earlier GL errors, so that the next check covers only later calls.
 void forget_errors();
 
-/// Throws ResourceError, naming `what`, if a GL call since forget_errors() failed.
+/// Throws ResourceError that names `what` if a GL call since forget_errors() failed.
 void expect_success(std::string_view what);
 
 } // namespace isomotion::gpu

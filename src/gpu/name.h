@@ -9,16 +9,17 @@ namespace isomotion::gpu {
 
 enum class Kind : std::uint8_t { buffer, framebuffer, program, query, texture, vertex_array };
 
-/// Names given up while their context was not current; removed when it is again.
+/// Names released while their context was not current; deleted when it is current again.
 struct Discarded {
     std::vector<std::pair<Kind, unsigned>> names;
     void remove();
 };
 
-/// Owns one GL object of the context that is current when it is made.
+/// Owns one GL object of the context that is current at construction.
 ///
-/// It may die at any time: a number deleted while another context is current would delete that
-/// context's object of the same number, so it waits for its own context, or is gone with it.
+/// It may be destroyed at any time. Deleting a number while another context is current would delete
+/// that context's object of the same number. So the deletion waits until the object's own context
+/// is current, or is dropped with that context.
 class Name {
 public:
     explicit Name(Kind kind);

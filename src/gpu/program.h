@@ -18,16 +18,16 @@ namespace isomotion::gpu {
 
 /// A linked vertex and fragment shader, or a compute shader.
 ///
-/// A driver drops uniforms and blocks that the shader does not need; setting one that is not there
-/// does nothing.
+/// A driver drops uniforms and blocks that the shader does not need. Setting one that doesn't exist
+/// has no effect.
 class Program {
 public:
-    /// `label` names the program in messages. Throws CompileError. Software drivers translate to
+    /// `label` names the program in messages. Throws CompileError. Software drivers generate
     /// machine code at the first draw, not here.
     Program(std::string_view vertex, std::string_view fragment, std::string_view label);
 
-    /// Of a compute shader, which gpu::dispatch() runs. Throws ResourceError where the context has
-    /// none, see gpu/compute.h.
+    /// A compute shader, which gpu::dispatch() runs. Throws ResourceError if the context has none,
+    /// see gpu/compute.h.
     static Program compute(std::string_view source, std::string_view label);
 
     void use() const;
@@ -35,7 +35,7 @@ public:
     /// -1 if the program has no such uniform.
     int uniform_location(std::string_view uniform) const;
 
-    // Each puts the program to use.
+    // Each also makes the program current.
     void set(std::string_view uniform, int value) const;
     void set(std::string_view uniform, unsigned value) const;
     void set(std::string_view uniform, float value) const;

@@ -7,13 +7,13 @@
 
 namespace isomotion::gpu {
 
-/// How many pixels were drawn between begin() and end().
+/// Counts the pixels drawn between begin() and end().
 class SamplesQuery {
 public:
     void begin();
     void end();
 
-    /// True once passed() would not have to wait.
+    /// True if passed() would not wait.
     bool ready() const;
     std::uint32_t passed() const;
 
@@ -21,11 +21,11 @@ private:
     Name name_{Kind::query};
 };
 
-/// Time that the GPU spent between begin() and end(). One at a time: timers do not nest.
+/// Measures the GPU's time between begin() and end(). Use one at a time: timers do not nest.
 ///
-/// On software drivers it is the clock on the wall between two points where all drawing is done:
-/// llvmpipe's GL_TIME_ELAPSED and GL_TIMESTAMP cover only one tile of 64 x 64 pixels (3 ms of a
-/// draw that takes 100), and after a shader's first draw the time since the machine was started.
+/// On software drivers it measures wall time between two points at which all drawing is finished.
+/// There llvmpipe's GL_TIME_ELAPSED and GL_TIMESTAMP cover only one tile of 64 x 64 pixels (3 ms of
+/// a draw that takes 100), and after a shader's first draw the time since the machine was started.
 class Timer {
 public:
     Timer();
@@ -33,7 +33,7 @@ public:
     void begin();
     void end();
 
-    /// True once nanoseconds() would not have to wait.
+    /// True if nanoseconds() would not wait.
     bool ready() const;
     std::uint64_t nanoseconds() const;
 

@@ -11,14 +11,14 @@
 
 namespace isomotion::gpu {
 
-/// A picture to show in a window: four sRGB codes a pixel, the top row first, shown as they are.
+/// A picture to show in a window: four sRGB codes per pixel, the top row first, shown unchanged.
 class ScreenTexture {
 public:
-    /// How it looks where it is shown larger than it is.
+    /// How it is enlarged.
     enum class Enlarged { as_squares, smooth };
 
-    /// Throws std::invalid_argument unless there are four codes a pixel, ResourceError over the
-    /// driver's limit.
+    /// Throws std::invalid_argument unless there are four codes per pixel, and ResourceError beyond
+    /// the driver's limit.
     void update(int width, int height, std::span<const std::uint8_t> codes,
                 Enlarged enlarged = Enlarged::as_squares);
 
@@ -27,7 +27,7 @@ public:
     bool empty() const noexcept { return width_ == 0; }
     Enlarged enlarged() const noexcept { return enlarged_; }
 
-    /// The GL name, for calls this class does not make.
+    /// The GL name, for calls that this class does not make.
     unsigned id() const noexcept { return name_.get(); }
 
 private:
@@ -36,13 +36,13 @@ private:
     Enlarged enlarged_ = Enlarged::as_squares;
 };
 
-/// Draws go to the current context's window, over all of its pixels, which get this colour.
+/// Directs draws to the current context's window and fills all of its pixels with this colour.
 void begin_screen(int width, int height, glm::vec3 color);
 
-/// Fills a rectangle of the window with a picture, enlarged as the picture wants it.
+/// Fills a rectangle of the window with a picture, enlarged as the picture states.
 void place(const ScreenTexture& picture, Rectangle where);
 
-/// The codes of a pixel that is drawn and not yet shown: red, green, blue.
+/// The codes of a pixel that is drawn but not yet shown: red, green, blue.
 std::array<std::uint8_t, 3> drawn_pixel(int x, int y);
 
 } // namespace isomotion::gpu

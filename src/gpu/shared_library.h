@@ -10,16 +10,16 @@
 
 namespace isomotion::gpu {
 
-/// A library looked for at run time, so that the program starts where no driver is installed.
+/// A library loaded at run time, so that the program starts without an installed driver.
 ///
-/// It stays open to the end of the process: drivers leave handlers behind that run at exit.
+/// It stays open to the end of the process, since drivers leave handlers that run at exit.
 class SharedLibrary {
 public:
-    /// Opens the first of `names` that can be; throws with the loader's reasons.
+    /// Opens the first of `names` that can be opened; throws with the loader's reasons if none can.
     explicit SharedLibrary(std::initializer_list<const char*> names) {
         std::string reasons;
         for (const char* name : names) {
-            // Local: a driver's gl* must not become everyone's.
+            // Local: a driver's gl* must not become visible to other libraries.
             handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
             if (handle_) return;
             reasons += (reasons.empty() ? "" : "; ");

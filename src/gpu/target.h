@@ -11,20 +11,20 @@
 
 namespace isomotion::gpu {
 
-/// What is drawn into: several colour attachments of one size, no depth.
+/// A render target: several colour attachments of one size, no depth.
 class Target {
 public:
-    /// Attachments of RGBA32F. Throws ResourceError if the driver cannot draw into that many
+    /// Attachments of RGBA32F. Throws ResourceError if the driver cannot draw into so many
     /// attachments of that size.
     Target(int width, int height, int attachments = 1);
     Target(int width, int height, std::span<const Format> attachments);
 
-    /// Draws go here, over the whole area.
+    /// Directs draws here, over the whole area.
     void bind() const;
 
     /// Fills one attachment of floats, inside the current scissor only.
     void clear(int attachment, glm::vec4 value = {}) const;
-    /// And one of whole numbers.
+    /// The same for an attachment of integers.
     void clear(int attachment, std::uint32_t value) const;
 
     /// Takes the pixels of all attachments in an area from a target with the same ones.
@@ -37,7 +37,8 @@ public:
     void read(int attachment, int x, int y, int width, int height,
               std::span<std::uint32_t> into) const;
 
-    /// The same into the bound pixel buffer, from `offset` on, of so many bytes: gpu/transfer.h.
+    /// The same into the bound pixel buffer, from `offset` on, and the number of bytes:
+    /// gpu/transfer.h.
     std::size_t bytes_in(int attachment, Rectangle area) const;
     void pack(int attachment, Rectangle area, std::size_t offset) const;
 
@@ -47,7 +48,7 @@ public:
     int height() const noexcept { return textures_.front().height(); }
     Rectangle area() const noexcept { return {0, 0, width(), height()}; }
 
-    /// The GL name, for calls this class does not make.
+    /// The GL name, for calls that this class does not make.
     unsigned id() const noexcept { return name_.get(); }
 
 private:

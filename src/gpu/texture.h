@@ -9,21 +9,20 @@ namespace isomotion::gpu {
 enum class Format { r32f, rg32f, rgba32f, r32ui, rg32ui, depth16 };
 
 int channels(Format format);
-/// Of unsigned whole numbers, which draws write and targets read back.
+/// Whether it has unsigned integers, which draws write and targets read back.
 bool is_whole(Format format);
 
 /// A 2D texture of numbers, read with texelFetch: no filtering, clamped at the edges.
 class Texture {
 public:
-    /// `texels` fills it row by row from the bottom, or leaves it undefined if empty, as it must be
-    /// with whole numbers.
-    /// Throws ResourceError over the driver's limit or out of memory.
+    /// `texels` fills it row by row from the bottom. If empty, the texels are undefined; integer
+    /// formats need it empty. Throws ResourceError beyond the driver's limit or out of memory.
     Texture(Format format, int width, int height, std::span<const float> texels = {});
 
     /// Replaces all texels.
     void update(std::span<const float> texels);
 
-    /// Replaces those of whole rows from `first` on.
+    /// Replaces whole rows from `first` on.
     void update_rows(int first, std::span<const float> texels);
 
     void bind(int unit) const;
@@ -32,7 +31,7 @@ public:
     int width() const noexcept { return width_; }
     int height() const noexcept { return height_; }
 
-    /// The GL name, for calls this class does not make.
+    /// The GL name, for calls that this class does not make.
     unsigned id() const noexcept { return name_.get(); }
 
 private:

@@ -10,24 +10,24 @@
 
 namespace isomotion::gpu {
 
-/// Pixels on their way from targets to the program, through a pixel buffer of the driver's: asked
-/// for at once, waited for later, while the driver draws something else.
+/// An asynchronous transfer of pixels from targets to the program through a pixel buffer: requested
+/// at once, awaited later, while the driver draws something else.
 class Transfer {
 public:
-    /// Throws ResourceError out of memory.
+    /// Throws ResourceError if out of memory.
     explicit Transfer(std::size_t bytes);
     ~Transfer();
     Transfer(Transfer&&) noexcept;
     Transfer& operator=(Transfer&&) noexcept;
 
-    /// Copies an area of an attachment, as it is after the draws so far and in the attachment's own
-    /// format, to the bytes from `offset` on; returns the first byte behind them. Throws
-    /// std::length_error beyond the capacity.
+    /// Copies an area of an attachment, after the draws so far and in the attachment's own format,
+    /// to the bytes from `offset` on. Returns the end of these bytes. Throws std::length_error
+    /// beyond the capacity.
     std::size_t ask(const Target& from, int attachment, Rectangle area, std::size_t offset) const;
-    /// Behind the last ask(): sends all of it on its way.
+    /// Starts the transfer, after the last ask().
     void send();
-    /// Waits for what was sent and shows it for as long as `use` runs. Throws ResourceError where
-    /// the driver lost it.
+    /// Waits for the transfer and passes the bytes to `use`; they are valid only during that call.
+    /// Throws ResourceError if the driver lost them.
     void read(const std::function<void(std::span<const std::byte>)>& use);
 
 private:

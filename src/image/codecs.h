@@ -1,5 +1,5 @@
 // The functions of the module isomotion_codecs.so, which reads files by OpenImageIO. It is loaded
-// at the first call: OpenImageIO's 260 shared libraries take a quarter of a second.
+// at the first call, since OpenImageIO's 260 shared libraries take a quarter of a second to load.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct Codecs {
                             const base::Confines& within);
 };
 
-// Throws std::runtime_error if the module cannot be loaded. From any thread.
+// Throws std::runtime_error if the module cannot be loaded. May be called from any thread.
 const Codecs& codecs();
 
 } // namespace isomotion::image

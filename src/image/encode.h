@@ -28,29 +28,29 @@ constexpr std::string_view name(Format format) {
     return "?";
 }
 
-/// Of a name in a file's metadata, in bytes.
+/// Longest name in a file's metadata, in bytes.
 constexpr std::size_t longest_name(Format format) { return format == Format::exr ? 255 : 79; }
 
 enum class PngDepth { bits8, bits16 };
 
-/// The format that a file name asks for. Throws an ImageError that lists the choices.
+/// The format that a file name implies. Throws an ImageError that lists the choices.
 Format format_of(const std::filesystem::path& file, PngDepth depth = PngDepth::bits8);
 
-/// The bytes of a file that holds the frame. They depend on the frame and nothing else: not on the
-/// time, the machine or the number of threads. (A `DateTime` in the metadata is written as given.)
+/// The bytes of a file with the frame. They depend on the frame alone: not on the time, the machine
+/// or the number of threads. (A `DateTime` in the metadata is written as given.)
 ///
-/// EXR keeps NaN and infinite samples; a finite colour beyond the range of half becomes the largest
-/// half, because a bright light is not an infinite one. Metadata is kept with its types.
+/// EXR keeps NaN and infinite samples. A finite colour beyond the range of half becomes the largest
+/// half, because a bright light is not an infinite one. Metadata keeps its types.
 ///
-/// PNG stores colour divided by coverage, so light where the coverage is 0 has no place in it; NaN
-/// becomes 0 and infinity the largest value. Metadata becomes text (see to_text()).
+/// PNG stores unpremultiplied colour, so it cannot hold light where the coverage is 0. NaN becomes
+/// 0 and infinity the largest value. Metadata becomes text (see to_text()).
 std::vector<std::byte> encode(const Frame& frame, Format format);
 
 struct Encoded {
     std::vector<std::byte> bytes;
-    std::string pixels; ///< what pixel_hash() would find in a file of them
+    std::string pixels; ///< the pixel_hash() of a file of these bytes
 };
-/// The same, and a hash of its pixels, which costs little as they pass by.
+/// The same, with a hash of its pixels, which costs little during encoding.
 Encoded encode_with_hash(const Frame& frame, Format format);
 
 } // namespace isomotion::image

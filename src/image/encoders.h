@@ -15,7 +15,7 @@ struct Encoders {
     std::vector<std::byte> (*encode)(const Frame& frame, Format format, PixelHash* hash);
 };
 
-// Throws std::runtime_error if the module cannot be loaded. From any thread.
+// Throws std::runtime_error if the module cannot be loaded. May be called from any thread.
 const Encoders& encoders();
 
 } // namespace isomotion::image

@@ -4,14 +4,14 @@
 
 namespace isomotion::image {
 
-/// Makes a map smaller while it is read: whole blocks of texels become their mean.
+/// Reduces a map while it is read: whole blocks of texels become their mean.
 class EnvironmentReduction {
 public:
     /// The reduced map is at most `widest` texels wide.
     explicit EnvironmentReduction(int widest)
         : widest_(widest) {}
 
-    /// As an EnvironmentSink has them.
+    /// As in EnvironmentSink.
     void begin(int width, int height);
     void rows(int first, std::span<const float> texels);
 
@@ -22,17 +22,18 @@ private:
     std::vector<double> sums_; // R, G and B
 };
 
-/// How wide level 1 is drawn from, here and in pages: its lobe is about a texel wide.
+/// The width of the map from which level 1 is drawn, here and in pages: its lobe is about a texel
+/// wide.
 inline constexpr int widest_level = 256;
-/// How wide a map need be for that.
+/// The width that a map needs for that.
 inline constexpr int widest_reduction = 1024;
 
-/// What rough mirrors show of a map: eight blurred maps one below the other, for GGX's alpha =
-/// 1/128, 1/64 ... 1. The first is `widest` texels wide, each further one half as wide as the one
-/// above it and at least 32; `width` of the result is `widest`, and narrower levels leave the right
-/// of their rows at 0. Each is the mean over the lobe of a mirror that is seen straight on, as
-/// Karis has it (Real Shading in Unreal Engine 4, 2013), by filtered importance sampling (Krivanek
-/// & Colbert 2008).
+/// A map as rough mirrors show it: eight blurred maps one below the other, for GGX's alpha = 1/128,
+/// 1/64 ... 1. The first is `widest` texels wide, each later one half as wide as the one above it
+/// and at least 32. `width` of the result is `widest`; narrower levels leave the right of their
+/// rows 0. Each texel is the mean over the lobe of a mirror seen at normal incidence, as in Karis
+/// (Real Shading in Unreal Engine 4, 2013), by filtered importance sampling (Krivanek & Colbert
+/// 2008).
 EnvironmentMap environment_levels(const EnvironmentMap& map, int widest);
 
 } // namespace isomotion::image

@@ -9,8 +9,8 @@
 
 namespace isomotion::image {
 
-/// What a frame holds, or what the bytes of a file mean, is not acceptable. What the file system
-/// refuses is a FileError instead.
+/// The content of a frame or of a file is invalid. Refusals of the file system are FileErrors
+/// instead.
 class ImageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -31,25 +31,25 @@ struct Entry {
     bool operator==(const Entry&) const = default;
 };
 
-/// What is known about a frame beside its pixels, in the order it was added. Files keep every
+/// Data about a frame besides its pixels, in the order in which it was added. Files keep every
 /// entry, but not always the order.
 using Metadata = std::vector<Entry>;
 
 /// The value of that name, or null.
 const Value* find(const Metadata& metadata, std::string_view name);
 
-/// A value as text that gives the same value again when it is parsed: the shortest decimals that
-/// round-trip, `30000/1001`, `[0.1, 2]`.
+/// A value as text that parses to the same value: the shortest decimals that round-trip,
+/// `30000/1001`, `[0.1, 2]`.
 std::string to_text(const Value& value);
 
-/// One number for each pixel: row by row, the top row first.
+/// One number per pixel: row by row, the top row first.
 struct Channel {
     std::string name;
     std::vector<float> samples;
 };
 
-/// A picture as named channels. `R`, `G`, `B` are linear light multiplied by the coverage `A`;
-/// other names in use are `Z`, `N.X N.Y N.Z`, `P.X P.Y P.Z`, `verdict` and `evaluations`.
+/// A picture as named channels. `R`, `G`, `B` are linear light premultiplied by the coverage `A`.
+/// Other names in use are `Z`, `N.X N.Y N.Z`, `P.X P.Y P.Z`, `verdict` and `evaluations`.
 struct Frame {
     int width = 0;
     int height = 0;
@@ -60,10 +60,11 @@ struct Frame {
     const Channel* find(std::string_view name) const;
 };
 
-/// How many pixels have a colour or coverage that is infinite or no number.
+/// The number of pixels whose colour or coverage is infinite or NaN.
 std::int64_t count_without_colour(const Frame& frame);
 
-/// Throws an ImageError unless the frame has an area and channels of that area with distinct names.
+/// Throws an ImageError unless the frame has an area, and channels of that area with distinct
+/// names.
 void check(const Frame& frame);
 
 } // namespace isomotion::image

@@ -9,11 +9,11 @@ namespace isomotion::image {
 
 struct Frame;
 
-/// The transfer functions of IEC 61966-2-1, between light and what a screen is sent, both 0 to 1.
+/// The transfer functions of IEC 61966-2-1 between light and screen signal, both 0 to 1.
 float linear_from_srgb(float signal);
 float srgb_from_linear(float light);
 
-/// The nearest integer code for a value of 0 to 1. Values outside are clamped and NaN gives 0.
+/// The nearest integer code for a value of 0 to 1. Values outside are clamped; NaN gives 0.
 template<class Code> Code quantised(float value) {
     constexpr auto top = std::numeric_limits<Code>::max();
     if (!(value > 0.0f)) return 0;
@@ -21,7 +21,7 @@ template<class Code> Code quantised(float value) {
     return static_cast<Code>(value * float(top) + 0.5f);
 }
 
-/// sRGB in 8 bits, through tables: pow() for every sample costs more than compressing the picture.
+/// sRGB in 8 bits by tables, since pow() for every sample costs more than compressing the picture.
 class Srgb8 {
 public:
     Srgb8();
@@ -29,7 +29,7 @@ public:
     std::uint8_t code(float light) const {
         if (!(light > 0.0f)) return 0;
         if (light >= 1.0f) return 255;
-        // The curve rises by less than one code in a bucket, so this loop runs once at most.
+        // The curve rises by less than one code per bucket, so this loop runs at most once.
         std::uint8_t code = first_[std::size_t(light * float(first_.size()))];
         while (code < 255 && light >= from_[code + 1u]) ++code;
         return code;
@@ -37,8 +37,8 @@ public:
     float light(std::uint8_t code) const { return light_[code]; }
 
 private:
-    std::array<float, 256> light_;         // what a code stands for
-    std::array<float, 256> from_;          // the least light that a code is nearest to
+    std::array<float, 256> light_;         // the light of each code
+    std::array<float, 256> from_;          // the least light for which a code is nearest
     std::array<std::uint8_t, 4096> first_; // the code at the lower end of each bucket
 };
 

@@ -1,4 +1,5 @@
-// What a page knows of its scene beside the values of frames, as JSON: src/page/web/ reads it.
+// The description of a page's scene, without the values of frames, as JSON that src/page/web/
+// reads.
 #pragma once
 
 #include <string>
@@ -10,8 +11,8 @@
 
 namespace isomotion::page {
 
-// `environment` is null where the scene has none. Throws InputError for a report that is broken or
-// of another scene; of a timeline beside the scene that is so, the options' `warn` is told.
+// `environment` is null if the scene has none. Throws InputError for a report that is broken or of
+// another scene. For such a timeline beside the scene it calls the options' `warn`.
 std::string description(const WebScene& web, const FrameValues& values,
                         const Environment* environment, const PageOptions& options);
 

@@ -1,4 +1,4 @@
-// What is around a scene, small enough for a page.
+// The environment of a scene, small enough for a page.
 #pragma once
 
 #include <cstddef>
@@ -21,12 +21,11 @@ inline constexpr int widest_map = 512;
 
 struct Environment {
     EnvironmentMap map;
-    std::optional<EnvironmentMap> levels; // what rough mirrors show: image::environment_levels()
+    std::optional<EnvironmentMap> levels; // for rough mirrors: image::environment_levels()
 };
 
-// What is around a scene that has an environment. Wider maps become the means of their texels.
-// `warn`, unless it is empty, is told of texels that were mended. Throws as
-// image::read_environment() does.
+// The environment of a scene that has one. Wider maps are reduced to means of their texels. `warn`,
+// unless empty, is called for repaired texels. Throws as image::read_environment() does.
 Environment environment(const scene::Scene& scene,
                         const std::function<void(const std::string&)>& warn);
 

@@ -1,5 +1,5 @@
-// The values of every frame of a scene: all that a page's pictures are drawn from. Where the
-// shutter opens, a frame has as many moments as samples.
+// The values of every frame of a scene, from which a page draws its pictures. With an open shutter
+// a frame has as many moments as samples.
 #pragma once
 
 #include <string>
@@ -10,35 +10,35 @@
 
 namespace isomotion::page {
 
-// Numbers that stand together in a row of a table.
+// Adjacent numbers in a row of a table.
 struct Place {
     std::string name;
     int count = 1;
 };
 
 struct FrameValues {
-    // A row for each moment of each frame:
-    ValueTable view{"view"};             // doubles, as `view_places` has them
+    // One row for each moment of each frame:
+    ValueTable view{"view"};             // doubles, in the order of `view_places`
     ValueTable parameters{"parameters"}; // block Parameters, std140
     ValueTable shading{"shading"};       // block Shading, std140
-    ValueTable effects{"effects"};       // floats, as `effect_places` has them
+    ValueTable effects{"effects"};       // floats, in the order of `effect_places`
     std::vector<ValueTable> arrays;      // elements, packed as the shaders read them
-    // One for each frame and moment, of the array whose elements are found by place
-    // (packed_grid.h): its length in bytes as a word, the least byte first, then the grid. Empty if
-    // there is none.
+    // For each frame and moment, the grid of the array whose elements are found by place
+    // (packed_grid.h): its length in bytes as a little-endian word, then the grid. Empty if there
+    // is none.
     std::vector<std::byte> grids;
     std::vector<Place> view_places;
-    std::vector<Place> effect_places; // plain uniforms; a count of 1 to 4 is a float to a vec4
+    std::vector<Place> effect_places; // plain uniforms; counts of 1 to 4 are float to vec4
 
-    // All of these in one order.
+    // All tables in a fixed order.
     std::vector<const ValueTable*> tables() const;
 };
 
-// The parts of a frame that have passed at its moments: 0 first, and alone but for motion blur.
+// The fractions of a frame's duration at its moments: 0 first, and only 0 without motion blur.
 std::vector<double> moments(const scene::Scene& scene);
 
-// Evaluates all frames. Throws SceneError where a value leaves its range and where the values take
-// more than most_value_bytes, those that stand counted once; std::length_error where more elements
+// Evaluates all frames. Throws SceneError if a value leaves its range, and if the values take more
+// than most_value_bytes, with constant ones counted once. Throws std::length_error if more elements
 // matter in one place than a shader can sum.
 FrameValues frame_values(const WebScene& web);
 

@@ -12,7 +12,8 @@ struct GalleryEntry {
     std::string title;
 };
 
-// index.html: a poster for each page. `left_out`: a line for each animation that has none, and why.
+// index.html: a poster for each page. `left_out`: a line for each animation without a page, with
+// the reason.
 std::string gallery_index(const std::vector<GalleryEntry>& entries,
                           const std::vector<std::string>& left_out);
 

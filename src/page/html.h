@@ -1,4 +1,4 @@
-// Text and data in an HTML file, where no title and no formula can end an element.
+// Puts text and data into an HTML file so that no title or formula can end an element.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@ namespace isomotion::page {
 // Text between tags or in quotes.
 std::string html_text(std::string_view text);
 
-// `html` with a part in place of each {{name}}; what parts hold is left as it is. Throws
-// std::logic_error for a name that has none.
+// `html` with each {{name}} replaced by its part; the parts themselves are not searched. Throws
+// std::logic_error for a name without a part.
 std::string filled(std::string_view html, const std::map<std::string_view, std::string>& parts);
 
-// Deflated (zlib's format, which browsers take apart) and as letters.
+// Deflated (zlib's format, which browsers can inflate) and encoded as text.
 std::string deflated_text(std::span<const std::byte> bytes);
 
 } // namespace isomotion::page

@@ -1,12 +1,14 @@
-// Numbers of every frame as a page keeps them: rows of 32-bit words, packed so that they deflate
+// Numbers of every frame as a page stores them: rows of 32-bit words, packed so that they deflate
 // well.
 //
-// Most columns never change and those that do change little from one frame to the next. Packed, a
+// Most columns never change, and the others change little from one frame to the next. A packed
 // table is:
-//   a byte a column: 1 if it moves;
-//   the first row, four bytes a word, the least first;
-//   of the moving columns the differences of each row from the one before, column by column: the
+//
+//   one byte per column: 1 if it changes;
+//   the first row, four bytes per word, little-endian;
+//   for the changing columns the differences of each row from the one before, column by column: the
 //   most significant byte of all differences, then the next of all, down to the least.
+//
 // src/page/web/data.js unpacks it.
 #pragma once
 
@@ -27,7 +29,7 @@ public:
     void add(std::span<const std::uint32_t> row);
 
     const std::string& name() const { return name_; }
-    std::size_t width() const { return first_.size(); } // words of a row
+    std::size_t width() const { return first_.size(); } // words per row
     std::size_t rows() const { return rows_; }
     std::size_t moving() const { return moving_; } // columns
 
@@ -40,7 +42,7 @@ private:
     std::vector<std::vector<std::uint32_t>> columns_; // all rows of those that move, others empty
 };
 
-// A row of floats or of doubles, each of which is two words, the lower one first.
+// A row of floats or of doubles; a double is two words, the lower one first.
 std::vector<std::uint32_t> words_of(std::span<const float> numbers);
 std::vector<std::uint32_t> words_of(std::span<const double> numbers);
 

@@ -1,4 +1,4 @@
-// An array's elements on the GPU, in whichever storage the assembly chose.
+// An array's elements on the GPU, in the storage that the assembly chose.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace isomotion::render {
 
 class ArrayBuffer {
 public:
-    // `lists`: further elements' places, for lists of those that matter in beams.
+    // `lists`: additional space, in elements, for lists of those that matter in beams.
     ArrayBuffer(const synthesis::ArrayStorage& storage, int lists)
         : name_(storage.name) {
         const std::size_t texels =
@@ -32,7 +32,7 @@ public:
         if (block_) table.bind(name_ + "_block", *block_);
         if (buffer_) table.bind(name_, *buffer_);
     }
-    // Binds it as the buffer 0 that shaders write; and waits for them before others read it.
+    // Binds it as buffer 0, which shaders write; waits for these writes before others read it.
     void bind_for_lists() const { buffer_->bind_storage(0); }
     void wait_for_lists() const { buffer_->wait_for_storage(); }
 

@@ -1,7 +1,8 @@
-// Beams: blocks of rays for which intervals prove, before they march, what they need not.
+// Beams: intervals prove for blocks of rays, before they march, which parts of them need no
+// marching.
 //
-// Each level of beams is drawn with one pixel a block; its beams lie in those of the level before,
-// and so do their lists of the array's elements that matter there.
+// Each level of beams is drawn with one pixel per block. Its beams lie in those of the level
+// before, and so do its lists of the array's elements that matter there.
 #pragma once
 
 #include <span>
@@ -18,31 +19,31 @@
 
 namespace isomotion::render {
 
-// Pieces of its way that one beam looks at: what fits into the loops of its shader; with lists it
-// is less where these are long.
+// The number of pieces that one beam evaluates: as many as fit into the loops of its shader, fewer
+// if it has long lists.
 int evaluations_of_a_beam(const synthesis::Passes& passes, const formula::Field& field,
                           synthesis::BeamLists lists);
 
 class BeamPass {
 public:
-    // For tiles as planned. Lists of elements follow the first `first_list` in the array's buffer,
-    // as far as its `texels` go.
+    // For tiles as planned. Lists of elements start at element `first_list` of the array's buffer
+    // and extend to its `texels`.
     BeamPass(const synthesis::Passes& passes, const scene::Scene& scene, const MarchPlan& plan,
              int texels, int first_list);
 
-    // The elements that its lists hold, all together.
+    // The total number of elements in its lists.
     int listed() const { return listed_; }
 
-    // Draws the beams of these pixels, which are whole squares from the corner on, and binds what
-    // the last level found. `ranges`: ViewInputs::beams. `origin` is what pixel (0, 0) is of the
-    // picture; `array` is null without lists. Rays are in their pixels' middles, or `around` them
-    // by so many pixels.
+    // Draws the beams of these pixels, which are whole squares from the corner on, and binds the
+    // results of the last level. `ranges`: ViewInputs::beams. `origin` is the place of pixel (0, 0)
+    // in the picture; `array` is null without lists. Rays go through their pixels' centres, or up
+    // to `around` pixels from them.
     void draw(PassTable& table, std::span<const glm::vec4> ranges, const gpu::Rectangle& pixels,
               glm::ivec2 origin, const ArrayBuffer* array, double around = 0) const;
-    // Binds that for passes that read it as `kind`_texture: "beam" or "light_beam".
+    // Binds the results for passes that read them as `kind`_texture: "beam" or "light_beam".
     void bind(const PassTable& table, const std::string& kind = "beam") const;
 
-    // Pixels that the squares of every level are whole multiples of.
+    // The squares of every level divide this number of pixels.
     static constexpr int square = 256;
 
 private:
@@ -50,8 +51,8 @@ private:
         gpu::Target results; // parts and lists
         int block, square_bits;
         int evaluations; // of one beam
-        // The first element of its lists in the array's buffer; the most in the list of a block,
-        // which else takes the list that it comes from; blocks across.
+        // The first element of its lists in the array's buffer; the limit on the list of a block,
+        // which otherwise uses the list of the level before; blocks across.
         glm::ivec3 list;
     };
 

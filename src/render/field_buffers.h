@@ -10,7 +10,7 @@
 
 namespace isomotion::render {
 
-// Which elements of an array matter where (elements/element_grid.h).
+// The grid of elements that matter in each cell (elements/element_grid.h).
 struct GridBuffers {
     gpu::IntegerBuffer cells{gpu::IntegerBuffer::Texel::two};
     gpu::IntegerBuffer listed{gpu::IntegerBuffer::Texel::one};
@@ -28,7 +28,7 @@ struct GridBuffers {
 
 class FieldBuffers {
 public:
-    // `listed`: places for elements of lists behind each array that has lists.
+    // `listed`: space, in elements, for the lists behind each array that has lists.
     FieldBuffers(const synthesis::FieldStorage& storage, int listed)
         : parameters_(std::size_t(storage.vectors()) * 16)
         , has_lists_(synthesis::has_lists(storage)) {
@@ -47,14 +47,14 @@ public:
         bind(table);
     }
 
-    // What was uploaded last.
+    // Binds what was uploaded last.
     void bind(PassTable& table) const {
         if (grid_) grid_->bind(table);
         table.bind("Parameters", parameters_);
         for (const ArrayBuffer& array : arrays_) array.bind(table);
     }
 
-    // The array whose elements beams make lists of, or null.
+    // The array for whose elements beams make lists, or null.
     const ArrayBuffer* listed() const { return has_lists_ ? &arrays_[0] : nullptr; }
 
 private:

@@ -1,5 +1,5 @@
-// All that a frame is drawn from, evaluated once: what is uploaded is what the fingerprint is taken
-// of.
+// All data that a frame is drawn from, evaluated once. The fingerprint is taken of exactly the data
+// that is uploaded.
 //
 // A frame is one picture, or the mean of several (exposure.h), each with its own place in the
 // pixel, point of the lens and time while the shutter is open.
@@ -27,7 +27,7 @@
 
 namespace isomotion::render {
 
-// What the names of the surface's formula stand for.
+// The values of the formula's names.
 struct FieldInputs {
     std::vector<std::byte> parameters;          // block Parameters
     std::vector<std::vector<glm::vec4>> arrays; // the elements of each, packed
@@ -37,70 +37,74 @@ struct FieldInputs {
 // Rays, and the beams of blocks of them.
 struct ViewInputs {
     FrameBlock frame;
-    std::vector<glm::vec4> beams; // of each level: see beam_range()
+    std::vector<glm::vec4> beams; // for each level: see beam_range()
 };
 
-// The picture that a light far away has of the bounds: light_beams.h.
+// The view of the bounds from a distant light: light_beams.h.
 struct LightInputs {
     int light = 0;
     ViewInputs view;
     std::array<glm::vec4, 4> to_light{}; // see shaders/effects/light_beam.glsl
 };
 
-// F at two times about the frame's, for the channel velocity.
+// F at two times around the frame's time, for the channel velocity.
 struct MotionInputs {
     scene::SceneAt now;
     Motion motion;
-    FrameBlock frame_before, frame_after; // where the camera and the surface are then
+    FrameBlock frame_before, frame_after; // the camera and the surface at those times
     FieldInputs before, after;
 };
 
 struct PictureInputs {
     int width = 0, height = 0;
     ViewInputs eye;
-    std::shared_ptr<const FieldInputs> field; // that pictures of one time share
+    std::shared_ptr<const FieldInputs> field; // shared by pictures of one time
     std::vector<glm::vec4> shading;           // block Shading
     synthesis::Uniforms effects;
     std::vector<LightInputs> lights;
     std::optional<ProofRays> proofs;
     std::optional<MotionInputs> motion;
-    scene::Aim aim; // which `eye` is of
-    // Pixels, row by row from the top, ascending, whose endings are wanted; these decide no pixel.
+    scene::Aim aim; // the aim of `eye`
+    // Pixels whose endings are wanted, row by row from the top, ascending. They don't affect
+    // pixels.
     std::vector<int> endings_of{};
-    std::chrono::duration<double> preparing{}; // the time it took; decides no pixel
-    std::vector<PictureInputs> others{};       // of a scene's other surfaces
+    // The time that preparation took; doesn't affect pixels.
+    std::chrono::duration<double> preparing{};
+    std::vector<PictureInputs> others{}; // for a scene's other surfaces
 
     glm::vec4 background() const { return shading[1]; }
     void add_to(base::Fingerprint& print) const;
 };
 
-// The grid of the elements that the picture's field finds by place; null if it looks at all.
+// The grid by which the picture's field finds its elements; null if it sums over all elements.
 std::shared_ptr<const elements::ElementGrid> grid(const PictureInputs& inputs);
 
 struct FrameInputs {
     animation::Values values;            // of the animation, at the frame's time
-    scene::SceneAt now;                  // the scene with these
-    std::vector<PictureInputs> pictures; // at least one, the first at that time
-    std::string fingerprint; // of these, the passes, size and channels; equal ones, equal pixels
+    scene::SceneAt now;                  // the scene with these values
+    std::vector<PictureInputs> pictures; // at least one; the first is at the frame's time
+    std::string fingerprint; // of these inputs, the passes, size and channels; equal fingerprints
+                             // mean equal pixels
 };
 
-// What inputs depend on beside the scene and the time.
+// What inputs depend on besides the scene and the time.
 struct InputLayout {
     const synthesis::Passes& passes;
     int width = 0, height = 0;
-    int light_pixels = 0; // the side of lights' pictures
-    // For the array whose elements are found by place, else null.
+    int light_pixels = 0; // pixels along the sides of lights' pictures
+    // For the array whose elements are found by place, otherwise null.
     const elements::GridMaker* grid = nullptr;
     elements::GridLimits grid_limits{};
-    std::uint32_t most_elements_at_a_place = 0; // that a shader can sum
+    // Limit of the elements that a shader can sum at a place.
+    std::uint32_t most_elements_at_a_place = 0;
 };
 
-// `element_radius`: of rays that march by cubics; null for others.
+// `element_radius`: for rays that march by cubics, otherwise null.
 ViewInputs view_inputs(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
                        const scene::Aim& aim, const synthesis::Passes& passes,
                        ElementRadius* element_radius);
 
-// The field's values that were made last, for pictures of the same elements and parameters.
+// The field's values made last, reused for pictures with the same elements and parameters.
 class SharedField {
 public:
     std::shared_ptr<const FieldInputs> at(const scene::Scene& scene, const scene::SceneAt& now,
@@ -112,7 +116,7 @@ private:
     std::shared_ptr<const FieldInputs> made_;
 };
 
-// One picture. `element_radius` remembers between pictures of the same elements.
+// Inputs of one picture. `element_radius` is cached between pictures of the same elements.
 PictureInputs picture_inputs(const scene::Scene& scene, const scene::SceneAt& now,
                              const scene::Aim& aim, const Motion* motion, const InputLayout& layout,
                              ElementRadius& element_radius, SharedField& field);

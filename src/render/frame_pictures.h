@@ -7,8 +7,8 @@
 
 namespace isomotion::render {
 
-// Calls take(now, aim) for every picture of a frame, the one at its time first, at which the
-// animation has `values`. Throws SceneError where a value leaves its range.
+// Calls take(now, aim) for every picture of a frame. The first is at the frame's time, at which the
+// animation has `values`. Throws SceneError if a value leaves its range.
 template<class Take>
 void for_each_picture(const scene::Scene& scene, int frame, const animation::Values& values,
                       Take&& take) {

@@ -1,4 +1,4 @@
-// March and picture of a tile in one draw, for plain pictures whose rays end within one pass.
+// Marches and shades a tile in one draw, for plain pictures whose rays end within one pass.
 #pragma once
 
 #include <vector>
@@ -19,14 +19,14 @@ void clear_to_misses(const gpu::Target& target, const std::vector<synthesis::Cha
 
 class FusedPass {
 public:
-    // Draws into `result`, which outlives it: colour, record and the attachments of `passes`.
+    // Draws into `result`, which must outlive it: colour, record and the attachments of `passes`.
     FusedPass(const synthesis::Passes& passes, const gpu::Target& result);
 
-    // Where beams or bounds leave a ray no way to march the shader is not run: such pixels are
-    // misses, of which `background` is the colour.
+    // Where beams or bounds leave no part of a ray to march, the shader doesn't run. Such pixels
+    // are misses with the colour `background`.
     void draw(PassTable& table, const gpu::Rectangle& tile, const ScenePlan& plan,
               glm::vec4 background) const;
-    // After a draw: the pixels whose rays had a way to march.
+    // After a draw: the pixels whose rays were marched.
     const gpu::DepthMask& mask() const { return mask_; }
 
 private:

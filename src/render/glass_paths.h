@@ -1,4 +1,4 @@
-// The light of a tile's pixels on its way through glass.
+// Traces the light of a tile's pixels through glass.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,14 @@ namespace isomotion::render {
 // For scenes whose passes have Role::glass.
 class GlassPaths {
 public:
-    // `depth`: how many rays follow the eye's.
+    // `depth`: the number of rays after the primary ray.
     GlassPaths(const synthesis::Passes& passes, const MarchPlan& tile, int depth);
 
-    // Follows the paths that begin on the ends of the eye's rays, which are bound as surface
-    // textures and as state textures, and binds what they brought. Adds its draws to `draws`.
+    // Follows the paths that begin where the eye's rays ended; these are bound as surface textures
+    // and as state textures. Binds the resulting light. Adds its draws to `draws`.
     void trace(PassTable& table, const RayMarcher& marcher, const gpu::Rectangle& tile,
                int& draws) const;
-    // What they met of the ground, as ends of rays; of scenes with Role::glass_ground.
+    // The points where paths met the ground, as ends of rays; for scenes with Role::glass_ground.
     const gpu::Target& draw_ground(PassTable& table, const gpu::Rectangle& tile) const;
 
 private:
@@ -29,8 +29,8 @@ private:
 
     int depth_;
     RayTargets rays_;
-    gpu::Target kept_, gone_on_; // all paths, and those that a ray took on
-    gpu::DepthMask mask_;        // where paths go on
+    gpu::Target kept_, gone_on_; // all paths, and those that a ray continued
+    gpu::DepthMask mask_;        // where paths continue
     std::optional<gpu::Target> ground_;
     mutable gpu::SamplesQuery still_active_;
 };

@@ -1,4 +1,4 @@
-// The channels of a frame, by what fills them.
+// The channels of a frame, grouped by what fills them.
 #pragma once
 
 #include <functional>
@@ -11,18 +11,20 @@ namespace isomotion::render {
 
 class Layers {
 public:
-    // Layers of frames with the channels `wanted` beside R, G, B and A. `attachments`: those of
-    // them that the shade pass writes, from its third attachment on.
+    // Layers of frames with the channels `wanted` besides R, G, B and A. `attachments`: those that
+    // the shade pass writes, from its third attachment on.
     Layers(std::vector<synthesis::Channel> wanted, std::vector<synthesis::Channel> attachments)
         : wanted_(std::move(wanted))
         , attachments_(std::move(attachments)) {}
 
     bool wants(synthesis::Channel channel) const;
-    // In `memory`, as far as it goes: fresh memory costs as much as reading back.
+    // Reuses `memory` as far as possible, since allocating fresh memory takes as long as reading
+    // back.
     image::Frame blank(int width, int height, image::Frame memory) const;
-    // The layers of a channel, component by component; null where the frame has none.
+    // The layers of a channel, component by component; null if the frame has none.
     static std::vector<image::Channel*> of(image::Frame& frame, synthesis::Channel channel);
-    // Each attachment with colours in it, and which channels its components are.
+    // Calls `visit` for each attachment with channels in it, and passes the channels of its
+    // components.
     void for_each_attachment(
         image::Frame& frame,
         const std::function<void(int attachment, const std::vector<image::Channel*>&)>& visit)

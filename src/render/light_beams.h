@@ -1,5 +1,5 @@
-// Beams of lights far away: for each that casts shadows a picture of the bounds as it sees them,
-// drawn before the eye's, so that shadow rays begin where the surface first may be.
+// Beams of distant lights. For each one that casts shadows the bounds are drawn as seen from the
+// light, before the eye's view, so that shadow rays begin where the surface may begin.
 #pragma once
 
 #include <vector>
@@ -9,24 +9,25 @@
 
 namespace isomotion::render {
 
-// Pixels along the side of a light's picture, for pictures of this size.
+// Pixels along the sides of a light's picture, for pictures of this size.
 int light_pixels(int width, int height);
 
-// What the lights' pictures are drawn from, of each light that has one.
+// Inputs for the pictures of all lights that have one.
 std::vector<LightInputs> light_inputs(const scene::Scene& scene, const scene::SceneAt& now,
                                       const synthesis::Passes& passes, int pixels);
 
 class LightBeams {
 public:
-    // For passes that have some (Passes::light_beams), by the eye's beams' programs; pictures of
-    // lights have up to so many pixels a side. Lists of elements follow the first `first_list`.
+    // For passes with light beams (Passes::light_beams), drawn by the programs of the eye's beams.
+    // Pictures of lights have at most so many pixels per side. Lists of elements start at
+    // `first_list`.
     LightBeams(const synthesis::Passes& passes, const scene::Scene& scene, int pixels, int texels,
                int first_list);
 
     int listed() const { return beams_.listed(); }
     int most_pixels() const { return most_pixels_; }
 
-    // Draws the frame's, whose field is uploaded and bound, and binds them.
+    // Draws and binds the light beams of a frame whose field is uploaded and bound.
     void draw(PassTable& table, const std::vector<LightInputs>& lights, int pixels,
               const ArrayBuffer* array);
     // Binds those drawn last.

@@ -1,8 +1,8 @@
-// The channel velocity: how fast the surface moves where a pixel sees it.
+// The channel velocity: the speed of the surface where a pixel sees it.
 //
-// A surface F(p, t) = 0 has no velocity but the one along its normal, -(dF/dt) / |grad F|. dF/dt is
-// the difference of F over a short time about the frame's, at the same place in the world, so it
-// holds for whatever moves: parameters, elements of arrays, the placement.
+// A surface F(p, t) = 0 only has a velocity along its normal, -(dF/dt) / |grad F|. dF/dt is the
+// difference of F over a short time around the frame's, at the same place in the world. So it
+// includes everything that moves: parameters, elements of arrays, the placement.
 #pragma once
 
 #include <array>
@@ -20,22 +20,22 @@ struct Motion {
     double seconds = 0; // from `before` to `after`
 };
 
-// A tenth of a frame about the time of the frame; one-sided where an animation that is no loop
-// begins or ends. Throws as scene::at does.
+// A tenth of a frame around the frame's time; one-sided at the beginning and the end of an
+// animation that doesn't loop. Throws as scene::at does.
 Motion motion_about(const scene::Scene& scene, int frame);
 
-// Formula coordinates of `from` to those of `to` by way of the world, as three rows.
+// Converts formula coordinates of `from` to those of `to` through world coordinates; three rows.
 std::array<glm::vec4, 3> change_of_place(const scene::PlacementAt& from,
                                          const scene::PlacementAt& to);
 
-// Formula coordinates of a place on a pixel's ray, columns and rows from the lower left.
+// Formula coordinates of a place on a pixel's ray; columns and rows count from the lower left.
 glm::dvec3 place_on_ray(const scene::Rays& rays, const glm::ivec2& pixel, int width, int height,
                         double t);
 
-// Velocity of one hit: along the normal in world units a second, towards where F > 0; and of the
-// place on the surface in the picture, in pixels a second to the right and down, the camera's own
-// motion included. `position` is of the hit, formula coordinates; `before` and `after` hold the
-// gradient and the value of F there.
+// Velocity of one hit: along the normal in world units per second, towards F > 0; and of the
+// surface point in the picture, in pixels per second to the right and down, including the camera's
+// own motion. `position` is the hit in formula coordinates; `before` and `after` hold the gradient
+// and the value of F there.
 glm::dvec3 velocity(const Motion& motion, const scene::SceneAt& now, int width, int height,
                     const glm::dvec3& position, const glm::dvec4& before, const glm::dvec4& after);
 

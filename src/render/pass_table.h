@@ -1,9 +1,9 @@
 // The passes of a scene as programs of one context: compiled, connected to their textures and
 // uniform blocks, and ready to run.
 //
-// Each sampler's name has one texture unit and each block's one binding, given out here in the
-// order in which the passes declare them; nobody else knows either. Passes that are rarely needed
-// (synthesis::is_exceptional) are compiled when they are first asked for.
+// Each sampler name has one texture unit and each block one binding. This class alone assigns them,
+// in the order in which the passes declare them. Passes that are rarely needed
+// (synthesis::is_exceptional) are compiled when they are first used.
 #pragma once
 
 #include <map>
@@ -22,17 +22,17 @@ namespace isomotion::render {
 
 class PassTable {
 public:
-    // `passes` outlives it. Throws gpu::CompileError; std::length_error if the passes read more
-    // textures than there are units.
+    // `passes` must outlive it. Throws gpu::CompileError, and std::length_error if the passes read
+    // more textures than there are units.
     explicit PassTable(const synthesis::Passes& passes);
 
     bool has(synthesis::Role role) const { return passes_.has(role); }
     const gpu::Program& program(synthesis::Role role, int level = 0);
 
-    // Gives these uniforms to every program, those compiled later included.
+    // Sets these uniforms in every program, including those compiled later.
     void set(const synthesis::Uniforms& uniforms);
 
-    // Textures that the passes read by these names: "state_texture" has the numbers 0 and up.
+    // Binds textures that the passes read by these names; "state_texture" is numbered from 0.
     void bind(std::string_view sampler, const gpu::Texture& texture) const;
     void bind(std::string_view sampler, const gpu::TextureBuffer& buffer) const;
     void bind(std::string_view sampler, const gpu::IntegerBuffer& buffer) const;
@@ -41,10 +41,10 @@ public:
     // The first of two texture units that no pass reads.
     int spare_unit() const { return int(units_.size()); }
 
-    // Uniform blocks. What a pass reads as "Frame" is "ProofFrame" for passes of proofs.
+    // Binds uniform blocks. Passes of proofs read "ProofFrame" where others read "Frame".
     void bind(std::string_view block, const gpu::UniformBuffer& buffer);
 
-    // Draws with another buffer in a block for as long as it lives.
+    // Binds another buffer to a block during its lifetime.
     class [[nodiscard]] Instead {
     public:
         Instead(PassTable& table, std::string block, const gpu::UniformBuffer& buffer);
@@ -58,12 +58,12 @@ public:
         const gpu::UniformBuffer* before_;
     };
 
-    // Runs a pass of fragments over the lower left width x height of what is bound to be drawn
-    // into, or of `target`. `tile` tells where that is in the picture.
+    // Runs a fragment pass over the lower left width x height of the bound target, or of `target`.
+    // `tile` is the place of that area in the picture.
     void draw(const gpu::Program& program, const gpu::Rectangle& tile) const;
     void draw(const gpu::Program& program, const gpu::Rectangle& tile,
               const gpu::Target& target) const;
-    // Runs a pass of rays, in the stage that the passes were assembled for; `target` takes the
+    // Runs a pass of rays, in the stage that the passes were assembled for; `target` receives the
     // states.
     void march(const gpu::Program& program, const gpu::Rectangle& tile,
                const gpu::Target& target) const;
@@ -75,7 +75,7 @@ private:
     void connect(const synthesis::Pass& pass, const gpu::Program& program) const;
 
     const synthesis::Passes& passes_;
-    std::vector<std::optional<gpu::Program>> programs_; // as in passes_.list
+    std::vector<std::optional<gpu::Program>> programs_; // indexed as passes_.list
     Numbers units_, bindings_;
     std::map<std::string, const gpu::UniformBuffer*, std::less<>> bound_;
     synthesis::Uniforms uniforms_; // as set last

@@ -1,5 +1,5 @@
-// Pictures that were asked for and not taken yet, in order: each with its pixels on their way, or
-// drawn already.
+// Pictures that were started and not taken yet, in order: each with its pixels in transfer, or
+// already drawn.
 #pragma once
 
 #include <chrono>
@@ -16,9 +16,9 @@ namespace isomotion::render {
 
 struct PictureInFlight {
     PictureInputs inputs;                  // what it is drawn from
-    std::optional<gpu::Transfer> pixels;   // to come
-    std::optional<Picture> picture;        // or itself
-    std::chrono::duration<double> begun{}; // the time that asking took
+    std::optional<gpu::Transfer> pixels;   // in transfer
+    std::optional<Picture> picture;        // or already drawn
+    std::chrono::duration<double> begun{}; // the time that starting took
 };
 
 class PicturesInFlight {
@@ -33,14 +33,14 @@ public:
 
     void add(PictureInFlight flight) { flights_.push_back(std::move(flight)); }
     PictureInFlight& last() { return flights_.back(); }
-    // Takes the one asked for first.
+    // Takes the picture that was started first.
     PictureInFlight take() {
         PictureInFlight flight = std::move(flights_.front());
         flights_.pop_front();
         return flight;
     }
 
-    // Does it; if it throws, no picture is on its way any more.
+    // Runs the action. If it throws, no picture is in flight any more.
     template<class Action> void guard(const Action& action) {
         try {
             action();
@@ -50,7 +50,7 @@ public:
         }
     }
 
-    // A buffer of so many bytes for a picture's pixels, of those given back if there is one.
+    // A buffer of so many bytes for a picture's pixels; reuses one that was given back, if any.
     gpu::Transfer transfer(std::size_t bytes) {
         if (spare_.empty()) return gpu::Transfer(bytes);
         gpu::Transfer transfer = std::move(spare_.back());

@@ -1,4 +1,5 @@
-// An attachment of four floats a pixel as a frame's channels, which are planes, rows from the top.
+// Converts an attachment of four floats per pixel to a frame's channels, which are planes with rows
+// from the top.
 #pragma once
 
 #include <functional>
@@ -11,19 +12,20 @@ namespace isomotion::render {
 
 class Planes {
 public:
-    // For frames of this size, made of tiles.
+    // For frames of this size that are drawn in tiles.
     Planes(int frame_width, int frame_height)
         : width_(frame_width)
         , height_(frame_height) {}
 
-    // The lower left tile.width x tile.height of an attachment; channel k takes component k, unless
-    // it is null.
+    // Reads the lower left tile.width x tile.height of an attachment. Channel k receives component
+    // k, unless it is null.
     void read(const gpu::Target& from, int attachment, const gpu::Rectangle& tile,
               const std::vector<image::Channel*>& channels);
-    // The same of rows from the bottom that are here already, `y` being the first's in the tile.
+    // The same for rows from the bottom that are in memory; `y` is the first row's place in the
+    // tile.
     void copy(const float* texels, const gpu::Rectangle& tile, int y, int rows,
               const std::vector<image::Channel*>& channels) const;
-    // Numbers told pixel by pixel, rows from the bottom.
+    // Fills a channel pixel by pixel, rows from the bottom.
     void fill(const gpu::Rectangle& tile, image::Channel& channel,
               const std::function<float(std::size_t pixel)>& number) const;
 

@@ -1,4 +1,4 @@
-// Marches the rays of a tile to their ends, in as many passes as that takes.
+// Marches the rays of a tile to their ends, in as many passes as needed.
 #pragma once
 
 #include <functional>
@@ -25,9 +25,9 @@ public:
     RayMarcher(const synthesis::Passes& passes, const scene::Scene& scene, const ScenePlan& plan,
                std::function<void()> stop_if_asked);
 
-    // Marches a tile's rays by the pass of that role: march, mirror or shadow. Returns the one of
-    // the targets that holds their ends, which is bound as state textures. `counted_into` is any
-    // target as large as a tile; its pixels change. Adds its draws to `draws`.
+    // Marches a tile's rays by the pass with this role: march, mirror or shadow. Returns the target
+    // that holds their ends, which is also bound as state textures. `counted_into` is any target as
+    // large as a tile; its pixels change. Adds its draws to `draws`.
     const gpu::Target& march(PassTable& table, synthesis::Role role, const gpu::Rectangle& tile,
                              const RayTargets& targets, const gpu::Target& counted_into,
                              int& draws) const;

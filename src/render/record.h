@@ -1,6 +1,6 @@
-// What is counted of a tile's rays, as shaders/shade/record.glsl packs it: verdict and evaluations
-// of the eye's ray in a word a pixel, and in another, where surfaces are kept, the evaluations of
-// its shadow rays.
+// The counts for a tile's rays, as shaders/shade/record.glsl packs them: verdict and evaluations of
+// the primary ray in one word per pixel; if surfaces are kept, the evaluations of its shadow rays
+// in another.
 #pragma once
 
 #include <array>
@@ -16,28 +16,28 @@ namespace isomotion::render {
 enum class Verdict { miss, hit, step_limit, nan, zero_gradient };
 inline constexpr std::array verdict_names{"miss", "hit", "step limit", "NaN", "zero gradient"};
 
-// What the rays of a tile went through.
+// Totals over the rays of a tile.
 struct Tally {
     std::array<std::int64_t, 5> verdicts{}; // by Verdict
     std::int64_t evaluations = 0;
 
-    // Those that ended.
+    // Number of rays that ended.
     std::int64_t rays() const;
 };
 
 class Record {
 public:
-    // For tiles of up to so many pixels.
+    // For tiles of at most so many pixels.
     Record(int most_pixels, bool has_further_rays)
         : words_(has_further_rays ? 2 : 1)
         , packed_(std::size_t(most_pixels) * words_) {}
 
     gpu::Format format() const { return words_ == 2 ? gpu::Format::rg32ui : gpu::Format::r32ui; }
     void read(const gpu::Target& from, int attachment, int width, int height);
-    // The same of words that were read.
+    // The same from words in memory.
     void take(std::span<const std::uint32_t> words, int width, int height);
 
-    // These are of the tile that was read last; pixels row by row from the bottom.
+    // The functions below refer to the tile that was read last; pixels row by row from the bottom.
     int verdict(std::size_t pixel) const { return int(packed_[pixel * words_] & 7); }
     int evaluations(std::size_t pixel) const { return int(packed_[pixel * words_] >> 3); }
     Tally tally() const;

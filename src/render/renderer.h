@@ -1,4 +1,4 @@
-// Draws frames of one scene: compiled once, then only uniform values change.
+// Draws frames of one scene. The scene is compiled once; then only uniform values change.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 
 namespace isomotion::render {
 
-// Where a pixel's ray ended: t on its ray (scene/rays.h) of a hit, or one of those below.
+// Where a pixel's ray ended: t on its ray (scene/rays.h) for a hit, or one of the constants below.
 struct Ending {
     int column = 0, row = 0; // from the top
     float t = 0;
@@ -34,43 +34,44 @@ struct Ending {
     static constexpr float nowhere = 1e30f, unknown = -1e30f; // shaders/march/verdict.glsl
 };
 
-// A finished picture and what its rays went through.
+// A finished picture with statistics of its rays.
 struct Picture {
-    image::Frame frame;                     // R G B A and the channels asked for; no metadata
+    image::Frame frame;                     // R G B A and the requested channels; no metadata
     std::array<std::int64_t, 5> verdicts{}; // rays by Verdict
-    std::int64_t evaluations = 0;           // of the field, all rays together
-    ProofCounts proofs{};                   // pixels by Proof; none unless certified
-    std::vector<Ending> endings;            // of the pixels that the inputs ask for
-    int passes = 0;                         // march draws, all tiles together
-    bool compiled = false;                  // a shader, the first time that one draw is too few
-    // Preparing its inputs, upload to read-back; of one that was asked for and taken, those alone.
+    std::int64_t evaluations = 0;           // of the field, for all rays together
+    ProofCounts proofs{};                   // pixels by Proof; empty unless certified
+    std::vector<Ending> endings;            // for the pixels that the inputs ask for
+    int passes = 0;                         // march draws of all tiles
+    bool compiled = false; // a shader was compiled, the first time that one draw was not enough
+    // From preparing its inputs to read-back. For a picture that was started and taken, the time of
+    // these two calls alone.
     std::chrono::duration<double> drawing{};
 };
 
 struct RenderOptions {
     int width = 0, height = 0;
     std::vector<synthesis::Channel> channels{};
-    // Instead of the plan made from the formula's cost; tests show that it changes no pixel.
+    // Replaces the plan made from the formula's cost. Tests show that it changes no pixel.
     std::optional<MarchPlan> plan{};
-    // Told what was mended of the files that the scene names.
+    // Receives messages on repaired data in files that the scene names.
     std::function<void(const std::string&)> warn = {};
-    // What marches the rays; it changes hits by last bits at most.
+    // The stage that marches rays. It changes at most the last bits of hits.
     StageChoice stage = StageChoice::fragment;
-    // Pixels across the smallest beams: 8, or 1 to measure what closer starts would be worth.
+    // Pixels across the smallest beams: 8, or 1 to measure the benefit of closer starts.
     int finest_beam = synthesis::usual_beam;
-    // Whether what float32 can't prove is tried in doubles, where the driver's can be trusted.
+    // Whether proofs that fail in float32 are tried in doubles, where the driver's can be trusted.
     bool proofs_in_doubles = true;
     // Whether inputs may ask for the endings of rays. It changes no pixel.
     bool tells_endings = false;
-    // That find elements by place; 0: as many as the machine runs at once.
+    // Threads that make grids of elements; 0: as many as the machine runs at once.
     int threads = 0;
-    // Asked before each tile and between its passes; where it says true, draw() throws Stopped.
+    // Called before each tile and between its passes; if it returns true, draw() throws Stopped.
     std::function<bool()> stop = {};
-    // Told then: the part of the picture that is drawn, in whole tiles.
+    // Called at the same times, with the finished part of the picture in whole tiles.
     std::function<void(double part)> progress = {};
 };
 
-// A picture that was given up.
+// Thrown when a picture is stopped.
 struct Stopped {};
 
 class Renderer {
@@ -80,11 +81,10 @@ public:
     Renderer(gpu::Context& context, const scene::Scene& scene, RenderOptions options);
     ~Renderer();
 
-    // Evaluates a frame: everything that drawing it takes, and the fingerprint of that. The scene's
-    // animation may be another than the renderer's own. Throws SceneError where a value leaves its
-    // range.
+    // Evaluates a frame: all inputs of its drawing, and their fingerprint. The animation of `scene`
+    // may differ from the renderer's own. Throws SceneError if a value leaves its range.
     FrameInputs prepare(const scene::Scene& scene, int frame) const;
-    // Evaluates one picture, a ray a pixel. The channel velocity needs `motion`.
+    // Evaluates one picture with one ray per pixel. The channel velocity needs `motion`.
     PictureInputs prepare(const scene::SceneAt& now, const scene::Aim& aim = {},
                           const Motion* motion = nullptr) const;
 
@@ -94,9 +94,10 @@ public:
                  const Motion* motion = nullptr) {
         return draw(prepare(now, aim, motion));
     }
-    // The same in two steps: start() asks for a picture, take() gives the one asked for first, and
-    // as many may be on their way as most_in_flight() says, 1 or 2. If either throws, none is any
-    // more. Both throw std::logic_error out of turn, draw() where any is on its way.
+    // The same in two steps: start() begins a picture, and take() returns the one that was begun
+    // first. At most most_in_flight() pictures, 1 or 2, may be in flight. If either throws, none is
+    // any more. Both throw std::logic_error when called out of turn, and so does draw() while any
+    // is in flight.
     void start(PictureInputs inputs);
     void start(const scene::SceneAt& now, const scene::Aim& aim = {},
                const Motion* motion = nullptr) {
@@ -105,21 +106,21 @@ public:
     Picture take();
     int in_flight() const;
     int most_in_flight() const;
-    // Gives back a picture's memory, for the next one.
+    // Reuses a picture's memory for the next one.
     void reuse(Picture picture);
 
-    // The size of the next pictures. Nothing is compiled or made anew, so it costs nothing;
-    // pictures larger than the options' are cut into more tiles, for which the options' sides must
-    // be multiples of 64, or else this throws std::invalid_argument.
+    // Sets the size of the next pictures. Nothing is compiled or allocated, so it costs nothing.
+    // Pictures larger than the options' size are cut into more tiles. For that the options' sides
+    // must be multiples of 64, otherwise this throws std::invalid_argument.
     void resize(int width, int height);
-    // Other settings of the scene's method, for the next pictures; those of other surfaces change
-    // alike. Throws std::invalid_argument for another method, beams or proofs: those are other
+    // Sets the method's settings for the next pictures; settings of other surfaces change in the
+    // same way. Throws std::invalid_argument for another method, beams or proofs, which need other
     // shaders.
     void adjust(const scene::Isolation& settings);
     bool needs_motion() const;
-    // From the next picture on rays begin where the beams of the one drawn last have them, until
-    // it is called off: right for that picture's time and aim alone, to measure what starts cost.
-    // Throws std::logic_error if pictures take more than one tile.
+    // If true, rays of later pictures begin where the beams of the last picture have them, until
+    // called with false. This is correct only for that picture's time and aim; it serves to measure
+    // the cost of starts. Throws std::logic_error if pictures take more than one tile.
     void keep_beams(bool keep);
 
     // Changes with the text of any shader.

@@ -1,4 +1,4 @@
-// How a scene's pictures are cut into draws, by what its passes' loops may add up to.
+// Divides a scene's pictures into draws by the number of loop iterations in its passes.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@ namespace isomotion::render {
 
 struct ScenePlan {
     MarchPlan march;
-    int evaluations_without_lists = 0;          // of one draw, for rays that go by all elements
-    std::uint32_t most_elements_at_a_place = 0; // that are found by place
-    float element_budget = 0; // that the evaluations of one draw may go through, all together
+    int evaluations_without_lists = 0;          // in one draw, for rays that sum over all elements
+    std::uint32_t most_elements_at_a_place = 0; // if elements are found by place
+    float element_budget = 0; // limit on elements summed in all evaluations of one draw
 };
 
-// Elements of each array that an evaluation is reckoned to go through, in the list of a cell where
-// they are found by place.
+// For each array the number of elements that an evaluation is assumed to sum; in the list of a
+// cell, if they are found by place.
 std::vector<int> elements_by_place(const synthesis::Passes& passes);
 
-// `wanted`: instead of the march plan made from the formula's cost. Throws std::length_error for a
-// sum too long for a shader and for a formula that no draw can hold.
+// `wanted` replaces the march plan made from the formula's cost. Throws std::length_error for a sum
+// too long for a shader, and for a formula that no draw can evaluate.
 ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Passes& passes, int width,
                      int height, int max_texture_size, const std::optional<MarchPlan>& wanted);
 

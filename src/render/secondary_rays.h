@@ -1,5 +1,4 @@
-// Rays that start where the eye's rays ended: shadow rays and mirrored ones and
-// those through glass.
+// Rays that start where the eye's rays ended: shadow rays, mirrored rays and rays through glass.
 #pragma once
 
 #include <optional>
@@ -11,14 +10,14 @@
 
 namespace isomotion::render {
 
-// For scenes whose passes keep where rays ended (Role::surface).
+// For scenes whose passes keep the ends of rays (Role::surface).
 class SecondaryRays {
 public:
     SecondaryRays(const synthesis::Passes& passes, const scene::Scene& scene,
                   const MarchPlan& tile);
 
-    // Traces what starts on the ends of a tile's rays, which are bound as state textures, and binds
-    // what the shade pass reads of it. `counted_into` and `draws`: as RayMarcher has them.
+    // Traces the rays that start at the ends of a tile's rays, which are bound as state textures,
+    // and binds the results for the shade pass. `counted_into` and `draws`: see RayMarcher.
     void trace(PassTable& table, const RayMarcher& marcher, const gpu::Rectangle& tile,
                const gpu::Target& counted_into, int& draws) const;
 

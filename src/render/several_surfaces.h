@@ -1,5 +1,6 @@
-// Draws the surfaces of a scene with several: each is marched by its own passes, the nearest hit
-// counts, and rays that begin on one see all. What passes share is in textures: shaders/surfaces/.
+// Draws scenes with several surfaces. Each surface is marched by its own passes, the nearest hit
+// counts, and rays that begin on one surface see all. Passes share data in textures:
+// shaders/surfaces/.
 #pragma once
 
 #include <array>
@@ -13,22 +14,22 @@
 
 namespace isomotion::render {
 
-// Uniforms of one surface among several, of which `now` has the first: how its rays and places are
-// those of the others.
+// Uniforms of one surface among several, which relate its rays and places to those of the others.
+// `now` is the first surface's.
 synthesis::Uniforms uniforms_among(const scene::SceneAt& now, int index, int width, int height,
                                    const scene::Aim& aim);
 
 class SeveralSurfaces {
 public:
-    // `all` outlive this, the first one first.
+    // `all` must outlive this object; the first surface comes first.
     explicit SeveralSurfaces(std::vector<SurfacePasses*> all);
 
-    // Draws a tile, whose inputs are uploaded, into `result`; adds its march draws to `draws`.
+    // Draws a tile, whose inputs are uploaded, into `result`. Adds its march draws to `draws`.
     void draw(const PictureInputs& inputs, const gpu::Rectangle& tile, const gpu::Target& result,
               const gpu::Texture* environment, int& draws);
 
 private:
-    // Two targets in turn: the pass of each surface reads what the passes before it drew.
+    // Two alternating targets: the pass of each surface reads what the passes before it drew.
     struct Relay {
         explicit Relay(const MarchPlan& tile, int attachments);
         const gpu::Target& last() const { return targets[std::size_t(at)]; }
@@ -48,7 +49,7 @@ private:
 
     std::vector<SurfacePasses*> all_;
     std::vector<RayTargets> eye_, shadow_, mirror_;
-    std::vector<const gpu::Target*> rays_; // where the eye's have ended
+    std::vector<const gpu::Target*> rays_; // where the eye's rays ended
     Relay ends_;
     std::optional<Relay> mirrored_, open_;
     std::optional<gpu::Target> seen_;

@@ -1,4 +1,4 @@
-// One surface as it is drawn: its passes, compiled once, and what they are drawn from.
+// Draws one surface: its passes, compiled once, and their inputs.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@
 
 namespace isomotion::render {
 
-// A surface's passes, and how pictures are cut into draws of them.
+// A surface's passes with the plan that divides pictures into draws.
 struct PlannedSurface {
     PlannedSurface(scene::Scene surface, const RenderOptions& options,
                    const gpu::ContextInfo& info);
@@ -28,7 +28,7 @@ struct PlannedSurface {
 };
 
 // Plans all surfaces of a scene, in the file's order, with tiles of one size. Throws SceneError for
-// what several surfaces can't have.
+// features that several surfaces can't have.
 std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const RenderOptions& options,
                                           const gpu::ContextInfo& info);
 
@@ -41,9 +41,9 @@ public:
     PictureInputs prepare(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion,
                           int width, int height, SharedField& field_of_frame);
 
-    // Uploads what a picture is drawn from, and binds it.
+    // Uploads and binds a picture's inputs.
     void upload(const PictureInputs& inputs, int width, int height);
-    // Binds it again: passes of another surface have their own at the same places.
+    // Binds them again, since passes of another surface bind their own to the same places.
     void bind();
     void draw_beams(const PictureInputs& inputs, const gpu::Rectangle& tile);
 

@@ -1,4 +1,4 @@
-// What a frame uploads: the uniform blocks of the shaders, filled from a scene at one time.
+// Fills the uniform blocks of the shaders from a scene at one time.
 #pragma once
 
 #include <limits>
@@ -20,19 +20,18 @@ struct FrameBlock {
     glm::vec4 picture, thresholds, limits, cubics;
 };
 
-// `element_radius`: see element_radius.h; cubics (the method hermite) step no farther than half of
-// it.
+// `element_radius`: see element_radius.h; cubics (the method hermite) step at most half of it.
 FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
                        const scene::Aim& aim = {},
                        double element_radius = std::numeric_limits<double>::infinity());
 
-// How many times the rounding of a ray (scene/ray_rounding.h) its beam is thickened by: once for
-// the ray that is marched, once for the box's own arithmetic, which takes no more steps, and once
-// each for the ends of pieces, which rays turn into distances of their own, and for those of the
+// The multiple of a ray's rounding (scene/ray_rounding.h) by which its beam is thickened: one for
+// the ray that is marched; one for the box's own arithmetic, which has no more steps; and one each
+// for the ends of pieces, which rays convert to distances of their own, and for those of the
 // bounds.
 inline constexpr double beam_roundings = 4;
 
-// Uniform `beam` of shaders/march/beam.frag: the range of tau that the bounds may be in, the
+// Uniform `beam` of shaders/march/beam.frag: the range of tau in which the bounds may be, the
 // shortest piece, and `beam_roundings` times the rounding. `block`: pixels across a beam.
 glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const scene::Aim& aim,
                      int block);
@@ -41,7 +40,7 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const sce
 std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,
                                      int width, int height);
 
-// Block Parameters, generated: parameter values, the arrays' counts, the grid where there is one.
+// Generated block Parameters: parameter values, the arrays' counts, the grid if there is one.
 std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SceneAt& now,
                                        const elements::ElementGrid* grid);
 

@@ -1,4 +1,5 @@
-// The channel velocity of a tile, see motion.h: F at two other times, where its rays ended.
+// The channel velocity of a tile, see motion.h: evaluates F at two other times where the rays
+// ended.
 #pragma once
 
 #include <span>
@@ -17,9 +18,10 @@ public:
     explicit VelocityPass(const MarchPlan& tile)
         : field_(tile.tile_width, tile.tile_height) {}
 
-    // The gradient and the value of F, whose parameters and elements at another time are uploaded,
-    // where the rays that are bound ended: four floats a pixel. That is, in formula coordinates, at
-    // `from`, and in those of the other time at `to`. On caps it is their section's.
+    // The gradient and the value of F at another time, whose parameters and elements are uploaded,
+    // where the bound rays ended: four floats per pixel. `from` holds the formula coordinates of
+    // these ends, `to` those of the other time. On caps the gradient and the value are their
+    // section's.
     std::vector<float> field_there(PassTable& table, const gpu::Rectangle& tile,
                                    const scene::PlacementAt& from, const scene::SceneAt& to) const;
 
@@ -27,9 +29,9 @@ private:
     gpu::Target field_;
 };
 
-// The velocity at each pixel of a tile, 0 where it has no hit; see velocity() of motion.h.
-// `record`: of the tile. `rays`, `before` and `after` are four floats a pixel: first t, and what
-// VelocityPass told of both times of the motion.
+// The velocity at each pixel of a tile, 0 without a hit; see velocity() of motion.h. `record` is
+// the tile's. `rays`, `before` and `after` have four floats per pixel: t comes first in `rays`; the
+// others are VelocityPass's results for both times of the motion.
 std::vector<glm::dvec3> velocities(const Motion& motion, const scene::SceneAt& now, int width,
                                    int height, const gpu::Rectangle& tile, const Record& record,
                                    std::span<const float> rays, std::span<const float> before,

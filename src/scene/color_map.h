@@ -1,4 +1,4 @@
-// How a number from 0 to 1 becomes a colour.
+// Colour maps: colours for numbers from 0 to 1.
 #pragma once
 
 #include <optional>
@@ -6,11 +6,11 @@
 
 namespace isomotion::scene {
 
-// Both are steps of equal size in OKLab, told apart by lightness alone too, and so in every kind of
-// colour blindness.
+// Both maps have steps of equal size in OKLab. Lightness alone tells their colours apart, so they
+// work in every kind of colour blindness.
 enum class ColorMap {
     blue_yellow, // sequential: from dark to light
-    blue_orange, // diverging: light in the middle, for numbers with a sign
+    blue_orange, // diverging: light in the middle, for signed numbers
 };
 
 struct ColorMapName {

@@ -7,14 +7,14 @@
 
 namespace isomotion::scene {
 
-// The folder that holds shaders/ and animations/: $ISOMOTION_DATA, or <prefix>/share/isomotion
-// beside the program, or the nearest folder above the program that has both (a source tree with
-// its build inside); else, for programs of others that link this library, where the build was to be
-// installed. Throws SceneError naming where it looked.
+// The folder that holds shaders/ and animations/. Tried in this order: $ISOMOTION_DATA;
+// <prefix>/share/isomotion beside the program; the nearest folder above the program that has both
+// (a source tree with its build inside); the folder where the build was to be installed, for other
+// programs that link this library. Throws SceneError that names the places tried.
 std::filesystem::path data_folder();
 
-// Names (without .toml) of the gallery's animations, of the catalogue's surfaces, and of the looks
-// that scenes name, sorted.
+// Sorted names (without .toml) of the gallery's animations, of the catalogue's surfaces, and of the
+// looks that scenes can name.
 std::vector<std::string> animation_names();
 std::vector<std::string> surface_names();
 std::vector<std::string> look_names();

@@ -1,4 +1,4 @@
-// Bounds for a scene that gives none: a ball about the surface, found by intervals.
+// Finds bounds for a scene that gives none: a ball around the surface, found by intervals.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,19 @@
 namespace isomotion::scene {
 
 struct FoundBounds {
-    // The surface is looked for from -reach to reach along each axis.
+    // The search for the surface covers -reach to reach along each axis.
     static constexpr double reach = 10;
-    // The radius where a surface goes on beyond that, or where nothing is found.
+    // The radius if the surface extends beyond that, or if no surface is found.
     static constexpr double otherwise = 3;
 
     glm::dvec3 centre{0};
     double radius = otherwise;
-    bool is_about_surface = false; // at all frames; else it goes on beyond, or there may be none
+    // At all frames; false if it extends beyond, or if there may be none.
+    bool is_about_surface = false;
 };
 
-// Bounds of a scene whose own don't count. None if looking would take long: many elements or
-// frames.
+// Bounds of a scene; its own bounds are ignored. None if the search would take long, because of
+// many elements or frames.
 std::optional<FoundBounds> find_bounds(const Scene& scene);
 
 } // namespace isomotion::scene

@@ -3,7 +3,7 @@
 
 namespace isomotion::scene {
 
-// The index-th number, from 1 on, of the sequence of a prime base, in [0, 1).
+// The index-th number, counted from 1, of the sequence of a prime base; in [0, 1).
 inline double halton(int index, int base) {
     double result = 0, weight = 1;
     for (; index > 0; index /= base) {

@@ -1,4 +1,4 @@
-// Lights that have a size, one point of them at a time: the mean over the pictures of a frame has
+// Lights with a size are sampled one point per picture. The mean over the pictures of a frame has
 // soft shadows.
 #pragma once
 
@@ -6,11 +6,11 @@
 
 namespace isomotion::scene {
 
-// Whether some light has a radius: else every point lights alike.
+// Whether some light has a radius. Otherwise every point of a light gives the same light.
 bool is_lit_by_discs(const SceneAt& now);
 
 // The scene lit from another point of every light that has a radius. `disc` is in the unit disc;
-// its middle leaves the scene as it is.
+// its middle leaves the scene unchanged.
 SceneAt lit_from(SceneAt now, const glm::dvec2& disc);
 
 } // namespace isomotion::scene

@@ -1,5 +1,5 @@
-// How the first root along a ray is found: the methods, a row of traits each. A method is its row
-// here and its files of shaders/march/.
+// The methods that find the first root along a ray, one row of traits each. A method consists of
+// its row here and its files of shaders/march/.
 #pragma once
 
 #include <array>
@@ -19,15 +19,15 @@ enum class Method {
     chebyshev,  // the polynomial that F is along the ray, from its degree + 1 samples
 };
 
-// What decides how far a ray goes to its next sample.
+// What decides the distance from a sample to the next one.
 enum class Steps {
     scene_step, // a length that the scene gives, adapted to F or not
     cubics,     // the estimated error of a cubic
-    bounds,     // bounds of F and dF/dt over pieces of the ray, by interval arithmetic
+    bounds,     // bounds on F and dF/dt over pieces of the ray, by interval arithmetic
     polynomial, // the degree of F along the ray
 };
 
-// What a turn of the march asks of the field.
+// What one step of the march evaluates of the field.
 enum class Samples { value, directional, value_and_bounds };
 
 struct MethodTraits {
@@ -36,12 +36,12 @@ struct MethodTraits {
     std::string_view summary;
     Steps steps;
     Samples samples;
-    int state_textures; // that a ray's state takes between passes
-    // Files of shaders/march/, without their extension, up to the first empty one: what finds a
-    // root between two samples, and what makes a turn of it.
+    int state_textures; // textures that hold a ray's state between passes
+    // Files of shaders/march/, without extension, up to the first empty name: those that find a
+    // root between two samples, and those that make up one step of the march.
     std::array<std::string_view, 2> test;
     std::array<std::string_view, 3> turn;
-    // What tells whether a shadow ray meets any root, and whether it makes such turns for it.
+    // The file that tells whether a shadow ray meets any root, and whether it uses the same steps.
     std::string_view any_hit;
     bool any_hit_turns;
 };
@@ -138,7 +138,7 @@ constexpr const MethodTraits& traits(Method method) {
 
 constexpr std::string_view name(Method method) { return traits(method).name; }
 
-// Whether a step of the scene's decides where the ray is sampled.
+// Whether the scene's step decides where the ray is sampled.
 constexpr bool takes_steps(Method method) { return traits(method).steps == Steps::scene_step; }
 
 constexpr std::optional<Method> parse_method(std::string_view text) {

@@ -1,4 +1,5 @@
-// What a field's names stand for near a place: of an array with many elements, those that matter.
+// Bindings of a field near a place. For an array with many elements they hold only those that
+// matter there.
 #pragma once
 
 #include <optional>
@@ -8,8 +9,8 @@
 
 namespace isomotion::scene {
 
-// What a grid of elements covers: the bounds, and what rounding takes for them; truth's tubes are
-// wider by less.
+// The region that a grid of elements covers: the bounds with a margin for rounding. Truth's tubes
+// extend beyond the bounds by less than this margin.
 elements::Region region_of_elements(const BoundsAt& bounds);
 
 // Finds the array whose elements are worth finding by place, once for all times.
@@ -24,17 +25,17 @@ private:
     std::optional<elements::GridMaker> maker_;
 };
 
-// At one time. What it tells at places near one another takes little.
+// Bindings at one time. Queries at neighbouring places are cheap.
 class NearElements {
 public:
     // Throws std::length_error where too many elements matter at one place.
     NearElements(const ElementFinder& finder, const SceneAt& now);
 
-    // Valid until the next call. Without an array to find by place, all().
+    // Valid until the next call. Returns all() if no array is found by place.
     const formula::Bindings<double>& at(const glm::dvec3& p);
     const formula::Bindings<double>& all() const { return all_; }
     bool is_by_place() const { return grid_.has_value(); }
-    // For each array: how many elements a sum takes at most places.
+    // For each array: how many elements a sum has at most places.
     std::vector<int> usual_counts() const;
 
 private:

@@ -1,11 +1,10 @@
-// How far float32 may carry a ray from where it is: what truth's tubes, the boxes around beams and
-// the proofs are thickened by.
+// Bounds the error of a ray computed in float32. Truth's tubes, the boxes around beams and the
+// proofs are thickened by this bound.
 //
-// The exact ray of a pixel is the one of the uniforms as floats, in real arithmetic. The shader's
-// (shaders/march/ray.glsl) differs from it by its rounding, and nothing else. Let u = 2^-24, the
-// relative error of a sum or a product; GLSL allows 5 u for a quotient and 9 u for a square root
-// (made of 1 / inversesqrt), any order of evaluation, and fused or unfused products. To first
-// order:
+// The exact ray of a pixel follows from the uniforms as floats, in real arithmetic. The shader's
+// ray (shaders/march/ray.glsl) differs from it only by rounding. Let u = 2^-24, the relative error
+// of a sum or a product. GLSL allows 5 u for a quotient and 9 u for a square root (computed as 1 /
+// inversesqrt), any order of evaluation, and fused or unfused products. To first order:
 //
 //   at        = (pixel + shift) * (2 / size) - 1; the sum, 2 / size and the product carry u each of
 //               at + 1, which is 2 at most, and the difference one of itself: 7 u
@@ -35,27 +34,27 @@ namespace isomotion::scene {
 
 struct RayRounding {
     double anchor = 0;
-    double direction = 0; // of parallel rays s is 0
-    double centre = 0;    // of points near the bounds' centre, for how far that is from 0
-    double slant = 1;     // a ray is no longer than this for each unit of depth that it crosses
+    double direction = 0; // for parallel rays s is 0
+    double centre = 0;    // of points near the bounds' centre, because of its distance from 0
+    double slant = 1;     // the longest way of a ray per unit of depth that it crosses
     bool holds = true;    // whether all lengths are in the range of the model
 
-    // Error of a point of a ray that is `distance` from its anchor or nearer.
+    // Error of a point of a ray at most `distance` from its anchor.
     double at_distance(double distance) const {
         return anchor + distance * (direction + 2 * unit) + centre;
     }
-    // Error of a point of any ray that is so far from the plane of the anchors or nearer. There |t|
-    // is f times that, f = |from_eye| / depth, and the direction off by 15.5 u along itself and u +
-    // 9 u s / f aside; f times both is less than 16 u slant, whatever s is. (Only of pictures that
-    // are many times as wide as high, and more than 160 degrees, the root must be closer than 9 u
-    // for that.)
+    // Error of a point of any ray at most `depth` from the plane of the anchors. There |t| is f
+    // times the depth, f = |from_eye| / depth, and the direction is off by 15.5 u along itself and
+    // u + 9 u s / f aside; f times both is less than 16 u slant, whatever s is. (Only for pictures
+    // many times as wide as high, with more than 160 degrees, must the root be more accurate than 9
+    // u.)
     double at_depth(double depth) const { return anchor + 18 * unit * depth * slant + centre; }
 
     static constexpr double unit = 0x1p-24; // relative error of one float32 rounding
 };
 
-// What is bounded: each coordinate of an error, which is what boxes want; or its length, which is
-// more, for spheres and distances along rays.
+// What is bounded: each coordinate of an error, as boxes need it; or its length, which is larger,
+// as spheres and distances along rays need it.
 enum class Norm { coordinate, length };
 
 // The rays of all pixels, or of parts of pixels, of one picture.

@@ -1,9 +1,9 @@
-// The rays of a picture, in formula coordinates, from double on the CPU to float on the GPU.
+// The rays of a picture, in formula coordinates. Doubles on the CPU become floats on the GPU.
 //
-// Every ray is given by the point `anchor` where it crosses the plane through the middle of the
-// bounds, parallel to the picture, and not by the eye: float keeps 24 bits of a coordinate, so a
-// point computed from an eye 10^5 away would jitter by 10^-2. Anchors have the size of the bounds,
-// whatever the camera's distance and the surface's placement.
+// Every ray is given by its `anchor`, not by the eye. The anchor is where the ray crosses the plane
+// through the middle of the bounds, parallel to the picture. Float keeps 24 bits of a coordinate,
+// so a point computed from an eye 10^5 away would jitter by 10^-2. Anchors have the size of the
+// bounds, whatever the camera's distance and the surface's placement.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -26,14 +26,14 @@ struct Rays {
 
 Rays rays(const SceneAt& scene, int width, int height);
 
-// Which of a pixel's rays: through its centre and from the eye, unless moved.
+// The choice of a pixel's ray: through its centre and from the eye, unless moved.
 struct Aim {
     glm::dvec2 pixel{0}; // from the pixel's centre, in pixels: right, up
-    glm::dvec2 lens{0};  // from the lens' middle, in radii of the aperture: right, up
+    glm::dvec2 lens{0};  // from the lens' centre, in radii of the aperture: right, up
 };
 
-// The rays of this aim; without one they are those above, bit for bit. From another point of the
-// lens they lead to the same points of the plane in focus: space is sheared about that plane. The
+// The rays of this aim. The default aim gives exactly the rays above. From another point of the
+// lens, rays lead to the same points of the plane in focus: space is sheared about that plane. The
 // lens of an orthographic camera is telecentric: a pixel's rays are a cone with its tip in the
 // plane in focus, as wide at the eye's plane as the aperture.
 Rays rays(const SceneAt& scene, int width, int height, const Aim& aim);

@@ -1,5 +1,5 @@
-// Where a scene looks at its formula: the box around its bounds, and what its names stand for, over
-// all of its frames.
+// The domain in which a scene evaluates its formula: the box around its bounds, and the ranges of
+// its names, over all of its frames.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace isomotion::scene {
 
-// One for each two neighbours of some frames: the hull of their parameters, and the elements of the
-// first. What else happens between them is left out, and so are frames at which values have left
-// their range.
+// One region for each pair of neighbouring frames among some frames: the hull of their parameters,
+// with the elements of the first. It ignores other values between the two frames, and frames at
+// which values have left their range.
 std::vector<formula::Region> regions(const Scene& scene, const SceneAt& first);
 
 } // namespace isomotion::scene

@@ -1,5 +1,4 @@
-// Keys of scene files that have another name than they once had. Files with the old name still
-// load, and mean the same.
+// Keys of scene files that were renamed. Files with the old name still load, and mean the same.
 #pragma once
 
 #include <string>
@@ -15,7 +14,7 @@ struct RenamedKey {
 // The key of `section` that is, or was, called `name`; null where no such key was renamed.
 const RenamedKey* renamed_key(std::string_view section, std::string_view name);
 
-// A track's name with each key as it was first called: "surface.placement.scale".
+// A track's name in which each key has its first name: "surface.placement.scale".
 std::string first_name(std::string_view track);
 
 } // namespace isomotion::scene

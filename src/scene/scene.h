@@ -1,7 +1,7 @@
-// A scene, loaded: a surface, how everything moves, and how it is seen.
+// A loaded scene: a surface, how everything moves, and how it is seen.
 //
-// Every number that may move is a track of the one animation; the structs here hold track indices.
-// scene_at.h turns a scene and a time into plain numbers.
+// Every number that can be animated is a track of the one animation; the structs here hold track
+// indices. scene_at.h turns a scene and a time into plain numbers.
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ struct Placement {
     TrackId scale = 0;
 };
 
-// The values that a parameter is meant for, as a guide for sliders; nothing enforces it.
+// The values that a parameter is meant for. They guide sliders and are not enforced.
 struct Range {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
@@ -51,36 +51,38 @@ struct Range {
 
 struct Surface {
     std::string name;  // of the catalogue, or empty
-    std::string label; // among several of a scene, see surfaces.h
-    // Shared: evaluators and shaders refer to its programs for as long as they live.
+    std::string label; // its name among several surfaces of a scene, see surfaces.h
+    // Shared, since evaluators and shaders refer to its programs as long as they live.
     std::shared_ptr<const formula::Field> field;
     int parameters = 0;        // the first tracks of the animation are the formula's parameters
-    std::vector<Range> ranges; // of those among them that a scene can name
+    std::vector<Range> ranges; // ranges of the parameters that a scene can name
     formula::Smoothness smoothness; // within the bounds, over all frames
-    bool jumps_are_walls = false;   // where F jumps across 0, and not only where F is 0
+    bool jumps_are_walls = false;   // jumps of F across 0 count as surface, too
     Bounds bounds;
-    std::optional<bool> found_bounds; // of bounds that no file gives: whether about the surface
+    // For bounds that no file gives: whether they enclose the surface.
+    std::optional<bool> found_bounds;
     Placement placement;
 };
 
 // The method's settings; lengths in formula coordinates, thresholds in units of F.
 struct Isolation {
     Method method = Method::hermite;
-    double step = 0;    // b of Eq. 2
-    double near = 0;    // tau 1: the step is halved where |F| is below this
-    double far = 0;     // tau 2: it is doubled where |F| is above this
-    double horizon = 0; // tau 3: it is quartered near a silhouette, where |dF/dt| is below this
+    double step = 0; // b of Eq. 2
+    double near = 0; // tau 1: the step is halved where |F| is below this
+    double far = 0;  // tau 2: the step is doubled where |F| is above this
+    // Tau 3: the step is quartered near a silhouette, where |dF/dt| is below this.
+    double horizon = 0;
     int bisections = 10;
-    std::optional<bool> beam; // skip the empty part of the way for blocks of rays: uses_beams()
-    bool certify = false;     // prove by intervals, on the GPU, where rays ended: render/proofs.h
-    double safety = 32;       // a cubic rules a root out where it is this many of its errors off 0
-    int limit = 100'000;      // evaluations after which a ray gives up with the verdict step limit
+    std::optional<bool> beam; // skip the empty part of blocks of rays: uses_beams()
+    bool certify = false;     // prove by intervals, on the GPU, where rays end: render/proofs.h
+    double safety = 32;  // a cubic excludes a root if |F| exceeds this many of its estimated errors
+    int limit = 100'000; // evaluations after which a ray ends with the verdict step limit
 
     bool operator==(const Isolation&) const = default;
 };
 
-// Stands at `position`, or on an orbit about the target. Values that a scene leaves out follow from
-// the bounds, so that they fill the picture.
+// Stands at `position`, or on an orbit around the target. Values that a scene leaves out are
+// derived from the bounds, so that the bounds fill the picture.
 struct Camera {
     enum class Projection { perspective, orthographic };
     Projection projection = Projection::perspective;
@@ -93,70 +95,75 @@ struct Camera {
     TrackId fov = 0;                 // vertical, degrees
     std::optional<TrackId> height;   // of an orthographic picture, world units
     TrackId zoom = 0;                // magnifies the picture about its middle
-    double shutter = 0;              // open from a frame's time on, for this part of its duration
-    std::optional<TrackId> aperture; // diameter of the lens, world units; without one a pinhole
-    std::optional<TrackId> focus;    // of the sharp plane from the eye; without one the target's
+    double shutter = 0;              // opens at a frame's time, for this fraction of its duration
+    std::optional<TrackId> aperture; // diameter of the lens, world units; unset: a pinhole
+    // Distance of the sharp plane from the eye; unset: that of the target.
+    std::optional<TrackId> focus;
 };
 
-// A light far away, or at a place.
+// A distant light, or a point light.
 struct Light {
-    // To the light, or the position of a point light: in world coordinates, or of a light that goes
-    // with the camera to the viewer's right, up and back.
+    // To the light, or a point light's position, in world coordinates. A light that moves with the
+    // camera has the viewer's coordinates: right, up and back.
     Vec3Track direction{};
     Vec3Track color{};
     bool is_point = false;
-    std::optional<TrackId> falloff; // distance at which a point light has its colour; else all have
+    // Distance at which a point light has its colour; unset: it has it everywhere.
+    std::optional<TrackId> falloff;
     bool shadow = false;
-    bool headlight = false; // no light given: over the viewer's shoulder
+    bool headlight = false; // the default without lights: over the viewer's shoulder
     bool with_camera = false;
-    // A disc that faces the surface has it: degrees as seen from there; a point light world units.
+    // Of the disc that faces the surface: degrees as seen from there; for a point light world
+    // units.
     std::optional<TrackId> radius;
 };
 
-// A plane across the world's z axis.
+// A plane perpendicular to the world's z axis.
 struct Ground {
     TrackId height = 0;
     Vec3Track color{};
 };
 
-// Fades everything farther than `start` from the eye into the colour: by 1 - 1/e in 1/density.
+// Fades everything farther than `start` from the eye into the colour: by 1 - 1/e over 1/density.
 struct Fog {
     TrackId density = 0, start = 0; // world units
     Vec3Track color{};
 };
 
-// Light from everywhere: from the world's zenith and from its nadir.
+// Light from all directions, given at the world's zenith and nadir.
 struct Ambient {
     Vec3Track top{}, bottom{};
 };
 
-// Takes away light from everywhere where the surface is near along the normal.
+// Reduces ambient light where the surface is near along the normal.
 struct Occlusion {
-    std::optional<TrackId> reach; // world units; else a fifth of the bounds' radius
+    std::optional<TrackId> reach; // world units; unset: a fifth of the bounds' radius
     TrackId strength = 0;         // 0: none, 1: full
 };
 
 // Takes a half-space or a ball away from the solid F < 0; world coordinates. See cut.h.
 struct Cut {
     bool is_ball = false;
-    // Of a half-space: away from what is left; a point of its plane; how far beyond it that is.
+    // Half-space: its normal points away from what is left; a point of its plane; offset of the
+    // plane.
     Vec3Track normal{}, point{};
     TrackId offset = 0;
-    // Of a ball.
+    // Ball.
     Vec3Track centre{};
     TrackId radius = 0;
 };
 
-// Colours the surface by a number: `low` is at the beginning of the map and `high` at its end.
+// Colours the surface by a number: `low` is at the beginning of the map, `high` at its end.
 struct Paint {
     std::shared_ptr<const formula::Paint> value;
     TrackId low = 0, high = 0;
-    std::optional<Range> shown; // in place of both: what the surface shows, see shown_range.h
-    bool met = true;            // ...and whether it shows anything
+    // Replaces both: the range that the surface shows, see shown_range.h.
+    std::optional<Range> shown;
+    bool met = true; // whether any ray met the surface when that was found
     ColorMap map = ColorMap::blue_yellow;
 };
 
-// Lines on the surface where a number of the place is a multiple of `every`, `from` being one.
+// Lines on the surface where a number of the place is a multiple of `every`, counted from `from`.
 struct Contours {
     std::shared_ptr<const formula::Paint> value; // with its slopes: formula/contours.h
     TrackId every = 0, from = 0;
@@ -164,15 +171,15 @@ struct Contours {
     Vec3Track color{};
 };
 
-// The solid F < 0 as clear matter: light goes through, bent where it enters and leaves.
+// Makes the solid F < 0 clear: light passes through, refracted where it enters and leaves.
 struct Glass {
-    TrackId transmission = 0; // of the light that is not reflected, the part that goes in: 0..1
-    TrackId ior = 0;          // index of refraction against what is around, above 0
-    Vec3Track absorption{};   // per world unit: light fades by exp(-absorption * way)
-    int depth = 4;            // rays that are followed after the eye's, 0 to limits::glass_depth
+    TrackId transmission = 0; // the part of the light not reflected that enters: 0..1
+    TrackId ior = 0;          // index of refraction relative to the surroundings, above 0
+    Vec3Track absorption{};   // per world unit: light fades by exp(-absorption * length)
+    int depth = 4;            // rays followed after the primary ray, 0 to limits::glass_depth
 };
 
-// `color` is seen from where F > 0. Only a surface with `inside` has two colours.
+// `color` is seen from the side F > 0. Only a surface with `inside` has two colours.
 struct Material {
     enum class Reflection { none, sky, self };
     enum class Model {
@@ -182,18 +189,18 @@ struct Material {
     };
     Model model = Model::lambert;
     Vec3Track color{};
-    // Another one at every place, of which parts may be those of `color`; null: `color` everywhere.
+    // A colour that depends on the place; its components may be those of `color`. Null: `color`.
     std::shared_ptr<const formula::Paint> color_by_place;
-    Reflection reflection = Reflection::none; // of what is around, and of the surface itself
-    std::optional<Vec3Track> inside;          // seen from where F < 0
-    std::optional<Vec3Track> cap;             // of caps, where sections cut; else as inside
-    std::optional<Paint> paint;               // instead of all
-    std::optional<Contours> contours;         // over them
+    Reflection reflection = Reflection::none; // of the surroundings, or also of the surface itself
+    std::optional<Vec3Track> inside;          // seen from the side F < 0
+    std::optional<Vec3Track> cap;             // on caps, where sections cut; unset: as inside
+    std::optional<Paint> paint;               // replaces all of these colours
+    std::optional<Contours> contours;         // drawn over the colours
     std::optional<Glass> glass;
-    // Each only where the model has it.
+    // Each is set only if the model uses it.
     std::optional<TrackId> shininess;           // exponent, 0 to max_shininess
     std::optional<TrackId> roughness, metallic; // 0..1
-    std::optional<TrackId> specular;            // reflectance straight on, 0..1
+    std::optional<TrackId> specular;            // reflectance at normal incidence, 0..1
 };
 
 inline constexpr double max_shininess = 10'000;
@@ -223,8 +230,8 @@ constexpr std::optional<Material::Model> parse_model(std::string_view text) {
     return std::nullopt;
 }
 
-// The light from far away in every direction, as a latitude-longitude map. The world's z axis
-// points to the top of the map, the x axis to its middle, the y axis to its left quarter.
+// Distant light from every direction, as a latitude-longitude map. The world's z axis points to the
+// top of the map, the x axis to its middle, the y axis to its left quarter.
 struct Environment {
     std::filesystem::path map;
     base::Confines within;  // where the map must lie when it is opened
@@ -233,7 +240,7 @@ struct Environment {
     bool background = true; // seen behind the surface
 };
 
-// Colours at the ends of the world's z axis.
+// Colours at both ends of the world's z axis.
 struct SkyGradient {
     std::array<double, 3> top{}, bottom{};
 };
@@ -241,27 +248,27 @@ struct SkyGradient {
 struct Output {
     int width = 512, height = 512;
     std::array<double, 3> background{};
-    std::optional<SkyGradient> gradient; // in place of `background`
+    std::optional<SkyGradient> gradient; // replaces `background`
     bool transparent = false;
-    int poster = 1;  // the frame that stands for the whole
-    int samples = 1; // pictures whose mean is a frame
+    int poster = 1;  // the frame that represents the animation
+    int samples = 1; // pictures averaged to a frame
 };
 
-// Settings of a file of the program's that apply where a scene says nothing itself.
+// Settings from a file of the program that apply where a scene states none of its own.
 struct NamedLook {
     std::string name;                   // empty: none
-    std::vector<std::string> keys = {}; // what it set: "lights", "material.model"
+    std::vector<std::string> keys = {}; // keys that it set: "lights", "material.model"
 };
 
-// Which of how many surfaces of one scene.
+// Which surface, of how many in one scene.
 struct Among {
     int index = 0, count = 1;
-    int mirrors = 0; // a bit for each that mirrors all: of_surface() tells
+    int mirrors = 0; // a bit for each surface that reflects all others: see of_surface()
 };
 
 struct Scene {
-    std::filesystem::path file; // of a formula alone, one that is not there
-    std::string formula;        // if that is all the scene was loaded by
+    std::filesystem::path file; // for a formula alone, a file that doesn't exist
+    std::string formula;        // set if the scene was loaded from a formula alone
     std::string title;
     animation::Timeline timeline;
     Surface surface;
@@ -272,18 +279,18 @@ struct Scene {
     std::vector<Cut> sections;
     std::optional<Ground> ground;
     std::optional<Fog> fog;
-    std::optional<Ambient> ambient; // without it a little white
+    std::optional<Ambient> ambient; // unset: a little white
     std::optional<Occlusion> occlusion;
     std::optional<Environment> environment;
     Output output;
     NamedLook look;
-    // A scene with several surfaces is that of the first, and has the scenes of the others, each
-    // with an animation of its own. What they share is the first one's: see surfaces.h.
+    // A scene with several surfaces is the scene of the first, and holds the scenes of the others,
+    // each with its own animation. Shared settings are the first one's: see surfaces.h.
     std::vector<Scene> others;
     Among among;
 };
 
-// What loads the scene again, from any folder: its formula, or its file's whole path.
+// The argument that loads the scene again from any folder: its formula, or its file's full path.
 std::string word_of(const Scene& scene);
 
 } // namespace isomotion::scene

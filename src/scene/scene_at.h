@@ -36,22 +36,23 @@ struct PlacementAt {
 
 struct CameraAt {
     glm::dvec3 position{0, 0, 3}, target{0}, up{0, 1, 0};
-    double fov = 40;     // of a perspective camera: vertical, degrees
-    double height = 0;   // of an orthographic one: world units
+    double fov = 40;     // perspective: vertical, degrees
+    double height = 0;   // orthographic: world units
     double zoom = 1;     // magnifies the picture about its middle
     double aperture = 0; // diameter of the lens, world units
-    double focus = 0;    // of the sharp plane, from the eye along the axis, world units
+    double focus = 0;    // distance of the sharp plane from the eye along the axis, world units
     Camera::Projection projection = Camera::Projection::perspective;
 
     bool operator==(const CameraAt&) const = default;
 };
 
 struct LightAt {
-    glm::dvec3 direction{0, 0, 1}; // to the light, unit length; of a point light its place; world
+    // To the light, unit length; for a point light its position; world coordinates.
+    glm::dvec3 direction{0, 0, 1};
     glm::dvec3 color{1};
     bool is_point = false;
     double falloff = 0; // distance at which a point light has its colour; 0: everywhere
-    double radius = 0;  // of its disc: tangent of the angle; of a point light world units
+    double radius = 0;  // of its disc: tangent of the angle; for a point light world units
 };
 
 struct ContoursAt {
@@ -84,47 +85,48 @@ struct OcclusionAt {
 };
 
 struct EnvironmentAt {
-    // To where the map has its middle, its left quarter and its top: unit length, world.
+    // The directions of the map's middle, left quarter and top: unit length, world coordinates.
     glm::dvec3 ahead{1, 0, 0}, left{0, 1, 0}, top{0, 0, 1};
     double intensity = 1;
 };
 
 struct SceneAt {
     double time = 0;
-    // The values of the formula's names, rounded to float: GPU, CPU and truth see the same.
+    // The values of the formula's names, rounded to float, so that GPU, CPU and truth use the same.
     formula::Bindings<float> bindings;
     BoundsAt bounds;
     PlacementAt placement;
     CameraAt camera;
     std::vector<LightAt> lights;
     glm::dvec3 material_color{1};
-    glm::dvec3 inside_color{1};      // of a surface with two colours
-    glm::dvec3 cap_color{1};         // of one whose caps have a colour of their own
+    glm::dvec3 inside_color{1};      // for a surface with two colours
+    glm::dvec3 cap_color{1};         // for a surface whose caps have their own colour
     std::vector<SectionAt> sections; // world
-    ContoursAt contours;             // where the material has them
-    GlassAt glass;                   // where the material is
-    GroundAt ground;                 // these where the scene has them
+    ContoursAt contours;             // if the material has them
+    GlassAt glass;                   // if the material has it
+    GroundAt ground;                 // this and the following: if the scene has them
     FogAt fog;
     AmbientAt ambient;
     OcclusionAt occlusion;
     std::optional<EnvironmentAt> environment;
-    // Blinn-Phong: shininess, specular. GGX: roughness, metallic, specular. The rest is 0.
+    // Blinn-Phong: shininess, specular. GGX: roughness, metallic, specular. Unused entries are 0.
     glm::dvec4 gloss{0};
     glm::dvec2 paint_range{0, 1}; // the values at the ends of the colour map
-    std::vector<SceneAt> others;  // as the scene has them; what they share is the same
+    std::vector<SceneAt> others;  // states of the scene's other surfaces; shared settings are equal
 };
 
-// Moves the surface to where its formula has it, and the camera and lights with it. Rays and
-// verdicts stay; positions are in formula coordinates, where float has all its digits for them. The
-// ground stays behind: it is no part of the surface. Of several surfaces the first is there, and
-// the others are where they are as seen from it.
+// Moves the surface to its formula coordinates, and the camera and lights with it. Rays and
+// verdicts stay the same. Positions are then in formula coordinates, where float has full precision
+// for them. The ground doesn't move, since it is not part of the surface. With several surfaces the
+// first one is moved to its formula coordinates, and the others keep their positions relative to
+// it.
 SceneAt in_formula_coordinates(SceneAt scene);
 
-// Gives one surface what another has of what all share: camera, lights, sections, surroundings.
+// Copies to one surface the settings that all share: camera, lights, sections, surroundings.
 void share(const SceneAt& from, SceneAt& to);
 
-// Throws SceneError when a value has left its range at this time (a radius of 0, a field of view
-// of 200 degrees, a camera at its own target).
+// Throws SceneError if a value is out of its range at this time (a radius of 0, a field of view of
+// 200 degrees, a camera at its own target).
 SceneAt at(const Scene& scene, const animation::Values& values);
 
 } // namespace isomotion::scene

@@ -1,10 +1,10 @@
-// What all surfaces of a scene share, of a scene and of its state at a time.
+// The settings that all surfaces of a scene share, for a scene and for its state at a time.
 #pragma once
 
 namespace isomotion::scene {
 
-// Gives one surface what another has of camera, lights, sections and surroundings. `Surface`: a
-// Scene or a SceneAt.
+// Copies camera, lights, sections and surroundings from one surface to another. `Surface`: a Scene
+// or a SceneAt.
 template<class Surface> void share_surroundings(const Surface& from, Surface& to) {
     to.camera = from.camera;
     to.lights = from.lights;

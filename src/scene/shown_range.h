@@ -1,4 +1,4 @@
-// The range of a paint's number on what a scene shows.
+// The range of a paint's number over the part of the surface that a scene shows.
 #pragma once
 
 #include <stdexcept>
@@ -7,7 +7,7 @@
 
 namespace isomotion::scene {
 
-// Why no range is found.
+// Thrown if no range is found; says why.
 struct NoRange : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -17,15 +17,16 @@ struct ShownRange {
     bool met = true; // some ray met the surface
 };
 
-// The least and the greatest finite number where the rays of small pictures of some frames, the
-// first and the last among them, first meet the surface, in double on this processor. How many rays
-// and frames follows from what the formula costs, so that it mostly takes less than a second. It is
-// the scene's alone, whatever frames are asked for and however large. What is smaller than the
-// rays' samples may be missed, so some numbers may lie beyond. Where all are the same, that is in
-// the middle of the range; where nothing is met, it is 0 to 1. The paint names no evaluations.
+// The least and the greatest finite number at the first hits of rays. The rays belong to small
+// pictures of some frames, including the first and the last, and are traced in double on the CPU.
+// The number of rays and frames depends on the cost of the formula, so that the search mostly takes
+// less than a second. The result depends only on the scene, not on the frames asked for or their
+// size. Details finer than the rays' spacing may be missed, so some numbers may lie beyond the
+// range. If all numbers are equal, they are in the middle of the range; if nothing is hit, it is 0
+// to 1. The paint must not name evaluations.
 //
-// Throws NoRange where even few rays take too long, and where the surface is met but no number of
-// it is finite.
+// Throws NoRange if even few rays take too long, or if the surface is hit but no number on it is
+// finite.
 ShownRange shown_range(const Scene& scene, const formula::Paint& paint);
 
 } // namespace isomotion::scene

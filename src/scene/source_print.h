@@ -1,4 +1,4 @@
-// Fingerprints of how things move: of what a scene file says, not of the values it gives.
+// Fingerprints of animation: of what a scene file states, not of the values that result.
 #pragma once
 
 #include "animation/animation.h"
@@ -6,10 +6,10 @@
 
 namespace isomotion::scene {
 
-// A track's name says what moves by it: "camera.position.x", "lights[1].falloff". The print has it
-// as it was first called, so that sequences and timelines outlive a key's renaming.
+// A track's name tells what it moves: "camera.position.x", "lights[1].falloff". The fingerprint
+// uses the key's first name, so that sequences and timelines outlive a renaming.
 void add(base::Fingerprint& print, const animation::Track& track);
-// With the columns of a table that something reads.
+// Includes the columns of a table that something reads.
 void add_array(base::Fingerprint& print, const animation::Animation& animation, std::size_t index);
 
 } // namespace isomotion::scene

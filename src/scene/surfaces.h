@@ -1,7 +1,7 @@
-// The surfaces of a scene with several.
+// Scenes with several surfaces.
 //
-// Each has a formula, bounds, a placement, a material and a method of its own. Camera, lights,
-// sections, surroundings and output are the first one's, which stands for the scene.
+// Each surface has its own formula, bounds, placement, material and method. Camera, lights,
+// sections, surroundings and output are those of the first, which represents the scene.
 #pragma once
 
 #include <string>
@@ -13,16 +13,16 @@ namespace isomotion::scene {
 
 inline constexpr int most_surfaces = 8;
 
-// A surface among the others, with what all share as the first one has it now.
+// One surface, with the shared settings that the first one has now.
 Scene of_surface(const Scene& scene, int index);
-// The same surface in a scene of its own.
+// The same surface as a scene of its own.
 Scene alone(const Scene& scene, int index);
 
 std::vector<std::string> surface_names(const Scene& scene);
-// The index of that name; throws SceneError for none, with the names that there are.
+// The index of the surface with that name. Throws SceneError that lists the names if there is none.
 int surface_named(const Scene& scene, const std::string& name);
 
-// Throws SceneError where there are several. `who`: what can do with one alone, as "a page".
+// Throws SceneError if there are several surfaces. `who` needs a single one: "a page".
 void expect_one_surface(const Scene& scene, const std::string& who);
 
 } // namespace isomotion::scene

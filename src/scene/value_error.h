@@ -1,4 +1,4 @@
-// A value that is out of its range at a time.
+// A value out of its range at a time.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace isomotion::scene {
 
-// `name` is the value's, as tracks and arrays' fields are called: "camera.fov", "blobs.cx[2]".
+// `name` is the value's name as a track or an array's field: "camera.fov", "blobs.cx[2]".
 class ValueError : public SceneError {
 public:
     ValueError(const std::string& file, std::string name, double time, const std::string& why)

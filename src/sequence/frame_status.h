@@ -1,4 +1,4 @@
-// Whether a frame's file is what it should be.
+// The status of a frame's file.
 #pragma once
 
 #include <filesystem>
@@ -13,10 +13,10 @@ namespace isomotion::sequence {
 enum class FrameStatus {
     whole,
     missing,
-    changed,  // since it was recorded: cut off, or other bytes
+    changed,  // since it was recorded: cut off, or with other bytes
     stale,    // recorded with another fingerprint
     outdated, // the same, by another version of the program
-    foreign,  // nobody recorded it
+    foreign,  // not recorded
 };
 inline constexpr std::array status_names{"whole",
                                          "missing",
@@ -27,8 +27,8 @@ inline constexpr std::array status_names{"whole",
 
 constexpr std::string_view name(FrameStatus status) { return status_names[std::size_t(status)]; }
 
-// Goes by its record and the hash of its bytes; neither dates nor what the file says of itself
-// count. `version` is that of the program that would draw it.
+// Uses the frame's record and the hash of its bytes, neither dates nor the file's own entries.
+// `version` is that of the program that would draw it.
 FrameStatus frame_status(const std::filesystem::path& file,
                          const std::optional<FrameRecord>& record, std::string_view fingerprint,
                          std::string_view version);

@@ -1,5 +1,5 @@
-// The manifest of a sequence: a folder beside the frames with `sequence.json`, a file for each
-// frame (`0012.json`), and `writers`, which those who render hold a lock on.
+// The manifest of a sequence: a folder beside the frames with `sequence.json`, one file per frame
+// (`0012.json`), and `writers`, on which rendering processes hold a lock.
 #pragma once
 
 #include <filesystem>
@@ -12,18 +12,18 @@
 namespace isomotion::sequence {
 
 // out/name.manifest for out/name.####.png, out/name.exr.manifest for out/name.####.exr; for any
-// other name the whole pattern, out/name_##.png.manifest. So two sequences never share one. A name
-// without a place for the frame's number has none.
+// other name the whole pattern, out/name_##.png.manifest. So two sequences never share a manifest.
+// A name without a place for the frame's number has no manifest.
 std::filesystem::path manifest_folder(const SequenceName& name);
 
 std::filesystem::path sequence_file(const std::filesystem::path& manifest);
 std::filesystem::path frame_file(const std::filesystem::path& manifest, int frame);
 
-// Throws FileError if there is no such file, ManifestError with the file's name if it is no
-// manifest, or one of files elsewhere.
+// Throws FileError if there is no such file, and ManifestError with the file's name if it isn't a
+// manifest or belongs to files elsewhere.
 Sequence read_sequence(const std::filesystem::path& manifest);
 
-// None if there is no record of this frame, or none that can be read.
+// None if there is no readable record of this frame.
 std::optional<FrameRecord> find_record(const std::filesystem::path& manifest, int frame);
 
 } // namespace isomotion::sequence

@@ -1,4 +1,4 @@
-// Manifests as text: JSON, one key a line.
+// Manifests as text: JSON, one key per line.
 #pragma once
 
 #include <stdexcept>
@@ -9,17 +9,17 @@
 
 namespace isomotion::sequence {
 
-// Text that is no manifest, or of another format.
+// The text is not a manifest, or has another format version.
 class ManifestError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-// What is no UTF-8 in a name becomes U+FFFD.
+// Invalid UTF-8 in a name becomes U+FFFD.
 std::string to_json(const Sequence& sequence);
 std::string to_json(const FrameRecord& record);
 
-// Throw ManifestError, which says where in the file.
+// Throw ManifestError with the place in the file.
 Sequence parse_sequence(std::string_view text, const std::string& file);
 FrameRecord parse_frame_record(std::string_view text, const std::string& file);
 

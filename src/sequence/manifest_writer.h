@@ -1,11 +1,11 @@
-// A process's part in a sequence that it renders frames of, alone or with others at the same time.
+// A process's part in a sequence whose frames it renders, alone or with others at the same time.
 //
-// Processes that render frames of one sequence agree: each adds the frames it is asked for to
-// sequence.json, and each frame's record is a file of its own, which appears whole after the
-// frame's. A process that would render something else into these files takes the sequence over if
-// nobody is at work on it, and is refused if somebody is. Who is at work is known by locks (flock)
-// on the manifest's file `writers`, which end with the process however it ends. A file system
-// without locks is used without.
+// Processes that render frames of one sequence cooperate. Each adds its requested frames to
+// sequence.json, and each frame's record is a file of its own, which appears complete after the
+// frame's file. A process that would render something else into these files takes the sequence over
+// if no other process works on it, and is refused otherwise. Locks (flock) on the manifest's file
+// `writers` show which processes work on it; they end with the process however it ends. On a file
+// system without locks none are used.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@
 
 namespace isomotion::sequence {
 
-// Others are rendering another sequence into these files; the message says what differs.
+// Others are rendering another sequence into these files; the message states the differences.
 class ConflictError : public std::invalid_argument {
 public:
     using std::invalid_argument::invalid_argument;
@@ -25,14 +25,15 @@ public:
 
 class ManifestWriter {
 public:
-    // Joins the sequence of these files or begins it. The folder of the frames must be there.
-    // Throws FileError, ConflictError.
+    // Joins or begins the sequence of these files. The folder of the frames must exist. Throws
+    // FileError, ConflictError.
     ManifestWriter(const SequenceName& name, const Sequence& sequence);
 
     const std::filesystem::path& folder() const { return folder_; }
 
-    // The frame's file must be in its place. From any thread. Throws FileError, also if the
-    // manifest is no longer the one that was joined: another sequence may have begun there.
+    // The frame's file must be in its place. May be called from any thread. Throws FileError, also
+    // if the manifest is no longer the one that was joined, since another sequence may have begun
+    // there.
     void record(const FrameRecord& frame) const;
 
 private:

@@ -1,4 +1,4 @@
-// What a manifest says: of a whole sequence, and of each of its frames.
+// The records of a manifest: of a whole sequence, and of each of its frames.
 #pragma once
 
 #include <array>
@@ -15,19 +15,19 @@
 
 namespace isomotion::sequence {
 
-// By what frames were made. Frames of different provenance don't belong into one sequence, even
-// where their pictures happen to be equal.
+// The origin of frames. Frames of different provenance don't belong to one sequence, even if their
+// pictures happen to be equal.
 struct Provenance {
     std::string scene;    // scene_fingerprint()
     std::string shaders;  // fingerprint of their text
     std::string version;  // of isomotion
-    std::string renderer; // as the driver calls itself, with its version
+    std::string renderer; // as the driver names itself, with its version
     std::string stage;
 
     bool operator==(const Provenance&) const = default;
 };
 
-// What all files of a sequence have in common.
+// The format that all files of a sequence share.
 struct SequenceFormat {
     std::string pattern; // name.####.png
     int width = 0, height = 0;
@@ -40,14 +40,14 @@ struct SequenceFormat {
 
 struct Sequence {
     std::string title, scene_file;
-    std::string backend; // that of the first who rendered; all give the same pictures
+    std::string backend; // of the process that rendered first; all back ends give the same pictures
     Provenance provenance;
     SequenceFormat format;
-    std::vector<int> asked; // frames, ascending: of all runs so far
+    std::vector<int> asked; // frames requested in all runs so far, ascending
 };
 
-// In what the two differ, for a message: "size 64x64, not 48x48", the first's and not the second's.
-// Empty if frames of both may stand side by side.
+// The differences between the two, for a message: "size 64x64, not 48x48", the first's value first.
+// Empty if frames of both may be in one sequence.
 std::string difference(const Sequence& first, const Sequence& second);
 
 inline constexpr std::array audit_names{"right", "wrong", "undecided"};
@@ -58,23 +58,23 @@ audit::Findings findings(const AuditCounts& counts);
 
 struct FrameRecord {
     int frame = 0;
-    std::string file; // its last part
+    std::string file; // the last part of its path
     std::uintmax_t bytes = 0;
     std::string hash;        // base::content_hash() of the file
     std::string pixels;      // image::pixel_hash() of it
-    std::string fingerprint; // of all that decides the file
+    std::string fingerprint; // of all inputs of the file
     Provenance provenance;
     double time = 0; // of the scene, seconds
     std::vector<std::pair<std::string, double>> parameters;
     std::array<std::int64_t, render::verdict_names.size()> verdicts{}; // rays
     std::optional<render::ProofCounts> proofs;                         // pixels, if certified
     std::optional<AuditCounts> audit;                                  // rays, if there was one
-    std::int64_t without_colour = 0; // pixels whose colour is infinite or no number
+    std::int64_t without_colour = 0; // pixels whose colour is infinite or NaN
     std::int64_t evaluations = 0;
-    double drawing = 0; // seconds; 0 for the picture of the frame before, used once more
+    double drawing = 0; // seconds; 0 for a copy of the previous frame's picture
 };
 
-// What is known of its file once it is there.
+// Adds to a record the data of its file once that exists.
 void add(const WrittenFile& file, FrameRecord& record);
 
 } // namespace isomotion::sequence

@@ -1,4 +1,4 @@
-// Tells one scene from another, whatever frame is asked for.
+// Identifies a scene, whichever frame is requested.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace isomotion::sequence {
 
-// Fingerprint of what the scene file and the command line say: the formula, how everything moves,
-// the method and its settings, the effects. Comments, order and the number of frames do not count,
-// nor does how a map or a table of elements changed under its name: that shows in the frames' own
+// Fingerprint of what the scene file and the command line state: the formula, all motion, the
+// method and its settings, the effects. It ignores comments, order and the number of frames. It
+// also ignores changes of content in a map or a table of elements; these change the frames' own
 // fingerprints.
 std::string scene_fingerprint(const scene::Scene& scene);
 

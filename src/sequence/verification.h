@@ -1,5 +1,5 @@
-// Whether a sequence on the disk is whole: every frame that was asked for, as it was written, by
-// one provenance, and nothing between them that nobody rendered.
+// Verifies that a sequence on disk is complete: every requested frame exists, as it was written,
+// with one provenance, and there are no other frames among them.
 #pragma once
 
 #include <filesystem>
@@ -16,17 +16,18 @@ struct Verification {
     std::filesystem::path manifest;
     Sequence sequence;
 
-    std::vector<int> whole; // frames; the others are in one of the following
+    std::vector<int> whole; // frames; every other frame is in one of the following
     std::vector<int> missing;
     std::vector<int> changed;    // since they were recorded
-    std::vector<int> unrecorded; // there, but nobody says what they are
-    std::vector<int> repainted;  // of whole ones: their pixels are not those that were recorded
-    // Whole ones that were made otherwise than the sequence: by "scene", "version", "renderer", ...
+    std::vector<int> unrecorded; // present, but without a record
+    std::vector<int> repainted;  // among `whole`: their pixels differ from those recorded
+    // Whole frames with another provenance than the sequence: by "scene", "version", "renderer",
+    // ...
     std::map<std::string, std::vector<int>> differing;
-    // Frames' files that the sequence was never asked for.
+    // Files of frames that were never requested.
     std::vector<int> foreign;
 
-    // Sums over the records of the frames that are whole.
+    // Sums over the records of the whole frames.
     std::array<std::int64_t, render::verdict_names.size()> verdicts{};
     render::ProofCounts proofs{};
     AuditCounts audit{};
@@ -39,7 +40,7 @@ struct Verification {
 };
 
 struct VerifyOptions {
-    bool pixels = false; // decode each picture, too
+    bool pixels = false; // also decode each picture
     std::function<void(int done, int of)> progress = {};
 };
 

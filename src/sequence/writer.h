@@ -1,4 +1,4 @@
-// Files of frames, written while the next ones are rendered.
+// Writes files of frames while the next ones are rendered.
 #pragma once
 
 #include <condition_variable>
@@ -18,7 +18,7 @@
 
 namespace isomotion::sequence {
 
-// A frame's file, when it is there.
+// A frame's finished file.
 struct WrittenFile {
     std::filesystem::path file;
     std::uintmax_t bytes = 0;
@@ -26,29 +26,28 @@ struct WrittenFile {
     std::string pixels; // image::pixel_hash() of the file
 };
 
-// Encodes and writes frames while the next ones are rendered. The first error drops what waits and
-// comes out of the next submit() or finish().
+// Encodes and writes frames while the next ones are rendered. After the first error waiting frames
+// are dropped, and the next submit() or finish() throws it.
 class SequenceWriter {
 public:
     SequenceWriter(SequenceName name, image::Format format);
-    // As after cancel(): frames that still wait are dropped. Call finish() to have them written.
+    // Drops waiting frames, like cancel(). Call finish() to have them written.
     ~SequenceWriter();
     SequenceWriter(const SequenceWriter&) = delete;
     SequenceWriter& operator=(const SequenceWriter&) = delete;
 
-    static constexpr std::size_t most_waiting = 4; // frames; submit() blocks when there are as many
+    static constexpr std::size_t most_waiting = 4; // frames; submit() blocks while so many wait
 
-    // Takes a frame to be written; false if the writer was cancelled and the frame dropped. `then`
-    // is called from the writing thread once the file has its name; what it throws stops the
+    // Takes a frame to be written. Returns false if the writer was cancelled and the frame dropped.
+    // The writing thread calls `then` once the file has its name; an exception from it stops the
     // writer.
     bool submit(int frame, image::Frame image, std::function<void(const WrittenFile&)> then = {});
 
-    // Waits until everything submitted is on the disk. Nothing may be submitted after.
+    // Waits until everything submitted is on the disk. Nothing may be submitted afterwards.
     void finish();
 
-    // Drops the frames that wait and lets the one being written come to its end, for which
-    // finish() waits. Returns at once, from any thread, but must not be called in a signal
-    // handler.
+    // Drops waiting frames; the frame being written is completed, for which finish() waits. Returns
+    // at once. May be called from any thread, but not in a signal handler.
     void cancel();
 
 private:
@@ -73,7 +72,7 @@ private:
     State state_ = State::open;
     std::exception_ptr error_;
     std::size_t submitted_ = 0;
-    std::jthread worker_; // last: it uses all the above
+    std::jthread worker_; // last: it uses all members above
 };
 
 } // namespace isomotion::sequence

@@ -1,9 +1,9 @@
-// Scene -> passes: the files of shaders/ that the scene calls for, and the generated field.
+// Assembles a scene's passes: the files of shaders/ that the scene needs, and the generated field.
 //
 // The text depends on the formula's structure, the bounds' shape, the method, the effects named,
-// the number of lights and the channels asked for, and on what the scene's reading found of the
-// formula: whether it is smooth, and a power of two that it is multiplied with. It depends on no
-// other value: a frame changes uniforms only.
+// the number of lights and the channels requested. It also depends on what reading the scene found
+// about the formula: whether it is smooth, and the power of two that it is multiplied with. It
+// depends on no other value: a frame changes uniforms only.
 #pragma once
 
 #include <vector>
@@ -18,13 +18,13 @@ namespace isomotion::synthesis {
 // Pixels across the smallest beams.
 inline constexpr int usual_beam = 8;
 
-// What compiles the shaders. `webgl` is WebGL2: GLSL ES 3.00, in which beams keep bits instead of
-// lists of elements and lights have no beams.
+// The compiler of the shaders. `webgl` is WebGL2: GLSL ES 3.00, in which beams keep bits instead of
+// lists of elements, and lights have no beams.
 enum class Platform { opengl, webgl };
 
-// `writes_buffers`: shaders may (OpenGL 4.3), which the lists of beams need. `finest_beam`: 8, or 1
-// for beams of single pixels, which cost more than they save. `tells_endings`: the picture has the
-// channel ending, as certified ones do.
+// `writes_buffers`: shaders may write buffers (OpenGL 4.3), which the lists of beams need.
+// `finest_beam`: 8, or 1 for beams of single pixels, which cost more than they save.
+// `tells_endings`: the picture has the channel ending, as certified pictures have.
 Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels = {},
                 Stage stage = Stage::fragment, bool writes_buffers = true,
                 int finest_beam = usual_beam, bool tells_endings = false,

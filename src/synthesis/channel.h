@@ -1,4 +1,4 @@
-// What a frame can hold beside the picture itself.
+// The data that a frame can hold besides the picture itself.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ enum class Channel {
     proof,
     cap,
     surface,
-    ending, // what a proof needs to know of a ray; no layer of a file
+    ending, // the data that a proof needs of a ray; not a layer of a file
 };
 
 struct ChannelName {

@@ -1,6 +1,6 @@
-// The effects that a scene may call for, a row each. An effect is its row, its keys of a scene file
-// (scene/reading) and its files of shaders/effects/: what a scene does not name is neither compiled
-// nor run.
+// The effects of scenes, one row each. An effect consists of its row, its keys of a scene file
+// (scene/reading) and its files of shaders/effects/. Effects that a scene does not name are neither
+// compiled nor run.
 #pragma once
 
 #include <span>
@@ -40,16 +40,16 @@ enum class Effect {
 struct EffectTraits {
     Effect effect;
     std::string_view name;
-    std::string_view summary; // with the key that calls for it
+    std::string_view summary; // with the key that enables it
     bool (*is_called)(const scene::Scene&);
-    // Changes a scene as if it did not call for it.
+    // Changes a scene so that it does not use the effect.
     void (*drop)(scene::Scene&);
-    // Whether it needs to be kept where rays ended: further rays or the light start there.
+    // Whether the ends of rays must be kept, since further rays or light start there.
     bool keeps_surfaces = false;
     // A kernel of shaders/math/ that its part of the shade pass calls, and the file of
-    // shaders/effects/ which that is; each may be empty.
+    // shaders/effects/ with that part; either may be empty.
     std::string_view kernel = {}, file = {};
-    // Adds its values at a time, by the names that its files declare; or null.
+    // Adds its values at a time, under the names that its files declare; or null.
     void (*add_uniforms)(const scene::Scene&, const scene::SceneAt&, Uniforms&) = nullptr;
 };
 
@@ -58,15 +58,15 @@ std::span<const EffectTraits> effect_traits();
 const EffectTraits& traits(Effect effect);
 inline std::string_view name(Effect effect) { return traits(effect).name; }
 
-// The effects that a scene calls for, in that order.
+// The effects that a scene uses, in that order.
 std::vector<Effect> effects(const scene::Scene& scene);
-// The scene as if it did not call for the effect.
+// The scene without the effect.
 scene::Scene without(Effect effect, scene::Scene scene);
 // Whether any that it calls for needs where rays ended.
 bool calls_for_ends(const scene::Scene& scene);
 // And whether passes may: several surfaces need it, too.
 bool keeps_surfaces(const scene::Scene& scene);
-// The plain uniforms of what it calls for.
+// The plain uniforms of the scene's effects.
 Uniforms effect_uniforms(const scene::Scene& scene, const scene::SceneAt& now);
 
 } // namespace isomotion::synthesis

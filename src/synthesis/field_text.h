@@ -15,10 +15,10 @@ namespace isomotion::synthesis {
 
 class ShaderText;
 
-// How an array's elements reach the shader, `texels` vec4s each.
+// How a shader reads an array's elements, `texels` vec4s each.
 struct ArrayStorage {
-    // Every OpenGL 3.3 has uniform blocks of 16 kB, and they are faster than texture buffers,
-    // which hold the longer ones.
+    // Every OpenGL 3.3 has uniform blocks of 16 kB. They are faster than texture buffers, which
+    // hold longer arrays.
     enum class Kind { uniform_block, texture_buffer };
     static constexpr std::size_t uniform_block_bytes = 16384;
 
@@ -26,7 +26,7 @@ struct ArrayStorage {
     std::string name; // of the block or the sampler
     int texels = 1;
     int capacity = 0; // elements
-    // Lists of those that matter in a beam follow the elements in their texture buffer.
+    // Lists of elements that matter in a beam follow the elements in their texture buffer.
     bool has_lists = false;
     // Lists are copies in a texture of their own, of at most most_in_copies elements, for shaders
     // that can write no lists (beam_copies_text.h); and whether this shader goes through them.
@@ -38,13 +38,13 @@ struct ArrayStorage {
     int sums = 0;
 };
 
-// How the values that a field's names stand for reach the shader.
+// How a shader reads the values of a field's names.
 struct FieldStorage {
     int parameter_vectors = 1; // vec4s of the block Parameters, before the arrays' counts
     int count_vectors = 0;     // ivec4s of counts
     std::vector<ArrayStorage> arrays;
 
-    // Of the block.
+    // Length of the block.
     int vectors() const;
 };
 
@@ -55,8 +55,8 @@ bool has_copies(const FieldStorage& storage);
 inline constexpr int most_in_copies = 3 * 128;
 // The array whose elements are found by place, if there is one.
 std::optional<int> array_with_grid(const FieldStorage& storage);
-// vec4s of the block Parameters that describe the grid, behind the counts; with what its lists
-// leave out of each sum, four to a vector.
+// vec4s of the block Parameters that describe the grid, after the counts; includes the parts that
+// its lists leave out of each sum, four to a vector.
 int grid_vectors(const FieldStorage& storage);
 inline constexpr int grid_vectors_of_place = 3;
 
@@ -70,8 +70,8 @@ struct Finding {
 FieldStorage field_storage(const formula::Field& field, int parameters, std::span<const int> counts,
                            const Finding& finding = {});
 
-// What a shader can ask of a field; see glsl_value(), glsl_value_interval() and their siblings for
-// the signatures. The programs of the intervals are made where they are asked for.
+// The functions of a field that a shader can use; see glsl_value(), glsl_value_interval() and their
+// siblings for the signatures. Programs for intervals are made when they are needed.
 enum class FieldFunction {
     value,
     directional,
@@ -79,27 +79,27 @@ enum class FieldFunction {
     value_interval,
     directional_interval,
     gradient_interval,
-    hessian_interval, // of fields that have a hessian_program()
+    hessian_interval, // for fields that have a hessian_program()
     rough,
     breaks
 };
 
-// Whether it takes boxes.
+// Whether its arguments are boxes.
 constexpr bool is_on_intervals(FieldFunction function) {
     return function >= FieldFunction::value_interval;
 }
 
-// What one call of each takes. An operation on intervals is counted as so many on numbers.
+// The cost of one call of each function. An operation on intervals counts as so many on numbers.
 inline constexpr double interval_operations = 12;
 formula::Cost cost(const formula::Field& field, const std::vector<FieldFunction>& functions,
                    std::span<const int> counts);
 
-// A function that reads the field's parameters and arrays but is none of the field's own.
+// A function that reads the field's parameters and arrays but is not one of the field's own.
 struct GeneratedFunction {
-    std::string from; // what the user wrote
+    std::string from; // the user's text
     std::set<std::string> kernels;
     std::string glsl;
-    // Of all elements, also of an array whose elements are found by place.
+    // It sums over all elements, even of an array whose elements are found by place.
     bool sums_all = false;
 };
 
@@ -107,9 +107,10 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
                const std::vector<FieldFunction>& functions,
                const std::vector<GeneratedFunction>& beside = {}, bool beside_on_intervals = false);
 
-// The field's functions on intervals, of all elements also where lists leave some out: what is said
-// of F holds for each number within the bounds of what is left out (elements/field_by_place.h).
-// Those on doubles take GLSL 4.00: from there on REAL is double in shaders/interval/.
+// Adds the field's functions on intervals, over all elements even if lists leave some out: a
+// statement on F holds for each value within the bounds of what is left out
+// (elements/field_by_place.h). Functions on doubles need GLSL 4.00; after them REAL is double in
+// shaders/interval/.
 void add_enclosures(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
                     const std::vector<FieldFunction>& functions,
                     formula::Numbers numbers = formula::Numbers::floats);

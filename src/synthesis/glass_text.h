@@ -1,9 +1,9 @@
-// The shaders of glass: rays that go on through the surface, bent and absorbed, one after the
-// other.
+// The shaders of glass: rays that continue through the surface, refracted and absorbed, one after
+// the other.
 //
-// A pixel's light has a path. It begins where the eye's ray met the surface (glass_first), is
-// marched as any ray (glass), and goes on from where that ended (glass_next): refracted, or totally
-// reflected. What is reflected in part sees what is around, as mirrors do.
+// The light of a pixel follows a path. It begins where the eye's ray met the surface (glass_first),
+// is marched like any ray (glass), and continues where that ray ended (glass_next): refracted, or
+// totally reflected. Partially reflected light sees the surroundings, as in mirrors.
 #pragma once
 
 #include "scene/scene.h"
@@ -13,16 +13,16 @@
 namespace isomotion::synthesis {
 
 inline bool has_glass(const scene::Scene& scene) { return scene.material.glass.has_value(); }
-// Whether shadows are seen on the ground through it.
+// Whether shadows on the ground are visible through it.
 bool shows_shadows_through_glass(const scene::Scene& scene);
 
-// pixel_ray() of paths. Needs the eye's as eye_ray().
+// Adds pixel_ray() for paths. Needs the eye's as eye_ray().
 void add_glass_ray(ShaderText& text);
-// For the shade pass, before and after lit(): opaque_part(), and with_glass().
+// For the shade pass, before and after lit(): add opaque_part() and with_glass().
 void add_matter(ShaderText& text, const scene::Scene& scene);
 void add_seen_through_glass(ShaderText& text, const scene::Scene& scene);
 
-// The passes of glass beside its march, in the order in which a tile takes them.
+// The passes of glass besides its march, in the order in which a tile runs them.
 std::vector<Pass> glass_passes(const scene::Scene& scene, const Passes& passes);
 
 } // namespace isomotion::synthesis

@@ -1,4 +1,4 @@
-// How long shaders become in a driver.
+// Estimates the size of shaders after inlining in a driver.
 #pragma once
 
 #include <string_view>
@@ -7,20 +7,20 @@
 
 namespace isomotion::synthesis {
 
-// Operators in a shader's text once the body of every function stands where it is called, as
-// drivers put it before they compile; of overloads the mean, of the field's bounds the half and of
-// waves two fifths, which fits the times of Mesa. Functions begin and end in the first column, as
-// ours do.
+// The number of operators in a shader's text once the body of every function is inlined at its
+// calls, as drivers do before they compile. Overloads count as their mean, the field's bounds by
+// half and waves by two fifths, which fits the compile times of Mesa. Functions must begin and end
+// in the first column, as ours do.
 double inlined_size(std::string_view shader);
 
-// The size of all passes that are compiled before the first frame, together.
+// The total size of all passes that are compiled before the first frame.
 double inlined_size(const Passes& passes);
 
-// What Mesa's llvmpipe compiles in 4 to 10 s of one core and 0.9 GB: its time grows with the
-// square. ISOMOTION_LARGEST_SHADERS in the environment takes its place.
+// The size that Mesa's llvmpipe compiles in 4 to 10 s of one core and 0.9 GB; its time grows with
+// the square of the size. ISOMOTION_LARGEST_SHADERS in the environment replaces it.
 double largest_shaders();
 
-// Throws std::length_error for more.
+// Throws std::length_error if the passes are larger.
 void check_size(const Passes& passes);
 
 } // namespace isomotion::synthesis

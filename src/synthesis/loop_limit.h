@@ -1,13 +1,13 @@
-// How long the loops of a shader may be.
+// Limits on the loops of a shader.
 #pragma once
 
 namespace isomotion::synthesis {
 
-// Loop iterations a shader may do in all; below the driver's 65535, which ends loops silently, by
-// what the march itself loops.
+// Total loop iterations that a shader may do. It is below the driver's 65535, at which loops end
+// silently, by the iterations of the march itself.
 inline constexpr double loop_iterations_per_pass = 60'000;
 
-// Cells of a grid of elements that a box may meet and have bounds.
+// The number of cells that a box may meet in a grid of elements; beyond it there are no bounds.
 inline constexpr int most_cells_of_box = 12;
 
 } // namespace isomotion::synthesis

@@ -8,12 +8,12 @@ namespace isomotion::synthesis {
 
 enum class Origin { eye, mirror, glass };
 
-// What a turn of the method's march asks of the field.
+// The functions of the field that a step of the method's march evaluates.
 std::vector<FieldFunction> samples_of(const scene::Scene& scene, bool march_takes_gradient);
 
-// Defines Ray, pixel_ray() and RayState: where rays come from and what is kept of them.
+// Defines Ray, pixel_ray() and RayState: the origin of rays and the state kept for them.
 void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin = Origin::eye);
-// Tells the ray's state what else it keeps; before the ray.
+// Defines the additional parts of a ray's state. Call it before add_ray().
 void define_state(ShaderText& text, const Passes& passes);
 // Whether march and picture are one draw, or several.
 enum class Draws { one, several };
@@ -21,9 +21,9 @@ enum class Draws { one, several };
 void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes, Origin origin,
                Draws draws = Draws::several);
 
-// One pass of rays. `when`: of the eye's rays, whether they are tried in one draw before.
+// One pass of rays. `when`: for the eye's rays, whether they are tried in one draw first.
 Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when);
-// Asks whether rays still march.
+// Counts rays that still march.
 Pass active_pass(When when);
 // One pass of shadow rays.
 Pass shadow_pass(const scene::Scene& scene, const Passes& passes);

@@ -1,5 +1,5 @@
-// The programs that draw a scene's frames, as data: what each is for, when it runs, its text, and
-// what that declares.
+// The programs that draw a scene's frames, as data: the purpose of each, when it runs, its text,
+// and the names that the text declares.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace isomotion::synthesis {
 
-// What a pass does, in the order in which a tile is drawn.
+// The purpose of a pass, in the order in which a tile is drawn.
 enum class Role {
     beams,          // finds what part of their way blocks of rays need to march; one pass a level
     beam_copies,    // copies the elements that matter in those, where shaders can write no lists
@@ -21,44 +21,44 @@ enum class Role {
     fused,          // march and picture in one draw, of plain scenes
     march,          // takes rays some turns on
     active,         // counts the rays that still march
-    surface,        // keeps where rays ended, for the passes that begin there
+    surface,        // keeps the ends of rays, for the passes that begin there
     mirror,         // marches the mirrored rays
-    mirror_surface, // keeps where those ended
-    glass_first,    // where the eye's rays met glass, begins the rays that go through it
+    mirror_surface, // keeps the ends of those
+    glass_first,    // begins rays through glass where the eye's rays met it
     glass,          // marches those
-    glass_next,     // goes on from where they ended: what they bring, and the next ray
-    glass_copy,     // copies those that went on to where all are kept
-    glass_mask,     // depth lets the next passes run where paths go on
+    glass_next,     // continues at their ends: collects their light and sets the next ray
+    glass_copy,     // copies the continued paths to the target that holds all
+    glass_mask,     // sets depth so that the next passes run only where paths continue
     glass_active,   // counts those
-    glass_ground,   // what they met of the ground, for shadow rays
-    seen,           // colours what the mirrored rays see of one surface among several
+    glass_ground,   // the points where they met the ground, for shadow rays
+    seen,           // shades what the mirrored rays see of one surface among several
     shadow,         // marches the shadow rays
-    occlusion,      // what one surface among several leaves of the light from everywhere
+    occlusion,      // the part of ambient light that one surface among several lets through
     shade,          // makes the picture from finished rays
-    motion,         // F and its gradient at another time, where rays ended
-    // Proofs, of scenes that ask for them: see render/proofs.h.
-    proof_mask,         // depth lets proofs run where rays have something to prove
-    coarse_block_proof, // proves what is before all roots of larger blocks of rays
+    motion,         // F and its gradient at another time, at the ends of rays
+    // Proofs, for scenes that ask for them: see render/proofs.h.
+    proof_mask,         // sets depth so that proofs run only for rays with something to prove
+    coarse_block_proof, // proves, for larger blocks of rays, the part before all roots
     block_proof,        // proves blocks of rays together
     first_proof,        // begins the proofs of single rays
-    proof,              // takes them some pieces on
-    proof_copy,         // copies those that went on to where all are kept
-    proof_unmask,       // depth keeps finished ones from running
-    sharp_proof,        // tries again what is open, by bounds through the gradient
+    proof,              // continues them by some pieces
+    proof_copy,         // copies continued proofs to the target that holds all
+    proof_unmask,       // sets depth so that finished ones don't run
+    sharp_proof,        // tries undecided rays again, with bounds by the gradient
     double_proof,       // the same in doubles
 };
 
 enum class When {
     once_a_tile,
-    until_rays_end,      // again and again
-    where_fused_ends,    // the same, once a tile's rays did not all end in the fused pass
-    until_proved,        // again and again
-    where_proof_is_open, // the same, for rays that the first proofs leave open
-    at_two_times,        // about the frame's
+    until_rays_end,      // repeatedly
+    where_fused_ends,    // the same, if a tile's rays did not all end in the fused pass
+    until_proved,        // repeatedly
+    where_proof_is_open, // the same, for rays that the first proofs leave undecided
+    at_two_times,        // around the frame's time
 };
 
 constexpr bool is_proof(Role role) { return role >= Role::proof_mask; }
-// Whether most frames do without: such a pass is compiled when it is first needed.
+// Whether most frames don't need it: such a pass is compiled when it is first needed.
 constexpr bool is_exceptional(When when) {
     return when == When::where_fused_ends || when == When::where_proof_is_open;
 }
@@ -66,7 +66,7 @@ std::string_view words(When when); // "once a tile"
 
 struct Pass {
     Role role{};
-    std::string name; // its own: "march", "beams of 16 pixels"
+    std::string name; // unique: "march", "beams of 16 pixels"
     When when = When::once_a_tile;
     int level = 0; // of beams, from the coarsest
     Stage stage = Stage::fragment;
@@ -75,60 +75,61 @@ struct Pass {
     std::vector<std::string> files; // of shaders/, as used
 
     // The names that its text declares, in order.
-    std::vector<std::string> blocks;   // of uniforms
+    std::vector<std::string> blocks;   // uniform blocks
     std::vector<std::string> samplers; // textures that it reads
     std::vector<std::string> outputs;  // attachments that it writes
 };
 
-// Finds the declarations in the texts and notes them in the pass.
+// Finds the declarations in the texts and records them in the pass.
 void note_declarations(Pass& pass);
 
-// Which of an array's elements a level of beams tells apart: those that matter in all of a beam's
-// part and those in its front, or only the latter; beyond it the lists of the level before hold.
+// The lists of an array's elements that a level of beams makes: of those that matter anywhere in a
+// beam's part and of those in its front, or only the latter. Elsewhere the lists of the level
+// before apply.
 enum class BeamLists { none, whole, front };
 
-// A level of beams, whose pass finds which part of their way the rays of each block need to march.
+// A level of beams. Its pass finds the part of each block's rays that needs marching.
 struct BeamLevel {
     int block = 0; // pixels across
     BeamLists lists = BeamLists::none;
-    double front = 1;    // a part of the way
-    int square_bits = 0; // of its blocks, squares of 2^bits are kept apart: march/beam_place.glsl
+    double front = 1;    // fraction of the part to be marched
+    int square_bits = 0; // squares of 2^bits of its blocks are kept apart: march/beam_place.glsl
 };
 
-// How many lists a block of the level has.
+// The number of lists per block of the level.
 inline int lists_of_a_block(const BeamLevel& level) {
     if (level.lists == BeamLists::none) return 0;
     return level.lists == BeamLists::whole && level.front < 1 ? 2 : 1;
 }
 
 struct Passes;
-// The same where one draw is never enough: without the fused pass and its mask.
+// The same for scenes where one draw is never enough: without the fused pass and its mask.
 Passes without_fused_pass(Passes passes);
 
-// What draws a scene: the passes in the order of a frame, and how values are laid out for them.
+// The programs that draw a scene, in the order of a frame, and the layout of their values.
 struct Passes : FieldStorage {
     std::vector<Pass> list;
     std::vector<BeamLevel> beams;  // each within the one before it
-    int light_beams = 0;           // a bit for each light whose shadow rays go by beams of its own
-    Stage stage = Stage::fragment; // of march, shadow and mirror; the others are of fragments
-    int state_textures = 2;        // that a ray's state takes between passes
-    // Of the polynomial in t that the method chebyshev solves, else 0. A pass must hold its
-    // degree + 1 samples.
+    int light_beams = 0;           // a bit for each light whose shadow rays use its own beams
+    Stage stage = Stage::fragment; // of march, shadow and mirror; other passes are fragment shaders
+    int state_textures = 2;        // for a ray's state between passes
+    // Degree of the polynomial in t that the method chebyshev solves, otherwise 0. A pass must hold
+    // its degree + 1 samples.
     int degree = 0;
-    // What a turn of a march asks of the field; and whether, the formula being long, the march also
-    // samples the gradient at the root, which else the shade pass does.
+    // The functions of the field that a step of the march evaluates. For long formulas the march
+    // also samples the gradient at the root, which otherwise the shade pass does.
     std::vector<FieldFunction> samples;
     bool march_takes_gradient = false;
-    // Attachments of the shade pass: 0 colour, 1 what is counted (render/record.h), then these.
+    // Attachments of the shade pass: 0 colour, 1 the counts (render/record.h), then these.
     std::vector<Channel> attachments;
 
-    // The pass of that role, or null.
+    // The pass with that role, or null.
     const Pass* find(Role role, int level = 0) const;
     bool has(Role role) const { return find(role) != nullptr; }
-    // Asserts that it is there.
+    // The same; throws std::logic_error if there is none.
     const Pass& at(Role role, int level = 0) const;
 
-    std::vector<std::string> files() const; // of shaders/, each once, as first used
+    std::vector<std::string> files() const; // of shaders/, each once, in order of first use
     // Changes with every shader's text.
     std::string fingerprint() const;
 };

@@ -1,4 +1,4 @@
-// Shaders that prove where rays ended, see render/proofs.h and shaders/proof/.
+// Shaders that prove the ends of rays, see render/proofs.h and shaders/proof/.
 #pragma once
 
 #include <span>
@@ -9,21 +9,22 @@
 
 namespace isomotion::synthesis {
 
-// How F is bounded at a point that float32 leaves uncertain: over the box of all that it can be, or
-// by its gradient there, which is closer and costs more; or that in doubles, where float32 cancels.
+// How F is bounded at a point that float32 leaves uncertain: over the box of all possible places;
+// or by its gradient there, which is tighter and costs more; or the latter in doubles, where
+// float32 cancels.
 enum class ProofBounds { natural, by_gradient, in_doubles };
 
 // Pixels across the blocks whose rays are proved together.
 inline constexpr int proved_block = 4;
-// And of larger ones, of which what is before all roots is proved first, where models tell it.
+// The same for larger blocks, for which the part before all roots is proved first, if models exist.
 inline constexpr int coarse_proved_block = 16;
 
-// What a piece of a block's proof takes, and one of a single ray's.
+// The cost of a piece of a block's proof, and of a single ray's.
 formula::Cost cost_of_block_piece(const formula::Field& field, std::span<const int> counts);
 formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& storage,
                             ProofBounds bounds, std::span<const int> counts);
 
-// All passes of proofs; the beams of `passes` must be there.
+// All passes of proofs; `passes` must have its beams.
 std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes);
 
 } // namespace isomotion::synthesis

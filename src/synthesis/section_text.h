@@ -1,4 +1,5 @@
-// Sections of a scene (scene/cut.h) in shaders: shaders/section/. A scene without any adds nothing.
+// Sections of a scene (scene/cut.h) in shaders: shaders/section/. Without sections nothing is
+// added.
 #pragma once
 
 #include "scene/scene.h"
@@ -8,30 +9,30 @@
 
 namespace isomotion::synthesis {
 
-// The parts that sections can leave of a ray at most.
+// The largest number of parts that sections can leave of a ray.
 int parts_of_a_ray(const scene::Scene& scene);
-// What a ray samples beside its march, at most: F where parts end and begin.
+// The largest number of samples of F that a ray takes besides its march, at the ends of parts.
 int samples_at_sections(const scene::Scene& scene);
 
-// The number and kinds of sections, and where places are in them.
+// Adds the number and kinds of sections, and tests of places against them.
 void add_sections(ShaderText& text, const scene::Scene& scene);
-// The parts of a ray, and on which cap one ended. After the ray and its state.
+// Adds the parts of a ray, and the cap on which one ended. Call it after the ray and its state.
 void add_parts(ShaderText& text, const scene::Scene& scene);
-// Least and most of sections over boxes, for beams.
+// Adds the ranges of sections over boxes, for beams.
 void add_sections_over_boxes(ShaderText& text, const scene::Scene& scene);
-// How rays come from one part to the next. After what samples F.
+// Adds the transition of rays from one part to the next. Call it after the functions that sample F.
 void add_crossings(ShaderText& text, const scene::Scene& scene);
-// About the text of a method's turn, whose first sample tells whether a part begins with a cap.
+// Enclose the text of a method's step, whose first sample tells whether a part begins with a cap.
 void begin_turn_of_part(ShaderText& text);
 void end_turn_of_part(ShaderText& text);
-// The file of a march, which knows one part of a ray, as march through all of them. `samples_tell`:
-// what it samples tells of caps; else the ends of parts are sampled beside.
+// Adds the file of a march, which handles one part of a ray, as a march through all parts.
+// `samples_tell`: its own samples detect caps; otherwise the ends of parts are sampled in addition.
 void add_march_through_parts(ShaderText& text, const scene::Scene& scene, const std::string& file,
                              bool samples_tell);
-// The file with the gradient of F, as that of what is left of the solid.
+// Adds the file with the gradient of F, changed to the gradient of the remaining solid.
 void add_gradient_of_rest(ShaderText& text, const scene::Scene& scene, const std::string& file);
 
-// Whether caps have another colour than the matter has everywhere.
+// Whether caps have a colour of their own.
 bool has_cap_color(const scene::Scene& scene);
 
 // Uniform `sections` at a time, in formula coordinates.

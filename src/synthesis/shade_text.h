@@ -1,4 +1,4 @@
-// The shaders that make the picture from where rays ended.
+// The shaders that make the picture from the ends of rays.
 #pragma once
 
 #include "scene/scene.h"
@@ -7,11 +7,11 @@
 
 namespace isomotion::synthesis {
 
-// The channels that the shade pass writes, in the order of its attachments, whatever the order in
-// which they are asked for.
+// The channels that the shade pass writes, in the order of its attachments, whatever the order of
+// the request.
 std::vector<Channel> written_channels(const std::vector<Channel>& channels);
 
-// Whether march and picture may be one draw: nothing but the picture needs where rays ended.
+// Whether march and picture may be one draw: only the picture needs the ends of rays.
 bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels);
 Pass fused_pass(const scene::Scene& scene, const Passes& passes);
 Pass mask_pass(const scene::Scene& scene, const Passes& passes);

@@ -16,13 +16,13 @@ public:
     // Begins with the prelude.
     explicit ShaderText(Stage stage = Stage::fragment);
 
-    // Takes this version of GLSL in place of 330.
+    // Sets the version of GLSL, instead of 330.
     void version(int glsl);
     // Adds a file, once.
     void file(const std::string& name);
-    // Adds a file that is written for numbers of any type once more.
+    // Adds a file for numbers of any type once more.
     void file_again(const std::string& name);
-    // Adds the form of a file that the stage has: fragment shaders that of the first name.
+    // Adds the version of a file for the stage: the first name for fragment shaders.
     void file_of_stage(const std::string& fragment, const std::string& compute);
     void define(std::string_view name, int value);
     void generated(std::string_view what, const std::string& text);
@@ -30,8 +30,8 @@ public:
     const std::string& text() const { return text_; }
     const std::vector<std::string>& files() const { return files_; }
 
-    // The pass that this is the text of, over the whole picture; fragments shaded flat have what
-    // they are shaded by from the vertex shader.
+    // The pass with this text, over the whole picture. With `shades_flat`, fragments get their
+    // shading inputs from the vertex shader.
     Pass pass(Role role, std::string name, When when, bool shades_flat = false) &&;
 
 private:

@@ -1,12 +1,12 @@
-// The shader stage that marches rays. Everything else is drawn by fragment shaders.
+// The shader stage that marches rays. Fragment shaders draw everything else.
 #pragma once
 
 namespace isomotion::synthesis {
 
 enum class Stage { fragment, compute };
 
-// Work groups of compute shaders are squares of so many pixels a side: two warps of 32, or one wave
-// of 64, whose rays lie close together and so end after similar numbers of turns.
+// Side of the square work groups of compute shaders, in pixels: two warps of 32, or one wave of 64,
+// whose rays are close together and so end after similar numbers of steps.
 inline constexpr int workgroup_side = 8;
 
 } // namespace isomotion::synthesis

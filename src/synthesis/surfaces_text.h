@@ -1,6 +1,5 @@
-// What the shaders of one surface among several have more: the nearest of the ends on all of them
-// counts, and rays that begin on one see all. Each surface has passes of its own; what they share
-// is in textures.
+// Additions to the shaders of one surface among several: the nearest end on all of them counts, and
+// rays that begin on one see all. Each surface has its own passes, which share data in textures.
 #pragma once
 
 #include <vector>
@@ -17,11 +16,11 @@ inline bool is_first(const scene::Scene& scene) { return scene.among.index == 0;
 // Whether rays are mirrored, by this surface or by another.
 bool has_mirrored_rays(const scene::Scene& scene);
 
-// load_surface(), of any surface, in this one's formula coordinates.
+// Adds load_surface(), for any surface, in this one's formula coordinates.
 void add_load_surface(ShaderText& text, const scene::Scene& scene);
-// pixel_ray() of mirrored rays. Needs load_surface().
+// Adds pixel_ray() of mirrored rays. Needs load_surface().
 void add_mirror_ray(ShaderText& text, const scene::Scene& scene);
-// enter_beam() of rays that march no farther than to the surfaces before.
+// Enclose enter_beam() for rays that march only as far as the surfaces before.
 void begin_entrance(ShaderText& text, const scene::Scene& scene, Origin origin);
 void end_entrance(ShaderText& text, const scene::Scene& scene, Origin origin, Draws draws);
 // keep_nearest() of what is drawn in one draw. Needs
@@ -33,7 +32,7 @@ inline int way_attachment(const Passes& passes) { return 2 + int(passes.attachme
 void agree_on_draws(std::vector<Passes*> all);
 // store_nearest().
 void add_store_nearest(ShaderText& text, const scene::Scene& scene, Origin origin);
-// What shadow rays begin with where surfaces before this one may have hidden lights.
+// Adds the beginning of shadow rays if surfaces before this one may have hidden lights.
 void begin_shadow_after_others(ShaderText& text, const scene::Scene& scene, int mask);
 
 Pass occlusion_pass(const scene::Scene& scene, const Passes& passes);

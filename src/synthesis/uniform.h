@@ -1,4 +1,4 @@
-// A plain uniform by name, and its value. A program without one of that name ignores it.
+// A plain uniform, with name and value. Programs without a uniform of that name ignore it.
 #pragma once
 
 #include <string>

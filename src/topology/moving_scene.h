@@ -1,5 +1,5 @@
-// A scene's surface at one time or over a short span of time, with exact values: what frames and
-// kinds are proved of.
+// A scene's surface at one time or over a short span of time, with exact values. Proofs of frames
+// and kinds use it.
 #pragma once
 
 #include "scene/scene_at.h"
@@ -18,12 +18,13 @@ public:
         SpaceFormula formula;
         scene::BoundsAt bounds; // rounded
     };
-    // The time lies between two knots of the animation, or is the end of the range: there values
-    // are those after a jump, as they are drawn.
+    // The time must lie between two knots of the animation, or be the end of the range, where
+    // values are those after a jump, as drawn.
     Still at(formula::Interval time) const;
 
     CertifiedFrame certify(double time, const FrameLimits& limits = {}) const;
-    // For the kinds of these events, ordered by time. The proofs refer to this scene.
+    // Proofs for the kinds of these events, ordered by time. The proofs keep a reference to this
+    // scene.
     KindProofs proofs(std::vector<Event> events, const PathOptions& seeking = {},
                       const FrameLimits& limits = {}) const;
 

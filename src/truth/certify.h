@@ -1,4 +1,5 @@
-// The truth about a picture: the first root along every pixel's ray, certified on the CPU, no GL.
+// The truth about a picture: the first root along every pixel's ray, certified on the CPU without
+// GL.
 #pragma once
 
 #include <array>
@@ -23,12 +24,13 @@ struct Truth {
 
 struct Certifying {
     Budget budget;
-    int threads = 0;                           // 0: as many as the machine runs at once
-    std::function<void(double part)> progress; // called from one thread at a time, part in [0, 1]
+    int threads = 0; // 0: as many as the machine runs at once
+    // Called from one thread at a time, with `part` in [0, 1].
+    std::function<void(double part)> progress;
 };
 
-// Gives the same result for any number of threads. Of several surfaces it is the truth about all,
-// in the first one's coordinates.
+// The result is the same for any number of threads. With several surfaces it is the truth about
+// all, in the first one's coordinates.
 Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
               const Certifying& how = {});
 

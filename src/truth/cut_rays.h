@@ -1,9 +1,9 @@
-// The first of what sections leave along a ray: a root of F outside of them, or a cap
+// Finds the first surface along a ray that sections leave: a root of F outside of them, or a cap
 // (scene/cut.h). As with roots, every statement holds for all rays of the tube.
 //
-// A section's surface is crossed in closed form. Rounding makes an edge of it, a piece of the tube
-// in which some ray may cross. Between edges the tube is kept or taken away as a whole: in kept
-// pieces the finder of roots is asked, and over edges the sign of F.
+// Crossings of a section's surface have a closed form. By rounding a crossing becomes an edge, a
+// piece of the tube in which some ray may cross. Between edges the whole tube is kept or taken
+// away. The root finder searches kept pieces; on edges the sign of F decides.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@
 
 namespace isomotion::truth {
 
-// The sections of a scene at a time, as shaders have them.
+// The sections of a scene at a time, in the shaders' precision.
 class Sections {
 public:
     explicit Sections(const scene::SceneAt& now);
@@ -26,9 +26,9 @@ public:
         enum class Kind { kept, taken, edge };
         Kind kind = Kind::kept;
         double low = 0, high = 0;
-        int section = -1; // of an edge, one whose surface may be crossed there
+        int section = -1; // for an edge: a section whose surface may be crossed there
     };
-    // The tube from `near` to `far`, without gaps.
+    // The pieces of the tube from `near` to `far`, without gaps.
     std::vector<Piece> pieces(const Tube& tube) const;
     const scene::SectionAt& operator[](int k) const { return all_[std::size_t(k)]; }
 
@@ -36,7 +36,7 @@ private:
     std::vector<scene::SectionAt> all_; // formula coordinates, rounded to float32
 };
 
-// As RootFinder::find() has it where nothing is cut.
+// As RootFinder::find() for rays without sections.
 void find_first(RootFinder& finder, const Sections& sections, std::span<const Tube> tubes,
                 std::span<FirstRoot> roots);
 

@@ -1,4 +1,4 @@
-// A scene's field as truth asks for it: over boxes, at one frame after the other.
+// A scene's field as truth uses it: over boxes, at one frame after the other.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ class EnclosedField {
 public:
     explicit EnclosedField(const scene::Scene& scene);
 
-    // One frame's values, for finders on all threads.
+    // The values of one frame, for root finders on all threads.
     class Frame {
     public:
         RootFinder finder(Budget budget = {}) const;
@@ -29,17 +29,17 @@ public:
 
         const formula::EnclosurePrograms& programs_;
         const scene::SceneAt& now_;
-        std::optional<elements::FieldByPlace::Frame> by_place_; // of many elements
+        std::optional<elements::FieldByPlace::Frame> by_place_; // if there are many elements
     };
-    // `now` and this outlive the frame. `made`: a grid of the scene's elements then, as
-    // region_of_elements() has it, to take in place of making one.
+    // `now` and this object must outlive the frame. `made`: an existing grid of the scene's
+    // elements at that time over region_of_elements(); null to make one.
     Frame at(const scene::SceneAt& now, int threads,
              std::shared_ptr<const elements::ElementGrid> made = nullptr);
 
 private:
     const formula::Field& field_;
     formula::EnclosurePrograms programs_;
-    std::optional<elements::FieldByPlace> by_place_; // from the first frame of many elements on
+    std::optional<elements::FieldByPlace> by_place_; // set by the first frame with many elements
     bool was_looked_for_ = false;
 };
 

@@ -1,4 +1,4 @@
-// What is wrong with a pixel, against what is certain of its ray.
+// Judges a pixel by what is certain about its ray.
 #pragma once
 
 #include <cstdint>
@@ -32,8 +32,8 @@ constexpr std::string_view words(Fault fault) {
     return "?";
 }
 
-// `t`: where on its ray the pixel was hit, if it was; places a pixel's width apart are one. What
-// truth calls touching may be hit or not.
+// `t`: the place on its ray where the pixel was hit, if it was. Places less than a pixel's width
+// apart count as equal. A ray that truth calls touching may be hit or not.
 Fault judge(const FirstRoot& root, bool hit, double t, double footprint);
 
 } // namespace isomotion::truth

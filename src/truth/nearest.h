@@ -1,7 +1,7 @@
-// The first root on a ray that meets several surfaces, from the certified ones on each.
+// The first root on a ray that meets several surfaces, from the certified first root on each.
 //
-// A pixel's ray is one in the world and has coordinates of its own for each surface. What is said
-// of all is said in those of the first.
+// A pixel's ray is one ray in the world, and has different coordinates for each surface. Results
+// are in the coordinates of the first surface.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace isomotion::truth {
 
-// The rays of a picture as each surface has them.
+// The rays of a picture in each surface's coordinates.
 class RaysOfSurfaces {
 public:
     RaysOfSurfaces(const scene::SceneAt& now, int width, int height, const scene::Aim& aim = {});
@@ -21,7 +21,7 @@ public:
     std::size_t surfaces() const { return tubes_.size(); }
     const Tubes& of(std::size_t surface) const { return tubes_[surface]; }
 
-    // The first of the surfaces' own first roots on a pixel's ray.
+    // The nearest of the surfaces' own first roots on a pixel's ray.
     FirstRoot nearest(int column, int row, std::span<const FirstRoot> of_surfaces) const;
 
 private:
@@ -29,8 +29,8 @@ private:
     std::vector<Tubes> tubes_;
 };
 
-// The first of roots on one ray. `apart`: how far before all others one must be for `surface` to
-// tell which it is of.
+// The nearest of several roots on one ray. `surface` is known only if the nearest root is at least
+// `apart` before all others.
 FirstRoot nearest(std::span<const FirstRoot> roots, double apart);
 
 } // namespace isomotion::truth

@@ -1,4 +1,4 @@
-// Doubles as floats, rounded away from what they bound.
+// Doubles rounded to floats, away from the value that they bound.
 #pragma once
 
 #include <cmath>

@@ -20,8 +20,8 @@ gpu::Context& context() {
     return *it;
 }
 
-// The rows of all cases looked at, printed when the suite ends. With ISOMOTION_BLESS it is written
-// to docs/hard-cases.md as well.
+// Collects the rows of all cases and prints them when the suite ends. With ISOMOTION_BLESS it also
+// writes docs/hard-cases.md.
 class Table : public testing::Environment {
 public:
     void add(std::string row) { rows_.push_back(std::move(row)); }
@@ -39,15 +39,18 @@ public:
 
 private:
     static constexpr const char* preamble =
-        "# Hard cases\n\n"
-        "What a user gets who names no method, the rows `default`, and what the paper's methods "
-        "get\n"
-        "wrong of 96 x 96 pixels or so, in pixels of a million, against\n"
-        "certified truth: roots missed, hits where nothing is, hits behind the first root; then "
-        "the\n"
-        "pixels that ended in a NaN or out of steps, and the hits where the gradient is zero.\n"
-        "`tests/stability` holds a bound for each row; this page is written by\n\n"
-        "    ISOMOTION_BLESS=1 build/release/tests/stability/stability_test\n\n";
+        "# Hard cases\n"
+        "\n"
+        "The rows `default` show the result of a user who names no method; the other rows\n"
+        "show methods of the paper. The pictures have about 96 x 96 pixels. Certified truth\n"
+        "decides which pixels are wrong. `wrong`, `missed`, `false` and `behind` are pixels\n"
+        "in a million: all wrong ones, missed roots, hits where there is no root, and hits\n"
+        "behind the first root. The other columns count pixels: all hits, those that ended in\n"
+        "a NaN, those that reached the step limit, and hits with a zero gradient.\n"
+        "`tests/stability` holds a bound for each row. This command writes this page:\n"
+        "\n"
+        "    ISOMOTION_BLESS=1 build/release/tests/stability/stability_test\n"
+        "\n";
 
     void print(FILE* out) const {
         fmt::print(out,

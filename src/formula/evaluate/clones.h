@@ -1,5 +1,5 @@
-// A function compiled once more for processors that have `target`. Which one runs is chosen while
-// the program is linked, by glibc: before a sanitiser is ready, so not with one.
+// Compiles a function once more for processors that have `target`. glibc chooses the version while
+// the program is linked. That is before a sanitizer is ready, so sanitized builds don't use it.
 #pragma once
 
 #include <cstdint> // defines __GLIBC__

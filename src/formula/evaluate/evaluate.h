@@ -1,5 +1,5 @@
-// Runs a Program on the CPU for any number type with Operations<T>: one point, or a block of
-// points at a time (structure of arrays, vectorised by the compiler).
+// Runs a Program on the CPU for any number type with Operations<T>: at one point, or at blocks of
+// points (structure of arrays, vectorised by the compiler).
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ template<class T> struct ArrayColumns {
     bool operator==(const ArrayColumns&) const = default;
 };
 
-// What a formula's names stand for, apart from its inputs.
+// The values of a formula's names, apart from its inputs.
 template<class T> struct Bindings {
     std::vector<T> parameters;
     std::vector<ArrayColumns<T>> arrays;
@@ -49,24 +49,25 @@ template<class To, class From> Bindings<To> convert(const Bindings<From>& from) 
     return to;
 }
 
-// Holds the registers, so that evaluating allocates nothing. One evaluator a thread.
+// Holds the registers, so that evaluation allocates no memory. Use one evaluator per thread.
 // Instantiated for float, double and Interval. Programs for numbers are lowered; those for Interval
 // may hold chebyshev, and should (see enclosure.h).
 template<class T> class Evaluator {
 public:
     static constexpr int block = 32; // points evaluated together
-    static constexpr int few = 8;    // or so many, where there are no more; a lone one by itself
+    // Points in a block if there are no more; a single point is evaluated alone.
+    static constexpr int few = 8;
 
     explicit Evaluator(const Program& program);
 
-    // inputs[k] is the value of input k; writes one value an output.
+    // inputs[k] is the value of input k; writes one value per output.
     void point(const Bindings<T>& bindings, std::span<const T> inputs, std::span<T> outputs);
-    // inputs[k][i] is input k of point i, any number of points; writes outputs[o][i].
+    // inputs[k][i] is input k of point i, for any number of points; writes outputs[o][i].
     void points(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
                 std::span<const std::span<T>> outputs);
 
 private:
-    // `count` points from `first` on, at most Count.
+    // `count` points from `first` on; count is at most Count.
     template<int Count>
     void together(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
                   std::span<const std::span<T>> outputs, std::size_t first, std::size_t count);

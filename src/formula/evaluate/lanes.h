@@ -1,7 +1,7 @@
-// One register of an evaluator: its values at all points of a block, as they lie in memory.
+// One register of an evaluator: its values at all points of a block, as stored in memory.
 //
-// Numbers lie side by side. Of intervals the lower ends come first, then the upper ones: loops over
-// the lanes then vectorise for both.
+// Numbers are stored side by side. For intervals all lower ends come first, then all upper ends, so
+// that loops over the lanes vectorise for both.
 #pragma once
 
 #include "formula/interval/interval.h"
@@ -10,7 +10,7 @@ namespace isomotion::formula {
 
 template<class T> struct Lanes {
     using Part = T;
-    static constexpr int parts = 1; // Part of memory a value takes
+    static constexpr int parts = 1; // Parts per value
 
     Part* first;
 

@@ -1,4 +1,4 @@
-// Where generated GLSL finds the fields of an array's elements: in vec4 texels, read once an
+// Packs the fields of an array's elements for generated GLSL: in vec4 texels, each read once per
 // element.
 #pragma once
 
@@ -12,8 +12,8 @@ namespace isomotion::formula {
 // "a0_1.y" for the field in slot 5 of array 0.
 std::string element_text(int array, int field, const ArrayPacking& packing);
 
-// The texels of its array that the loop beginning at instruction `begin` uses, inner loops over
-// other arrays included.
+// The texels of its array that the loop beginning at instruction `begin` uses, including inner
+// loops over other arrays.
 std::set<int> texels_read(const Program& program, std::size_t begin, const ArrayPacking& packing);
 
 } // namespace isomotion::formula

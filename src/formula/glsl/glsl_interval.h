@@ -1,11 +1,10 @@
-// Program -> GLSL on intervals.
+// Writes a Program as GLSL on intervals.
 //
 // As glsl.h, but for programs of enclosure.h, and with vec2s (lo, hi), or dvec2s: functions of
-// shaders/interval/. Parameters, elements and constants that are floats are points, and cost a
-// product with one number; a constant between two floats is the interval of both. On doubles all
-// constants are points. What is never
-// negative on paper, by its operations alone (squares, roots and the like), is known to be so,
-// which saves half of a product and keeps divisors from 0.
+// shaders/interval/. Parameters, elements and constants that are floats are points and multiply as
+// one number. A constant between two floats is the interval of both. On doubles all constants are
+// points. Values that are never negative by their operations alone (squares, roots and the like)
+// are known to be so, which saves half of a product and keeps divisors from 0.
 #pragma once
 
 #include <set>
@@ -16,11 +15,11 @@
 
 namespace isomotion::formula {
 
-enum class Numbers { floats, doubles }; // that the ends of intervals are
+enum class Numbers { floats, doubles }; // the type of the intervals' ends
 
-// An array of whose elements lists hold those that matter, and F's own sums over it: nodes of the
-// field's graph. The k-th of them begins with `array<n>_rest[k]`, a vec2, in place of 0; the least
-// of no listed element is `array<n>_least`.
+// An array whose lists hold the elements that matter, with F's own sums over it: nodes of the
+// field's graph. The k-th sum starts with `array<n>_rest[k]`, a vec2, instead of 0;
+// `array<n>_least` is the least of no listed element.
 struct ListedArray {
     int array = 0;
     std::vector<NodeId> sums;
@@ -36,19 +35,19 @@ struct IntervalNumbers {
 
 struct IntervalSignature {
     std::string head;                 // "vec4 field_directional_interval(vec2 x, ...)"
-    std::vector<std::string> inputs;  // what input k, a vec2, is called
+    std::vector<std::string> inputs;  // the name of input k, a vec2
     std::string result;               // the type that takes the outputs in order, or empty and
-    std::vector<std::string> outputs; // what they are assigned to
+    std::vector<std::string> outputs; // the variables that they are assigned to
 };
 
 std::string emit_interval_glsl(const Program& program, const IntervalSignature& signature,
                                const ArrayPacking& packing, const IntervalNumbers& numbers = {});
 
-// The operations ("divide", "pow", "chebyshev", ...) a program needs files of shaders/interval/
-// for, other than arithmetic.glsl.
+// The operations ("divide", "pow", "chebyshev", ...) for which a program needs files of
+// shaders/interval/ other than arithmetic.glsl.
 std::set<std::string> interval_kernels_used(const Program& program);
 
-// Functions on floats; on doubles each vec stands for a dvec.
+// Functions on floats. On doubles each vec stands for a dvec.
 
 // vec2 field_interval(vec2 x, vec2 y, vec2 z)
 std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,

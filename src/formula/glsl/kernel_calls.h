@@ -1,11 +1,11 @@
 // How a program calls the kernels of shaders/math/.
 //
-// Mostly one call an operation; but a value and its slope often come from one kernel: the sine and
-// the cosine of a, a^b and a^(b-1).
+// Mostly there is one call per operation. But a value and its slope often come from one kernel: the
+// sine and the cosine of a, a^b and a^(b-1).
 //
-// Drivers put a kernel's text wherever it is called, so that hundreds of calls take seconds to
-// compile. Making calls of one kernel in a loop over arrays links several times faster, but was
-// measured to draw two to three times slower on llvmpipe, which keeps such arrays in memory.
+// Drivers inline a kernel's text at each call, so hundreds of calls take seconds to compile. Loops
+// over arrays that call one kernel link several times faster. But measured on llvmpipe they draw
+// two to three times slower, since it keeps such arrays in memory.
 #pragma once
 
 #include <map>
@@ -31,12 +31,13 @@ struct KernelResult {
 
 struct KernelCalls {
     std::vector<KernelCall> calls;
-    std::map<Register, KernelResult> results; // which call gives a register's value
+    std::map<Register, KernelResult> results; // the call that gives a register's value
 };
 
 KernelCalls kernel_calls(const Program& program);
 
-// The operations ("exp", "pow", ...) a program needs kernels for; each has a file in shaders/math/.
+// The operations ("exp", "pow", ...) for which a program needs kernels; each has a file in
+// shaders/math/.
 std::set<std::string> kernels_used(const Program& program);
 
 } // namespace isomotion::formula

@@ -8,11 +8,11 @@
 
 namespace isomotion::formula {
 
-// A degree of `root` in the inputs that no values of parameters and elements exceed; none where the
-// graph does not show a polynomial: quotients, powers with an exponent that is no whole number,
-// kinks and transcendental functions of an input. Terms that cancel each other still count, and
-// degrees above 2^20 are given as 2^20. Whole powers above 24 of inputs are none, as graphs clamp
-// their base.
+// An upper bound of the degree of `root` in the inputs, for any values of parameters and elements.
+// None if the graph does not show a polynomial: quotients, powers with an exponent that isn't a
+// whole number, kinks and transcendental functions of an input. Terms that cancel each other still
+// count, and degrees above 2^20 are given as 2^20. Whole powers above 24 of inputs have none, as
+// graphs clamp their base.
 std::optional<int> degree(const Graph& graph, NodeId root);
 
 // The degree of each node up to `root`.

@@ -1,4 +1,4 @@
-// exp of a double with a proved error bound, without branches: loops over it vectorise, and its
+// exp of a double with a proved error bound and without branches. Loops over it vectorise, and its
 // values are the same on every processor.
 #pragma once
 

@@ -1,14 +1,15 @@
-// The functions of one argument, one row each; whoever serves them makes its cases from the rows.
+// The functions of one argument, one row each. All code that handles these functions is generated
+// from the rows.
 //
-// Besides its row a function has a meaning for each kind of number, and no more: in Operations<T>
-// (operations.h, interval/interval_operations.h) and for balls (arb/ball_program.cpp), and its
-// kernel, if it has one, in shaders/math/ and shaders/interval/ (synthesis/shader_files.cpp tells
-// their files). Whatever is missing does not compile. A function that others can be put together to
+// Besides its row a function needs only a definition for each number type: in Operations<T>
+// (operations.h, interval/interval_operations.h) and for balls (arb/ball_program.cpp). A function
+// with a kernel also needs it in shaders/math/ and shaders/interval/ (synthesis/shader_files.cpp
+// lists their files). A missing definition does not compile. A function that is composed of others
 // needs none of this: it is a row of functions.cpp, like smoothmin.
 //
 //   name      of the function, of its Op, of Operations<T>::name and of the kernel im_name
 //   shader    what computes it in shaders: see Shader in functions.h
-//   sign      what is known of its values: see Sign there
+//   sign      the sign of its values: see Sign there
 //   domain    where it has a value, on paper, as an expression of x
 //   slope     its derivative, as an expression of the argument a and the value f (derivative.cpp)
 #pragma once

@@ -1,5 +1,5 @@
-// What a formula can call: the parser, the reserved names, the shaders' kernels and the list in
-// docs/formulas.md are made from these rows.
+// The functions that a formula can call. The parser, the reserved names, the shaders' kernels and
+// the list in docs/formulas.md are made from these rows.
 #pragma once
 
 #include <cstddef>
@@ -13,35 +13,37 @@ namespace isomotion::formula {
 
 struct Function {
     std::string_view name;
-    std::string_view arguments; // as the documents write them: "a, b"
-    std::size_t count;          // of arguments, or the least if there may be more
+    std::string_view arguments; // as the documentation writes them: "a, b"
+    std::size_t count;          // of arguments; the minimum if there may be more
     bool may_have_more;
-    // The call as nodes; null where the parser has a rule of its own.
+    // Makes the call's nodes; null if the parser has a rule of its own.
     NodeId (*call)(Graph&, std::span<const NodeId> arguments);
-    // Whether it has a value at a number, on paper: evaluation forgives what rounding does to a
-    // radicand, a constant needs no forgiving. Of functions of one argument, else null.
+    // Whether the function has a value at x, on paper. Only for functions of one argument,
+    // otherwise null. Evaluation tolerates radicands that rounding makes negative; a constant needs
+    // no tolerance.
     bool (*has_value)(double x);
 };
 
-// Those of one argument first, in the order of their table.
+// Functions of one argument first, in the order of their table.
 std::span<const Function> functions();
 const Function* find_function(std::string_view name); // null if there is none
 
 enum class Shader : std::uint8_t {
-    built_in,     // GLSL's own, exact and monotone, so that it maps the ends of intervals
-    by_intervals, // GLSL's own on numbers; shaders/interval/arithmetic.glsl has it on intervals
+    built_in,     // a function of GLSL, exact and monotone, so that it maps the ends of intervals
+    by_intervals, // a function of GLSL on numbers; shaders/interval/arithmetic.glsl defines it on
+                  // intervals
     kernel,       // a function of shaders/math/, and one of shaders/interval/
 };
 enum class Sign : std::uint8_t { any, not_negative, as_argument };
 
-// What shaders are written by, of the operations that are functions of one argument.
+// Properties that the shader writers need of operations that are functions of one argument.
 struct UnaryTraits {
     Shader shader;
     Sign sign;
 };
 const UnaryTraits* unary_traits(Op op); // null for other operations
 
-// The kernel im_<name> that an operation calls in shaders, or empty for what needs none.
+// The kernel im_<name> that an operation calls in shaders; empty if it needs none.
 std::string_view kernel(Op op);
 
 } // namespace isomotion::formula

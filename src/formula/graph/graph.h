@@ -1,10 +1,10 @@
-// The expression graph: what a formula means, once, for every back end.
+// The expression graph: the meaning of a formula, shared by all back ends.
 //
-// Nodes are hash-consed: equal expressions are one node, so common subexpressions cost one
-// evaluation in GLSL and on the CPU alike. Constants are folded and trivial algebra (x*1, x+0, 0*x)
-// is simplified as nodes are made; factors that are the same for all elements of a sum leave it. A
-// graph only grows, up to limits::graph_nodes, beyond which what makes nodes throws
-// std::length_error; node ids are topologically ordered (children before parents).
+// Nodes are hash-consed: equal expressions are one node, so a common subexpression is evaluated
+// once, in GLSL and on the CPU alike. As nodes are made, constants are folded and trivial algebra
+// (x*1, x+0, 0*x) is simplified; factors that are the same for all elements of a sum are moved out
+// of it. A graph only grows, up to limits::graph_nodes, beyond which functions that make nodes
+// throw std::length_error. Node ids are topologically ordered (children before parents).
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ using NodeId = std::uint32_t;
 
 enum class Op : std::uint8_t {
     constant,  // value
-    input,     // index: x, y, z and what else the vocabulary lists (ray direction, t, ...)
+    input,     // index: x, y, z and the vocabulary's other inputs (ray direction, t, ...)
     parameter, // index into the parameter values
     element,   // field `second` of array `index` at the loop's current element
     negate,
@@ -41,18 +41,18 @@ enum class Op : std::uint8_t {
     random,    // random(i, k) in [0, 1): CPU double only
     chebyshev, // `second`-th derivative of T_index(a)
     select,    // a < b ? c : d
-    sum,       // sum over the elements of array `index` of a
-    least,     // the least a of them; saturation of none
-    pick,      // b of the first element whose a is least; 0 of none
-    which,     // the number of that element, from 1 on; 0 of none: for continuity.h
+    sum,       // sum of a over the elements of array `index`
+    least,     // the least a over them; saturation without elements
+    pick,      // b of the first element whose a is least; 0 without elements
+    which,     // the number of that element, from 1; 0 without elements: for continuity.h
 };
 
-// Whether it goes through the elements of array `index`.
+// Whether the operation loops over the elements of array `index`.
 constexpr bool is_over_elements(Op op) {
     return op == Op::sum || op == Op::least || op == Op::pick || op == Op::which;
 }
 
-// Whether it looks for the least element and is not its key.
+// Whether the operation finds the least element but returns something else than its key.
 constexpr bool keeps_least(Op op) { return op == Op::pick || op == Op::which; }
 
 struct Node {
@@ -66,7 +66,8 @@ struct Node {
     // a loop over that array.
     std::uint32_t arrays = 0;
 
-    // Numbers by their bits, so that a NaN is itself: the graph holds each node once.
+    // Numbers are compared by their bits, so that NaN equals itself and the graph holds each node
+    // once.
     bool operator==(const Node& other) const {
         return op == other.op && arity == other.arity && index == other.index &&
                second == other.second && arrays == other.arrays && children == other.children &&
@@ -79,8 +80,8 @@ public:
     const Node& operator[](NodeId id) const { return nodes_[id]; }
     std::size_t size() const { return nodes_.size(); }
 
-    // From now on constants are put together only where that is exact: for expressions whose
-    // intervals are to hold what is so on paper, such as slopes.
+    // From now on constants are folded only where that is exact, for expressions such as slopes
+    // whose intervals must hold the exact value.
     void fold_exactly() { exactly_ = true; }
 
     NodeId constant(double value);
@@ -115,15 +116,15 @@ private:
     NodeId over_elements(Op op, int array, NodeId a);
     NodeId make(Op op, NodeId a);
     NodeId make(Op op, NodeId a, NodeId b);
-    // One order for commutative operations: constants first, then what loops compute once. x*y and
-    // y*x are one node.
+    // A canonical order for commutative operations: constants first, then values computed outside
+    // of loops. So x*y and y*x are one node.
     NodeId make_commutative(Op op, NodeId a, NodeId b);
 
     NodeId add_simplified(NodeId a, NodeId b);
     NodeId subtract_simplified(NodeId a, NodeId b);
     NodeId multiply_simplified(NodeId a, NodeId b);
 
-    // True if a is computed outside some loop that b is inside of, and inside no other.
+    // True if a is computed outside some loop that contains b, and inside no other loop.
     bool is_outside(NodeId a, NodeId b) const;
     // f, if a = f*x and b = f*y and f is outside the loops of x and of y.
     std::optional<NodeId> common_outside_factor(NodeId a, NodeId b) const;

@@ -1,5 +1,5 @@
-// What a formula may hold at most: far beyond what anyone types or a program has reason to write,
-// and so little that reading one neither overflows a stack nor fills the memory.
+// Limits of a formula, far beyond anything that people type or programs have reason to write. They
+// are so low that reading a formula neither overflows a stack nor fills the memory.
 //
 // docs/scene-file.md lists them beside those of scenes (scene/limits.h).
 #pragma once
@@ -8,18 +8,18 @@
 
 namespace isomotion::formula::limits {
 
-inline constexpr std::size_t formula_bytes = 500'000; // of one text, expressions of t too
+inline constexpr std::size_t formula_bytes = 500'000; // of one text; expressions of t included
 inline constexpr std::size_t name_bytes = 64;         // of a parameter, array, field, definition
 // Depth of parentheses, calls, signs and powers; the parser recurses for each. An open parenthesis
 // counts twice, as an expression and as a factor.
 inline constexpr int nesting = 400;
-inline constexpr std::size_t formula_nodes = 100'000; // of the graph as it was read
-// Nodes of one graph with all its derivatives: those of a formula that is small enough may be too
-// large, as the second derivatives of high Chebyshev polynomials.
+inline constexpr std::size_t formula_nodes = 100'000; // of the graph as read from the text
+// Nodes of one graph with all its derivatives. A formula within the other limits may exceed this
+// one, as do second derivatives of high Chebyshev polynomials.
 inline constexpr std::size_t graph_nodes = 2'000'000;
 inline constexpr int chebyshev_degree = 1000;
-// Length of a chain of parameters or fields each of which names the next: rules of time are made by
-// recursion.
+// Length of a chain of parameters or fields each of which names the next: rules over time are
+// evaluated by recursion.
 inline constexpr std::size_t chain = 200;
 // One bit each in Node::arrays.
 inline constexpr int arrays = 32;

@@ -1,10 +1,11 @@
-// Primitives with structure of their own (chebyshev) -> sums and products.
+// Lowers structured primitives (chebyshev) to sums and products.
 //
-// Interval bounds want the primitive: T_n maps [-1,1] to [-1,1] exactly. Numbers want few products:
-// (T_n, U_{n-1}) behaves like (cos n theta, sin n theta / sin theta), so doubling the angle takes
-// log2(n) steps and gives the value and the derivative n U_{n-1} together. Measured in float32 at
-// 4e7 points of [-1,1], the largest error for n = 14 / 50 is 2.1e-6 / 2.5e-5, against 3.9e-6 /
-// 2.4e-5 for the three-term recurrence and 4.4e-6 / 1.6e-5 for cos(n acos x).
+// Interval bounds need the primitive: T_n maps [-1,1] to [-1,1] exactly. Evaluation in numbers
+// needs few products: (T_n, U_{n-1}) behaves like (cos n theta, sin n theta / sin theta), so
+// doubling the angle takes log2(n) steps and gives the value and the derivative n U_{n-1} together.
+// Measured in float32 at 4e7 points of [-1,1], the largest error for n = 14 / 50 is 2.1e-6 /
+// 2.5e-5, compared with 3.9e-6 / 2.4e-5 for the three-term recurrence and 4.4e-6 / 1.6e-5 for cos(n
+// acos x).
 #pragma once
 
 #include <span>
@@ -14,14 +15,13 @@
 
 namespace isomotion::formula {
 
-// From which size of the argument on T_n stays what it is there, where n is above
-// highest_whole_degree: its float32 value or its first derivatives would pass saturation. |T_n|
-// grows like cosh(n acosh |x|), and the k-th derivative is at most n^2k times larger: T_50(6) is
-// 10^53.
+// The size of the argument beyond which T_n keeps its value, for n above highest_whole_degree:
+// beyond it the float32 value or the first derivatives would exceed saturation. |T_n| grows like
+// cosh(n acosh |x|), and the k-th derivative is at most n^2k times larger: T_50(6) is 10^53.
 double chebyshev_reach(int n);
 inline constexpr int highest_whole_degree = 24;
 
-// The nodes equal to `roots` without chebyshev nodes below them.
+// Nodes equal to `roots` that have no chebyshev nodes below them.
 std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots);
 
 // Lowers and schedules one expression.

@@ -1,5 +1,5 @@
-// Where each name of a vocabulary is in its lists: made once for all texts that use it, as they may
-// say a thousand names a hundred thousand times.
+// An index of a vocabulary's names. It is made once for all texts that use the vocabulary, as they
+// may name a thousand names a hundred thousand times.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace isomotion::formula {
 
-// The vocabulary must outlive it. Of equal names the first counts.
+// The vocabulary must outlive this object. Among equal names the first counts.
 class Names {
 public:
     explicit Names(const Vocabulary& vocabulary);

@@ -1,11 +1,11 @@
 // One definition of each operation for each number type.
 //
-// `Operations<T>` gives every Op its meaning on T; constant folding, CPU evaluation and (by the
-// same rules, in shaders/math/) the GPU follow it. The rules keep a formula that is finite on paper
-// free of NaN where users go:
+// `Operations<T>` defines every Op on T. Constant folding, CPU evaluation and (by the same rules,
+// in shaders/math/) the GPU follow it. The rules avoid NaN where a formula is finite on paper:
+//
 //   - results of exp, sinh, cosh, tan, log, power and divide are cut off at +-saturation, so that
 //     0 * exp(100) is 0 and not NaN;
-//   - sqrt of a negative number is 0: radicands go below zero by rounding;
+//   - sqrt of a negative number is 0, since rounding makes radicands negative;
 //   - 0^b is 0, 1 or saturation; a negative base has a power if the exponent is an integer;
 //   - x/0 is +-saturation; 0/0 stays NaN.
 #pragma once
@@ -22,10 +22,11 @@ namespace isomotion::formula {
 template<class T> struct Operations {
     static_assert(std::is_floating_point_v<T>);
 
-    // Far enough below the largest number that products of one saturated value with a coefficient,
+    // Far enough below the largest number that products of a saturated value with a coefficient,
     // and sums over thousands of terms, stay finite. The float value is IM_SATURATION in the
-    // shaders. Values of an animation are doubles: one that is cut off is beyond floats, and told.
-    // Intervals hold all three: what floats, what doubles are cut off to, and what is on paper.
+    // shaders. Values of an animation are doubles; one that is cut off exceeds floats and is
+    // reported. Intervals hold the values cut off in float, those cut off in double, and the exact
+    // value.
     static constexpr T saturation() { return std::is_same_v<T, float> ? T(1e30) : T(1e300); }
     static T saturate(T a) { // NaN passes through
         return a > saturation() ? saturation() : a < -saturation() ? -saturation() : a;
@@ -37,7 +38,7 @@ template<class T> struct Operations {
     static T sqrt(T a) { return a < 0 ? T(0) : std::sqrt(a); }
     static T exp(T a) {
         if constexpr (std::is_same_v<T, double>) {
-            // Loops over it vectorise. Results below the normal numbers are 0.
+            // Loops over this function vectorise. Results below the normal numbers are 0.
             const double near = exponential(a < -708 ? -708 : a > 700 ? 700 : a);
             // NaN differs from itself. NOLINTNEXTLINE(misc-redundant-expression)
             return a < -708 ? 0 : a != a ? a : near < saturation() ? near : saturation();

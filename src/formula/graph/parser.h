@@ -1,13 +1,13 @@
-// Text -> expression graph.
+// Parses text to an expression graph.
 //
-//   formula    = { name '=' expression ';' } expression
-//   expression = term { ('+' | '-') term }
-//   term       = factor { ('*' | '/') factor }
-//   factor     = ('-' | '+') factor | power
-//   power      = primary [ '^' factor ]                 (right associative; -x^2 is -(x^2))
-//   primary    = number | name | name '(' arguments ')' | '(' expression ')'
+//     formula    = { name '=' expression ';' } expression
+//     expression = term { ('+' | '-') term }
+//     term       = factor { ('*' | '/') factor }
+//     factor     = ('-' | '+') factor | power
+//     power      = primary [ '^' factor ]     (right associative; -x^2 is -(x^2))
+//     primary    = number | name | name '(' arguments ')' | '(' expression ')'
 //
-// Functions are those of functions.h; of chebyshev(n, a) n is a constant integer, and in sum(array,
+// Functions are those of functions.h. In chebyshev(n, a), n is a constant integer. In sum(array,
 // expression), least(array, expression) and greatest(array, expression) the array's fields are
 // names; least(array, expression, value) is the value of the element whose expression is least.
 // Constant: pi. `name = expression;` names a repeated part.
@@ -25,8 +25,8 @@ namespace isomotion::formula {
 
 class ParseError : public std::runtime_error {
 public:
-    // `offset` is a byte offset into `text`. what() is the message followed by the line of the
-    // formula it happened on and a caret below the place.
+    // `offset` is a byte offset into `text`. what() is the message, followed by the line of the
+    // formula with the mistake and a caret below the place.
     ParseError(std::string_view text, std::size_t offset, const std::string& message);
 
     const std::string& message() const { return message_; }

@@ -1,9 +1,9 @@
-// A graph put in order: straight-line instructions with loops for sums.
+// A scheduled graph: straight-line instructions, with loops for sums.
 //
-// Both back ends run a Program: the GLSL writer prints one statement an instruction, the CPU
-// evaluator interprets it. What doesn't depend on a loop's element is computed before the loop, and
-// sums, least elements and picks over one array that don't need each other's results share one
-// loop.
+// Both back ends run a Program: the GLSL writer prints one statement per instruction, the CPU
+// evaluator interprets it. Values that don't depend on a loop's element are computed before the
+// loop. Sums, least elements and picks over one array share one loop if they don't need each
+// other's results.
 #pragma once
 
 #include <span>
@@ -18,19 +18,19 @@ using Register = int;
 struct Instruction {
     enum class Kind : std::uint8_t {
         operation,  // result = op(operands)
-        begin,      // the result of no elements: 0 of a sum
-        loop_begin, // for every element of array `index`, to the matching loop_end
-        accumulate, // takes in the element's operands
+        begin,      // initialises the result without elements: 0 for a sum
+        loop_begin, // loops over the elements of array `index`, to the matching loop_end
+        accumulate, // updates the result with the element's operands
         loop_end,
     };
     Kind kind = Kind::operation;
-    Op op = Op::constant; // of begin and accumulate: what goes through the elements
+    Op op = Op::constant; // of begin and accumulate: the operation over the elements
     std::uint8_t arity = 0;
     int index = 0;
-    int second = 0; // of begin: its node in the graph
+    int second = 0; // of begin: the operation's node in the graph
     double value = 0;
     Register result = -1;
-    // operands[2] of pick and which that begin or accumulate: the register of the least key so far.
+    // operands[2] of begin and accumulate for pick and which: the register of the least key so far.
     std::array<Register, 4> operands{};
 };
 
@@ -40,15 +40,15 @@ struct Program {
     int registers = 0;
 };
 
-// `inside` has a bit for each array whose current element the roots may use: one element's part of
-// a sum is a program of its own.
+// `inside` has a bit for each array whose current element the roots may use, since the term of one
+// element is a program of its own.
 Program schedule(const Graph& graph, std::span<const NodeId> roots, std::uint32_t inside = 0);
 
-// What one run of the program takes when array k has counts[k] elements.
+// The cost of one run of the program if array k has counts[k] elements.
 struct Cost {
     double operations = 0; // arithmetic operations and functions
     double iterations = 0; // loop iterations, nested ones multiplied out
-    double functions = 0;  // operations that aren't built into processors: exp, sin, power, ...
+    double functions = 0;  // operations that processors don't have built in: exp, sin, power, ...
 };
 Cost cost(const Program& program, std::span<const int> counts);
 

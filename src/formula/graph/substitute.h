@@ -1,4 +1,4 @@
-// Expressions with others in place of some of their parts.
+// Copies of expressions with some of their parts replaced.
 #pragma once
 
 #include <functional>
@@ -9,15 +9,15 @@
 
 namespace isomotion::formula {
 
-// What stands for a node: `rebuilt` is the node made anew in `to` from what stands for its children
-// (a leaf: the same leaf); return it, or what takes its place.
+// The replacement of a node. `rebuilt` is the node remade in `to` from the replacements of its
+// children (a leaf: the same leaf). Return it, or another node.
 using Replacement = std::function<NodeId(Graph& to, const Node& node, NodeId rebuilt)>;
 
-// The expressions `roots` of `from`, made anew in `to`, which may be `from` itself.
+// The expressions `roots` of `from`, remade in `to`, which may be `from` itself.
 std::vector<NodeId> substitute(Graph& to, const Graph& from, std::span<const NodeId> roots,
                                const Replacement& replacement);
 
-// Everything below the roots, the roots included, ascending: children before parents.
+// All nodes below the roots, including the roots, in ascending order: children before parents.
 std::vector<NodeId> nodes_below(const Graph& graph, std::span<const NodeId> roots);
 
 } // namespace isomotion::formula

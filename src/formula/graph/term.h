@@ -1,4 +1,4 @@
-// Nodes of a graph with the signs of arithmetic.
+// Arithmetic operators on nodes of a graph.
 #pragma once
 
 #include "formula/graph/graph.h"

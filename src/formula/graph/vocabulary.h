@@ -1,4 +1,4 @@
-// The names a formula may use, and what each becomes in the graph.
+// The names that a formula may use, and the node that each becomes.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,8 @@ namespace isomotion::formula {
 
 struct FieldName {
     std::string name;
-    // A field with one value for all elements is a parameter, read once instead of once an element.
+    // Set for a field with one value for all elements: it is a parameter, read once instead of once
+    // per element.
     std::optional<int> parameter;
 };
 

@@ -2,13 +2,13 @@
 //
 // T_n^(k) is monotone between its extrema, of which n-k-1 lie in (-1, 1) and none outside. So its
 // range is the hull of the values at the interval's ends and of the extrema inside it, and the
-// enclosure is exact but for rounding: products of intervals, of which each loses a little, would
-// at degree 50 have lost everything.
+// enclosure is exact up to rounding. Products of intervals lose a little each, and at degree 50
+// would have lost everything.
 //
-// Values come from T_2m = 2 T_m^2 - 1 and T_2m+1 = 2 T_m T_m+1 - x, which take log2(n) steps, on
-// Taylor series about x, which carry the derivatives along, in DoubleDouble numbers, which carry
-// their error along. Extrema of T_n are the points cos(j pi/n). Those of T_n^(k) are isolated once,
-// from those of T_n^(k-1), which lie between them, by bisection with certain signs.
+// Values come from T_2m = 2 T_m^2 - 1 and T_2m+1 = 2 T_m T_m+1 - x, which take log2(n) steps. They
+// are computed with Taylor series about x, which propagate the derivatives, in DoubleDouble
+// numbers, which propagate their error. Extrema of T_n are the points cos(j pi/n). Those of T_n^(k)
+// lie between those of T_n^(k-1); they are isolated once, by bisection with certain signs.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ namespace isomotion::formula {
 
 class ChebyshevEnclosure {
 public:
-    // Derivatives above the 6th are bounded by their largest value: fine on [-1, 1], the entire
-    // line outside. Making one takes 2 ms for the slope of T_50.
+    // Derivatives above the 6th are bounded by their largest value on [-1, 1], and by the entire
+    // line outside. Construction takes 2 ms for the slope of T_50.
     ChebyshevEnclosure(int degree, int derivative);
 
     Interval operator()(Interval a) const;
@@ -36,8 +36,8 @@ private:
     Interval bounded(double x, DoubleDouble<double> value) const;
 
     int degree_, derivative_;
-    Interval at_one_, bound_;       // the value at 1, and what it bounds on [-1, 1]
-    double reach_;                  // where values stop, or come near the end of doubles
+    Interval at_one_, bound_; // the value at 1, and the bound on [-1, 1]
+    double reach_;            // where values are held constant, or come near the end of doubles
     std::vector<Extremum> extrema_; // ascending
 };
 

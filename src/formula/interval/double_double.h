@@ -1,12 +1,12 @@
-// Numbers of twice the precision of double, with a bound on their own error.
+// Double-double numbers with a bound on their own error.
 //
-// A DoubleDouble is the unevaluated sum of two doubles, |lo| at most half an ulp of hi, and stands
-// for some real number no further from that sum than `error`. Sums and products go by the usual
-// error-free transformations (Dekker 1971, Knuth); Joldes, Muller and Popescu, Tight and Rigorous
-// Error Bounds for Basic Building Blocks of Double-Word Arithmetic, ACM TOMS 44(2), 2017, bounds
-// their roundings by a few 2^-106 of the operands, where 2^-102 is counted here. Underflow costs a
-// few smallest_positive, where 2^-1060 is counted. Values past 10^290 overflow to a DoubleDouble
-// that is not finite: see enclosure().
+// A DoubleDouble is the unevaluated sum of two doubles, |lo| at most half an ulp of hi. It
+// represents a real number that differs from that sum by at most `error`. Sums and products use the
+// usual error-free transformations (Dekker 1971, Knuth). Joldes, Muller and Popescu, Tight and
+// Rigorous Error Bounds for Basic Building Blocks of Double-Word Arithmetic, ACM TOMS 44(2), 2017,
+// bound their rounding errors by a few 2^-106 of the operands; 2^-102 is counted here. Underflow
+// costs a few smallest_positive; 2^-1060 is counted. Values beyond 10^290 overflow to a
+// DoubleDouble that is not finite: see enclosure().
 //
 // V is double, or Ends to compute with two numbers at once.
 #pragma once
@@ -41,7 +41,7 @@ template<class V> DoubleDouble<V> exact_product(V a, V b) {
     return {p, ((a_hi * b_hi - p) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo, V{}};
 }
 
-// For the roundings of computing a bound, and for taking hi as the size of hi + lo in it.
+// Covers the rounding of computing a bound, and the use of hi as the size of hi + lo in it.
 inline constexpr double bound_slack = 1 + 0x1p-40;
 
 template<class V> DoubleDouble<V> operator-(DoubleDouble<V> a) { return {-a.hi, -a.lo, a.error}; }
@@ -66,13 +66,13 @@ template<class V> DoubleDouble<V> twice(DoubleDouble<V> a) {
     return {2 * a.hi, 2 * a.lo, 2 * a.error};
 }
 
-// 1 or -1 if that is certain, else 0.
+// 1 or -1 if the sign is certain, otherwise 0.
 inline int sign(DoubleDouble<double> a) {
     if (std::abs(a.hi) * (1 - 0x1p-50) > a.error) return a.hi > 0 ? 1 : -1;
     return 0;
 }
 
-// The numbers it may stand for: all, if it has overflowed.
+// The real numbers that it may represent: all, if it has overflowed.
 inline Interval enclosure(DoubleDouble<double> a) {
     if (!std::isfinite(a.hi) || !std::isfinite(a.lo) || !std::isfinite(a.error))
         return Interval::entire();

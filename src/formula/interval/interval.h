@@ -1,13 +1,13 @@
 // Closed intervals of real numbers, rounded outwards.
 //
-// An Interval stands for the real numbers x with lo <= x <= hi. An infinite end means that there is
-// no bound on that side: infinity is no member, so 0 times an unbounded interval is 0. An interval
-// is never empty (lo <= hi, lo < inf, hi > -inf) and its ends are never NaN, except that
-// intersect() may return one with lo > hi: ask is_empty() before using it.
+// An Interval represents the real numbers x with lo <= x <= hi. An infinite end means that there is
+// no bound on that side. Infinity is not a member, so 0 times an unbounded interval is 0. An
+// interval is never empty (lo <= hi, lo < inf, hi > -inf) and its ends are never NaN. The exception
+// is intersect(), which may return one with lo > hi: check is_empty() before using it.
 //
-// An operation returns an interval that contains its value for all members of the arguments. What
-// has no value somewhere (0/0) has the entire line for a bound. Needs doubles that round to nearest
-// and keep subnormal numbers; the rounding mode is never switched.
+// An operation returns an interval that contains its value for all members of the arguments. An
+// operation that has no value somewhere (0/0) returns the entire line. The code needs doubles that
+// round to nearest and keep subnormal numbers; it never switches the rounding mode.
 #pragma once
 
 #include <cfloat>
@@ -23,7 +23,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double largest_finite = std::numeric_limits<double>::max();
 inline constexpr double smallest_positive = std::numeric_limits<double>::denorm_min();
 
-// The second if either is NaN: what the processor's minimum and maximum do.
+// Return the second argument if either is NaN, as the processor's minimum and maximum do.
 constexpr double smaller(double a, double b) { return a < b ? a : b; }
 constexpr double larger(double a, double b) { return b < a ? a : b; }
 
@@ -34,8 +34,8 @@ struct Interval {
     constexpr Interval(double low, double high)
         : lo(low)
         , hi(high) {}
-    // The point; what lies beyond the largest double if it is infinite, and anything if it is NaN.
-    // Implicit, since every number is an interval.
+    // The point. For an infinite argument, everything beyond the largest double; for NaN, the
+    // entire line. Implicit, since every number is an interval.
     constexpr Interval(double point)
         : lo(point != point ? -infinity : smaller(point, largest_finite))
         , hi(point != point ? infinity : larger(point, -largest_finite)) {}
@@ -61,7 +61,7 @@ constexpr Interval intersect(Interval a, Interval b) {
 constexpr double magnitude(Interval a) { return larger(-a.lo, a.hi); }
 constexpr double mignitude(Interval a) { return larger(larger(a.lo, -a.hi), 0.0); }
 
-// A finite member in the middle, of unbounded intervals too.
+// A finite member in the middle, also for unbounded intervals.
 constexpr double mid(Interval a) {
     const double middle = larger(a.lo, -largest_finite) / 2 + smaller(a.hi, largest_finite) / 2;
     return smaller(larger(middle, a.lo), a.hi); // halves of subnormal ends are rounded
@@ -88,7 +88,7 @@ inline double round_up(double r, double underflow = 0) {
 // At least hi - lo; infinite for unbounded intervals.
 inline double width(Interval a) { return is_point(a) ? 0 : round_up(a.hi - a.lo); }
 
-// The arithmetic below has no branches, and conditions of one comparison, so that loops over it
+// The arithmetic below has no branches, and each condition is one comparison, so that loops over it
 // vectorise.
 
 inline Interval operator-(Interval a) { return {-a.hi, -a.lo}; }
@@ -100,32 +100,35 @@ inline Interval operator+(Interval a, Interval b) {
 inline Interval operator-(Interval a, Interval b) { return a + -b; }
 
 inline Interval operator*(Interval a, Interval b) {
-    // 0 times an infinite end is NaN here and 0 by meaning. smaller() and larger() drop the NaN; a
-    // product of two finite members takes its place.
+    // 0 times an infinite end is NaN here, but 0 by definition. smaller() and larger() drop the
+    // NaN, and a product of two finite members replaces it.
     const double member = larger(a.lo, -largest_finite) * larger(b.lo, -largest_finite);
     const double p = a.lo * b.lo, q = a.lo * b.hi, r = a.hi * b.lo, s = a.hi * b.hi;
     const double lo = smaller(s, smaller(r, smaller(q, smaller(p, member))));
     const double hi = larger(s, larger(r, larger(q, larger(p, member))));
-    // Underflow carries no product across 0, for what isn't negative may be divided by and have a
-    // root: not below 0 if both factors are positive or both negative, not above if they differ.
+    // Underflow must not move a product across 0, since a result that isn't negative may be a
+    // divisor or a radicand. So the result is at least 0 if both factors are positive or both
+    // negative, and at most 0 if they differ.
     const double both_positive = smaller(a.lo, b.lo) >= 0 ? 0.0 : -infinity;
     const double floor = larger(a.hi, b.hi) <= 0 ? 0.0 : both_positive;
     const double negative_b = larger(-a.lo, b.hi) <= 0 ? 0.0 : infinity;
     const double ceiling = larger(a.hi, -b.lo) <= 0 ? 0.0 : negative_b;
-    // What overflows inwards, to infinity - infinity, leaves that bound.
+    // A bound that overflows inwards becomes infinity - infinity; the comparison replaces it by the
+    // limit.
     return {larger(lo - (rounding(lo) + smallest_positive), floor),
             smaller(hi + (rounding(hi) + smallest_positive), ceiling)};
 }
 
-// a * a for one a, which a * b for two that happen to be equal is not.
+// a * a for one a. a * b for two equal intervals is wider.
 inline Interval square(Interval a) {
     const double lo = mignitude(a) * mignitude(a), hi = magnitude(a) * magnitude(a);
     return {larger(lo - (rounding(lo) + smallest_positive), 0.0), // as above
             hi + (rounding(hi) + smallest_positive)};
 }
 
-// Divisors down to 0 from above are divided by as far as possible, 0 itself giving what positive
-// divisors near it give. Other divisors that hold 0, and 0/0, give the entire line.
+// Divisors with a lower end of 0 give the widest quotient of their positive members, and 0 itself
+// gives what positive divisors near it give. Other divisors that hold 0, and 0/0, give the entire
+// line.
 inline Interval operator/(Interval a, Interval b) {
     const bool negative = b.hi < 0;
     const double n_lo = negative ? -a.hi : a.lo, n_hi = negative ? -a.lo : a.hi;
@@ -133,8 +136,8 @@ inline Interval operator/(Interval a, Interval b) {
     const double d_hi = (negative ? -b.lo : b.hi) + 0.0;
     const double lo = round_down(n_lo / (n_lo < 0 ? d_lo : d_hi), smallest_positive);
     const double hi = round_up(n_hi / (n_hi < 0 ? d_hi : d_lo), smallest_positive);
-    // Positive if there is a bound: the divisor is, or it ends at 0 and the numerator doesn't
-    // hold 0.
+    // Positive if there is a bound: the divisor is positive, or it ends at 0 and the numerator
+    // doesn't hold 0.
     const double bounded = d_lo == 0 ? larger(n_lo, -n_hi) : d_lo;
     return {bounded > 0 ? larger(n_lo >= 0 ? 0.0 : -infinity, lo) : -infinity,
             bounded > 0 ? smaller(n_hi <= 0 ? 0.0 : infinity, hi) : infinity};

@@ -1,12 +1,12 @@
 // The operations of formulas on intervals.
 //
-// An enclosure holds the value on paper and those that Operations<float> and <double> compute to,
-// where the two differ: results that may be cut off at +-saturation have no bound on that side, and
-// begin no further out than there. What is NaN for double (0/0, roots of negative numbers other
-// than sqrt, their logarithms) makes the enclosure the entire line. Negation, abs, sign, floor,
-// min, max and select are exact; + - * / and sqrt are rounded to within one or two doubles; exp is
-// the function of exponential.h, within the error proved there; the others take the C library's
-// word for it, with a margin (interval_operations.cpp).
+// An enclosure holds the exact value and the results of Operations<float> and <double>, if these
+// differ. A result that may be cut off at +-saturation has no bound on that side, and the interval
+// begins no further out than saturation. Where the result is NaN in double (0/0, logarithms and
+// roots other than sqrt of negative numbers), the enclosure is the entire line. Negation, abs,
+// sign, floor, min, max and select are exact; + - * / and sqrt are rounded to within one or two
+// doubles; exp is the function of exponential.h, within the error proved there. The others rely on
+// the documented error of the C library, with a margin (interval_operations.cpp).
 #pragma once
 
 #include "formula/graph/exponential.h"
@@ -30,7 +30,8 @@ template<> struct Operations<Interval> {
     static Interval sqrt(Interval a) {
         return {round_down(std::sqrt(larger(a.lo, 0.0))), round_up(std::sqrt(larger(a.hi, 0.0)))};
     }
-    // Beyond the range of exponential() its ends hold, or 0 and infinity. No branches.
+    // Outside the range of exponential() its values at the ends of the range hold, or 0 and
+    // infinity. No branches.
     static Interval exp(Interval a) {
         const double low = exponential(smaller(larger(a.lo, exp_low), exp_high));
         const double high = exponential(smaller(larger(a.hi, exp_low), exp_high));

@@ -6,7 +6,7 @@
 
 namespace isomotion::image::oiio {
 
-// The entries that a file was written with, without those that describe the file itself.
+// The entries that a file was written with, except those that describe the file itself.
 Metadata entries_of(const OIIO::ImageSpec& spec);
 
 } // namespace isomotion::image::oiio

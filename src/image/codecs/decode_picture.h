@@ -1,4 +1,4 @@
-// Samples of a picture as colour: linear light, multiplied by coverage.
+// Decodes samples of a picture to colour: linear light, premultiplied.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace isomotion::image::oiio {
 
-// Calls take(begin, rows) for all rows from the top; `rows` are some rows' channels, beginning with
-// row `begin`, which take may keep. No more of the picture is held at once.
+// Calls take(begin, rows) for all rows from the top; `rows` are the channels of some rows, starting
+// with row `begin`, and take may keep them. Only these rows are in memory.
 void for_each_decoded_band(PictureFile& picture, const std::function<void(int, Frame&&)>& take);
 
 } // namespace isomotion::image::oiio

@@ -1,4 +1,4 @@
-// What image/codecs.h calls, inside the module.
+// The functions that image/codecs.h calls, inside the module.
 #pragma once
 
 #include <filesystem>

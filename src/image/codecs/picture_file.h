@@ -1,4 +1,4 @@
-// Pictures of strangers, opened with care.
+// Opens pictures of strangers safely.
 #pragma once
 
 #include <algorithm>
@@ -16,25 +16,25 @@
 
 namespace isomotion::image::oiio {
 
-// What a picture may cost.
+// Limits on a picture.
 struct PictureLimits {
     std::size_t bytes = std::size_t(4) << 30; // of the file
     int side = 16'384;
     int channels = 64;
-    std::size_t band_bytes = std::size_t(256) << 20; // of the rows that are decoded at once
+    std::size_t band_bytes = std::size_t(256) << 20; // of the rows decoded at once
     int scans = 100;                                 // of a progressive JPEG
 };
 
-// Rows of a band: of one row of tiles, or of some 64 MB.
+// Rows of a band: one row of tiles, or rows of some 64 MB.
 int rows_at_once(const OIIO::ImageSpec& is);
 
-// The first picture of an EXR, HDR, TIFF, PNG or JPEG, told by its first bytes and read from
-// memory. No other reader of OpenImageIO is ever asked: some open further files that the first one
+// The first picture of an EXR, HDR, TIFF, PNG or JPEG, identified by its first bytes and read from
+// memory. No other reader of OpenImageIO is used, since some open further files that the first one
 // names.
 class PictureFile {
 public:
-    // Throws FileError, and ImageError ("FILE: ...") for what is none of these, broken or beyond
-    // the limits, which the header tells before anything is decoded; InputError for what lies
+    // Throws FileError; ImageError ("FILE: ...") for another format, a broken file, or one whose
+    // header exceeds the limits, which is known before anything is decoded; InputError for a file
     // outside its confines.
     explicit PictureFile(const std::filesystem::path& file, const PictureLimits& limits = {},
                          const base::Confines& within = {});
@@ -57,10 +57,10 @@ public:
 private:
     void read(int begin, int end, const OIIO::TypeDesc& type, void* samples);
 
-    std::string file_; // as messages have it
+    std::string file_; // as in messages
     std::vector<std::byte> bytes_;
     OIIO::Filesystem::IOMemReader memory_;
-    std::unique_ptr<OIIO::ImageInput> input_; // after what it reads from
+    std::unique_ptr<OIIO::ImageInput> input_; // destroyed before the memory that it reads
 };
 
 } // namespace isomotion::image::oiio

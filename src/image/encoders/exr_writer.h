@@ -13,7 +13,7 @@
 
 namespace isomotion::image::files {
 
-// A channel's samples of some rows: as halves, or where there are none as floats.
+// A channel's samples in some rows: as halves, or, if there are none, as floats.
 struct ExrSamples {
     std::span<const Imath::half> halves;
     std::span<const float> floats;
@@ -24,13 +24,13 @@ struct ExrChannel {
     bool is_half;
 };
 
-// An EXR in memory, which takes its rows in order from the top.
+// Writes an EXR in memory, with rows in order from the top.
 class ExrWriter {
 public:
     ExrWriter(int width, int height, std::vector<ExrChannel> channels, const Metadata& metadata);
     ~ExrWriter();
 
-    // The samples of each channel, in the order of the constructor's.
+    // The samples of each channel, in the constructor's order.
     void write_rows(int begin, int end, std::span<const ExrSamples> samples);
     std::vector<std::byte> finish() &&;
 
@@ -40,7 +40,8 @@ private:
     int width_;
     std::vector<ExrChannel> channels_;
     std::unique_ptr<Bytes> bytes_;
-    std::unique_ptr<Imf::OutputFile> file_; // after the bytes, which it writes to until it ends
+    // Destroyed before the bytes, which it writes to until then.
+    std::unique_ptr<Imf::OutputFile> file_;
 };
 
 } // namespace isomotion::image::files

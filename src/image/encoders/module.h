@@ -1,4 +1,4 @@
-// What image/encoders.h calls, inside the module.
+// The functions that image/encoders.h calls, inside the module.
 #pragma once
 
 #include <cstddef>

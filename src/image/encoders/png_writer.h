@@ -10,19 +10,20 @@
 
 namespace isomotion::image::files {
 
-// A PNG in memory, which takes its rows in order from the top.
+// Writes a PNG in memory, with rows in order from the top.
 //
-// libpng tells of failure by a jump over the frames that called it, and no exception may pass
-// through it: each call of it is made where a jump skips no destructor.
+// libpng reports failure by a longjmp over its callers, and no exception may pass through it. So
+// each call is made where a jump skips no destructor.
 class PngWriter {
 public:
-    // Opaque, or with an alpha of its own by which colour is not multiplied; 8 or 16 bits a sample.
+    // Opaque, or with a separate alpha that is not multiplied into the colour; 8 or 16 bits per
+    // sample.
     PngWriter(int width, int height, bool has_alpha, int bits, const Metadata& metadata);
     PngWriter(const PngWriter&) = delete;
     PngWriter& operator=(const PngWriter&) = delete;
     ~PngWriter();
 
-    // Interleaved samples of whole rows, in this machine's order of bytes.
+    // Interleaved samples of whole rows, in native byte order.
     void write_rows(const void* samples, std::size_t bytes, int rows);
     std::vector<std::byte> finish() &&;
 

@@ -1,4 +1,4 @@
-// The one way from a frame's number to the values it shows.
+// Converts a frame's number to the values that the frame shows.
 #pragma once
 
 #include "animation/frame_range.h"

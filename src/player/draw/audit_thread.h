@@ -1,4 +1,4 @@
-// Holds rays of the picture at rest against truth on a thread of its own.
+// Audits rays of the picture at rest in a thread of its own.
 #pragma once
 
 #include <condition_variable>
@@ -17,7 +17,7 @@
 
 namespace isomotion::player {
 
-// Where some rays of a picture ended, any first part of which is a random draw.
+// The endings of some rays of a picture. Any first part of them is a random sample.
 struct RaysToAudit {
     std::uint64_t number = 0; // of the picture's request
     std::shared_ptr<const scene::Scene> scene;
@@ -41,9 +41,9 @@ public:
     AuditThread(const AuditThread&) = delete;
     AuditThread& operator=(const AuditThread&) = delete;
 
-    // Audits as many of the rays as half a second allows, instead of those before.
+    // Audits as many of the rays as half a second allows. Replaces rays passed earlier.
     void audit(RaysToAudit rays);
-    // Ends what is under way, so that the next picture has the machine for itself.
+    // Stops the audit, so that the next picture has the machine for itself.
     void drop();
     std::optional<Audited> take();
 

@@ -1,4 +1,4 @@
-// A camera that a person moved, in place of the scene's own.
+// Replaces a scene's own camera by one that a person moved.
 #pragma once
 
 #include "scene/scene.h"
@@ -6,8 +6,8 @@
 
 namespace isomotion::player {
 
-// The scene as if its file had this camera (camera_text.h): a light over the viewer's shoulder
-// follows it. Its tracks come after the scene's.
+// The scene as if its file had this camera (camera_text.h); a light over the viewer's shoulder
+// follows it. The camera's tracks come after the scene's.
 scene::Scene with_camera(scene::Scene scene, const scene::CameraAt& camera);
 
 } // namespace isomotion::player

@@ -1,8 +1,8 @@
-// A scene's parameters under a person's control: sliders, and the animation they lead to.
+// A scene's parameters as sliders, and the animation that results from them.
 //
-// An override fixes a track at a number in place of its keys or expression, as if the scene file
-// said so: expressions that name the track follow. Fields of an array's elements are multiplied as
-// a whole. apply() makes a new animation; formula and shaders stay.
+// An override replaces a track's keys or expression by a number, as if the scene file stated it,
+// and expressions that name the track follow. Fields of an array's elements are multiplied as a
+// whole. apply() makes a new animation; formula and shaders stay.
 #pragma once
 
 #include <map>
@@ -13,8 +13,8 @@
 
 namespace isomotion::player {
 
-// Values that a person set in place of the scene's. Names that an animation lacks are ignored, so
-// that a scene may be reloaded without its parameter.
+// Values that a person set to replace the scene's. Names that an animation lacks are ignored, so
+// that a scene can be reloaded without its parameter.
 struct Overrides {
     std::map<std::string, double> values;  // of tracks: "m", "blobs.sharpness"
     std::map<std::string, double> factors; // of element fields: "blobs.cx"
@@ -23,8 +23,8 @@ struct Overrides {
     bool operator==(const Overrides&) const = default;
 };
 
-// Where a scene has several surfaces, names begin with the surface's: "NAME/m". of_surface() gives
-// those of one surface without its name, put_surface() puts `own` in their place.
+// With several surfaces, names begin with the surface's name: "NAME/m". of_surface() returns those
+// of one surface without that prefix; put_surface() replaces them by `own`.
 Overrides of_surface(const Overrides& all, const std::string& surface);
 void put_surface(Overrides& all, const std::string& surface, const Overrides& own);
 
@@ -33,21 +33,21 @@ void put_surface(Overrides& all, const std::string& surface, const Overrides& ow
 animation::Animation apply(const animation::Animation& animation, const Overrides& overrides);
 scene::Scene apply(scene::Scene scene, const Overrides& overrides);
 
-// The range of a slider: found once per scene, since it takes the whole timeline.
+// The range of a slider. It is computed once per scene, since that evaluates the whole timeline.
 struct SliderRange {
     std::string name;
     int track = 0; // of the animation
     double least = 0, most = 1;
-    bool moves = false; // the scene moves it: keys, or values that differ from frame to frame
+    bool moves = false; // the scene animates it: keys, or values that differ from frame to frame
 };
-// One for each parameter, then for each field that all elements share. A range holds every value
-// that the timeline takes (sampled) and the catalogue's range; where these say nothing it is
-// [0, 2v], or [-1, 1] about 0.
+// One for each parameter, then one for each field that all elements share. A range holds every
+// value in the timeline (sampled) and the catalogue's range. If there are only equal values and no
+// such range, it is [0, 2v], or [-1, 1] for v = 0.
 std::vector<SliderRange> slider_ranges(const scene::Scene& scene);
 
 struct Slider {
     std::string name;
-    double value = 0; // now, overridden or not
+    double value = 0; // current value, overridden or not
     double least = 0, most = 1;
     bool moves = false;
     bool overridden = false;
@@ -56,8 +56,8 @@ struct Slider {
 std::vector<Slider> sliders(const std::vector<SliderRange>& ranges, const animation::Values& values,
                             const Overrides& overrides);
 
-// An array: the number of its elements now, and a factor from 0 to 4 for each of its own fields, 1
-// unless overridden.
+// An array: the current number of its elements, and a factor from 0 to 4 for each of its own
+// fields, 1 unless overridden.
 struct ArrayControls {
     std::string name;
     int count = 0;

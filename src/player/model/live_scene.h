@@ -1,4 +1,4 @@
-// A scene opened from its file, which is read again when it changes.
+// A scene opened from its file and reloaded when the file changes.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 namespace isomotion::player {
 
 class LiveScene {
-    FileWatch scene_files_; // first: files are stamped before they are read
+    FileWatch scene_files_; // first, so that files are stamped before they are read
 
 public:
     // Throws as scene::load does.
@@ -23,22 +23,23 @@ public:
     Session session;
 
     const std::filesystem::path& file() const { return session.scene().file; }
-    // The file with the scene's topology: beside the scene; in the user's cache where settings of
-    // the command line make it another scene.
+    // The file with the scene's topology: beside the scene, or in the user's cache if settings of
+    // the command line change the scene.
     std::filesystem::path timeline_file() const;
     // Keys, and topology events.
     const std::vector<TimelineMarker>& markers() const { return markers_; }
-    // Why the timeline file was refused; else empty.
+    // Why the timeline file was refused; otherwise empty.
     const std::string& refusal() const { return refusal_; }
     const std::vector<scene::Override>& overrides() const { return overrides_; }
     scene::Reach reach() const { return reach_; }
 
-    // What has changed on disk since the last look().
+    // Changes on disk since the last look().
     struct News {
-        bool scene = false;   // the scene was read again
+        bool scene = false;   // the scene was reloaded
         bool shaders = false; // compiled shaders are out of date
         bool markers = false;
-        // Why the scene's file cannot be read any more; the scene stays as it was. Else empty.
+        // Why the scene's file can no longer be read; then the scene stays as it was. Otherwise
+        // empty.
         std::string error;
 
         bool any() const { return scene || shaders || markers || !error.empty(); }

@@ -1,10 +1,10 @@
-// What the player remembers from run to run: the window's place and the camera of each scene, and
-// which scenes were opened.
+// Data that the player keeps between runs: the window's place and the camera of each scene, and the
+// list of scenes opened.
 //
-// JSON files in $XDG_STATE_HOME/isomotion (XDG Base Directory Specification; else
-// ~/.local/state/isomotion): history.json, and in scenes/ one file a scene, named by a fingerprint
-// of the scene's path. They are replaced as a whole and never seen half written. Files that can't
-// be read or written cost a warning, never more.
+// They are JSON files in $XDG_STATE_HOME/isomotion (XDG Base Directory Specification; by default
+// ~/.local/state/isomotion): history.json, and in scenes/ one file per scene, named by a
+// fingerprint of the scene's path. A file is replaced as a whole and never visible half-written. A
+// file that can't be read or written only causes a warning.
 #pragma once
 
 #include <filesystem>
@@ -28,28 +28,29 @@ struct WindowPlace {
     bool operator==(const WindowPlace&) const = default;
 };
 
-// A rectangle of the desktop that windows may take.
+// A part of the desktop that windows may use.
 struct WorkArea {
     int x = 0, y = 0, width = 0, height = 0;
 };
-// Moves the place into the area that it overlaps most, or else the first; shrinks it where it must.
+// Moves the place into the area that it overlaps most, otherwise into the first; shrinks it if
+// necessary.
 WindowPlace within(WindowPlace place, const std::vector<WorkArea>& areas);
 
 struct SceneMemory {
     std::optional<WindowPlace> window;
-    std::optional<scene::CameraAt> camera; // as a person moved it; none: the scene's own
+    std::optional<scene::CameraAt> camera; // as a person moved it; unset: the scene's own
 };
 
 class Memory {
 public:
-    // Keeps its files in `folder`; with an empty path it remembers nothing.
+    // Keeps its files in `folder`. With an empty path it keeps nothing.
     explicit Memory(std::filesystem::path folder, Warn warn = {});
 
     SceneMemory recall(const std::filesystem::path& scene) const;
     void remember(const std::filesystem::path& scene, const SceneMemory& memory) const;
 
-    // Scenes opened before, the newest first, at most most_opened, without those whose files are
-    // gone.
+    // Scenes opened before, the newest first, at most most_opened, without those whose files no
+    // longer exist.
     std::vector<std::filesystem::path> opened() const;
     // Puts a scene at the front.
     void add_opened(const std::filesystem::path& scene) const;
@@ -63,9 +64,9 @@ private:
     Warn warn_;
 };
 
-// From the environment; empty where neither XDG_STATE_HOME nor HOME is an absolute path.
+// From the environment; empty if neither XDG_STATE_HOME nor HOME is an absolute path.
 std::filesystem::path state_folder();
-// For files that can be made anew: XDG_CACHE_HOME, else ~/.cache.
+// For files that can be regenerated: XDG_CACHE_HOME, otherwise ~/.cache.
 std::filesystem::path cache_folder();
 
 } // namespace isomotion::player

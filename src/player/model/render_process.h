@@ -1,5 +1,5 @@
-// Renders frames into files by `isomotion render`, in a process of its own: the same code, and
-// neither a long draw nor a crash touches the window.
+// Renders frames to files by `isomotion render`, in a process of its own. It runs the same code,
+// and neither a long draw nor a crash affects the window.
 #pragma once
 
 #include <chrono>
@@ -19,28 +19,29 @@ struct RenderOrder {
     std::vector<scene::Override> overrides;
     std::string output; // out/name.####.png
     int first = 1, last = 1;
-    bool poster = false; // the one frame that stands for the scene, instead
+    bool poster = false; // renders only the one frame that represents the scene
     int width = 0, height = 0;
-    std::string movie; // empty: none
+    std::string movie; // empty: no movie
     scene::Reach reach = scene::Reach::own_folder;
 };
 
 class RenderProcess {
 public:
     // Throws std::system_error if no process can be started, base::InputError for an output that
-    // names no files.
+    // doesn't name files.
     explicit RenderProcess(RenderOrder order);
 
     bool ended() { return process_.ended(); }
-    // How many frames are written, counted by their files from the first on.
+    // The number of frames written, counted by their files from the first on.
     int done();
     int frames() const { return order_.last - order_.first + 1; }
-    // Frames that are whole stay.
+    // Frames that are complete stay.
     void cancel();
-    // Waits so long for its end, since it may have files to put in order.
+    // Waits up to `patience` for its end, since it may have files to put in order.
     void cancel(std::chrono::milliseconds patience);
 
-    // Call once it has ended. Why not all was written; else empty.
+    // Call it once the process has ended. The reason why not everything was written; otherwise
+    // empty.
     std::string error() const;
     const RenderOrder& order() const { return order_; }
 
@@ -53,7 +54,7 @@ private:
     base::ChildProcess process_;
 };
 
-// The words after `isomotion`.
+// The arguments after `isomotion`.
 std::vector<std::string> render_words(const RenderOrder& order);
 
 } // namespace isomotion::player

@@ -1,4 +1,4 @@
-// An open scene: what a person changed in it, and what it shows at a frame.
+// An open scene: the changes that a person made to it, and what it shows at a frame.
 #pragma once
 
 #include <cstdint>
@@ -14,26 +14,27 @@
 
 namespace isomotion::player {
 
-// What is looked at: the scene's time is Playback's.
+// The state of the display, except the time, which is Playback's.
 struct Look {
     Overrides overrides;
     std::optional<scene::CameraAt> camera; // the camera override
     scene::Isolation isolation;
     scene::Isolation other; // the method that View::difference compares with
     View view = View::shaded;
-    bool map = true;    // View::difference shows where the methods differ, not the second's picture
-    bool smooth = true; // edges, at rest
+    bool map = true;    // View::difference shows where the methods differ, instead of the second
+                        // method's picture
+    bool smooth = true; // anti-aliased edges, at rest
 
     bool operator==(const Look&) const = default;
 };
 
 class Session {
 public:
-    // Starts as the file has the scene, paused at its first frame.
+    // Starts with the file's state, paused at its first frame.
     explicit Session(scene::Scene scene);
 
-    // Takes the scene of a changed file. Time, view and overrides stay; so do settings of the
-    // method that a person changed.
+    // Replaces the scene after its file has changed. Time, view and overrides stay; so do settings
+    // of the method that a person changed.
     void reload(scene::Scene scene, double now);
 
     const scene::Scene& scene() const { return *scene_; }
@@ -42,25 +43,26 @@ public:
     Playback playback;
 
     const Look& look() const { return look_; }
-    // The only way to change the look; counts revisions.
+    // The only way to change the look; increments the revision.
     void set(const Look& look);
     std::uint64_t revision() const { return revision_; }
 
     // The scene with all overrides.
     const scene::Scene& overridden() const { return overridden_; }
-    // The picture's size: a camera without a position stands where the bounds fill the picture.
+    // The picture's size. It matters for a camera without a position, which moves to where the
+    // bounds fill the picture.
     void set_size(glm::ivec2 size);
-    // Throws scene::SceneError where a value leaves its range.
+    // Throws scene::SceneError if a value leaves its range.
     scene::SceneAt at(std::int64_t frame, double part = 0) const;
 
     const std::vector<SliderRange>& slider_ranges() const { return slider_ranges_.front(); }
-    // The ranges of one surface, the first is 0.
+    // The ranges of one surface; the first surface is 0.
     const std::vector<SliderRange>& slider_ranges(std::size_t surface) const {
         return slider_ranges_[surface];
     }
     const std::vector<TimelineMarker>& key_markers() const { return key_markers_; }
 
-    // Pictures whose mean is shown at rest.
+    // The number of pictures averaged at rest.
     int samples() const;
 
 private:
@@ -72,7 +74,7 @@ private:
     scene::Scene overridden_;
     glm::ivec2 size_;
     std::uint64_t revision_ = 1;
-    std::vector<std::vector<SliderRange>> slider_ranges_; // of each surface
+    std::vector<std::vector<SliderRange>> slider_ranges_; // for each surface
     std::vector<TimelineMarker> key_markers_;
 };
 

@@ -20,16 +20,16 @@ struct TimelineMarker {
 // One marker for all tracks that have a key at the same time, in order, within the scene's frames.
 std::vector<TimelineMarker> key_markers(const scene::Scene& scene);
 
-// Markers of a scene's topology: events, with a note where they are not proved, and unresolved
-// places. Events on the bounds that change nothing are left out.
+// Markers of a scene's topology: events, with a note if they are not proved, and unresolved places.
+// Leaves out events on the bounds that change nothing.
 struct TopologyMarkers {
     std::vector<TimelineMarker> markers;
-    std::string refusal; // why a timeline was refused: another scene's, or broken; else empty
+    std::string refusal; // why a timeline was refused: of another scene, or broken; otherwise empty
 };
 // Refuses the timeline of another scene, by its fingerprint.
 TopologyMarkers topology_markers(const scene::Scene& scene, const topology::TimelineRecord& record,
                                  const std::string& file);
-// No markers and no refusal where there is no such file.
+// No markers and no refusal if there is no such file.
 TopologyMarkers read_topology_markers(const scene::Scene& scene, const std::filesystem::path& file);
 // NAME.timeline.json beside NAME.toml.
 std::filesystem::path timeline_path(const scene::Scene& scene);

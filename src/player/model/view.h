@@ -1,4 +1,4 @@
-// The ways to look at a picture.
+// The views of a picture.
 #pragma once
 
 #include <string_view>

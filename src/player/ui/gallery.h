@@ -1,5 +1,4 @@
-// Pictures of the animations that come with the program and of scenes opened before, to choose
-// from.
+// A gallery of pictures of the installed animations and of scenes opened before, to choose from.
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@ namespace isomotion::player {
 
 class Gallery {
 public:
-    // Lists the installed animations; `opened`: scenes opened before, the newest first.
+    // Lists the installed animations. `opened`: scenes opened before, the newest first.
     void open(const std::vector<std::filesystem::path>& opened);
     void close();
     bool is_open() const { return open_; }
@@ -23,16 +22,16 @@ public:
     // Fills Dear ImGui's current window. Returns the scene that was chosen.
     std::optional<std::string> show();
 
-    // Renders missing pictures, one after another, into the user's cache. True if there is
+    // Renders missing pictures, one after another, into the user's cache. Returns true if there is
     // something new to show.
     bool attend();
     bool rendering() const { return process_.has_value(); }
 
 private:
     struct Entry {
-        std::string scene; // as it is opened: a name or a path
+        std::string scene; // the argument that opens it: a name or a path
         std::string title;
-        std::filesystem::path picture; // in the cache; empty if none can be kept
+        std::filesystem::path picture; // in the cache; empty if pictures can't be kept
         bool failed = false;
         std::optional<gpu::ScreenTexture> texture;
     };
@@ -44,9 +43,9 @@ private:
 
     bool open_ = false;
     std::vector<Entry> entries_;
-    std::size_t opened_ = 0; // of them, the first
+    std::size_t opened_ = 0; // number of scenes opened before; they come first
     std::optional<RenderProcess> process_;
-    std::size_t rendered_ = 0; // the entry that is
+    std::size_t rendered_ = 0; // the entry being rendered
     std::array<char, 64> filter_{};
 };
 

@@ -9,11 +9,11 @@ namespace isomotion::player {
 
 class Notices {
 public:
-    std::string load_error; // a scene file's; the last good scene stays in view
-    std::string draw_error; // a shader's or a value's
+    std::string load_error; // of the scene file; the last good scene stays in view
+    std::string draw_error; // of a shader or a value
     bool help = false;
 
-    // `compiling`: when the compilation under way began.
+    // `compiling`: the start time of the compilation in progress.
     void show(std::optional<std::chrono::steady_clock::time_point> compiling);
 
 private:

@@ -15,13 +15,13 @@ namespace isomotion::player {
 
 class PictureLog {
 public:
-    // Writes nothing where the path is empty. Throws base::FileError.
+    // Writes nothing if the path is empty. Throws base::FileError.
     explicit PictureLog(const std::filesystem::path& file);
 
-    // Call after the picture was sent to the screen. `corner` and `size`: in the window; `at_rest`:
-    // no better one follows while nothing changes.
+    // Call it after the picture was sent to the screen. `corner` and `size` are in the window;
+    // `at_rest`: no better picture follows while nothing changes.
     void add(const Shown& shown, glm::ivec2 corner, glm::ivec2 size, bool at_rest);
-    // What an audit found of the picture at rest.
+    // Logs an audit's findings on the picture at rest.
     void add(const Audited& audited);
     void add_failure(const std::string& text);
     // Logs the widgets' places if they have changed.
@@ -30,7 +30,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    double seconds(Clock::time_point at) const; // since the program began, about
+    double seconds(Clock::time_point at) const; // since the program started, approximately
     void write(const std::string& line);
 
     WidgetRects last_;

@@ -45,7 +45,7 @@ std::optional<View> view_of(Command command);
 struct Shortcut {
     std::string_view keys, what;
 };
-// For the help, in groups; an empty line separates them.
+// For the help, in groups separated by empty entries.
 std::span<const Shortcut> shortcuts();
 
 } // namespace isomotion::player

@@ -1,19 +1,19 @@
-// How the window looks: one dark grey, one accent, one font.
+// The appearance of the window: one dark grey, one accent, one font.
 #pragma once
 
 #include <glm/vec3.hpp>
 
 namespace isomotion::player {
 
-// Fonts and style of Dear ImGui's current context, for a screen of this scale.
+// Sets fonts and style of Dear ImGui's current context, for a screen of this scale.
 void apply_theme(float scale);
 
 glm::vec3 background_color(); // sRGB codes, 0 to 1
 
-// Packed as Dear ImGui's draw lists take them.
+// Packed in the format of Dear ImGui's draw lists.
 unsigned accent_color();
 unsigned text_color();
-unsigned faint_color(); // lines, and text of less weight
+unsigned faint_color(); // lines, and less important text
 unsigned error_color();
 
 } // namespace isomotion::player

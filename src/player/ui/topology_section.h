@@ -1,4 +1,4 @@
-// The part of the side panel that computes the scene's topology events.
+// The section of the side panel that computes the scene's topology events.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace isomotion::player {
 class TopologySection {
 public:
     void show(const LiveScene& scene);
-    // Whether `isomotion topology` runs; LiveScene watches the file that it writes.
+    // Whether `isomotion topology` runs. LiveScene watches the file that it writes.
     bool running() const { return process_.has_value(); }
     void attend();
 

@@ -12,7 +12,7 @@ namespace isomotion::player {
 
 class Transport {
 public:
-    // Shows the bar in Dear ImGui's current window and returns the playback as it was changed.
+    // Shows the bar in Dear ImGui's current window and returns the changed playback.
     Playback show(const Playback& playback, const animation::Timeline& timeline,
                   const std::vector<TimelineMarker>& markers, double now);
 

@@ -1,5 +1,5 @@
-// Where widgets are, for programs that drive the window from outside: tests, and tools that record
-// it.
+// The places of widgets, for programs that control the window from outside: tests, and tools that
+// record it.
 #pragma once
 
 #include <array>
@@ -8,10 +8,10 @@
 
 namespace isomotion::player {
 
-// Pixels of the window: left, top, width, height.
+// In pixels of the window: left, top, width, height.
 using WidgetRects = std::map<std::string, std::array<int, 4>>;
 
-// Records the place of the widget made last; does nothing before recording has started.
+// Records the place of the last widget; has no effect before recording has started.
 void record_widget_rect(const std::string& name);
 
 void start_recording_widget_rects();

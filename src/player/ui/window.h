@@ -19,7 +19,7 @@ struct ImGuiContext;
 
 namespace isomotion::player {
 
-// A key that went down, or repeats: GLFW's code, or 0 and the character where text was typed.
+// A key that was pressed or repeats: GLFW's code, or 0 and the character if text was typed.
 struct KeyPress {
     int key = 0;
     int mods = 0; // GLFW_MOD_*
@@ -27,53 +27,55 @@ struct KeyPress {
     bool repeats = false;
 };
 
-// A picture and where it lies, pixels from the window's upper left corner.
+// A picture and its place, in pixels from the window's upper left corner.
 struct PlacedPicture {
     const gpu::ScreenTexture* texture = nullptr;
     glm::ivec2 corner{0}, size{1};
 };
 
-// No display, or no OpenGL on it.
+// There is no display, or no OpenGL on it.
 class NoWindow : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-// The main thread has one at a time. Its context is current there as long as it lives.
+// The main thread has at most one. Its context is current there during its lifetime.
 class Window {
 public:
-    // Opens at the remembered place, moved onto a screen; else where the desktop puts it.
+    // Opens at the remembered place, moved onto a screen; otherwise where the desktop puts it.
     // Throws NoWindow.
     Window(const std::string& title, const std::optional<WindowPlace>& remembered);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    // Sleeps until an event comes, or for so many seconds (below 0: for as long as it takes).
+    // Sleeps until an event comes, or for so many seconds (without limit if below 0).
     void wait(double seconds);
-    // Wakes wait(); from any thread.
+    // Wakes wait(). May be called from any thread.
     static void wake();
 
     void make_current();
 
-    // Make Dear ImGui's widgets between the two. False if there is nothing to draw into (minimised,
-    // or of no size): don't call end_frame() then.
+    // Make Dear ImGui's widgets between the two. Returns false if there is nothing to draw into
+    // (minimised, or of zero size): don't call end_frame() then.
     bool begin_frame();
-    // Draws the widgets, over a picture. Throws gpu::ContextLost.
+    // Draws the widgets over a picture. Throws gpu::ContextLost.
     void end_frame(const std::optional<PlacedPicture>& picture);
-    // In place of end_frame(): the widgets have taken their events, and nothing is drawn, which
-    // would take a software renderer as long as a small picture. Another frame has to follow.
+    // Replaces end_frame(): the widgets have processed their events, and nothing is drawn. On a
+    // software renderer this saves as much time as a small picture takes. Another frame must
+    // follow.
     void skip_frame();
-    // In place of end_frame(): all that the window shows stays, but for a picture in place of the
-    // one before. The widgets have taken their events, as by skip_frame(). False, and nothing is
-    // done, where widgets lie over the picture, where it or the window has another place or size
-    // than in the frame before, or where the driver keeps no pixels that were shown. Software
-    // renderers do, and only there it saves time.
+    // Replaces end_frame(): everything in the window stays except the picture, which replaces the
+    // previous one. The widgets have processed their events, as with skip_frame(). Returns false
+    // without effect if widgets cover the picture, if the picture or the window has another place
+    // or size than in the last frame, or if the driver does not keep the pixels that were shown.
+    // Software renderers keep them, and only there it saves time.
     bool replace(const PlacedPicture& picture);
 
-    // Whether frames have yet to show events that came. Dear ImGui takes some frames to settle.
+    // Whether events are still to be shown by further frames. Dear ImGui takes some frames to
+    // settle.
     bool stale() const { return stale_frames_ > 0; }
-    void refresh(); // asks for frames though no event came
+    void refresh(); // requests frames without an event
 
     bool closing() const;
     void close();
@@ -83,7 +85,7 @@ public:
     void copy(const std::string& text); // to the clipboard
 
     glm::ivec2 pixels() const; // of the framebuffer
-    bool hidden() const;       // there is nothing to draw into: minimised, or of no size
+    bool hidden() const;       // there is nothing to draw into: minimised, or of zero size
 
     // Keys and dropped files since the last call.
     std::vector<KeyPress> take_keys();
@@ -101,14 +103,14 @@ private:
     ImGuiContext* widgets_ = nullptr;
     glm::ivec2 drawn_{0};                 // the pixels of the last frame
     std::optional<PlacedPicture> placed_; // its picture
-    std::optional<bool> keeps_;           // whether they can be drawn over after they were shown
+    std::optional<bool> keeps_;           // whether pixels can be drawn over after they were shown
     int stale_frames_ = 0;
     bool full_screen_ = false;
-    WindowPlace windowed_; // the place that full screen goes back to
+    WindowPlace windowed_; // the place to which full screen returns
     std::vector<KeyPress> keys_;
     std::vector<std::filesystem::path> dropped_;
-    // Dear ImGui reads the state of keys once a frame: a key that goes down and up between two
-    // frames is released in the next.
+    // Dear ImGui reads the state of keys once per frame. A key that is pressed and released between
+    // two frames is released in the next.
     std::vector<int> pressed_, released_;
 };
 

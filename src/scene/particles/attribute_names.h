@@ -1,4 +1,4 @@
-// What the components of a file's attributes are called as columns.
+// Names of columns for the components of a file's attributes.
 #pragma once
 
 #include <string>
@@ -7,12 +7,13 @@
 
 namespace isomotion::scene {
 
-// Adds the names of an attribute's components: x y z of a position, vx vy vz of a velocity, r g b
-// of a colour, nx ny nz of a normal, id of particles' ids, whatever of their usual names they have;
-// of others the name, or name_0, name_1, ... So are those whose short names are taken.
+// Adds the names of an attribute's components. Attributes with usual names get short ones: x y z
+// for a position, vx vy vz for a velocity, r g b for a colour, nx ny nz for a normal, id for ids.
+// Other attributes get their own name, or name_0, name_1, ...; so do those whose short names are
+// taken.
 void add_names(std::vector<std::string>& names, std::string_view attribute, std::size_t components);
 
-// The names of columns that a file has none for: x y z [vx vy vz [c6 ...]], or x y z c3 ...
+// The names of columns in a file without names: x y z [vx vy vz [c6 ...]], or x y z c3 ...
 std::vector<std::string> names_without_names(std::size_t columns);
 
 } // namespace isomotion::scene

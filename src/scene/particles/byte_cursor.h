@@ -1,4 +1,4 @@
-// Reads a file of bytes from front to back, and never beyond its end.
+// Reads a binary file from front to back, never beyond its end.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ public:
         , bytes_(bytes)
         , swaps_(big_endian != (std::endian::native == std::endian::big)) {}
 
-    // `what` is being read, for messages.
+    // `what` describes the bytes in messages.
     std::string_view take(std::size_t count, std::string_view what) {
         if (count > left()) {
             fail(fmt::format("the file ends in {}: it has {} bytes, of {} more that belong here",
@@ -37,7 +37,7 @@ public:
         std::memcpy(&value, bytes, sizeof(T));
         return value;
     }
-    // A count of things: 0 or more.
+    // A count, 0 or more.
     std::size_t count(std::string_view what) {
         const auto value = number<std::int32_t>(what);
         if (value < 0) {

@@ -19,13 +19,13 @@ struct ColumnChoice {
     std::optional<std::size_t> time_column{}, id_column{};
 };
 
-// `columns` are fields and what the file calls them. Columns that it leaves out keep their names
-// where formulas can say them; others are skipped. Only where a file may hold many times does a
-// column tell the time. Throws NamedColumn.
+// `columns` maps fields to the file's names of columns. Columns that it leaves out keep their names
+// if formulas can use these; others are skipped. A column tells the time only if the file may hold
+// many times. Throws NamedColumn.
 ColumnChoice choose_columns(const std::vector<std::string>& names,
                             const std::map<std::string, std::string>& columns, bool many_times);
 
-// The column with the velocity of another, vx of x, if there is one.
+// The column with the velocity of another (vx for x), if there is one.
 std::optional<std::size_t> velocity_column(const std::vector<std::string>& names,
                                            std::size_t column);
 

@@ -1,8 +1,8 @@
-// The elements of an array from a file for each time.
+// The elements of an array from one file per time.
 //
-// A file is read when its time is asked for, and the next ones by a thread while frames come in
-// their order. No more than frames_kept() of them are in memory, of each only the columns that were
-// ever asked for; so what a file says is the same whether it was read ahead, again or alone.
+// A file is read when its time is asked for. While frames come in order, a thread reads the next
+// files ahead. At most frames_kept() files are in memory, each with only the columns that were ever
+// asked for. So the values are the same whether a file was read ahead, read again or read alone.
 #pragma once
 
 #include <filesystem>
@@ -20,9 +20,9 @@ namespace isomotion::scene {
 struct FrameFiles {
     std::vector<std::filesystem::path> files;           // at least one
     std::vector<double> times;                          // ascending, of each
-    std::vector<std::string> columns;                   // as files call them
-    std::vector<std::optional<std::size_t>> velocities; // of each column
-    std::size_t most = 0;                               // particles of a file
+    std::vector<std::string> columns;                   // names in the files
+    std::vector<std::optional<std::size_t>> velocities; // of each column: its column of velocities
+    std::size_t most = 0;                               // the largest number of particles in a file
     base::Confines within{};                            // where files must lie when they are opened
 };
 
@@ -33,8 +33,8 @@ public:
 
     const std::vector<double>& times() const override { return files_.times; }
     std::size_t columns() const override { return files_.columns.size(); }
-    // Throws SceneError for what a file has no place for: a number that is none, a column that is
-    // missing.
+    // Throws SceneError that names the file's line or byte for a value that is not a number or a
+    // column that is missing.
     Sample sample(std::size_t k, const std::vector<bool>& columns) const override;
     Successors successors(std::size_t k) const override;
     int most() const override { return int(files_.most); }
@@ -42,13 +42,13 @@ public:
         return files_.velocities[column];
     }
     void add_column(base::Fingerprint& print, std::size_t column) const override;
-    // With the content of all files; where they have more than a GiB together, of each with the
-    // beginning and the end only.
+    // Includes the content of all files. If they exceed a GiB together, includes only the beginning
+    // and the end of each.
     void add_rows(base::Fingerprint& print) const override;
     std::string origin(std::size_t k) const override;
     std::vector<std::string> names() const override { return files_.columns; }
 
-    // For tests: how many are in memory or on their way, and how many files were read so far.
+    // For tests: the number of frames in memory or being read, and the number of files read so far.
     std::size_t frames_now() const;
     std::size_t files_read() const;
 
@@ -56,7 +56,7 @@ private:
     struct Frame {
         std::string format;
         std::size_t count = 0;
-        std::vector<std::vector<double>> columns; // those that were not asked for are empty
+        std::vector<std::vector<double>> columns; // empty for columns that were not asked for
         std::vector<std::int64_t> ids;            // empty where the file has none
     };
     using FramePointer = std::shared_ptr<const Frame>;
@@ -68,16 +68,16 @@ private:
 
     FramePointer read(std::size_t k, const std::vector<bool>& columns) const;
     FramePointer frame(std::size_t k, const std::vector<bool>& columns) const;
-    // These with the lock.
+    // Call these while holding the lock.
     Entry* find(std::size_t k) const;
     void read_ahead(std::size_t k) const;
     bool make_room(std::size_t k) const;
-    // Six, or fewer where they are large: as many as take 256 MiB, but at least three.
+    // Six, or fewer for large frames: as many as fit in 256 MiB, but at least three.
     std::size_t frames_kept() const;
 
     FrameFiles files_;
-    mutable std::mutex mutex_;         // of what follows
-    mutable std::list<Entry> entries_; // what was asked for last comes first
+    mutable std::mutex mutex_;         // guards the members below
+    mutable std::list<Entry> entries_; // most recently used first
     mutable std::vector<bool> wanted_;
     mutable std::size_t asked_ = std::size_t(-2);
     mutable std::size_t files_read_ = 0;

@@ -1,4 +1,4 @@
-// What gzip packed.
+// Unpacks gzip.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace isomotion::scene {
 
 bool is_gzip(std::string_view bytes);
 
-// Throws SceneError for what is cut off or damaged, and for more than `most` bytes. With
-// request.count_alone the first of `most` bytes, or as many as there are.
+// Throws SceneError if the data is cut off or damaged, or has more than `most` bytes. With
+// request.count_alone it returns the first `most` bytes, or all if there are fewer.
 std::string gunzip(const ParticleRequest& request, std::string_view packed, std::size_t most);
 
 } // namespace isomotion::scene

@@ -1,4 +1,4 @@
-// Particles of a file, whatever its format: columns of numbers.
+// Particles of a file of any format, as columns of numbers.
 #pragma once
 
 #include <cstdint>
@@ -23,19 +23,19 @@ constexpr std::size_t size_of(Scalar type) {
     return sizes[std::size_t(type)];
 }
 
-// Numbers where the file has them, one a particle.
+// Numbers where they lie in the file's bytes, one per particle.
 struct RawColumn {
     const char* first = nullptr;
     std::size_t stride = 0;
     Scalar type = Scalar::f32;
     bool big_endian = false;
-    const char* file = nullptr; // its first byte, or null where the numbers were packed
+    const char* file = nullptr; // first byte of the file, or null if the numbers were packed
     double unit = 1;            // multiplies the numbers
 };
 
 struct ParticleColumn {
     std::string name;
-    // In a table from a text the numbers themselves, none where nobody wanted the column.
+    // From a text file the numbers themselves; empty if nobody wanted the column.
     std::variant<std::vector<double>, RawColumn> values;
 };
 
@@ -45,64 +45,64 @@ struct ParticleTable {
     std::string format; // "PLY, ascii"
     std::size_t count = 0;
     std::vector<ParticleColumn> columns;
-    std::vector<std::int32_t> lines{}; // of a text: the line of each particle
-    int end_line = 0;                  // of a text with a header: the last
-    std::vector<std::size_t> bare{};   // rows that say nothing but their time, ascending
-    std::vector<Bytes> kept{};         // where raw columns lie
+    std::vector<std::int32_t> lines{}; // text files: the line of each particle
+    int end_line = 0;                  // text files with a header: its last line
+    std::vector<std::size_t> bare{};   // rows that state only their time, ascending
+    std::vector<Bytes> kept{};         // the bytes that raw columns point into
 };
 
-// Which columns of a file are read, and how much of them there may be.
+// Which columns of a file are read, and limits on their size.
 struct Wanted {
     std::vector<bool> columns;
     std::size_t most = 0;              // particles
     double values = 0;                 // numbers that are kept
-    std::optional<std::size_t> time{}; // the column that tells it
-    // How many numbers are kept of each particle; without it one for each column that is read.
+    std::optional<std::size_t> time{}; // the column that holds the time
+    // How many numbers are kept per particle; if unset, one for each column that is read.
     std::optional<std::size_t> kept{};
 
-    // How many numbers so many particles have.
+    // How many numbers `count` particles have.
     double numbers(std::size_t count) const;
 };
 
-// Thrown by the choice of columns; the reader says where their names are.
+// Thrown by the choice of columns; the reader adds where their names are.
 struct NamedColumn {
     std::string column, message;
 };
 
-// What a reader of a format goes by.
+// The input of a format's reader.
 struct ParticleRequest {
     std::filesystem::path file;
     base::Confines within{}; // where it must lie when it is opened
-    // Asked once, as soon as the names are known; may throw NamedColumn.
+    // Called once, as soon as the names are known; may throw NamedColumn.
     std::function<Wanted(const std::string& format, const std::vector<std::string>& names)> choose;
-    // Only `count` is asked for, of what may be a file's beginning alone.
+    // Only `count` is needed; the bytes may be only the beginning of the file.
     bool count_alone = false;
 };
 
-// Throws SceneError: "drops.ply:7: ..." of a text, "drops.ply: byte 99: ..." of others.
+// Throw SceneError: "drops.ply:7: ..." for text files, "drops.ply: byte 99: ..." for others.
 [[noreturn]] void fail_at_line(const ParticleRequest& request, int line,
                                const std::string& message);
 [[noreturn]] void fail_at_byte(const ParticleRequest& request, std::size_t byte,
                                const std::string& message);
 [[noreturn]] void fail_of_file(const ParticleRequest& request, const std::string& message);
 
-// Asks which columns are wanted, and refuses more particles or numbers than there may be, columns
-// beyond the limit and two of one name, all before any of them is stored.
+// Asks which columns are wanted. Refuses too many particles or numbers, columns beyond the limit
+// and two columns of one name, all before any number is stored.
 Wanted wanted_of(const ParticleRequest& request, const std::string& format,
                  const std::vector<std::string>& names, std::size_t count);
 
-// Makes numbers from 0 to 1 of colours in whole bytes or pairs of them: where columns r, g and b
-// are all of such a type, and of an a beside them. `types` are those of the columns.
+// Scales colours of one- or two-byte integers to 0..1, if columns r, g and b all have such a type;
+// scales a column a beside them, too. `types` are the columns' types.
 void scale_colors(ParticleTable& table, std::span<const Scalar> types);
 
 // "drops.ply:7" or "drops.ply: byte 99: particle 3".
 std::string place(const ParticleTable& table, const std::filesystem::path& file, std::size_t column,
                   std::size_t row);
 
-// The numbers of a column, all of them finite. A column of a text is taken out of the table.
+// The numbers of a column; all must be finite. A column of a text file is moved out of the table.
 std::vector<double> take_numbers(ParticleTable& table, const std::filesystem::path& file,
                                  std::size_t column);
-// The same of whole numbers, exact in 64 bits.
+// The same for whole numbers, exact in 64 bits.
 std::vector<std::int64_t> take_whole_numbers(ParticleTable& table,
                                              const std::filesystem::path& file, std::size_t column);
 

@@ -1,7 +1,7 @@
-// Particles from a file of any format, told by its content.
+// Reads particles from a file of any format and detects the format by the content.
 //
-// The first bytes tell BGEO, PLY, NPY and VTK, packed by gzip or not. Other texts are XYZ where
-// their name ends with .xyz, rows of numbers with .txt, .dat, .pts or .asc, and else CSV (.gz may
+// The first bytes identify BGEO, PLY, NPY and VTK, packed by gzip or not. For other texts the name
+// decides: .xyz is XYZ; .txt, .dat, .pts and .asc are rows of numbers; all others are CSV (.gz may
 // follow).
 #pragma once
 
@@ -9,19 +9,19 @@
 
 namespace isomotion::scene {
 
-// Takes no more than `most` bytes, packed or unpacked, beside what request.choose allows; says how
-// many it had, unpacked. Throws SceneError.
+// Takes at most `most` bytes, packed or unpacked, besides what request.choose allows. Returns the
+// number of unpacked bytes, too. Throws SceneError.
 struct ReadParticles {
     ParticleTable table;
     std::size_t bytes = 0;
 };
 ReadParticles read_particles(const ParticleRequest& request, std::size_t most);
-// The same of a file whose bytes are these.
+// The same for a file with this content.
 ReadParticles read_particles(const ParticleRequest& request, std::string bytes, std::size_t most);
 
-// How many particles a file holds, by its beginning where that tells; of a text without a count,
-// how many there are at most. Takes what had to be read whole off `left`, bytes that may be read to
-// count, down to 0. Throws SceneError.
+// The number of particles in a file, read from its beginning if that states it. For a text without
+// a count it is an upper bound. Subtracts the bytes that had to be read whole from `left`, the
+// bytes that may still be read to count, down to 0. Throws SceneError.
 std::size_t count_particles(const std::filesystem::path& file, const base::Confines& within,
                             std::size_t most, std::size_t& left);
 

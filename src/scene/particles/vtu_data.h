@@ -1,4 +1,4 @@
-// The numbers of an array of VTK's XML, as bytes.
+// Decodes the numbers of an array of VTK's XML to bytes.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace isomotion::scene {
 
-// How a file keeps its arrays.
+// How a file encodes its arrays.
 struct VtuCoding {
     bool is_base64 = true;
     bool is_packed = false; // by zlib, in blocks
@@ -16,8 +16,8 @@ struct VtuCoding {
     bool big_endian = false;
 };
 
-// The `size` bytes of an array that begins at byte `at` of the text and may go on to its end. Takes
-// no more memory than that.
+// The `size` bytes of an array that begins at byte `at` of the text and may extend to its end.
+// Takes no more memory than that.
 std::string vtu_data(const ParticleRequest& request, std::string_view text, std::size_t at,
                      const VtuCoding& coding, std::size_t size);
 

@@ -9,7 +9,7 @@ namespace isomotion::scene {
 
 class Words {
 public:
-    // From the byte `at` on; lines are those of the whole text.
+    // Starts at the byte `at`; lines are counted from the beginning of the text.
     Words(const ParticleRequest& request, std::string_view text, std::size_t at = 0)
         : request_(request)
         , text_(text)
@@ -17,21 +17,21 @@ public:
 
     // The next word of the text; empty at its end.
     std::string_view next();
-    // Whether the next word is this one, which then is read.
+    // If the next word is this one, reads it and returns true.
     bool meets(std::string_view word);
-    // Fails at the end: "the file ends before `what`".
+    // The next word; fails at the end: "the file ends before `what`".
     std::string_view need(std::string_view what);
-    // What is left of the line, without blanks around it; none at the end of the text.
+    // The remainder of the line, without blanks around it; none at the end of the text.
     std::optional<std::string_view> rest_of_line();
-    // Bytes as they are.
+    // Raw bytes.
     std::string_view take(std::size_t count, std::string_view what);
 
     double number(std::string_view column) { return number(need(column), column); }
     double number(std::string_view word, std::string_view column) const;
-    // A count of things.
+    // A count, 0 or more.
     std::size_t count(std::string_view what);
 
-    // The line of the word, or of the rest, that was read last. Bytes that were taken have none.
+    // The line of the word or remainder read last. Raw bytes have no line.
     int line() const { return line_; }
     std::size_t at() const { return at_; }
     std::size_t left() const { return text_.size() - at_; }
@@ -45,11 +45,11 @@ private:
     const ParticleRequest& request_;
     std::string_view text_;
     std::size_t at_;
-    std::size_t counted_ = 0; // up to there lines are
+    std::size_t counted_ = 0; // lines are counted up to here
     int line_ = 1;
 };
 
-// The number that a word is, or why it is none, as "'2 m' is not a number".
+// The number that a word states, or the reason why it isn't one, as "'2 m' is not a number".
 struct Number {
     double value = 0;
     std::string wrong;

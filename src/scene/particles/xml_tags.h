@@ -1,4 +1,4 @@
-// The tags of an XML file, one after the other; texts between them stay where they are.
+// The tags of an XML file, in order; the texts between them are skipped.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ struct XmlTag {
     std::string_view name;
     bool begins = true;    // not </name>
     bool is_whole = false; // <name/>
-    std::size_t at = 0;    // its byte
+    std::size_t at = 0;    // its first byte
     std::size_t end = 0;   // the byte after it
 
     // Empty if there is no such attribute.
@@ -30,7 +30,7 @@ public:
 
     // None at the end.
     std::optional<XmlTag> next();
-    // Where the text after the tag that was read last ends.
+    // Where the text after the last tag read ends.
     std::size_t end_of_text() const;
 
 private:

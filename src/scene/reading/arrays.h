@@ -1,4 +1,4 @@
-// The [arrays] of a scene.
+// Reads the [arrays] of a scene.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace isomotion::scene {
 
-// The catalogue's arrays, where there is one, with the scene's over them field by field. A file of
-// the scene's takes the place of the catalogue's lists. Remembers the place of every field.
+// The catalogue's arrays, if any, overridden field by field by the scene's. A file that the scene
+// names replaces the catalogue's lists. Remembers the place of every field.
 std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
                                           const animation::Timeline& timeline, TrackTable& tracks,
                                           const base::Confines& within);

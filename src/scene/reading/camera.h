@@ -1,4 +1,4 @@
-// The [camera] of a scene.
+// Reads the [camera] of a scene.
 #pragma once
 
 #include "scene/reading/document.h"

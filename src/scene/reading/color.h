@@ -1,4 +1,4 @@
-// The color of a scene's material: three values that move, or expressions of the place.
+// Reads the color of a scene's material: three animated values, or expressions of the place.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace isomotion::scene {
 
-// As it is read before the field exists.
+// The colour as read before the field exists.
 struct ColorParts {
     Vec3Track tracks{};
-    formula::ColorTexts of_place{}; // the parts that no value over time can say
+    formula::ColorTexts of_place{}; // components that depend on the place
     bool is_given = false;          // by the scene itself
     const toml::node* node = nullptr;
     std::string key;
@@ -21,14 +21,14 @@ struct ColorParts {
     bool is_of_place() const { return of_place[0] || of_place[1] || of_place[2]; }
 };
 
-// Adds the tracks; those of parts that are of the place are 0. An expression is of the place where
-// it can't be said of the time alone.
+// Adds the tracks; components that depend on the place get 0. An expression depends on the place if
+// it can't be evaluated from the time alone.
 ColorParts read_color(const toml::node& node, const std::string& key, const SurfaceParts& parts,
                       TrackTable& tracks);
 
-// The colour at every place; null where it is the same everywhere. Where the scene gives none, and
-// an array that the formula sums over has fields r, g and b (or red, green and blue from 0 to 255)
-// that nothing else reads, it is their mean.
+// The colour at every place; null if it is the same everywhere. If the scene gives none, and the
+// formula sums over an array with fields r, g and b (or red, green and blue from 0 to 255) that
+// nothing else reads, the colour is their mean.
 std::shared_ptr<const formula::Paint> make_color(const ColorParts& color, const SurfaceParts& parts,
                                                  const animation::Animation& animation);
 

@@ -1,4 +1,4 @@
-// The [material.contours] of a scene.
+// Reads the [material.contours] of a scene.
 #pragma once
 
 #include "scene/reading/document.h"
@@ -8,7 +8,7 @@
 
 namespace isomotion::scene {
 
-// The section as it is read before the field exists.
+// The section as read before the field exists.
 struct ContourParts {
     Contours contours; // without its expression
     std::string value;

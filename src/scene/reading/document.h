@@ -16,19 +16,20 @@
 
 namespace isomotion::scene {
 
-// Reads and parses a file; SceneError for a missing or malformed one.
+// Reads and parses a file. Throws SceneError if it is missing or malformed.
 toml::table read_document(const std::filesystem::path& file);
-// `file` is what messages call it and where files that it names are looked for.
+// Messages name `file`, and files that the document names are looked for beside it.
 toml::table parse_document(std::string_view text, const std::filesystem::path& file);
 
-// A mistake that has a place in the document.
+// A mistake with its place in the document.
 class PlacedError : public SceneError {
 public:
     PlacedError(const toml::node& at, const std::string& message)
         : SceneError(message)
         , at_(&at)
         , line_(at.source().begin.line) {}
-    // Gone with its document, as one that was read for this scene alone: to be compared, not read.
+    // May dangle, since a document that was read for this scene alone is destroyed: compare it
+    // only.
     const toml::node* at() const { return at_; }
     unsigned line() const { return line_; }
 
@@ -40,19 +41,19 @@ private:
 // Throws PlacedError: "file:line: key: message".
 [[noreturn]] void fail(const toml::node& at, const std::string& key, const std::string& message);
 
-// One table of a document, `key` being its dotted name. Sections are read key by key; refuse_rest
-// then reports the first key nobody asked for, with the nearest name that would have been known.
+// One table of a document; `key` is its dotted name. Sections are read key by key. refuse_rest then
+// reports the first key that was not read, with the nearest known name.
 class Section {
 public:
     Section(const toml::table& table, std::string key)
         : table_(&table)
         , key_(std::move(key)) {}
 
-    // A key is found under its former name (renamed_keys.h) as well.
+    // Also finds a key under its former name (renamed_keys.h).
     const toml::node* find(const std::string& name);
     bool has(const std::string& name) const { return table_->contains(written(name)); }
     const toml::table& table() const { return *table_; }
-    // As the document writes it, for messages.
+    // The key as the document writes it, for messages.
     std::string dotted(const std::string& name) const;
     std::optional<Section> section(const std::string& name);
 
@@ -75,7 +76,7 @@ private:
 
 // A number, an expression, or { keys = [[t, v], ...], ease = "linear" }.
 animation::TrackSource read_track(const toml::node& node, const std::string& key);
-// [x, y, z] of such, or { keys = [[t, [x, y, z]], ...], ease = "linear" }.
+// [x, y, z] of values as above, or { keys = [[t, [x, y, z]], ...], ease = "linear" }.
 std::array<animation::TrackSource, 3> read_vector(const toml::node& node, const std::string& key);
 double read_finite(const toml::node& node, const std::string& key);
 

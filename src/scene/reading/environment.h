@@ -1,4 +1,4 @@
-// The [environment] of a scene: light from far away, as a map of all directions.
+// Reads the [environment] of a scene: distant light as a map of all directions.
 #pragma once
 
 #include "base/confines.h"
@@ -8,8 +8,8 @@
 
 namespace isomotion::scene {
 
-// Reads the section, if there is one, and adds its tracks; comes after read_output. Looks for the
-// map beside the scene, then in the program's media/. Checks only that the file exists: a scene
+// Reads the section, if there is one, and adds its tracks. Call it after read_output. Looks for the
+// map beside the scene, then in the program's media/. Checks only that the file exists, so a scene
 // loads without reading pictures.
 std::optional<Environment> read_environment(Section& document, TrackTable& tracks,
                                             const base::Confines& within);

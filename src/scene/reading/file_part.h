@@ -1,4 +1,4 @@
-// What arrays read of one file: each its own columns, of a table that is read once.
+// The parts of one file that arrays read: each its own columns, of a table that is read once.
 #pragma once
 
 #include "animation/element_samples.h"
@@ -9,7 +9,7 @@ namespace isomotion::scene {
 
 using Interpolation = animation::ElementSamples::Interpolation;
 
-// The columns of the samples: those of the fields, then velocities that no field is.
+// The columns of the samples: those of the fields, then velocities that are not fields.
 struct SampledColumns {
     std::vector<std::size_t> from; // the file's column of each
     std::vector<std::optional<std::size_t>> velocities;
@@ -17,21 +17,21 @@ struct SampledColumns {
 
 SampledColumns sampled_columns(const ColumnChoice& choice, const std::vector<std::string>& names,
                                std::optional<Interpolation> interpolation);
-// By velocities where nothing was asked for and there are some. Throws NamedColumn.
+// By velocities if no rule was asked for and there are some. Throws NamedColumn.
 Interpolation rule_of(std::optional<Interpolation> asked, const SampledColumns& columns);
 
-// What an array reads of a file.
+// The part of a file that one array reads.
 struct Part {
     const TableOptions* options = nullptr;
     ColumnChoice choice;
     SampledColumns columns;
     Interpolation rule = Interpolation::linear;
 
-    // As choose_columns(). The options are those of the caller.
+    // Throws as choose_columns() does. The caller owns the options.
     Part(const TableOptions& asked, const std::vector<std::string>& names, bool many_times);
 
     bool moves() const { return choice.time != ColumnChoice::Time::none; }
-    // Calls use(column) for each time that a column's numbers are kept.
+    // Calls use(column) as often as a column's numbers are kept.
     template<class Use> void for_each_use(Use&& use) const {
         for (const std::size_t column : columns.from) use(column);
         if (choice.id_column) use(*choice.id_column);
@@ -39,7 +39,7 @@ struct Part {
     }
 };
 
-// The columns of a file that was read once, each taken as often as the parts use it.
+// The columns of a file that was read once; each can be taken as often as the parts use it.
 class SharedTable {
 public:
     SharedTable(ParticleTable table, const std::filesystem::path& file,

@@ -1,4 +1,4 @@
-// A formula alone as a scene.
+// Makes a scene of a formula alone.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace isomotion::scene {
 
-// Whether what names a scene looks like a formula, and not like a file or an animation.
+// Whether the argument that names a scene looks like a formula rather than a file or an animation.
 bool is_formula(const std::string& name);
 
-// The document of the scene that a formula is. Where it names t it moves, for 120 frames: formulas
-// know the time by a parameter.
+// The document of a formula's scene. If the formula names t, the scene moves for 120 frames; t is a
+// parameter in it, since formulas know the time only by parameters.
 toml::table scene_of_formula(const std::string& formula);
 
 } // namespace isomotion::scene

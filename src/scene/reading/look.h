@@ -1,4 +1,4 @@
-// Looks: light, shading and what is behind, together, for scenes to name.
+// Looks: named sets of light, shading and background for scenes.
 #pragma once
 
 #include <toml++/toml.h>
@@ -7,10 +7,10 @@
 
 namespace isomotion::scene {
 
-// Puts into a scene's document what the look that it names says and the scene doesn't, and tells
-// what. A section is filled in key by key, but for lights, which are one's or the other's, and for
-// what belongs together: a model with its values, a background or an environment. Without a look
-// the document stays as it is. Throws SceneError for a look that there is not.
+// Adds to a scene's document the settings of the look that it names where the scene doesn't have
+// its own, and returns which. A section is filled in key by key. Lights are replaced as a whole,
+// and so are keys that belong together: a model with its values, a background or an environment.
+// Without a look the document is unchanged. Throws SceneError if there is no such look.
 NamedLook put_look(toml::table& document);
 
 } // namespace isomotion::scene

@@ -1,4 +1,4 @@
-// The [material] of a scene: how its surface reflects light.
+// Reads the [material] of a scene: how its surface reflects light.
 #pragma once
 
 #include "scene/reading/color.h"
@@ -8,7 +8,7 @@
 
 namespace isomotion::scene {
 
-// The section as it is read before the field exists.
+// The section as read before the field exists.
 struct MaterialParts {
     Material material; // without its expressions
     ColorParts color;
@@ -16,14 +16,14 @@ struct MaterialParts {
     std::optional<ContourParts> contours;
 };
 
-// Reads the section and adds its tracks. Colours that the scene leaves out come from the catalogue;
-// a model and its values only from the scene.
+// Reads the section and adds its tracks. The catalogue provides colours that the scene leaves out;
+// a model and its values come only from the scene.
 MaterialParts read_material(Section& document, const SurfaceParts& parts, TrackTable& tracks);
 
-// Makes the material's expressions of the field.
+// Compiles the material's expressions with the names of the surface.
 void make_paints(const MaterialParts& parts, const SurfaceParts& surface,
                  const animation::Animation& animation, Material& material);
-// Those that it has.
+// The paints that the material has.
 std::vector<const formula::Paint*> paints_of(const Material& material);
 
 } // namespace isomotion::scene

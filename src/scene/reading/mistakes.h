@@ -1,4 +1,4 @@
-// All mistakes of a scene's document, where reading ends at the first.
+// Collects all mistakes of a scene's document, although reading stops at the first.
 #pragma once
 
 #include <functional>
@@ -9,18 +9,18 @@
 
 namespace isomotion::scene {
 
-// How the document is read again. Names that a mistaken value would have used are not refused as
-// unused.
+// How the document is read again. With `without_unused`, names that a mistaken value may have used
+// are not reported as unused.
 enum class Rereading { all, without_unused };
 
 struct ToldMistake {
-    unsigned line = 0; // of the document, from 1 on; 0 of what --set gave
+    unsigned line = 0; // of the document, counted from 1; 0 for mistakes of --set
     std::string message;
 
     bool operator==(const ToldMistake&) const = default;
 };
 
-// Several mistakes: their messages one below the other, by line.
+// Several mistakes. The message has one per line, ordered by line of the document.
 class Mistakes : public SceneError {
 public:
     explicit Mistakes(std::vector<ToldMistake> told);
@@ -30,13 +30,13 @@ private:
     std::vector<ToldMistake> told_;
 };
 
-// Both, what they have in common once.
+// Both lists, with common entries once.
 Mistakes joined(const Mistakes& a, const Mistakes& b);
 
-// All mistakes, up to twenty. `first` is what reading ended with; `read` reads the document again.
-// After each mistake the value that is wrong is taken out of `root`, or a right one is put in its
-// place where others are read by it, until reading succeeds, or until what it says may follow from
-// what was taken out.
+// All mistakes, up to twenty. `first` is the mistake at which reading stopped; `read` reads the
+// document again. After each mistake the wrong value is removed from `root`, or replaced by a valid
+// one if other values depend on it. This goes on until reading succeeds, or until a mistake may be
+// a consequence of a removal.
 Mistakes all_mistakes(toml::table& root, const PlacedError& first,
                       const std::function<void(Rereading)>& read);
 

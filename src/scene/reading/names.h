@@ -7,7 +7,7 @@
 
 namespace isomotion::scene {
 
-// Throws SceneError for a name that formulas and expressions cannot say, or that means something
+// Throws SceneError for a name that formulas and expressions cannot use, or that means something
 // else there.
 void check_name(const std::string& name, const toml::node& at, const std::string& key);
 

@@ -1,4 +1,4 @@
-// A file for each frame, `sim/p.####.bgeo`.
+// Finds one file per frame, `sim/p.####.bgeo`.
 #pragma once
 
 #include <filesystem>
@@ -16,9 +16,9 @@ struct NumberedFile {
     std::filesystem::path file;
 };
 
-// The files that `name` stands for, in the order of their numbers, which are evenly spaced. None if
-// the name has no place for a number, or is a file as it is. Throws SceneError at `key` if there is
-// no such file, if one between two others is missing, or if one lies outside its confines.
+// The files that match `name`, in order of their numbers, which are evenly spaced. None if the name
+// has no place for a number, or if a file has exactly this name. Throws SceneError at `key` if
+// there is no such file, if one between two others is missing, or if one lies outside its confines.
 std::vector<NumberedFile> numbered_files(const toml::node& node, const std::string& key,
                                          const std::filesystem::path& name,
                                          const base::Confines& within);

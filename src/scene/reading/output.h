@@ -6,7 +6,7 @@
 
 namespace isomotion::scene {
 
-// Reads it after camera and lights, which tell how many samples are drawn where none are given.
+// Call it after reading camera and lights, which determine the default number of samples.
 void read_output(Section& document, Scene& scene);
 
 } // namespace isomotion::scene

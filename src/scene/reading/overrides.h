@@ -1,4 +1,4 @@
-// --set: a value goes into the document before it is read, so that it is checked like any other.
+// --set: a value is put into the document before it is read, so that it is checked like any other.
 #pragma once
 
 #include <string>

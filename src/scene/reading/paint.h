@@ -1,4 +1,4 @@
-// The [material.colormap] of a scene.
+// Reads the [material.colormap] of a scene.
 #pragma once
 
 #include "scene/reading/document.h"
@@ -8,26 +8,28 @@
 
 namespace isomotion::scene {
 
-// The section as it is read before the field exists.
+// The section as read before the field exists.
 struct PaintParts {
     Paint paint; // without its expression
     std::string value;
     const toml::node* value_node = nullptr;
-    std::string value_key, range_key;       // for messages
-    const toml::node* shown_node = nullptr; // of the range, where it is what the surface shows
+    std::string value_key, range_key; // for messages
+    // Of the range, if it is the range that the surface shows.
+    const toml::node* shown_node = nullptr;
 };
 
 // Reads the section and adds the tracks of the range.
 PaintParts read_paint(Section section, TrackTable& tracks);
 
-// Refuses what takes too many operations at one point, as is done of the field.
+// Refuses an expression with too many operations at one point; the field has the same check.
 void check_work(const formula::Paint& paint, const SurfaceParts& surface, const toml::node& node,
                 const std::string& key);
 
 // Parses the expression against the surface's names.
 Paint make_paint(const PaintParts& parts, const SurfaceParts& surface);
 
-// Sets what the surface shows as the paint's range, where that is asked for: once all else is read.
+// Sets the paint's range to the values that the surface shows, if the scene asks for that. Call it
+// after all else is read.
 void find_shown_range(const PaintParts& parts, Scene& scene);
 
 } // namespace isomotion::scene

@@ -1,4 +1,4 @@
-// Where translate, rotate and scale of POV-Ray take an object.
+// Composes POV-Ray's translate, rotate and scale of an object.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace isomotion::scene {
 
-// In this program's axes (scene/reading/pov.h). One after the other, as POV-Ray has them.
+// In this program's axes (scene/reading/pov.h). Transforms apply in order, as in POV-Ray.
 class PovTransform {
 public:
-    // Reads one, if it is at one. Fails for those that change angles.
+    // Reads one transform, if there is one here. Fails for a transform that changes angles.
     bool read(PovCursor& at, PovValues& values);
-    // The value of surface.transform; none where the object stays.
+    // The value of surface.transform; none if the object stays in place.
     std::optional<std::string> toml() const;
 
 private:
@@ -27,9 +27,9 @@ private:
 
     glm::dmat3 rotation_{1};
     double scale_ = 1;
-    glm::dvec3 still_{0};                        // of the translation
+    glm::dvec3 still_{0};                        // of the translation, the constant part
     std::optional<std::vector<PovNumber>> last_; // further translations that move
-    std::optional<std::vector<PovNumber>> turn_; // about one axis, that moves
+    std::optional<std::vector<PovNumber>> turn_; // a rotation about one axis that moves
     bool is_there_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Numbers, vectors and functions of POV-Ray's scene files, as formulas of isomotion.
+// Reads numbers, vectors and functions of POV-Ray's scene files as formulas of isomotion.
 #pragma once
 
 #include <map>
@@ -10,36 +10,36 @@
 
 namespace isomotion::scene {
 
-// A number as the text of a formula. What is a plain number in the file has a value.
+// A number as the text of a formula. A constant in the file also has a value.
 struct PovNumber {
-    enum class Strength { sum, product, power, atom }; // how its parts hold together
+    enum class Strength { sum, product, power, atom }; // the weakest operator of the text
 
     std::string text = "0";
     Strength strength = Strength::atom;
     std::optional<double> value = 0.0;
 
     static PovNumber of(double value);
-    // Its text is no more than its value.
+    // Whether the text states only the value.
     bool is_plain() const;
 };
 
 // One number, or the parts of a vector or a colour.
 using PovValue = std::vector<PovNumber>;
 
-// Reads expressions. Names are those that the file declares; a declared number is a parameter,
-// which formulas name.
+// Reads expressions. Names must be declared by the file; a declared number becomes a parameter that
+// formulas name.
 class PovValues {
 public:
-    // Declares what stands after "=": true, and the value is read; false for what is no value.
+    // Declares the value after "=". Returns true if it read one, false if there is no value.
     bool declare(const std::string& name, PovCursor& at);
 
-    // `for_what`: "camera", as messages name where a value is wrong.
+    // `for_what` names the context in messages: "camera".
     PovValue value(PovCursor& at, std::string_view for_what);
     PovNumber number(PovCursor& at, std::string_view for_what);
-    // A single number stands for all three.
+    // A single number stands for all three components.
     std::vector<PovNumber> vector(PovCursor& at, std::string_view for_what);
     double constant(PovCursor& at, std::string_view for_what);
-    // The body of "function { ... }", braces included, of x, y and z.
+    // The body of "function { ... }" with its braces, a function of x, y and z.
     PovNumber function(PovCursor& at);
 
     bool is_color(const PovWord& word) const;

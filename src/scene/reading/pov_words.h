@@ -1,4 +1,4 @@
-// The words of POV-Ray's scene description language.
+// Splits POV-Ray's scene description language into words.
 #pragma once
 
 #include <cstddef>
@@ -13,17 +13,17 @@ struct PovWord {
     enum class Kind { name, number, text, sign, end };
 
     Kind kind{};
-    std::string text; // "sphere", "0.5", "{"; of a directive "#declare"
+    std::string text; // "sphere", "0.5", "{"; for a directive "#declare"
     double number = 0;
-    std::size_t line = 0; // from 0
+    std::size_t line = 0; // counted from 0
 
     bool is(std::string_view what) const { return text == what && kind != Kind::text; }
 };
 
-// All words of a file, without its comments; the last is the end. Throws SceneError.
+// All words of a file, without its comments; the last one is the end. Throws SceneError.
 std::vector<PovWord> pov_words(std::string_view text, const std::filesystem::path& file);
 
-// The words that a reader is at. Names what is wrong by file and line.
+// A reader's position among the words. Reports errors with file and line.
 class PovCursor {
 public:
     PovCursor(const std::vector<PovWord>& words, const std::filesystem::path& file)
@@ -35,9 +35,9 @@ public:
     bool at_end() const { return now().kind == PovWord::Kind::end; }
     PovWord take();
     bool take_if(std::string_view what);
-    // `for_what`: "sphere", as messages name what it is missing in.
+    // `for_what` names the context in messages: "sphere".
     void expect(std::string_view what, std::string_view for_what);
-    // From an opening brace, bracket or parenthesis to behind the one that closes it.
+    // Skips from an opening brace, bracket or parenthesis to after the matching one.
     void skip_group(std::string_view for_what);
 
     std::size_t place() const { return at_; }

@@ -1,4 +1,4 @@
-// [[sections]]: what is cut off the solid.
+// Reads [[sections]]: the parts that are cut off the solid.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The [surface], [parameters] and [arrays] of a scene, with those of its catalogue surface.
+// Reads the [surface], [parameters] and [arrays] of a scene, with those of its catalogue surface.
 #pragma once
 
 #include <set>
@@ -29,11 +29,11 @@ std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::T
 // Parses the formula.
 void make_field(SurfaceParts& parts);
 
-// Makes what the paints read of arrays part of what is stored for the field.
+// Adds the array fields that paints read to the data stored for the field.
 void store_elements_of(SurfaceParts& parts, std::span<const formula::Paint* const> paints);
 
 // Refuses parameters and fields that neither the formula, nor a paint, nor another value uses.
-// Other surfaces may use what is in `for_others`; what is used here is taken out of it.
+// Other surfaces may use the names in `for_others`; names used here are removed from it.
 void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* const> paints,
                    const animation::Animation& animation, const TrackTable& tracks,
                    std::set<std::string>* for_others);

@@ -1,5 +1,5 @@
-// The [[surfaces]] of a document: each is read as a document of that surface alone, in which what
-// is its own goes before what all share.
+// Splits the [[surfaces]] of a document. Each surface is read as a document of that surface alone,
+// in which its own values override those that all share.
 #pragma once
 
 #include <set>
@@ -15,22 +15,22 @@ inline constexpr const char* own_sections[] = {"parameters", "arrays", "material
 
 bool lists_surfaces(const toml::table& document);
 
-// What the surfaces are called: their names, else their numbers. Throws PlacedError for a list that
-// is none, is too long or has a name twice, and for a [surface] beside it.
+// The surfaces' names, or numbers if they have none. Throws PlacedError if the list is not a list,
+// is too long or repeats a name, and if there is a [surface] beside it.
 std::vector<std::string> listed_names(const toml::table& document);
 
-// The listed surface of this name or number, or null.
+// The listed surface with this name or number, or null.
 toml::table* listed_surface(toml::table& document, const std::string& name);
 
-// Leaves of the document one surface, and what all share.
+// Reduces the document to one surface and what all surfaces share.
 void keep_surface(toml::table& document, std::size_t index);
 
-// Names in [parameters], and those that the surface has itself.
+// Names in [parameters], and names that the surface has itself.
 std::set<std::string> shared_parameters(const toml::table& document);
 std::set<std::string> own_parameters(const toml::table& document, std::size_t index);
 
-// --set name=value: puts it where surfaces have a parameter of this name themselves. Whether that
-// is all, as nothing else has it.
+// --set name=value: sets the value in surfaces that have a parameter of this name themselves.
+// Returns whether that is all, because nothing else has the name.
 bool put_own_parameter(toml::table& document, const std::string& name, const toml::node& value);
 
 } // namespace isomotion::scene

@@ -1,4 +1,4 @@
-// What other programs' scene files become: TOML with each key in the line that it comes from.
+// TOML converted from other programs' scene files, with each key in the line that it comes from.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace isomotion::scene {
 
-// Keys with values, each in a line of its own.
+// Keys with values, each on its own line.
 class TomlLines {
 public:
     explicit TomlLines(std::size_t count)
         : lines_(count) {}
 
-    // Counts lines from 0. In a line that is taken already, or beyond the last, behind all others.
+    // Counts lines from 0. If the line is taken or beyond the last, the key goes after all others.
     void put(std::size_t line, const std::string& key, const std::string& value);
     std::string text() const;
 
@@ -23,14 +23,14 @@ private:
     std::vector<std::string> lines_;
 };
 
-// As TOML has them.
+// Values in TOML's notation.
 std::string toml_text(const std::string& text);
 std::string toml_text(const glm::dvec3& v);
 
-// Whether the name stands in the text by itself: a in "2a*x", not in "tan(x)".
+// Whether the name occurs as a whole word: a in "2a*x", not in "tan(x)".
 bool names_word(std::string_view text, std::string_view name);
 
-// Converts a part of an sRGB colour, from 0 to 1, or all three.
+// Converts an sRGB component, from 0 to 1, or all three.
 double to_linear(double srgb);
 glm::dvec3 to_linear(const glm::dvec3& srgb);
 

@@ -24,10 +24,10 @@ public:
     int size() const { return int(tracks_.size()); }
     const std::vector<animation::Track>& tracks() const { return tracks_; }
 
-    // Builds the animation; an error in an expression is reported at its place.
+    // Builds the animation. Reports an error in an expression at its place in the file.
     animation::Animation animate(std::vector<animation::Array> arrays, std::uint64_t seed) const;
     [[noreturn]] void fail_at(const std::string& name, const std::string& message) const;
-    // Throws the error with its place, or, without one, as it is.
+    // Throws the error with its place if that is known, otherwise as it is.
     [[noreturn]] void fail_at(const ValueError& error) const;
 
 private:

@@ -10,14 +10,14 @@
 namespace isomotion::sequence {
 
 // The name of a sequence of files: `out/name.####.exr` or `out/name.%04d.exr`, with one place for
-// the frame's number in the last part; or a name without a place, which holds one frame.
+// the frame's number in the last part; or a name without a place, for one frame.
 class SequenceName {
 public:
     // Throws an InputError for a folder, for more than one place or more than 32 digits, and for a
-    // sequence whose name is not printable UTF-8: manifests hold it.
+    // sequence whose name is not printable UTF-8, since manifests contain it.
     static SequenceName parse(std::string_view text);
 
-    // The file of a frame: the number padded with zeros, with more digits where it needs them.
+    // The file of a frame: the number padded with zeros, with more digits if needed.
     std::filesystem::path path(int frame) const;
 
     // The frame whose path() has that last part, or none.
@@ -26,8 +26,8 @@ public:
     const std::filesystem::path& folder() const { return folder_; }
     // The last part as `name.####.exr`, however the place was written.
     std::string pattern() const;
-    // The last part without the place and the extension, and the point before either: `name`;
-    // empty if nothing is left.
+    // The last part without the place, the extension and the dots before these: `name`; empty if
+    // nothing is left.
     std::string stem() const;
 
     bool holds_many() const { return has_place_; }
@@ -43,8 +43,8 @@ private:
     bool has_place_ = false;
 };
 
-// A scene's name as the stem of file names: places for a number have `_` for their `#` and `%`, and
-// bytes that a sequence's name can't have become U+FFFD.
+// A scene's name as the stem of file names: `_` replaces `#` and `%` where they would be places for
+// a number, and U+FFFD replaces bytes that a sequence's name can't have.
 std::string stem_of_frames(const std::string& name);
 
 } // namespace isomotion::sequence

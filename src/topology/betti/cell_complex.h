@@ -1,11 +1,11 @@
-// A box divided into boxes of all sizes with their faces, edges and corners: a regular cell
-// complex.
+// A regular cell complex: a box divided into boxes of any sizes, with their faces, edges and
+// corners.
 //
 // Where boxes of two sizes meet, faces and edges are those of the smaller ones. Faces may be
-// divided further without the boxes beside them, and edges without the faces. A subset S of the box
-// that meets each cell in nothing or in something contractible has the homotopy type of the cells
-// that it meets, ordered by inclusion (docs/topology-proofs.md), and its Betti numbers are counted
-// here.
+// divided further without the boxes beside them, and edges without the faces. Let S be a subset of
+// the box whose intersection with each cell is empty or contractible. Then S has the homotopy type
+// of the cells that it meets, ordered by inclusion (docs/topology-proofs.md). This class counts its
+// Betti numbers.
 #pragma once
 
 #include <array>
@@ -18,9 +18,10 @@
 
 namespace isomotion::topology {
 
-// A cell: it is as long as the box divided by 2^level along its axes, and a point along the others.
+// A cell. Along its own axes its length is the box's divided by 2^level; along the others it is a
+// point.
 struct CellKey {
-    static constexpr int deepest = 30; // places are counted in the box's 2^-30th parts
+    static constexpr int deepest = 30; // places are counted in 2^-30 of the box's sides
     static constexpr int whole = 1 << deepest;
 
     int level = 0;
@@ -31,7 +32,7 @@ struct CellKey {
     bool is_along(std::size_t axis) const { return axes >> axis & 1; }
     int length() const { return whole >> level; }
     int end(std::size_t axis) const { return at[axis] + (is_along(axis) ? length() : 0); }
-    // On a wall of the box.
+    // Whether the cell lies on a wall of the box.
     bool is_on_wall() const;
     CellKey facet(std::size_t axis, bool high) const;
     std::vector<CellKey> facets() const;
@@ -39,29 +40,30 @@ struct CellKey {
     bool operator==(const CellKey&) const = default;
 };
 
-// What is known of a cell and S.
+// The known relation of a cell to S.
 struct CellFact {
     enum class Kind : char {
         unknown,
         outside, // S doesn't meet it
         inside,  // it is in S
-        sinking, // S sinks in it, along a line from each of its points, to the facets on some sides
+        sinking, // S retracts in the cell, along a line from each point, to the facets on some
+                 // sides
     };
     Kind kind = Kind::unknown;
-    // Along each axis the facet that S sinks to: -1 low, 1 high, 0 neither.
+    // For each axis the facet that S retracts to: -1 low, 1 high, 0 neither.
     std::array<signed char, 3> sinks_to{};
 };
 
 class CellComplex {
 public:
-    // What is so of a cell; unknown: it is divided. Asked once of each.
+    // The relation of a cell to S; an unknown one is divided. Called once for each cell.
     using Ask = std::function<CellFact(const CellKey&)>;
     explicit CellComplex(Ask ask)
         : ask_(std::move(ask)) {}
 
-    // Cells that may be asked for, and how often the sides of boxes and of faces are halved at
-    // most. Edges may be shorter: where two surfaces cross, an edge that passes by has to be as
-    // short as it is near.
+    // The number of cells that may be asked for, and how often the sides of boxes and of faces may
+    // be halved. Edges may be shorter: where two surfaces cross, an edge that passes the crossing
+    // must be about as short as its distance.
     struct Limits {
         std::size_t cells = 400'000;
         int depth = 17;
@@ -70,7 +72,7 @@ public:
 
         int depth_of(int dimension) const { return dimension == 1 ? depth_of_edges : depth; }
     };
-    // The Betti numbers of S; empty where the limits don't do, with the cell in `failed`.
+    // The Betti numbers of S. Empty if the limits don't suffice, with the cell in `failed`.
     std::optional<Betti> betti(const Limits& limits);
 
     const CellKey& failed() const { return failed_; }
@@ -82,18 +84,18 @@ private:
         CellFact fact;
         bool is_divided = false, is_listed = false;
         bool is_in_s = false; // S meets it
-        int number = 0;       // among the listed
+        int number = 0;       // among the listed cells
     };
     using Cells = std::vector<CellKey>;
-    // Tells cells apart.
+    // A key that identifies a cell.
     using Packed = std::array<std::uint64_t, 2>;
     static Packed packed(const CellKey& key);
 
-    // The cells that were asked for, in one piece of memory: finding them is what takes the time.
+    // The cells asked for, in one contiguous table, since looking them up dominates the time.
     class Table {
     public:
         Table();
-        // A new one where there is none. Holds until another one is made.
+        // Makes an entry if there is none. The reference is valid until another entry is made.
         Cell& operator[](const Packed& key);
         void list_none();
 
@@ -102,7 +104,7 @@ private:
             Packed key = no_key;
             Cell cell;
         };
-        // No cell's: they have axes, or are points on level 0.
+        // A key that no cell has: cells have axes, or are points on level 0.
         static constexpr Packed no_key{~std::uint64_t(0), ~std::uint64_t(0)};
 
         Slot& slot(const Packed& key);
@@ -113,12 +115,12 @@ private:
         std::size_t taken_ = 0;
     };
 
-    Cell& cell(const CellKey& key); // as Table's
+    Cell& cell(const CellKey& key); // as in Table
     bool list(const Limits& limits);
     void add(const CellKey& key);
-    // The undivided cells that a cell is made of, itself where it is one.
+    // The undivided cells that make up a cell; the cell itself if it is undivided.
     void smallest(const CellKey& key, Cells& found);
-    bool settle(const CellKey& key); // whether S meets it, and in something contractible
+    bool settle(const CellKey& key); // whether S meets it in something contractible
     Betti count();
 
     Ask ask_;

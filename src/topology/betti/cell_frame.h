@@ -1,17 +1,17 @@
-// Betti numbers of one frame, proved by a cell complex: for surfaces with edges, corners, needles
-// and cones too, and closer to singular points than a grid.
+// Proves Betti numbers of one frame by a cell complex. This also works for surfaces with edges,
+// corners, needles and cones, and closer to singular points than a grid.
 //
-// A cell is settled where G has one sign, or where G rises along one direction all over it: the
-// solid {G < 0} then sinks against that direction to some of the cell's facets. Directions are
-// sought for all smooth formulas at once that G takes in the cell (pieces.h).
+// A cell is settled where G has one sign, or where G rises along one direction everywhere in it.
+// Then the solid {G < 0} retracts against that direction to some of the cell's facets. Directions
+// are sought for all smooth formulas together that G may equal in the cell (pieces.h).
 #pragma once
 
 #include "topology/betti/certified_frame.h"
 
 namespace isomotion::topology {
 
-// As certify_frame(), which asks for it where its own method doesn't do. `depth` and `boxes` of the
-// limits are not taken.
+// As certify_frame(), which calls this if its own method fails. Ignores `depth` and `boxes` of the
+// limits.
 CertifiedFrame certify_by_cells(const SpaceFormula& formula, const scene::BoundsAt& bounds,
                                 const FrameLimits& limits);
 

@@ -1,13 +1,13 @@
-// Betti numbers of one frame, proved.
+// Proves Betti numbers of one frame.
 //
-// The box of the bounds is halved in all directions until each part is free of the surface
-// (interval of G without 0) or the gradients of any two of its points are less than a right angle
-// apart (Plantinga and Vegter 2004). Then the surface is isotopic to that of the piecewise linear
-// interpolant on the grid of the smallest part, and Betti numbers are those of the grid's signs.
-// The proof of this is in docs/topology-proofs.md.
+// The box of the bounds is halved in all directions until each part is free of the surface (the
+// interval of G doesn't hold 0), or the gradients at any two of its points differ by less than a
+// right angle (Plantinga and Vegter 2004). Then the surface is isotopic to that of the piecewise
+// linear interpolant on the grid of the smallest part, and the Betti numbers are those of the
+// grid's signs. The proof is in docs/topology-proofs.md.
 //
-// The solid is what the bounds hold of {G < 0}, G as in frame_field.h. A surface may reach the
-// bounds; of one that reaches a sphere cells prove it (cell_frame.h).
+// The solid is the part of {G < 0} within the bounds, with G as in frame_field.h. A surface may
+// reach the bounds; if it reaches a sphere, cells prove it (cell_frame.h).
 #pragma once
 
 #include <functional>
@@ -24,14 +24,14 @@ struct CertifiedFrame {
     std::optional<Betti> betti;
     int depth = 0; // of the smallest part: the grid has 2^depth cubes in each direction
     int boxes = 0;
-    std::string why; // without Betti numbers: what could not be proved
+    std::string why; // if there are no Betti numbers: what could not be proved
     SpaceBox where;  // and where
 };
 
 struct FrameLimits {
     int depth = 10; // at most 10
     int boxes = 4'000'000;
-    std::function<bool()> stopped{}; // asked often; once true nothing is proved
+    std::function<bool()> stopped{}; // called often; once it returns true nothing is proved
 };
 
 CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt& bounds,

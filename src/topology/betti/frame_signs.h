@@ -1,4 +1,4 @@
-// A frame's solid on a grid, by numbers: fast, and no proof.
+// Samples a frame's solid on a grid, in numbers: fast, without proof.
 #pragma once
 
 #include <atomic>
@@ -17,10 +17,10 @@
 
 namespace isomotion::topology {
 
-// What a caller has for it: operations, all elements of sums counted, and patience.
+// A budget of operations, counted with all elements of sums, and a request to stop.
 class Work {
 public:
-    // `stopped` may be asked by any thread.
+    // Any thread may call `stopped`.
     explicit Work(std::function<bool()> stopped = {},
                   double most = std::numeric_limits<double>::infinity())
         : stopped_(std::move(stopped))
@@ -37,8 +37,8 @@ private:
 };
 
 // Vertices from one corner of the bounds' box to the other, `side` (at least 2) in each direction.
-// No vertex outside of the bounds is solid, and none where F is 0 or no number. `threads`: 0 for as
-// many as the machine runs at once.
+// A vertex is not solid if it is outside of the bounds, or if F there is 0 or NaN. `threads`: 0 for
+// as many as the machine runs at once.
 SignGrid frame_signs(const formula::Field& field, const formula::Bindings<double>& bindings,
                      const scene::BoundsAt& bounds, Side solid, int side, int threads = 0);
 
@@ -47,19 +47,19 @@ struct SignEvaluators;
 // Signs of many frames of one field, which must outlive this.
 class FrameSigns {
 public:
-    // Takes how many elements each array has: where a grid finds the elements of one by place, a
-    // frame takes no longer for those that are elsewhere.
+    // Takes the number of elements of each array. If a grid finds the elements of one array by
+    // place, elements elsewhere don't add to a frame's time.
     FrameSigns(const formula::Field& field, std::span<const int> elements_of_arrays);
     explicit FrameSigns(const formula::Field& field)
         : FrameSigns(field, {}) {}
     ~FrameSigns();
 
-    // As frame_signs(). Adds what it takes to `work`; none where that is over. Whether it becomes
-    // too much is the same for any number of threads.
+    // As frame_signs(). Adds its operations to `work`; none if that is over. Whether the work
+    // becomes too much is the same for any number of threads.
     std::optional<SignGrid> at(const formula::Bindings<double>& bindings,
                                const scene::BoundsAt& bounds, Side solid, int side, int threads,
                                Work& work) const;
-    // The same signs.
+    // The same for a scene at a time.
     std::optional<SignGrid> at(const scene::SceneAt& now, Side solid, int side, int threads,
                                Work& work) const;
 
@@ -72,14 +72,14 @@ private:
         const FrameSigns* to;
         void operator()(SignEvaluators* evaluators) const;
     };
-    // For one thread, and for another frame afterwards: those of long programs have megabytes of
-    // registers, and the system takes longer to give them than most frames take.
+    // Evaluators for one thread, reused for later frames. For long programs they have megabytes of
+    // registers, whose allocation takes longer than most frames.
     std::unique_ptr<SignEvaluators, GiveBack> borrow() const;
 
     const formula::Field& field_;
     formula::Program enclosure_;
     std::optional<elements::FieldByPlace> by_place_;
-    mutable std::mutex mutex_; // of what follows
+    mutable std::mutex mutex_; // guards the members below
     mutable std::vector<std::unique_ptr<SignEvaluators>> idle_;
 };
 

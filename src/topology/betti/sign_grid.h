@@ -1,11 +1,11 @@
-// Which vertices of a grid lie in the solid, one bit each, and the Betti numbers of that.
+// The vertices of a grid that lie in the solid, one bit each, and the Betti numbers of that solid.
 //
-// The solid is the union of the simplices of Kuhn's triangulation all of whose vertices are in it
-// (each cube is cut into six tetrahedra along its diagonal from (0, 0, 0) to (1, 1, 1)). That has
-// the homotopy type of {P < 0} for the piecewise linear P with these signs, and what is left of
-// space that of the same construction on the other vertices. Vertices are neighbours if they differ
-// by a vector of 0s and 1s or its negative, 14 for each, of the solid and of its complement alike.
-// There is no solid outside of the grid.
+// The solid is the union of the simplices of Kuhn's triangulation whose vertices are all in it
+// (each cube is cut into six tetrahedra along its diagonal from (0, 0, 0) to (1, 1, 1)). It has the
+// homotopy type of {P < 0} for the piecewise linear P with these signs. The complement has the
+// homotopy type of the same construction on the other vertices. Two vertices are neighbours if they
+// differ by a vector of 0s and 1s or its negative, so each has 14, in the solid and in its
+// complement alike. There is no solid outside of the grid.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ public:
     int side() const { return side_; }
     bool at(int x, int y, int z) const { return row(y, z)[std::size_t(x) / 64] >> (x % 64) & 1; }
     void set(int x, int y, int z) { row(y, z)[std::size_t(x) / 64] |= Word(1) << (x % 64); }
-    void set_run(int first, int last, int y, int z); // both ends included; none if first > last
+    void set_run(int first, int last, int y, int z); // both ends included; empty if first > last
 
     // Bit k of word w is vertex 64 w + k; bits beyond the side are 0.
     std::span<const Word> row(int y, int z) const { return {&bits_[start(y, z)], words_}; }
@@ -40,7 +40,7 @@ private:
     }
 
     int side_;
-    std::size_t words_; // a row
+    std::size_t words_; // per row
     std::vector<Word> bits_;
 };
 

@@ -1,7 +1,7 @@
-// Paths down a field from its saddles to its minima, in doubles.
+// Computes paths down a field from its saddles to its minima, in doubles.
 //
-// Each is proved afterwards, so it need not follow the gradient: where the field is convex Newton's
-// method is faster.
+// Each path is proved afterwards, so it need not follow the gradient. Where the field is convex,
+// Newton's method is faster.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,17 @@
 
 namespace isomotion::topology {
 
-// Where paths may go. A path that leaves the bounds has reached its end.
+// The domain of paths. A path that leaves the bounds has reached its end.
 struct Domain {
     SpaceBox box;
     bool is_solid = true;                              // paths stay inside of the bounds
     std::function<bool(const SpacePoint&)> is_inside;  // the bounds
-    std::function<bool(const SpacePoint&)> is_outside; // certainly out of the bounds
-    double longest = 0.03;                             // step, as a part of the box
+    std::function<bool(const SpacePoint&)> is_outside; // certainly outside of the bounds
+    double longest = 0.03;                             // longest step, as a fraction of the box
 };
 
 struct DescentPath {
-    std::vector<SpacePoint> points; // from the saddle, or from where it starts, down
+    std::vector<SpacePoint> points; // down from the saddle or the start
     enum class End { lost, minimum, outside } end = End::lost;
 };
 
@@ -32,7 +32,7 @@ struct Start {
     SpacePoint direction; // a unit vector; 0: down the gradient
 };
 
-// Each by steps over which H falls.
+// Each path takes steps over which H falls.
 std::vector<DescentPath> descent_paths(PointField& field, const Domain& domain,
                                        std::span<const Start> starts);
 
@@ -41,7 +41,7 @@ struct SaddleConnection {
     double height = 0; // H there
     std::array<DescentPath, 2> paths;
 };
-// Saddles are left along the direction of least curvature, other points along a given one.
+// Paths leave saddles along the direction of least curvature, other points along a given direction.
 std::vector<SaddleConnection> saddle_connections(PointField& field, const Domain& domain,
                                                  std::span<const SpacePoint> saddles);
 std::vector<SaddleConnection> saddle_connections(PointField& field, const Domain& domain,

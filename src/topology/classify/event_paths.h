@@ -1,9 +1,9 @@
-// Events whose sides are joined elsewhere: paths sought along the critical points of the event's
-// own time, and proved.
+// Finds paths that join the two sides of an event elsewhere. They are sought along critical points
+// at the event's own time, and proved.
 //
-// The components of {H < 0} are the minima below 0, joined by the saddles of index 1 below 0, each
-// of which joins those that its two descending paths end in (Morse). So the sides of an event are
-// joined where its own two paths end in one minimum, or in two that other saddles join.
+// The components of {H < 0} are the minima below 0, joined by the saddles of index 1 below 0; each
+// saddle joins the minima in which its two descent paths end (Morse). So the sides of an event are
+// joined if its own two paths end in one minimum, or in two minima that other saddles join.
 #pragma once
 
 #include <functional>
@@ -22,10 +22,11 @@ struct PathOptions {
     std::function<bool()> stopped{};             // from any thread
 };
 
-// Keeps what it found of the motion's saddles from call to call.
+// Keeps the saddles of the motion that it has found, from call to call.
 class EventPaths {
 public:
-    // Refers to the pieces. Events by time; of one that is not all in one piece nothing is known.
+    // Keeps a reference to the pieces. Events are ordered by time; an event whose time is not all
+    // in one piece stays unknown.
     EventPaths(std::span<const TimedFormula> pieces, std::vector<Event> events);
 
     // Answers for the events at these positions.

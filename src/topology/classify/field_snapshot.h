@@ -11,8 +11,8 @@
 
 namespace isomotion::topology {
 
-// G at the time of an event, formula coordinates. What is enclosed is enclosed for all times in
-// Event::time. The bounds are convex and lie in `box`; both tests are proofs.
+// G at the time of an event, in formula coordinates. Enclosures hold for all times in Event::time.
+// The bounds are convex and lie in `box`; both tests are proofs.
 struct FieldSnapshot {
     std::function<void(std::span<const SpaceBox>, std::span<ValueAndGradient>)> over;
     std::function<void(std::span<const SpaceBox>, std::span<formula::Interval>)> values;
@@ -23,8 +23,8 @@ struct FieldSnapshot {
     std::function<bool(const SpaceBox&)> is_outside;
 };
 
-// The field's bindings enclose the values at all times of the event's enclosure, and so do the
-// bounds. Not for several threads at once, and until the field is given other values.
+// The field's bindings and the bounds must enclose the values at all times of the event's
+// enclosure. Use it from one thread, until the field is bound to other values.
 FieldSnapshot field_snapshot(std::shared_ptr<FrameField> field, const EnclosedBounds& bounds);
 
 } // namespace isomotion::topology

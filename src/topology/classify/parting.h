@@ -1,9 +1,10 @@
-// Whether the two sides of a saddle are joined elsewhere, by boxes: proved either way.
+// Decides by boxes whether the two sides of a saddle are joined elsewhere. Both answers are proofs.
 //
-// The bounds are divided into boxes, where it matters the finest: those where H > 0 part the region
-// {H < 0}, those where H < 0 join it. Boxes are sought that lead from one side to the other; what
-// is open of these is halved, until none lead there, or such that are all in the region. Beside the
-// saddle itself a plane parts the two sides: H > 0 on it (docs/topology-proofs.md).
+// The bounds are divided into boxes, finest where needed. Boxes with H > 0 separate the region {H <
+// 0}; boxes with H < 0 join it. The search looks for chains of boxes from one side to the other and
+// halves the undecided boxes in them, until there is no chain, or one that lies in the region
+// entirely. At the saddle itself a plane with H > 0 separates the two sides
+// (docs/topology-proofs.md).
 #pragma once
 
 #include <functional>
@@ -23,7 +24,8 @@ struct PartingOptions {
     std::function<bool()> stopped{};
 };
 
-// Takes an event of index 1, or 2 for -G, inside of the bounds; `starts` are those of both_sides().
+// Takes an event of index 1, or of index 2 for -G, inside of the bounds. `starts` come from
+// both_sides().
 Sides sides_by_boxes(const SublevelSet& region, const Event& event,
                      const std::array<SpacePoint, 2>& starts, const PartingOptions& how = {});
 

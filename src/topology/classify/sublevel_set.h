@@ -1,4 +1,4 @@
-// The side of the surface whose parts an event joins or parts.
+// The side of the surface whose parts an event joins or separates.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace isomotion::topology {
 
-// The region whose parts are to be joined: H < 0 in the bounds, H being G; or H = -G < 0 and all
-// that is outside of them.
+// The region whose parts are to be joined: H = G < 0 within the bounds; or H = -G < 0 together with
+// the exterior of the bounds.
 class SublevelSet {
 public:
     SublevelSet(const FieldSnapshot& snapshot, bool is_solid)
@@ -18,7 +18,7 @@ public:
 
     bool is_solid() const { return is_solid_; }
     const SpaceBox& box() const { return snapshot_.box; }
-    // False where a coordinate is provably off both walls across it.
+    // False if a coordinate is provably off both walls perpendicular to it.
     bool may_be_on_wall(std::size_t axis, formula::Interval coordinate) const {
         return !is_empty(intersect(coordinate, snapshot_.low[axis])) ||
                !is_empty(intersect(coordinate, snapshot_.high[axis]));
@@ -28,11 +28,11 @@ public:
     std::vector<formula::Interval> values(std::span<const SpaceBox> boxes) const;
     SpaceHessian hessian(const SpaceBox& box) const;
 
-    // Points that a path may have for corners. Between two of them it is inside of the bounds, for
-    // these are convex.
+    // Whether a point may be a corner of a path. Between two such points the path stays inside of
+    // the bounds, since these are convex.
     bool may_hold(const SpacePoint& p) const { return !is_solid_ || snapshot_.is_inside(p); }
     bool is_outside(const SpaceBox& box) const { return !is_solid_ && snapshot_.is_outside(box); }
-    // Whether all is inside the bounds, which are convex.
+    // Whether the whole box is inside the bounds, which are convex.
     bool is_all_inside(const SpaceBox& box) const;
     bool is_all_outside(const SpaceBox& box) const { return snapshot_.is_outside(box); }
 

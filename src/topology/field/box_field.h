@@ -1,8 +1,8 @@
-// F over boxes of n unknowns, with its derivatives, in intervals.
+// F and its derivatives over boxes of n unknowns, in intervals.
 //
-// A sum is evaluated over those elements alone that matter in a box. What the others add to it is
-// enclosed once, for that box, and holds for all boxes in it (Elements). What asks for the least
-// element keeps those that may be it somewhere in the box.
+// A sum is evaluated over only those elements that matter in a box. The sum of the other terms is
+// enclosed once for that box, and holds for all boxes inside it (Elements). An operation that asks
+// for the least element keeps the elements that may be the least somewhere in the box.
 #pragma once
 
 #include <map>
@@ -16,11 +16,11 @@
 
 namespace isomotion::topology {
 
-// The programs. One for all threads.
+// The programs. All threads can share one.
 class BoxField {
 public:
-    // Inputs of the graph: the unknowns, then `ends`: the least and the greatest value of the last
-    // unknown in a box, and [-1, 1].
+    // Inputs of the graph: the unknowns; then, with `ends`, the least and the greatest value of the
+    // last unknown in a box, and [-1, 1].
     struct Inputs {
         std::size_t unknowns = 0;
         bool has_ends = false;
@@ -29,8 +29,8 @@ public:
     };
 
     BoxField() = default;
-    // `jet` is that of jet_over_boxes(), with the first `rows` rows of second derivatives.
-    // Elements may be left out of those arrays whose loops hold no others.
+    // `jet` comes from jet_over_boxes(), with the first `rows` rows of second derivatives. Elements
+    // are left out only of arrays whose loops contain no other loops.
     BoxField(formula::Graph graph, std::span<const formula::NodeId> jet, Inputs inputs,
              std::size_t rows);
 
@@ -40,15 +40,15 @@ private:
     friend class BoxEvaluator;
 
     struct Culling {
-        int array = 0;             // whose elements are left out
-        std::vector<int> fields;   // columns of the array that terms depend on
-        formula::Program terms;    // inputs: all of the field's, then fields; one element's part of
-                                   // each sum, then each key that may be the least
-        std::size_t first_sum = 0; // position among the sums of all arrays
+        int array = 0;           // the array whose elements are left out
+        std::vector<int> fields; // fields of the array that terms depend on
+        formula::Program terms;  // inputs: all of the field's, then fields; outputs: one element's
+                                 // term of each sum, then each key of a least element
+        std::size_t first_sum = 0;        // position among the sums of all arrays
         std::vector<char> is_first_order; // whether F or its gradient has the sum
         std::size_t keys = 0;
     };
-    // Sums over an array, and the keys of what asks for its least element.
+    // Sums over an array, and the keys of operations that ask for its least element.
     struct Loops {
         std::vector<formula::NodeId> sums, keys;
     };
@@ -60,38 +60,38 @@ private:
     Inputs inputs_;
     std::size_t rows_ = 0;
     std::vector<Culling> cullings_;
-    std::size_t sums_ = 0; // whose elements may be left out
-    // Inputs: the field's, then what is added to each sum.
+    std::size_t sums_ = 0; // sums whose elements may be left out
+    // Inputs: the field's, then the enclosed remainder of each sum.
     formula::Program value_, gradient_, jet_;
 };
 
-// The elements that matter, and what the others add to each sum.
+// The elements that matter, and the enclosed remainder of each sum.
 struct Elements {
     formula::Bindings<formula::Interval> bindings;
     std::vector<formula::Interval> rest;
 };
 
-// Evaluates over boxes. One a thread.
+// Evaluates over boxes. Use one per thread.
 class BoxEvaluator {
 public:
     BoxEvaluator(const BoxField& field, formula::Bindings<formula::Interval> bindings);
 
-    // Other values for the same names.
+    // Binds other values to the same names.
     void bind(formula::Bindings<formula::Interval> bindings) {
         all_.bindings = std::move(bindings);
     }
 
     const Elements& all() const { return all_; }
-    // Keeps the elements of which some term over the box is more than `negligible` times the
-    // largest term of its sum. `from` must hold for the box.
+    // Keeps the elements with some term over the box above `negligible` times the largest term of
+    // its sum. `from` must hold for the box.
     Elements near(const Box& box, const Elements& from, double negligible);
-    // Keeps the elements of which some term of F or of its gradient changes in the box by more than
-    // `negligible` times the size of all terms of its sum.
+    // Keeps the elements with some term of F or of its gradient that changes in the box by more
+    // than `negligible` times the size of all terms of its sum.
     Elements changing(const Box& box, const Elements& from, double negligible);
 
     void values(const Elements& elements, std::span<const Box> boxes,
                 std::vector<formula::Interval>& values);
-    // Jets without second derivatives, and with them.
+    // Jets without second derivatives, then with them.
     void gradients(const Elements& elements, std::span<const Box> boxes,
                    std::vector<Jet<formula::Interval>>& jets);
     void jets(const Elements& elements, std::span<const Box> boxes,
@@ -103,11 +103,11 @@ private:
     void load(const Elements& elements, std::span<const Box> boxes);
     void run(formula::Evaluator<formula::Interval>& program, const Elements& elements,
              std::size_t outputs);
-    // Without the elements of which no term matters and that are the least nowhere: a term of a sum
-    // is compared with what `size` makes of all terms of that sum over the box.
+    // Drops elements none of whose terms matter and that are nowhere the least. `matters` compares
+    // a term of a sum with what `size` computes from all terms of that sum over the box.
     template<class Size, class Matters>
     Elements cull(const Box& box, const Elements& from, Size&& size, Matters&& matters);
-    // The terms of each element over the box are then in the outputs.
+    // Leaves the terms of each element over the box in the outputs.
     void run_terms(std::size_t culling, const Box& box, const Elements& from);
 
     const BoxField& field_;

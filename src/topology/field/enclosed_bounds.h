@@ -1,4 +1,4 @@
-// Bounds over a short span of time: where their walls may be.
+// Bounds over a short span of time: enclosures of their walls.
 #pragma once
 
 #include "scene/scene_at.h"
@@ -8,12 +8,12 @@ namespace isomotion::topology {
 
 struct EnclosedBounds {
     scene::Bounds::Shape shape = scene::Bounds::Shape::sphere;
-    SpaceBox low{}, high{}; // the box's walls; of a sphere, the box around it
-    SpaceBox centre{};      // for a sphere, as is the radius
+    SpaceBox low{}, high{}; // the box's walls; for a sphere, those of the box around it
+    SpaceBox centre{};      // for a sphere, as the radius
     formula::Interval radius{};
 };
 
-// Takes the bounds of one time for exact.
+// Takes the bounds of one time as exact.
 inline EnclosedBounds enclosed(const scene::BoundsAt& bounds) {
     EnclosedBounds exact{.shape = bounds.shape, .radius = bounds.radius};
     for (std::size_t i = 0; i < 3; ++i) {

@@ -1,8 +1,9 @@
-// A frame's field over boxes of space, with its gradient; of sums only the elements that matter.
+// A frame's field over boxes of space, with its gradient. Of sums it evaluates only the elements
+// that matter.
 //
-// G is F where the solid is {F < 0}, else -F. Slopes are generalized (formula/enclosure.h): a
+// G is F if the solid is {F < 0}, otherwise -F. Slopes are generalized (formula/enclosure.h): a
 // gradient encloses all difference quotients between points of the box, also across kinks. In a
-// small box most elements of a sum are far away and hardly change: those are left out.
+// small box most elements of a sum are far away and hardly change; these are left out.
 #pragma once
 
 #include <span>
@@ -14,34 +15,35 @@
 
 namespace isomotion::topology {
 
-// One a thread.
+// Use one per thread.
 class FrameField {
 public:
     explicit FrameField(const SpaceFormula& formula);
-    FrameField(const FrameField&) = delete; // the evaluator refers to the programs
+    FrameField(const FrameField&) = delete; // since the evaluator refers to the programs
     FrameField& operator=(const FrameField&) = delete;
 
-    // Other values for the same names.
+    // Binds other values to the same names.
     void bind(formula::Bindings<formula::Interval> bindings) {
         evaluator_.bind(std::move(bindings));
     }
 
     const Elements& everything() const { return evaluator_.all(); }
 
-    // Over boxes that `near` holds for.
+    // Evaluates over boxes inside the box of `near`.
     void over(const Elements& near, std::span<const SpaceBox> boxes,
               std::span<ValueAndGradient> out);
-    // Narrows these by Taylor's formula about the middle, to second order: tighter in small boxes.
-    // Leaves `out` as it is where second derivatives have no bounds: at kinks and jumps.
+    // Narrows the results by Taylor's formula about the middle, to second order, which is tighter
+    // in small boxes. Leaves `out` unchanged where second derivatives are unbounded: at kinks and
+    // jumps.
     void tighten(const Elements& near, std::span<const SpaceBox> boxes,
                  std::span<ValueAndGradient> out);
     void values(const Elements& near, std::span<const SpaceBox> boxes,
                 std::span<formula::Interval> out);
 
-    // Second derivatives; without bounds where the box has a kink or a jump.
+    // Second derivatives; unbounded where the box has a kink or a jump.
     SpaceHessian hessian(const Elements& near, const SpaceBox& box);
 
-    // Without the elements that hardly change in the box.
+    // Drops the elements that hardly change in the box.
     Elements nearer(const Elements& near, const SpaceBox& box);
 
 private:

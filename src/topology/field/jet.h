@@ -1,5 +1,5 @@
-// A field with its first and second derivatives in n unknowns, for every arithmetic: the nodes of a
-// graph, and what a program of them puts out.
+// A field with its first and second derivatives in n unknowns, for every number type: as nodes of a
+// graph, and as outputs of a program.
 #pragma once
 
 #include <array>
@@ -23,27 +23,27 @@ inline Box at_point(const Point& p) {
     return box;
 }
 
-// Enclosures of all that F does over a box, or its values at a point.
+// Enclosures of F and its derivatives over a box, or their values at a point.
 template<class T> struct Jet {
     T value{};
     std::array<T, most_variables> gradient{};
-    // Rows are for the coordinates; that of the clock stays 0, which nothing asks for.
+    // Rows are those of the coordinates. The clock's row stays 0; no code needs it.
     std::array<std::array<T, most_variables>, most_variables> hessian{};
 };
 
 // F, its derivatives by the unknowns (inputs of the graph), then its second derivatives: rows for
 // the first `rows` unknowns, each from the diagonal on.
 //
-// Over boxes: all difference quotients between two points, the entire line where F may jump or have
-// no value, and second derivatives that are it where there may be a kink.
+// Over boxes these are all difference quotients between two points. They are the entire line where
+// F may jump or have no value. Second derivatives are the entire line where there may be a kink.
 std::vector<formula::NodeId> jet_over_boxes(formula::Graph& graph, formula::NodeId field,
                                             std::span<const std::size_t> unknowns,
                                             std::size_t rows);
-// For numbers, one at each point.
+// For numbers: one derivative at each point.
 std::vector<formula::NodeId> jet_at_points(formula::Graph& graph, formula::NodeId field,
                                            std::span<const std::size_t> unknowns, std::size_t rows);
 
-// `output` gives the value of each of those nodes.
+// `output` returns the value of each of those nodes.
 template<class T, class Output>
 void unpack(Jet<T>& jet, std::size_t n, std::size_t rows, Output&& output) {
     jet.value = output(0);

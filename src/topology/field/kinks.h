@@ -1,15 +1,15 @@
-// A formula with kinks as the smooth formulas that it is made of.
+// Splits a formula with kinks into smooth formulas.
 //
-// min, max, abs and the root of a sum of squares are smooth but for some |h|: min(a, b) is
-// (a + b - |a - b|)/2. Where h < 0 or h > 0 the formula is that of one side. Where h = 0 its slopes
+// min, max, abs and the root of a sum of squares are smooth except for some |h|: min(a, b) is (a +
+// b - |a - b|)/2. Where h < 0 or h > 0 the formula equals that of one side. Where h = 0 its slopes
 // are those of m h for all multipliers m with |m| <= 1 (Clarke 1983, 2.3.10). So let L(x, m) be the
-// formula with m_j h_j in place of each |h_j| of some kinks: its critical points along x and m are
-// the points of h_j = 0 at which 0 is a mean of the active slopes, and its Hessian there has c
-// negative eigenvalues more than that of F along the kinks, of which there are c (Jongen and
-// Pallaschke 1988; docs/topology-proofs.md).
+// formula with m_j h_j in place of each |h_j| of c kinks. The critical points of L along x and m
+// are the points with all h_j = 0 at which 0 is a mean of the active slopes. The Hessian of L there
+// has c negative eigenvalues more than that of F along the kinks (Jongen and Pallaschke 1988;
+// docs/topology-proofs.md).
 //
-// A root of c_1 v_1^2 + c_2 v_2^2 + ... has a cone where all v are 0: there it stands for
-// c_1 m_1 v_1 + ... with c_1 m_1^2 + ... <= 1.
+// A root of c_1 v_1^2 + c_2 v_2^2 + ... has a cone where all v are 0. There it is replaced by c_1
+// m_1 v_1 + ... with c_1 m_1^2 + ... <= 1.
 #pragma once
 
 #include <array>
@@ -23,34 +23,34 @@
 
 namespace isomotion::topology {
 
-// Inputs that are added to |h|, one a kink.
+// Inputs that are added to |h|, one per kink.
 inline constexpr int first_height_input = first_multiplier_input + 8;
 
-// A kink that a formula is on.
+// A kink that a point of the formula is on.
 struct Kink {
-    std::size_t first = 0;                  // of its multipliers
-    std::vector<formula::Interval> weights; // c, one a multiplier
-    // The cone is left out: multipliers are those of places beside it, sum of c m^2 = 1.
+    std::size_t first = 0;                  // index of its first multiplier
+    std::vector<formula::Interval> weights; // c, one per multiplier
+    // The tip of the cone is excluded: multipliers are those of places beside it, sum of c m^2 = 1.
     bool is_beside = false;
 
-    // Sum of c m^2, 1 at the ends of what slopes the kink has.
+    // Sum of c m^2. It is 1 at the ends of the range of slopes that the kink has.
     formula::Interval reach(std::span<const formula::Interval> multipliers) const;
 };
 
-// A formula and what its names stand for.
+// A formula and the values of its names.
 struct BoundFormula {
     formula::Graph graph;
     formula::NodeId root{};
     formula::Bindings<formula::Interval> bindings;
 };
 
-// Divides by the signs of h, kink by kink, the outermost first; what it was once asked is kept. One
-// a thread.
+// Splits a formula by the signs of h, kink by kink, the outermost first. Keeps the answers to
+// former questions. Use one per thread.
 class KinkTree {
 public:
     // Inputs of the formula are x, y, z and the clock; least() becomes min() of its elements. Kinks
-    // that meet have at most so many multipliers: more equations than there are coordinates have no
-    // solution unless by coincidence.
+    // that meet may have at most so many multipliers, since more equations than coordinates have a
+    // solution only by coincidence.
     KinkTree(BoundFormula formula, std::size_t most_multipliers);
     KinkTree(const KinkTree&) = delete;
     KinkTree& operator=(const KinkTree&) = delete;
@@ -60,24 +60,25 @@ public:
     bool has_kinks() const;
 
     struct Branch;
-    // The smooth formulas at some places, and at clocks, of which F takes one or the other
-    // everywhere; a cone's own stands for what is beside it, too. Empty where there are more than
-    // `most`, or kinks that meet in too many multipliers.
+    // The smooth formulas at some places and clocks: at each of these F equals one of them. The
+    // formula of a cone also represents the points beside its tip. Empty if there are more than
+    // `most`, or kinks that meet with too many multipliers.
     std::optional<std::vector<const Branch*>> pieces(const SpaceBox& place, formula::Interval clock,
                                                      std::size_t most);
-    // ... and those of the kinks: each critical point there is one of one of these, on its sides.
+    // The same with the formulas of the kinks: each critical point there is one of one of these, on
+    // its sides.
     std::optional<std::vector<const Branch*>> strata(const SpaceBox& place, formula::Interval clock,
                                                      std::size_t most);
 
-    // The root of a formula among those: L, with multipliers for inputs from first_multiplier_input
-    // on, and an input besides that is added to each |h|, from first_height_input on.
+    // The root of such a formula: L, with multipliers as inputs from first_multiplier_input on, and
+    // one more input for each |h|, which is added to it, from first_height_input on.
     static formula::NodeId root(const Branch& branch);
     static std::span<const Kink> kinks(const Branch& branch);
     static std::span<const formula::Interval> ranges(const Branch& branch); // of multipliers
-    // Tells formulas apart; the same in each tree of one formula.
+    // Identifies a formula; the same in each tree of one formula.
     static const std::vector<char>& path(const Branch& branch);
 
-    // Whether a place is on the formula's sides of all kinks that it isn't on.
+    // Whether a place is on the formula's sides of all kinks that the formula isn't on.
     enum class Sides { yes, no, unknown };
     Sides is_on_sides(const Branch& branch, const SpaceBox& place, formula::Interval clock,
                       std::span<const formula::Interval> multipliers);
@@ -96,7 +97,7 @@ private:
     std::unique_ptr<Branch> root_;
 };
 
-// The motion's field; in the bindings of the motion's own, in intervals.
+// The motion's field, with the motion's own bindings as intervals.
 BoundFormula bound_formula(const Motion& motion);
 
 } // namespace isomotion::topology

@@ -1,12 +1,12 @@
 // A moving surface and its bounds as expressions of x, y, z and one clock.
 //
-// The values of the animation are put into the formula as expressions, so that a derivative by the
-// clock is one of the formula's own. They are the real numbers that the scene's text says
-// (constants folded in double), not the floats that a frame is drawn with.
+// The values of the animation become expressions in the formula, so that derivatives by the clock
+// are derivatives of the formula. They are the real numbers that the scene's text states (constants
+// folded in double), not the floats with which a frame is drawn.
 //
-// The clock is the time; or, if all that moves does so through one track, that track: an animation
-// that swings to and fro is then searched once, and a turn of the track, where everything rests, is
-// nothing special.
+// The clock is the time or, if everything moves by one track, that track. Then an animation that
+// swings to and fro is searched only once, and a turn of the track, where everything rests, needs
+// no special treatment.
 #pragma once
 
 #include <array>
@@ -22,17 +22,17 @@
 namespace isomotion::topology {
 
 inline constexpr int clock_input = 3; // of the graph; 0, 1, 2 are x, y, z
-// Multipliers of kinks (kinks.h), if the field has any, are inputs from here on.
+// Multipliers of kinks (kinks.h), if the field has any, are the inputs from here on.
 inline constexpr int first_multiplier_input = 5;
 
 struct Motion {
     formula::Graph graph;
     formula::NodeId field{}; // negative in the solid
     scene::Bounds::Shape shape = scene::Bounds::Shape::sphere;
-    std::array<formula::NodeId, 3> low{}, high{}; // the box, or the one around the sphere
+    std::array<formula::NodeId, 3> low{}, high{}; // the box, or the box around the sphere
     std::array<formula::NodeId, 3> centre{};
     formula::NodeId radius{};
-    formula::Bindings<double> bindings; // what elements in the graph refer to
+    formula::Bindings<double> bindings; // values for elements in the graph
 
     formula::Interval clock;
     std::optional<int> driver; // the track that is the clock
@@ -40,12 +40,12 @@ struct Motion {
 };
 
 struct Motions {
-    std::vector<Motion> pieces;   // one, or one between each two knots of the animation
+    std::vector<Motion> pieces;   // one, or one between each two successive knots of the animation
     std::vector<double> jumps;    // times at which the surface is not continuous
-    std::optional<Motion> at_end; // the surface after a jump at the range's very end
-    // Spans of time in which the bounds may hold nothing. Ascending.
+    std::optional<Motion> at_end; // the surface after a jump at the end of the range
+    // Spans of time in which the bounds may be empty. Ascending.
     std::vector<formula::Interval> collapses;
-    std::vector<std::string> doubts; // what the expressions don't tell
+    std::vector<std::string> doubts; // properties that the expressions can't tell
 };
 
 enum class Clock { time, track_if_one };

@@ -1,11 +1,10 @@
 // F and its derivatives in space and by the clock, over boxes as intervals and at points as
 // doubles.
 //
-// A stratum of the bounds is its inside, a face, an edge or a corner: there the coordinates that
-// are not free follow the bounds, and F is a function of those that are, and of the clock.
-// Everything below is about these variables: x, y, z without the fixed ones, then the clock. Where
-// all three are free they may move with the surface (ComovingFrame): then it is about their places
-// at rest.
+// A stratum of the bounds is its inside, a face, an edge or a corner. The coordinates that are not
+// free there follow the bounds, and F is a function of the free ones and the clock. The variables
+// below are the free ones of x, y, z, then the clock. If all three are free they may move with the
+// surface (ComovingFrame); then the variables are places at rest.
 #pragma once
 
 #include <array>
@@ -30,12 +29,12 @@ struct Stratum {
     bool operator==(const Stratum&) const = default;
 };
 
-// All strata of a box, its inside first.
+// All strata of a box, the inside first.
 std::vector<Stratum> strata_of_box();
 
 class MovingField {
 public:
-    // `multipliers` holds the ranges of the motion's multipliers, if it has any (kinks.h): they are
+    // `multipliers` holds the ranges of the motion's multipliers, if it has any (kinks.h). They are
     // variables too, between the coordinates and the clock.
     MovingField(const Motion& motion, const Stratum& stratum, const ComovingFrame& frame = {},
                 std::span<const formula::Interval> multipliers = {});
@@ -44,7 +43,7 @@ public:
     int dimension() const { return dimension_; } // free coordinates
     std::size_t clock() const { return std::size_t(variables_ - 1); }
     const Stratum& stratum() const { return stratum_; }
-    // Holds the stratum at all times.
+    // Contains the stratum at all times.
     const Box& domain() const { return domain_; }
     // Free coordinate k of the points in a box.
     formula::Interval x(const Box& box, std::size_t k) const;
@@ -53,7 +52,7 @@ private:
     friend class Enclosures;
     friend class Numbers;
 
-    // The roots with what is linear in the clock by its values at the clock's ends.
+    // Rewrites the roots: expressions linear in the clock by their values at the clock's ends.
     std::vector<formula::NodeId> between_ends(formula::Graph& graph,
                                               std::span<const formula::NodeId> roots) const;
 
@@ -63,19 +62,19 @@ private:
     Box domain_{};
     formula::Bindings<double> bindings_;
     BoxField over_boxes_;
-    formula::Program numbers_; // the same jet for doubles
-    formula::Program place_;   // at least 0 in the closed stratum, for each condition
-    formula::Program inward_;  // derivatives of F inwards along the fixed axes
+    formula::Program numbers_; // the same jet in doubles
+    formula::Program place_;   // one output for each condition, at least 0 in the closed stratum
+    formula::Program inward_;  // inward derivatives of F along the fixed axes
 };
 
-// Evaluates over boxes. One a thread.
+// Evaluates over boxes. Use one per thread.
 class Enclosures : public BoxEvaluator {
 public:
     explicit Enclosures(const MovingField& field);
 
     enum class Place { outside, inside, unknown };
     Place place(const Box& box); // in the stratum
-    // The derivatives of F inwards along the fixed axes.
+    // The inward derivatives of F along the fixed axes.
     std::vector<formula::Interval> inward(const Box& box);
 
 private:

@@ -1,4 +1,4 @@
-// A frame's field over boxes as the smooth formulas that it takes there (kinks.h).
+// A frame's field over boxes, as the smooth formulas that it may equal there (kinks.h).
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace isomotion::topology {
 
-// One a thread.
+// Use one per thread.
 class Pieces {
 public:
     explicit Pieces(const SpaceFormula& formula);
@@ -19,16 +19,16 @@ public:
     enum class Sign { negative, positive, mixed };
     struct Over {
         Sign sign = Sign::mixed; // of G, as in frame_field.h
-        // All slopes of each formula that may be 0 in the box. None where G may jump, or there are
-        // more formulas than it is worth to ask.
+        // All slopes of each formula that may be 0 in the box. None if G may jump, or if there are
+        // too many formulas to examine.
         std::vector<Box> gradients;
     };
-    // `near` is of a box around this one.
+    // `near` belongs to a box around this one.
     Over over(const SpaceBox& box, const Elements& near);
     formula::Interval value(const SpaceBox& box);
 
     const Elements& everything() const { return whole_.everything(); }
-    // Elements of sums that matter in a box, for a formula without kinks; else all of them.
+    // Elements of sums that matter in a box, for a formula without kinks; otherwise all of them.
     bool has_kinks() const { return tree_.has_kinks(); }
     Elements nearer(const Elements& near, const SpaceBox& box) { return whole_.nearer(near, box); }
 

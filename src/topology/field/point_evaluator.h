@@ -11,11 +11,11 @@
 
 namespace isomotion::topology {
 
-// Keeps what it evaluated last. One a thread.
+// Keeps the results of the last evaluation. Use one per thread.
 class PointEvaluator {
 public:
-    // Refers to the program, lowered from jet_at_points() or jet_over_boxes() with so many unknowns
-    // and rows.
+    // Keeps a reference to the program, which is lowered from jet_at_points() or jet_over_boxes()
+    // with so many unknowns and rows.
     PointEvaluator(const formula::Program& program, std::size_t unknowns, std::size_t rows)
         : rows_(rows)
         , evaluator_(program)
@@ -37,7 +37,7 @@ public:
         const std::vector<std::span<const double>> from(inputs_.begin(), inputs_.end());
         evaluator_.points(bindings, from, to);
     }
-    // At one of those points.
+    // The jet at one of those points.
     Jet<double> jet(std::size_t p) const {
         Jet<double> jet;
         unpack(jet, inputs_.size(), rows_, [&](std::size_t k) { return outputs_[k][p]; });

@@ -1,5 +1,5 @@
-// A frame's field at points, in doubles, with first and second derivatives: what paths are sought
-// by before they are proved.
+// A frame's field at points, in doubles, with first and second derivatives. Paths are sought with
+// it before they are proved.
 #pragma once
 
 #include <span>
@@ -17,14 +17,14 @@ struct PointJet {
     SpaceMatrix hessian{};
 };
 
-// One a thread.
+// Use one per thread.
 class PointField {
 public:
     explicit PointField(const SpaceFormula& formula);
-    PointField(const PointField&) = delete; // the evaluator refers to the program
+    PointField(const PointField&) = delete; // since the evaluator refers to the program
     PointField& operator=(const PointField&) = delete;
 
-    // G with the middles of these values, or -G.
+    // Binds G with the middles of these values, or -G.
     void bind(const formula::Bindings<formula::Interval>& bindings, bool is_turned);
 
     void jets(std::span<const SpacePoint> points, std::vector<PointJet>& jets);

@@ -1,4 +1,4 @@
-// Which side of a surface is the solid.
+// The side of a surface that is the solid.
 #pragma once
 
 #include "scene/scene.h"
@@ -7,11 +7,12 @@ namespace isomotion::topology {
 
 enum class Side {
     negative, // {F < 0}
-    positive, // {F > 0}: densities less a threshold
+    positive, // {F > 0}: densities minus a threshold
 };
 
-// The side that the bounds don't touch at the scene's first frame; negative if they touch both. One
-// for the scene, not for the span that is searched: timelines of two spans then speak of one solid.
+// The side that the bounds don't touch at the scene's first frame; negative if they touch both. It
+// depends on the scene, not on the span searched, so timelines of different spans have the same
+// solid.
 Side solid_side(const scene::Scene& scene);
 
 } // namespace isomotion::topology

@@ -1,4 +1,4 @@
-// Boxes of space, and what a field does over one.
+// Boxes of space, and a field's enclosures over one.
 #pragma once
 
 #include <algorithm>

@@ -9,8 +9,8 @@
 
 namespace isomotion::topology {
 
-// A formula of x, y, z alone, and what its other names stand for: intervals that hold the exact
-// values. What is proved holds for each value in them, so for all frames of a span of time.
+// A formula of x, y, z alone, with the values of its other names: intervals that hold the exact
+// values. A proof holds for each value in them, and so for all frames of a span of time.
 struct SpaceFormula {
     formula::Graph graph;
     formula::NodeId root = 0; // F

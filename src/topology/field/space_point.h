@@ -27,16 +27,16 @@ inline double distance(const SpacePoint& a, const SpacePoint& b) {
 inline SpaceBox point_box(const SpacePoint& p) { return {p[0], p[1], p[2]}; }
 inline SpacePoint middle(const SpaceBox& box) { return {mid(box[0]), mid(box[1]), mid(box[2])}; }
 
-// How many eigenvalues are positive, and how many negative.
+// The numbers of positive and of negative eigenvalues.
 struct Inertia {
     int positive = 0, negative = 0;
 };
 Inertia inertia(const SpaceMatrix& a);
 
-// a^-1 b; empty where a is singular.
+// a^-1 b; empty if a is singular.
 std::optional<SpacePoint> solve(const SpaceMatrix& a, const SpacePoint& b);
 
-// The unit eigenvector of the least eigenvalue. Axes that are not free take no part.
+// The unit eigenvector of the least eigenvalue. Axes that are not free are excluded.
 SpacePoint least_direction(SpaceMatrix a, const std::array<bool, 3>& free = {true, true, true});
 
 } // namespace isomotion::topology

@@ -1,7 +1,7 @@
-// A motion's formula made ready once for all its times.
+// A motion's formula prepared once for all its times.
 //
-// What the clock alone decides becomes a parameter, and what the clock and one element decide
-// becomes a field of the element: both are computed once a time, not at each point. So all times
+// Expressions of the clock alone become parameters; expressions of the clock and one element become
+// fields of the element. Both are computed once per time instead of at each point. So all times
 // share a graph and its derivatives, and differ in bindings.
 #pragma once
 
@@ -19,27 +19,27 @@ public:
     formula::Interval clock() const { return clock_; }
     // A formula of x, y, z for any time. Its bindings are those of the clock's middle.
     const SpaceFormula& formula() const { return formula_; }
-    // For all times of the enclosure.
+    // Enclosures for all times of `time`.
     formula::Bindings<formula::Interval> bindings(formula::Interval time) const;
-    // The same of the bounds.
+    // The same for the bounds.
     EnclosedBounds bounds(formula::Interval time) const;
     // Rounded.
     scene::BoundsAt bounds(double time) const;
 
 private:
-    // Inputs: the clock, then of a column its fields.
+    // Inputs: the clock, then, for a column, its fields.
     struct Part {
         formula::Program program;
-        int array = -1; // of a column
+        int array = -1; // of a column; -1 for others
         std::vector<int> fields;
     };
     static Part part(const Motion& motion, formula::NodeId root);
 
     formula::Interval clock_;
     scene::Bounds::Shape shape_;
-    formula::Bindings<formula::Interval> resting_; // what doesn't depend on the clock
+    formula::Bindings<formula::Interval> resting_; // values that don't depend on the clock
     std::vector<Part> parameters_, columns_;       // appended to these, in order
-    std::vector<Part> bounds_; // low, high; of a sphere the centre and the radius besides
+    std::vector<Part> bounds_; // low, high; for a sphere also the centre and the radius
     SpaceFormula formula_;
 };
 

@@ -1,9 +1,9 @@
-// The proof of events once more, by another arithmetic: balls (Arb; Johansson 2017).
+// Proves events again in another arithmetic: balls (Arb; Johansson 2017).
 //
-// Nothing is taken of the first proof but the formula and its derivatives: functions are enclosed
-// by Arb and not by the C library, roundings have 128 bits and more, and the unknowns are the place
-// and the time, whatever clock the search had. A mistake in intervals, or in the times at which a
-// track has a value, does not pass twice.
+// The second proof shares only the formula and its derivatives with the first. Functions are
+// enclosed by Arb instead of the C library, roundings have 128 bits and more, and the unknowns are
+// the place and the time, whatever clock the search used. So a mistake in intervals, or in the
+// times at which a track has a value, does not pass both proofs.
 #pragma once
 
 #include <functional>
@@ -27,8 +27,8 @@ public:
     ArbVerifier(const scene::Scene& scene, Side side, formula::Interval range);
 
     // `holds`: the event's enclosure of place and time holds exactly one point where the surface is
-    // singular along the stratum, F has the event's index there, and it falls where the event
-    // grows.
+    // singular along the stratum, F has the event's index there, and F falls in time if the event
+    // grows. `fails` refutes this.
     enum class Answer { holds, open, fails };
     // May be called from any thread.
     Answer verify(const Event& event) const;
@@ -38,11 +38,12 @@ private:
     struct System {
         Stratum stratum;
         formula::Interval clock;
-        std::vector<std::size_t> unknowns; // of the coordinates and the time
-        formula::Program place;            // x, y, z of the coordinates
-        formula::Program coordinates;      // the unknown ones of x, y, z: where `ahead` is above 0
+        std::vector<std::size_t> unknowns; // indices among the coordinates and the time
+        formula::Program place;            // x, y, z as functions of the coordinates
+        formula::Program coordinates;      // the unknown coordinates as functions of x, y, z: valid
+                                           // where `ahead` is above 0
         formula::Program ahead;
-        formula::Program jet; // by the unknowns
+        formula::Program jet; // derivatives by the unknowns
         const formula::Bindings<double>* bindings;
     };
     static System system(const Motion& motion, const Stratum& stratum);
@@ -63,7 +64,7 @@ struct VerifyOptions {
     std::function<bool()> stopped{}; // from any thread
 };
 
-// Verifies all proved events and sets Event::is_proved_again where that holds. Events that it
+// Verifies all proved events and sets Event::is_proved_again for those that hold. Events that it
 // refutes lose `is_proved`, and a doubt says so.
 void prove_again(Timeline& timeline, const ArbVerifier& proof, const VerifyOptions& how = {});
 

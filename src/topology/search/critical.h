@@ -1,4 +1,4 @@
-// The events of an animation, found and proved: all points (x, y, z, t) where the surface is
+// Finds and proves the events of an animation: all points (x, y, z, t) where the surface is
 // singular, inside the bounds and along their faces and edges.
 #pragma once
 
@@ -13,25 +13,26 @@
 namespace isomotion::topology {
 
 struct EventSearchOptions {
-    double smallest = 1e-6; // box, as a part of the bounds and the range: see SearchOptions
-    int threads = 1;        // the result doesn't depend on it
-    // Above 0: so many seeds (from_seeds) in place of the search. That none is missing is then not
-    // proved, and a doubt says so.
+    // Smallest box, as a fraction of the bounds and the range: see SearchOptions.
+    double smallest = 1e-6;
+    int threads = 1; // the result doesn't depend on it
+    // If above 0, the number of seeds (from_seeds) that replace the search. Then completeness is
+    // not proved, and a doubt says so.
     int seeds = 0;
-    std::function<bool()> stopped{};        // asked often, from any thread
-    std::function<void(double)> progress{}; // part of the search that is done; see SharedLoop
+    std::function<bool()> stopped{};        // called often, from any thread
+    std::function<void(double)> progress{}; // finished part of the search; see SharedLoop
 };
 
 struct SearchCost {
-    std::int64_t boxes = 0; // or evaluations, from seeds
+    std::int64_t boxes = 0; // or evaluations, with seeds
 };
 
-// Fills in the range, the events (their kinds where index and direction leave one, and Kind::none
-// on the bounds where the solid doesn't change), what is unresolved, and whether anything may be
-// missing. Start, end and the Betti numbers between are left to others.
+// Sets the range, the events, unresolved places, and whether events may be missing. Kinds are set
+// where index and direction leave one, and to Kind::none on the bounds where the solid doesn't
+// change. Others set start, end and the Betti numbers in between.
 //
-// Times are those of the real functions that the scene's text says, not of the floats in which
-// frames are drawn. A sphere for bounds has two strata, its inside and itself.
+// Times are those of the real functions that the scene's text states, not of the floats with which
+// frames are drawn. Spherical bounds have two strata, the inside and the sphere.
 Timeline find_events(const scene::Scene& scene, Side side, formula::Interval range,
                      const EventSearchOptions& how = {}, SearchCost* cost = nullptr);
 

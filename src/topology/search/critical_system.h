@@ -1,5 +1,5 @@
-// The equations of a critical point, F = 0 and dF/dx_i = 0 for the d free coordinates x_i: n = d +
-// 1 of them in as many variables, the coordinates and the clock.
+// The equations of a critical point: F = 0 and dF/dx_i = 0 for the d free coordinates x_i. They are
+// n = d + 1 equations in as many variables, the coordinates and the clock.
 #pragma once
 
 #include "topology/field/moving_field.h"
@@ -7,7 +7,7 @@
 
 namespace isomotion::topology {
 
-// The left sides.
+// The left-hand sides.
 template<class T> std::array<T, most_variables> residual(const Jet<T>& jet, std::size_t n) {
     std::array<T, most_variables> f{};
     f[0] = jet.value;
@@ -15,7 +15,7 @@ template<class T> std::array<T, most_variables> residual(const Jet<T>& jet, std:
     return f;
 }
 
-// Their derivatives, a row an equation.
+// Their derivatives, one row per equation.
 template<class T>
 std::array<std::array<T, most_variables>, most_variables> jacobian(const Jet<T>& jet,
                                                                    std::size_t n) {
@@ -27,8 +27,8 @@ std::array<std::array<T, most_variables>, most_variables> jacobian(const Jet<T>&
     return rows;
 }
 
-// The step that Newton's method subtracts from the variables; empty where the derivatives are
-// nearly singular.
+// The step that Newton's method subtracts from the variables. Empty if the Jacobian is nearly
+// singular.
 inline std::optional<Point> newton_step(const Jet<double>& jet, std::size_t n) {
     const auto y = inverse(jacobian(jet, n), int(n));
     if (!y) return std::nullopt;

@@ -1,5 +1,5 @@
-// The proof of one critical point: Newton's method from the middle of a box, then Krawczyk's
-// operator on the box inflated around the limit.
+// Proves one critical point: Newton's method from the middle of a box, then Krawczyk's operator on
+// the box inflated around the limit.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 namespace isomotion::topology {
 
 struct CriticalPoint {
-    Box where; // holds the point
-    Box alone; // holds no other one; `where` is inside
+    Box where; // contains the point
+    Box alone; // contains no other point; `where` is inside it
     Jet<formula::Interval> jet;
 };
 
-// The one critical point in a box around `box`, a little larger (CriticalPoint::alone), which may
-// lie in the margin; empty where there is no such proof. Inflation makes roots on the faces between
-// boxes harmless. `enclosures` and `numbers` are the field's.
+// The one critical point in a slightly larger box around `box` (CriticalPoint::alone); the point
+// may lie in the margin. Empty if there is no such proof. Inflation handles roots on the faces
+// between boxes. `enclosures` and `numbers` are the field's.
 std::optional<CriticalPoint> isolate(const MovingField& field, Enclosures& enclosures,
                                      Numbers& numbers, const Box& box);
 

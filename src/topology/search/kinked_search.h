@@ -1,9 +1,9 @@
-// All critical points of a moving surface whose formula has kinks, in one stratum: by branch and
-// prune, as search.h, over the smooth formulas that it is made of (kinks.h).
+// Finds all critical points in one stratum of a moving surface whose formula has kinks: by branch
+// and prune, as search.h, over the smooth formulas that it consists of (kinks.h).
 //
-// A box is left where there is a direction along which F rises everywhere, on all sides of the
-// kinks in the box: 0 is then in no hull of active slopes (Clarke 1983). It is done where each
-// smooth formula of its kinks provably has no critical point in it, or one.
+// A box is discarded if F rises along one direction on all sides of the kinks in the box: then 0 is
+// in no hull of active slopes (Clarke 1983). A box is finished if each smooth formula of its kinks
+// provably has no critical point in it, or one.
 #pragma once
 
 #include <memory>
@@ -17,15 +17,16 @@ namespace isomotion::topology {
 struct KinkedPoint {
     std::shared_ptr<const Selection> of;
     CriticalPoint point; // of its field
-    // The index of F across the kinks: how many directions it falls in, to both sides (Agrachev,
-    // Pallaschke and Scholtes 1997).
+    // The index of F across the kinks: the number of directions in which it falls to both sides
+    // (Agrachev, Pallaschke and Scholtes 1997).
     int index_across = 0;
-    std::vector<char> path; // tells formulas apart
+    std::vector<char> path; // identifies the formula
 };
 
 struct KinkedResult {
     std::vector<KinkedPoint> points; // by clock
-    // Outside of these, no other points. Free coordinates and the clock, as boxes of `field`.
+    // There are no other points outside of these boxes. They have free coordinates and the clock of
+    // `field`.
     std::vector<Box> unresolved;
     std::shared_ptr<const MovingField> field; // F itself
     Work work;

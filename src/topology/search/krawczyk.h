@@ -1,7 +1,8 @@
-// Krawczyk's operator (Krawczyk 1969; Moore 1977): where a system of equations has roots in a box.
+// Krawczyk's operator (Krawczyk 1969; Moore 1977), which locates the roots of a system of equations
+// in a box.
 //
 // K(X) = m - Y f(m) + (I - Y S)(X - m), with S the slopes of f over X, m a point of X and Y any
-// matrix, best the inverse of the slopes' middle. All roots in X lie in K(X). If K(X) is inside X,
+// matrix, ideally the inverse of the middle of S. All roots in X lie in K(X). If K(X) is inside X,
 // X holds exactly one root, and Y and every matrix in S are regular.
 #pragma once
 
@@ -15,16 +16,17 @@ namespace isomotion::topology {
 using Matrix = std::array<std::array<double, most_variables>, most_variables>;
 using IntervalMatrix = std::array<std::array<formula::Interval, most_variables>, most_variables>;
 
-// The inverse of the first n rows and columns, nearly; empty if it is singular, nearly.
+// An approximate inverse of the first n rows and columns. Empty if they are nearly singular.
 std::optional<Matrix> inverse(const Matrix& matrix, int n);
-// The inverse of the entries' middles: a Y. Empty also where an entry has no bounds.
+// The inverse of the entries' middles, for use as Y. Empty also if an entry is unbounded.
 std::optional<Matrix> middle_inverse(const IntervalMatrix& slopes, int n);
 
 struct Krawczyk {
     Box image;
-    bool is_inside = false; // the image, in the box: one root
-    bool is_empty = false;  // the intersection with the box: no root
-    // Bounds what I - Y S stretches boxes shaped like X by. Below 1: at most one root in X.
+    bool is_inside = false; // the image is inside the box: one root
+    bool is_empty = false;  // the image doesn't meet the box: no root
+    // A bound on the factor by which I - Y S stretches boxes shaped like X. Below 1: at most one
+    // root in X.
     double contraction = 0;
 };
 

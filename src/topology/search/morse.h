@@ -1,4 +1,4 @@
-// The Morse index of a critical point.
+// Computes the Morse index of a critical point.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,12 @@
 
 namespace isomotion::topology {
 
-// How many eigenvalues of each symmetric matrix in `hessian` (its first n rows and columns) are
-// negative; empty if that is not the same for all, or one may be 0.
+// The number of negative eigenvalues of each symmetric matrix in `hessian` (its first n rows and
+// columns). Empty if it is not the same for all, or if one eigenvalue may be 0.
 //
 // By Sylvester's law of inertia V^T H V has as many as H, for regular V. With the eigenvectors of
-// the middle of H in V, that product is nearly diagonal, and Gershgorin's discs tell; where none of
-// them holds 0 it is regular, and so is V.
+// the middle of H in V, that product is nearly diagonal, and Gershgorin's discs give the signs. If
+// none of them holds 0, the product is regular, and so is V.
 std::optional<int> negative_eigenvalues(const IntervalMatrix& hessian, int n);
 
 } // namespace isomotion::topology

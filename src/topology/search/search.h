@@ -1,9 +1,9 @@
-// All critical points of a moving surface in one stratum: where F = 0 and its derivatives along the
-// free coordinates are 0, by branch and prune (Stander and Hart 1997; Kearfott 1996).
+// Finds all critical points of a moving surface in one stratum, where F = 0 and its derivatives
+// along the free coordinates are 0, by branch and prune (Stander and Hart 1997; Kearfott 1996).
 //
-// A box is left where some sign is certain, or where Krawczyk's operator says that it has no root;
-// it is done where, inflated around the limit of Newton's method, it provably holds one root.
-// Inflation makes roots on the faces between boxes, those of every symmetric surface, harmless.
+// A box is discarded if some sign is certain, or if Krawczyk's operator shows that it has no root.
+// It is finished if, inflated around the limit of Newton's method, it provably holds one root.
+// Inflation handles roots on the faces between boxes, which every symmetric surface has.
 #pragma once
 
 #include <array>
@@ -17,23 +17,23 @@
 namespace isomotion::topology {
 
 struct SearchOptions {
-    // Boxes with no side longer than this part of the domain's are not divided any more.
+    // Boxes whose longest side is at most this fraction of the domain's are not divided any more.
     double smallest = 1e-6;
     int threads = 1;                        // the result doesn't depend on it
-    std::function<bool()> stopped{};        // asked often, from any thread
-    std::function<void(double)> progress{}; // part of the domain that is done; see SharedLoop
+    std::function<bool()> stopped{};        // called often, from any thread
+    std::function<void(double)> progress{}; // finished part of the domain; see SharedLoop
 };
 
-// The domain in boxes that threads search one by one, at least 64.
+// The domain divided into boxes, at least 64, that threads search one by one.
 std::vector<Box> tasks(const MovingField& field);
 
-// The test that ended a box.
+// The test that finished a box.
 enum class Test {
-    known,    // inside the box of a point that was found
-    place,    // outside of the bounds
-    value,    // F is not 0
-    gradient, // a derivative of F is not 0
-    hessian,  // the same by values in the middle and second derivatives
+    known,    // the box is inside the box of a known point
+    place,    // it is outside of the bounds
+    value,    // F is not 0 in it
+    gradient, // a derivative of F is not 0 in it
+    hessian,  // the same, by values in the middle and second derivatives
     krawczyk, // no root
     isolated, // one root
     narrowed, // the roots are in a smaller box
@@ -53,17 +53,18 @@ struct Work {
 
 struct SearchResult {
     std::vector<CriticalPoint> points; // by clock
-    std::vector<Box> unresolved;       // outside of these, no other points; each with a gap around
+    // There are no other points outside of these; each has a gap around it.
+    std::vector<Box> unresolved;
     Work work;
 };
 
 SearchResult search(const MovingField& field, const SearchOptions& searching);
 
-// Sorts the points by clock. Of those found twice, each in the box where the other is alone, one
-// stays.
+// Sorts the points by clock. Of points found twice, each in the box where the other is alone, one
+// remains.
 void put_together(SearchResult& found);
 
-// The boxes as few, each around some of them that touch or nearly do.
+// Merges boxes that touch or nearly do into few boxes around them.
 std::vector<Box> merged(std::vector<Box> boxes, const Box& domain, double gap);
 
 } // namespace isomotion::topology

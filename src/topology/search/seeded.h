@@ -1,5 +1,6 @@
-// Critical points of a moving surface by Newton's method from near where tracks say that they are:
-// most of them, soon. Each limit is then proved (isolate); that there are no others is not.
+// Finds most critical points of a moving surface fast: by Newton's method from near the places
+// where tracks predict them. Each limit is then proved (isolate); that there are no others is not
+// proved.
 #pragma once
 
 #include <functional>
@@ -9,13 +10,13 @@
 namespace isomotion::topology {
 
 struct SeedOptions {
-    int seeds = 1 << 16; // for a stratum with all coordinates free, and fewer for others
-    int threads = 1;     // the result doesn't depend on it
-    std::function<bool()> stopped{};        // asked often, from any thread
-    std::function<void(double)> progress{}; // part of the seeds that is done; see SharedLoop
+    int seeds = 1 << 16;             // for a stratum with all coordinates free; others get fewer
+    int threads = 1;                 // the result doesn't depend on it
+    std::function<bool()> stopped{}; // called often, from any thread
+    std::function<void(double)> progress{}; // finished part of the seeds; see SharedLoop
 };
 
-// SearchResult::unresolved holds limits without a proof, near each other put together;
+// SearchResult::unresolved holds limits without a proof, merged if close to each other.
 // SearchResult::work counts evaluations.
 SearchResult from_seeds(const MovingField& field, const SeedOptions& seeding);
 

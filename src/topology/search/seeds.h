@@ -1,4 +1,4 @@
-// Points spread evenly over the domain of a field, always the same: a low-discrepancy sequence
+// Points spread evenly over the domain of a field, deterministic: a low-discrepancy sequence
 // (Roberts 2018).
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace isomotion::topology {
 
-// Multiples of the powers of 1/g modulo 1, where g^(n+1) = g + 1: the golden ratio's sequence in n
-// dimensions.
+// Multiples of the powers of 1/g modulo 1, where g^(n+1) = g + 1: the generalized golden ratio
+// sequence in n dimensions.
 class Seeds {
 public:
     explicit Seeds(const MovingField& field)

@@ -1,4 +1,4 @@
-// A smooth formula of a KinkTree as a moving field, with its multipliers for variables.
+// A smooth formula of a KinkTree as a moving field, with its multipliers as variables.
 #pragma once
 
 #include "topology/field/kinks.h"
@@ -6,10 +6,10 @@
 
 namespace isomotion::topology {
 
-// Refers to nothing of the tree.
+// Keeps no reference to the tree.
 class Selection {
 public:
-    // `motion` is that whose field the tree divides.
+    // `motion` is the motion whose field the tree splits.
     Selection(const Motion& motion, const Stratum& stratum, const KinkTree& tree,
               const KinkTree::Branch& branch);
 
@@ -17,11 +17,11 @@ public:
     std::span<const Kink> kinks() const { return kinks_; }
     std::size_t multipliers() const { return multipliers_; }
 
-    // Among the variables of a box of the field.
+    // The multipliers among the variables of a box of the field.
     std::span<const formula::Interval> multipliers(const Box& box) const {
         return std::span(box).subspan(std::size_t(field_.dimension()), multipliers_);
     }
-    // dL/d|h| for each kink. `place` is that of the box.
+    // dL/d|h| for each kink. `place` is the place of the box.
     std::vector<formula::Interval> heights(const Box& box, const SpaceBox& place) const;
 
 private:
@@ -32,7 +32,7 @@ private:
     formula::Program heights_;
 };
 
-// The motion with the tree's formula for its field: L of a branch, or F.
+// The motion with a formula of the tree as its field: L of a branch, or F.
 Motion with_field(const Motion& motion, const BoundFormula& formula, formula::NodeId root);
 
 } // namespace isomotion::topology

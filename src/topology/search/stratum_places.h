@@ -1,4 +1,4 @@
-// Where a box of a stratum's coordinates is in space.
+// Converts boxes of a stratum's coordinates to boxes in space.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace isomotion::topology {
 
-// One a thread.
+// Use one per thread.
 class StratumPlaces {
 public:
     StratumPlaces(const Motion& motion, const Stratum& stratum)
@@ -20,7 +20,7 @@ public:
         walls_ = formula::schedule(motion.graph, walls);
     }
 
-    // The free coordinates are those of the box, the others the walls' at its clock.
+    // Free coordinates come from the box, the others from the walls at its clock.
     SpaceBox at(const MovingField& field, const Box& box) const {
         std::array<formula::Interval, 6> walls;
         if (stratum_.dimension() < 3) {

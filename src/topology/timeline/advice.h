@@ -1,4 +1,4 @@
-// What a person can change so that more of a timeline is settled.
+// Advice to users on settling more of a timeline.
 #pragma once
 
 #include <string>
@@ -30,8 +30,8 @@ inline constexpr const char jumps[] = "the surface jumps from one shape to anoth
 inline constexpr const char no_bounds[] = "the bounds may be empty or turned inside out";
 } // namespace unresolved
 
-// A sentence for each kind of reason that the timeline has, what is most often the cause first;
-// empty for one that is complete.
+// One sentence for each kind of reason that the timeline has, the most frequent causes first. Empty
+// for a complete timeline.
 std::vector<std::string> advice(const Timeline& timeline);
 
 } // namespace isomotion::topology

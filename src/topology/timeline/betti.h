@@ -15,8 +15,8 @@ struct Betti {
     auto operator<=>(const Betti&) const = default;
 };
 
-// The Betti numbers of the closed surface that bounds a solid: each component of the solid and each
-// void has one component of surface, each tunnel a handle, which is two loops.
+// The Betti numbers of the closed surface that bounds a solid. Each component of the solid and each
+// void has one component of surface; each tunnel has a handle, which adds two loops.
 constexpr Betti surface_of(const Betti& solid) {
     const int components = solid.components + solid.voids;
     return {components, 2 * solid.tunnels, components};

@@ -1,4 +1,4 @@
-// NAME.betti.csv: Betti numbers to compare an independent program's frames with.
+// NAME.betti.csv: Betti numbers for comparison with an independent program's frames.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace isomotion::topology {
 
-// A line for each whole frame of the timeline's range: frame, b0 b1 b2 of the solid and of its
-// surface, whether they are proved, and how many frames it is to the next event and from the last.
-// Cells are empty where nothing is known: Betti numbers at the very instant of an event, and events
-// beyond the range. What is unresolved counts as an event here.
+// One line for each whole frame of the timeline's range: frame; b0 b1 b2 of the solid and of its
+// surface; whether they are proved; the number of frames to the next event and since the last.
+// Cells are empty where nothing is known: Betti numbers at the time of an event, and events beyond
+// the range. Unresolved places count as events here.
 std::string betti_csv(const TimelineRecord& record);
 
 } // namespace isomotion::topology

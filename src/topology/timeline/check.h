@@ -9,14 +9,14 @@ namespace isomotion::topology {
 enum class Outcome {
     passes,
     differs,
-    incomplete, // nothing differs for certain, and something could not be decided
+    incomplete, // nothing certainly differs, and something could not be decided
 };
 
-// A line each, without its end.
+// Each entry is one line, without its end.
 struct Check {
     std::vector<std::string> differences;
     std::vector<std::string> undecided;
-    std::vector<std::string> notes; // worth knowing, decides nothing
+    std::vector<std::string> notes; // for information only
     std::size_t agreed = 0;         // events or claims
 
     Outcome outcome() const {

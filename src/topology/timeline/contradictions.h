@@ -1,8 +1,8 @@
-// Where a timeline says one thing in one place and another thing in another.
+// Finds contradictions within a timeline.
 //
-// Its numbers are said many times: at the start, before and after each event, at the end, and by
-// each event's kind. Once all of these agree, two timelines with the same start and the same events
-// have the same numbers throughout, and it is enough to compare those.
+// A timeline states its numbers many times: at the start, before and after each event, at the end,
+// and by each event's kind. If all of these agree, two timelines with the same start and the same
+// events have the same numbers throughout, and it suffices to compare those.
 #pragma once
 
 #include <string>
@@ -13,7 +13,8 @@
 
 namespace isomotion::topology {
 
-// A line each. Empty for a timeline that is not complete: it says itself that not all is known.
+// One line each. Empty for a timeline that is not complete, which itself states that it doesn't
+// know everything.
 std::vector<std::string> contradictions(const Timeline& timeline, animation::FrameRate fps);
 
 } // namespace isomotion::topology

@@ -1,11 +1,10 @@
-// The events of an animation in order: what happens to the topology of its surface, and when.
+// The events of an animation in order: changes in the topology of its surface, with their times.
 //
 // The solid is where F has the sign that it doesn't have on the bounds (solid.h); below it is {F <
-// 0} and for the other sign F is -F. An event is a point (x, y, z, t) with F = 0 and grad F = 0:
-// there the solid gains or loses a handle of the critical point's Morse index (Milnor 1963; Hart
-// 1998; Stander and Hart 1997). On a face, an edge or at the corner of the bounds the gradient is
-// that along the face or the edge (stratified Morse theory): `stratum` counts the coordinates that
-// are free.
+// 0}, and for the other sign F means -F. An event is a point (x, y, z, t) with F = 0 and grad F =
+// 0. There the solid gains or loses a handle of the critical point's Morse index (Milnor 1963; Hart
+// 1998; Stander and Hart 1997). On a face, an edge or at a corner of the bounds the gradient is
+// that along the face or the edge (stratified Morse theory). `stratum` counts the free coordinates.
 #pragma once
 
 #include <array>
@@ -20,7 +19,7 @@
 namespace isomotion::topology {
 
 enum class Kind {
-    unknown, // not told apart: see Event::proof
+    unknown, // not determined: see Event::kind_proof
     birth,
     death,
     merge,
@@ -39,11 +38,11 @@ enum class Kind {
 std::string_view name(Kind kind); // "tunnel forms"
 std::optional<Kind> parse_kind(std::string_view text);
 
-// What an event of this kind adds to the solid's Betti numbers.
+// The change that an event of this kind makes to the solid's Betti numbers.
 Betti change(Kind kind);
 
 // The kinds that a critical point may have by its index (0 to 3) and direction: one or two.
-// `grows`: F falls there, the solid gains a handle.
+// `grows`: F falls in time there, and the solid gains a handle.
 std::vector<Kind> kinds_of(int index, bool grows);
 
 struct Event {
@@ -53,29 +52,30 @@ struct Event {
     int index = 0;                          // of F along the stratum
     bool grows = false;
     Kind kind = Kind::unknown;
-    // Its existence, index and direction are proved, and that it is alone in the box of coordinates
+    // Proved: its existence, index and direction, and that it is alone in the box of coordinates
     // and clock that it was found in. `time` and `where` are a hull of that box and may hold more.
     bool is_proved = false;
-    // In another arithmetic (arb_verifier.h): its existence, index and direction are proved, and
-    // that it is alone in `time` and `where`.
+    // Proved in another arithmetic (arb_verifier.h): its existence, index and direction, and that
+    // it is alone in `time` and `where`.
     bool is_proved_again = false;
-    // How the kind is known: "index", "path", "counting", "frames"; empty if it isn't. "together":
-    // only how many events of its moment are of this kind is known, not that this one is.
+    // How the kind was determined: "index", "path", "counting", "frames"; empty if it wasn't.
+    // "together": only the number of events of this kind at its time is known, not that this event
+    // is one of them.
     std::string kind_proof;
     std::optional<Betti> before, after; // of the solid; empty where unknown
 
     bool operator==(const Event&) const = default;
 };
 
-// Their kinds are known of both together only, and may be the other way round.
+// Whether the kinds of the two are known only together, and may be the other way round.
 bool are_interchangeable(const Event& a, const Event& b);
 
-// What the event adds to the solid's Euler number b0 - b1 + b2, whatever its kind: (-1)^index if it
-// grows, and that from it if it shrinks.
+// The change that the event makes to the solid's Euler number b0 - b1 + b2, whatever its kind:
+// (-1)^index if it grows, the negative of that if it shrinks.
 int euler_change(const Event& event);
 
-// A place where events may be that are not told apart: a degenerate critical point, a singular
-// curve. Never given a kind.
+// A place where events may be that could not be resolved: a degenerate critical point, a singular
+// curve. It never has a kind.
 struct Unresolved {
     formula::Interval time;
     std::array<formula::Interval, 3> where;
@@ -85,16 +85,17 @@ struct Unresolved {
     bool operator==(const Unresolved&) const = default;
 };
 
-// All that is known of an animation from one time to another.
+// Everything known of an animation from one time to another.
 struct Timeline {
     formula::Interval range;            // of time, seconds
     std::vector<Event> events;          // by time
     std::vector<Unresolved> unresolved; // by time
     std::optional<Betti> start, end;    // of the solid
     bool start_is_proved = false, end_is_proved = false;
-    bool is_proved = false; // no event is missing; each event says whether it is proved itself
+    bool is_proved = false; // no event is missing; each event states whether it is proved itself
     std::vector<std::string> doubts; // failed consistency checks and interruptions, in words
-    // Everything: no event missing, each proved and its kind known, both ends proved, no doubts.
+    // Whether everything is proved: no event is missing, each is proved and its kind known, both
+    // ends are proved, and there are no doubts.
     bool is_complete() const;
     bool operator==(const Timeline&) const = default;
 };

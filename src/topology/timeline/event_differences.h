@@ -1,4 +1,4 @@
-// In what an event is another than the one that was expected: every field of the two is compared.
+// Compares an event with the one expected, in every field.
 #pragma once
 
 #include <string>
@@ -8,35 +8,35 @@
 
 namespace isomotion::topology {
 
-// By how much events may have moved and still be the same.
+// How far events may have moved and still count as the same.
 struct Tolerance {
     double time = 0;  // seconds
     double place = 0; // formula coordinates
 };
 
-// The diagonal of the bounds; 1 where they have none.
+// The diagonal of the bounds; 1 if they have none.
 double diagonal(const TimelineHeader& header);
 
-// Places may differ by a millionth of the diagonal of the bounds of what was found, or by the part
-// of it that `dt` is of the time that was searched. Both are taken of what was found: no
-// expectation widens its own tolerance.
+// Places may differ by a millionth of the diagonal of the bounds found, or by the fraction of it
+// that `dt` is of the time searched. Both come from the timeline found, so no expectation widens
+// its own tolerance.
 Tolerance tolerance_of(const TimelineRecord& found, double dt);
 
-// Between the nearest members of two intervals; between the nearest members of two places.
+// Between the nearest members of two intervals, and between the nearest members of two places.
 double least_distance(formula::Interval a, formula::Interval b);
 double place_distance(const Event& a, const Event& b);
 
-// What is said of each event of a moment is that it has one of the two kinds that its index leaves.
+// Whether both events only state that they have one of the two kinds that the index leaves.
 bool may_change_kinds(const Event& a, const Event& b);
 
 struct EventDifference {
     std::string line;
-    bool is_open = false; // it is not proved that they differ, nor that they agree
+    bool is_open = false; // neither a difference nor agreement is proved
 };
 
-// Empty where the two agree. Numbers before and after are compared by what the event adds to them:
-// what they are follows from the start (see contradictions.h). Kinds that may be changed with
-// others of a moment are not compared.
+// Empty if the two agree. Numbers before and after are compared by the change that the event makes,
+// since their values follow from the start (see contradictions.h). Kinds that are interchangeable
+// with others at the same time are not compared.
 std::vector<EventDifference> differences(const Event& wanted, const Event& event,
                                          const Tolerance& tolerance, animation::FrameRate fps);
 

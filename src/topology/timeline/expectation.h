@@ -1,10 +1,10 @@
-// What is expected of an animation's topology: a timeline kept from an earlier run, or what a
-// person claims of it in a few lines of JSON or TOML:
+// An expectation of an animation's topology: a timeline kept from an earlier run, or the claims of
+// a person in a few lines of JSON or TOML:
 //
 //     { "components": { "1": 75, "end": 1 },      at these frames; "5..9": at all frames from 5 on
 //       "tunnels": { "40.5": 2 }, "voids": {...},
-//       "events": ["merge at frame 12..13", "no split", "nothing else"],         see statement.h
-//       "tolerance": 2 }                           frames about each lone frame of an event
+//       "events": ["merge at frame 12..13", "no split", "nothing else"],      see statement.h
+//       "tolerance": 2 }                          frames around each lone frame of an event
 #pragma once
 
 #include <filesystem>
@@ -19,11 +19,11 @@
 
 namespace isomotion::topology {
 
-// Claims that one of the solid's Betti numbers is `value` at all these frames.
+// The claim that one of the solid's Betti numbers is `value` at all these frames.
 struct BettiClaim {
     std::string key; // "components.5..9"
     int Betti::*number = &Betti::components;
-    formula::Interval frames; // infinite ends are those of the frames that were searched
+    formula::Interval frames; // infinite ends stand for those of the frames searched
     int value = 0;
 };
 
@@ -40,15 +40,15 @@ Expectation read_expectation(const std::filesystem::path& file, animation::Frame
 Claims parse_claims(std::string_view text, const std::string& file, animation::FrameRate fps);
 
 Check check(const Claims& claims, const TimelineRecord& found);
-// `dt`: by how many seconds events may have moved from those of a record. Throws
+// `dt`: the number of seconds by which events may have moved from those of a record. Throws
 // std::invalid_argument if it is negative or not finite.
 Check check(const Expectation& expectation, const TimelineRecord& found, double dt = 1e-9);
 
-// Seconds, of "0.001", "0.001 s" and "2 frames". Throws std::invalid_argument if it is none of
-// these or negative.
+// Parses "0.001", "0.001 s" or "2 frames" to seconds. Throws std::invalid_argument for anything
+// else and for negative values.
 double parse_dt(std::string_view text, animation::FrameRate fps);
 
-// For the terminal: the differences, what is undecided, the verdict.
+// For the terminal: the differences, the undecided points, the verdict.
 std::string text(const Check& check, const std::string& file);
 
 } // namespace isomotion::topology

@@ -1,8 +1,8 @@
-// Betti numbers over time as a picture: an SVG of steps, with a lane of marks for each kind of
-// event and pictures of the surface in a row above.
+// Plots Betti numbers over time: an SVG of steps, with a lane of markers for each kind of event and
+// a row of pictures of the surface above.
 //
-// Colours are those of Okabe and Ito (2008) and Tol's muted scheme, told apart by people who see
-// fewer of them; no mark is told by its colour alone.
+// Colours are those of Okabe and Ito (2008) and Tol's muted scheme, which colour-blind people can
+// distinguish. Colour is never the only difference between markers.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace isomotion::topology {
 
 struct Thumbnail {
     double frame = 0;
-    std::string picture; // what an <image> refers to: a file's name or "data:image/png;base64,..."
+    std::string picture; // reference for an <image>: a file's name or "data:image/png;base64,..."
 };
 
 std::string plot_svg(const TimelineRecord& record, const std::vector<Thumbnail>& thumbnails = {});

@@ -1,4 +1,4 @@
-// The few frames of an animation that show most of its topology.
+// Chooses the few frames of an animation that show most of its topology.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace isomotion::topology {
 
-// At most so many frames, ascending, each in the middle of a quiet span between events: the first
-// and the last span, then always the one whose Betti numbers differ most from those chosen and that
-// lasts longest (farthest-point sampling, weighted). Where no Betti numbers are known, spread over
-// the range.
+// At most `most` frames, ascending, each in the middle of a quiet span between events. First come
+// the first and the last span, then always the span whose Betti numbers differ most from those
+// chosen and that lasts longest (farthest-point sampling, weighted). If no Betti numbers are known,
+// the frames are spread over the range.
 std::vector<double> representative_frames(const TimelineRecord& record, std::size_t most);
 
 } // namespace isomotion::topology

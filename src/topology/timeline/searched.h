@@ -1,4 +1,4 @@
-// What of the frames that somebody speaks of was not searched: of that nothing is known.
+// Finds the part of some frames that was not searched, where nothing is known.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 namespace isomotion::topology {
 
 // "frames 10.5 to 11 were not searched; searched were frames 11 to 41", or empty if all of them
-// were. An infinite end of `asked` is the range's (seconds), and if nothing is left of `asked` by
-// that, nothing of it was searched. Nothing is forgiven but how frames are rounded.
+// were. An infinite end of `asked` stands for that of the range (seconds); if `asked` is then
+// empty, none of it was searched. The only tolerance is the rounding of frames.
 std::string unsearched(formula::Interval asked, formula::Interval range, animation::FrameRate fps);
 
 } // namespace isomotion::topology

@@ -1,4 +1,4 @@
-// A timeline in a few lines, for the terminal.
+// Summarizes a timeline in a few lines, for the terminal.
 #pragma once
 
 #include <string>
@@ -7,12 +7,13 @@
 
 namespace isomotion::topology {
 
-// What was searched, Betti numbers from start to end, how many events of each kind and from when to
-// when, and whether that is all and proved, or what is missing. Lines with their ends.
+// What was searched, Betti numbers from start to end, the number of events of each kind with their
+// first and last time, and whether that is complete and proved, or what is missing. Lines end with
+// a newline.
 std::string summary(const TimelineRecord& record);
 
-// "74 merges, 68 tunnels form": in the order of Kind; "no event", or where that is not
-// proved "no event found".
+// "74 merges, 68 tunnels form": in the order of Kind; "no event", or "no event found" if that is
+// not proved.
 std::string tally(const Timeline& timeline);
 
 } // namespace isomotion::topology

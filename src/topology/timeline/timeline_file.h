@@ -1,9 +1,9 @@
 // NAME.timeline.json: a timeline as a file, for people, other programs and later comparison.
 //
 // docs/topology.md has the schema. Numbers are written as the shortest decimals that read back as
-// the same doubles; enclosures as [lo, hi], null in place of an infinite end. What is written for
-// readers' ease alone (frames, points, Betti numbers of the surface) is checked against the rest
-// when it is read, so that no edit is without effect.
+// the same doubles; enclosures as [lo, hi], with null for an infinite end. Redundant values that
+// only help readers (frames, points, Betti numbers of the surface) are checked against the rest on
+// reading, so that no edit goes unnoticed.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ std::string to_json(const TimelineRecord& record);
 
 // read(to_json(record), ...) == record. `file` is for messages. Throws base::InputError.
 TimelineRecord parse_timeline(std::string_view text, const std::string& file);
-// Also throws base::InputError where there is no such file.
+// Also throws base::InputError if there is no such file.
 TimelineRecord read_timeline(const std::filesystem::path& file);
 
 } // namespace isomotion::topology

@@ -15,12 +15,12 @@ struct TimelineHeader {
     using Box = std::array<formula::Interval, 3>;
 
     std::string title;
-    // Changes with all that decides topology: the formula, the sources of its parameters and
-    // elements, the bounds. Cameras, lights, materials, placement and frame rate don't.
+    // Changes with everything that determines topology: the formula, the sources of its parameters
+    // and elements, the bounds. Cameras, lights, materials, placement and frame rate don't count.
     std::string fingerprint;
     animation::FrameRate fps;
     scene::Bounds::Shape shape = scene::Bounds::Shape::box;
-    Box start_bounds{}, end_bounds{}; // formula coordinates; of a sphere the box around it
+    Box start_bounds{}, end_bounds{}; // formula coordinates; for a sphere the box around it
 
     bool operator==(const TimelineHeader&) const = default;
 };
@@ -35,7 +35,7 @@ struct TimelineRecord {
 
 std::string fingerprint(const scene::Scene& scene);
 
-// The bounds are those at the ends of `range` (seconds). Throws SceneError where values have left
+// The bounds are those at the ends of `range` (seconds). Throws SceneError if values are out of
 // their range there.
 TimelineHeader header_of(const scene::Scene& scene, formula::Interval range);
 

@@ -1,4 +1,4 @@
-// Topology in words, as summaries and differences say it.
+// Topology in words, as used in summaries and differences.
 #pragma once
 
 #include <string>
@@ -19,11 +19,11 @@ std::string in_words(const Betti& solid);
 // Frames count from 1 and have fractions here: 1 + t * fps.
 double frame_at(animation::FrameRate fps, double time);
 formula::Interval frames_at(animation::FrameRate fps, formula::Interval time);
-// "12.41", "12", and as far as an enclosure is known: "12.41", "12.3 to 12.6".
+// "12.41", "12"; for an enclosure as many digits as are certain: "12.41", "12.3 to 12.6".
 std::string frame_text(double frame);
 std::string frame_text(formula::Interval frames);
 
-// Why a timeline is not complete, a reason each; empty if it is.
+// Reasons why a timeline is not complete, one each; empty if it is.
 std::vector<std::string> gaps(const Timeline& timeline, animation::FrameRate fps);
 
 } // namespace isomotion::topology
