@@ -1,5 +1,6 @@
 // What the proved search for events costs: boxes, time, and which test removed how many of them.
 // topology [--threads N] [SCENE:FROM:TO...], times in seconds
+// topology [--threads N] --phases SCENE...: what a whole timeline costs, phase by phase
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "scene/reading/load.h"
+#include "topology/analyse.h"
 #include "topology/field/motion.h"
 #include "topology/search/comoving_fit.h"
 #include "topology/search/search.h"
@@ -47,20 +49,46 @@ void report(const std::string& name, double from, double to, int threads) {
     }
 }
 
+// Of all threads together.
+void report_phases(const std::string& name, int threads) {
+    const scene::Scene scene = scene::load(name);
+    std::vector<std::pair<std::string, double>> began; // what, and at which second
+    AnalyseOptions how;
+    how.threads = threads;
+    how.progress = [&](const std::string& what, double) {
+        if (began.empty() || began.back().first != what) began.emplace_back(what, cpu_seconds());
+    };
+    const double start = cpu_seconds();
+    const Timeline timeline = analyse(scene, how);
+    began.emplace_back("", cpu_seconds());
+    fmt::print("{}: {} events, {}, {:.2f} s CPU:", name, timeline.events.size(),
+               timeline.is_complete() ? "complete" : "INCOMPLETE", cpu_seconds() - start);
+    for (std::size_t k = 0; k + 1 < began.size(); ++k)
+        fmt::print(" {} {:.2f} s;", began[k].first, began[k + 1].second - began[k].second);
+    fmt::print("\n");
+}
+
 } // namespace
 
 int run(const std::vector<std::string>& arguments) {
     int threads = 1;
+    bool by_phase = false;
     std::vector<std::string> scenes;
     for (std::size_t k = 0; k < arguments.size(); ++k) {
         if (arguments[k] == "--threads" && k + 1 < arguments.size()) {
             threads = std::stoi(arguments[++k]);
+        } else if (arguments[k] == "--phases") {
+            by_phase = true;
         } else {
             scenes.push_back(arguments[k]);
         }
     }
     if (scenes.empty()) scenes = {ISOMOTION_SOURCE_DIR "/animations/blobby75.toml:0:2"};
     for (const std::string& scene : scenes) {
+        if (by_phase) {
+            report_phases(scene, threads);
+            continue;
+        }
         const std::size_t last = scene.rfind(':');
         const std::size_t first = last == scene.npos ? last : scene.rfind(':', last - 1);
         if (first == scene.npos) {

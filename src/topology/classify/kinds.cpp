@@ -221,6 +221,44 @@ void prove_ends(Timeline& timeline, const KindProofs& proofs) {
     prove(timeline.range.hi, last, timeline.end, timeline.end_is_proved);
 }
 
+// Frames near ends that have no proof, in the widest of the gaps between the events next to them:
+// a frame close to an event is hard to prove.
+void add_frames_near_ends(const Timeline& timeline, const KindProofs& proofs,
+                          std::vector<Counting::Checkpoint>& known) {
+    constexpr std::size_t nearest = 12, most_tries = 3;
+    if (!proofs.frame || timeline.events.empty() || !is_whole_elsewhere(timeline)) return;
+    // The least time of all events from each on.
+    std::vector<double> begins(timeline.events.size() + 1, timeline.range.hi);
+    for (std::size_t k = timeline.events.size(); k-- > 0;)
+        begins[k] = std::min(begins[k + 1], timeline.events[k].time.lo);
+    std::vector<Gap> gaps;
+    double end = timeline.events.front().time.hi; // of all events so far
+    for (std::size_t k = 1; k < timeline.events.size(); ++k) {
+        const double begin = begins[k];
+        if (begin > end && !is_degenerate_between(timeline, end, begin))
+            gaps.push_back({k, end / 2 + begin / 2, begin - end});
+        end = std::max(end, timeline.events[k].time.hi);
+    }
+    const auto add = [&](std::span<Gap> some) {
+        std::ranges::sort(some, std::greater{}, &Gap::width);
+        for (const Gap& gap : some.first(std::min(most_tries, some.size()))) {
+            if (proofs.stopped && proofs.stopped()) return;
+            const auto is_same = [&](const Counting::Checkpoint& k) { return k.time == gap.time; };
+            if (std::ranges::any_of(known, is_same)) return;
+            if (const auto betti = proofs.frame(gap.time)) {
+                known.push_back({gap.at, gap.time, *betti});
+                return;
+            }
+        }
+    };
+    const std::size_t count = std::min(nearest, gaps.size());
+    std::vector<Gap> first(gaps.begin(), gaps.begin() + std::ptrdiff_t(count));
+    std::vector<Gap> last(gaps.end() - std::ptrdiff_t(count), gaps.end());
+    if (!timeline.start_is_proved) add(first);
+    if (!timeline.end_is_proved) add(last);
+    std::ranges::sort(known, {}, &Counting::Checkpoint::time);
+}
+
 // The ends, and frames close about degenerate places.
 std::vector<Counting::Checkpoint> known_frames(const Timeline& timeline, const KindProofs& proofs) {
     std::vector<Counting::Checkpoint> known;
@@ -317,6 +355,27 @@ void read_off(Timeline& timeline, const Counting::Checkpoint& frame) {
     }
 }
 
+// What proved events lead to from a proved frame is as good as a frame of the end itself.
+void read_off_ends(Timeline& timeline) {
+    if (!is_whole_elsewhere(timeline) || timeline.events.empty()) return;
+    if (!std::ranges::all_of(timeline.events, &Event::is_proved)) return;
+    double first = timeline.range.hi, last = timeline.range.lo;
+    for (const Event& event : timeline.events) {
+        first = std::min(first, event.time.lo);
+        last = std::max(last, event.time.hi);
+    }
+    const auto read = [&](const std::optional<Betti>& from, double low, double high,
+                          std::optional<Betti>& betti, bool& is_proved) {
+        if (is_proved || !from || is_degenerate_between(timeline, low, high)) return;
+        betti = from;
+        is_proved = true;
+    };
+    read(timeline.events.front().before, timeline.range.lo, first, timeline.start,
+         timeline.start_is_proved);
+    read(timeline.events.back().after, last, timeline.range.hi, timeline.end,
+         timeline.end_is_proved);
+}
+
 std::string text(const Betti& b) {
     return fmt::format("({}, {}, {})", b.components, b.tunnels, b.voids);
 }
@@ -394,7 +453,8 @@ bool count_kinds(std::span<Event> events, const Betti& before, const Betti& afte
 void find_kinds(Timeline& timeline, const KindProofs& proofs) {
     settle_by_index(timeline);
     prove_ends(timeline, proofs);
-    const std::vector<Counting::Checkpoint> known = known_frames(timeline, proofs);
+    std::vector<Counting::Checkpoint> known = known_frames(timeline, proofs);
+    add_frames_near_ends(timeline, proofs, known);
     std::vector<Counting::Checkpoint> frames = known;
     int frames_left = proofs.most_frames;
     const auto count = [&](int most_frames) {
@@ -407,14 +467,16 @@ void find_kinds(Timeline& timeline, const KindProofs& proofs) {
         for (const auto& frame : std::move(counting).frames()) frames.push_back(frame);
         std::ranges::sort(frames, {}, &Counting::Checkpoint::time);
     };
-    // What is cheap first: paths leave little to count, and frames take longest.
+    // What is cheap first: paths leave little to count, then boxes part the sides of an event in a
+    // fraction of the time that a frame takes.
     count(0);
     for (const int effort : {0, 1, 2}) {
         if (std::ranges::none_of(timeline.events, is_open)) break;
         settle_by_path(timeline, proofs, effort);
-        count(effort == 0 ? 0 : std::max(8, frames_left / 2));
+        count(effort < 2 ? 0 : frames_left);
     }
     for (const auto& frame : frames) read_off(timeline, frame);
+    read_off_ends(timeline);
     describe_unresolved(timeline, known);
     check(timeline);
 }

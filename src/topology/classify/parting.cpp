@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -169,11 +170,14 @@ private:
     void add(const BoxKey& key, const SpaceBox& where) {
         numbers_.emplace(key.packed(), boxes_.size());
         boxes_.push_back({key, where});
+        about_.emplace_back();
     }
 
     void divide(std::size_t number) {
         const BoxKey key = boxes_[number].key;
         boxes_[number].is_divided = true;
+        for (const std::size_t other : about(number)) about_[other].reset();
+        about_[number].reset();
         std::vector<SpaceBox> boxes, middles;
         for (int k = 0; k < 8; ++k) {
             boxes.push_back(where(key.part(k)));
@@ -204,6 +208,19 @@ private:
             }
             one.is_parted = plane_.is_around(boxes[k]) && plane_.side(boxes[k]) == 0;
         }
+    }
+
+    // The undivided boxes beside those of one, kept until one of them is divided.
+    const std::vector<std::size_t>& about(std::size_t number) {
+        std::optional<std::vector<std::size_t>>& known = about_[number];
+        if (!known) {
+            known.emplace();
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                beside(number, axis, false, *known);
+                beside(number, axis, true, *known);
+            }
+        }
+        return *known;
     }
 
     // The undivided boxes beside a face of one.
@@ -270,14 +287,9 @@ private:
             return;
         }
         const std::size_t number = box_of(from);
-        const One one = boxes_[number];
+        const One& one = boxes_[number];
         if (one.may_leave) found.push_back(outside);
-        std::vector<std::size_t> about;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            beside(number, axis, false, about);
-            beside(number, axis, true, about);
-        }
-        for (const std::size_t other : about) {
+        for (const std::size_t other : about(number)) {
             const One& next = boxes_[other];
             if (next.state == State::out) continue;
             SpaceBox face;
@@ -300,28 +312,27 @@ private:
     // none if there is no way.
     std::optional<std::vector<Half>> way_between(const std::array<SpacePoint, 2>& starts) {
         const Half from = half_at(starts[0]), to = half_at(starts[1]);
-        std::unordered_map<Half, Half> before{{from, from}};
-        std::unordered_map<Half, int> cost{{from, 0}};
+        constexpr int unreached = std::numeric_limits<int>::max();
+        reached_.assign(half(boxes_.size(), false), {from, unreached, false});
+        reached_[from].cost = 0;
         std::deque<Half> open{from};
-        std::unordered_map<Half, bool> is_done;
-        std::vector<Half> about;
+        std::vector<Half> next_to;
         while (!open.empty()) {
             const Half now = open.front();
             open.pop_front();
-            if (std::exchange(is_done[now], true)) continue;
+            if (std::exchange(reached_[now].is_done, true)) continue;
             if (now == to) {
                 std::vector<Half> way{to};
-                while (way.back() != from) way.push_back(before.at(way.back()));
+                while (way.back() != from) way.push_back(reached_[way.back()].before);
                 return way;
             }
-            neighbours(now, about);
-            for (const Half next : about) {
+            neighbours(now, next_to);
+            for (const Half next : next_to) {
                 const bool is_free = next == outside || boxes_[box_of(next)].state == State::in;
-                const int there = cost[now] + (is_free ? 0 : 1);
-                const auto [known, is_new] = cost.try_emplace(next, there);
-                if (!is_new && known->second <= there) continue;
-                known->second = there;
-                before[next] = now;
+                const int there = reached_[now].cost + (is_free ? 0 : 1);
+                if (reached_[next].cost <= there) continue;
+                reached_[next].cost = there;
+                reached_[next].before = now;
                 is_free ? open.push_front(next) : open.push_back(next);
             }
         }
@@ -331,7 +342,15 @@ private:
     const SublevelSet& region_;
     const Plane& plane_;
     const PartingOptions& how_;
+    struct Reached {
+        Half before; // by which half
+        int cost;
+        bool is_done;
+    };
+
     std::vector<One> boxes_;
+    std::vector<std::optional<std::vector<std::size_t>>> about_; // of each box, where it is known
+    std::vector<Reached> reached_;                               // each half, by the last search
     std::unordered_map<std::uint64_t, std::size_t> numbers_;
 };
 

@@ -439,6 +439,47 @@ TEST(Counting, EndsHaveTheirProofElsewhere) {
     EXPECT_FALSE(missing.is_complete());
 }
 
+// Where no quiet time beside an end has a frame either, proved events lead there from a frame
+// between others.
+TEST(Counting, EndsFollowFromAFrameBetweenEvents) {
+    const std::vector<Event> events{an_event(1, 0, true), an_event(2, 3, true),
+                                    an_event(8, 0, false), an_event(9, 0, true)};
+    Timeline timeline = timeline_of(events, {}, {});
+    timeline.start = timeline.end = std::nullopt;
+    timeline.start_is_proved = timeline.end_is_proved = false;
+    KindProofs proofs;
+    proofs.frame = [](double time) -> std::optional<Betti> {
+        if (time < 2 || time > 8) return std::nullopt;
+        return Betti{3, 0, 0};
+    };
+    const Timeline open = timeline;
+    find_kinds(timeline, proofs);
+    EXPECT_EQ(timeline.start, (Betti{2, 0, 1}));
+    EXPECT_EQ(timeline.end, (Betti{3, 0, 0}));
+    EXPECT_TRUE(timeline.is_complete());
+
+    // Not over an event of unknown kind, over a degenerate place, nor where events may be missing.
+    Timeline unknown = open;
+    unknown.events[0] = an_event(1, 1, true);
+    find_kinds(unknown, proofs);
+    EXPECT_FALSE(unknown.start_is_proved);
+    EXPECT_TRUE(unknown.end_is_proved);
+    Timeline degenerate = open;
+    degenerate.is_proved = false;
+    degenerate.unresolved.push_back({{0.4, 0.6}, {}, "degenerate", {}, {}});
+    find_kinds(degenerate, proofs);
+    EXPECT_FALSE(degenerate.start_is_proved);
+    EXPECT_TRUE(degenerate.end_is_proved);
+    Timeline missing = open;
+    missing.is_proved = false;
+    find_kinds(missing, proofs);
+    EXPECT_FALSE(missing.start_is_proved || missing.end_is_proved);
+    Timeline guessed = open;
+    guessed.events[3].is_proved = false;
+    find_kinds(guessed, proofs);
+    EXPECT_FALSE(guessed.start_is_proved || guessed.end_is_proved);
+}
+
 // Frames beyond another degenerate place tell nothing of this one.
 TEST(Counting, NothingIsKnownBetweenDegeneratePlaces) {
     Timeline timeline = timeline_of({}, {1, 1, 0}, {1, 1, 0});
