@@ -20,6 +20,7 @@
 #include "formula/smoothness.h"
 #include "scene/color_map.h"
 #include "scene/method.h"
+#include "scene/value_places.h"
 
 namespace isomotion::scene {
 
@@ -288,6 +289,7 @@ struct Scene {
     // each with its own animation. Shared settings are the first one's: see surfaces.h.
     std::vector<Scene> others;
     Among among;
+    std::shared_ptr<const ValuePlaces> value_places; // where the file states its values
 };
 
 // The argument that loads the scene again from any folder: its formula, or its file's full path.

@@ -63,10 +63,19 @@ public:
         return vector(track);
     }
     [[noreturn]] void fail(const std::string& name, const std::string& message) const {
-        throw ValueError(scene_.file.string(), name, values_.time, message);
+        throw ValueError(where(name), name, values_.time, message);
     }
     [[noreturn]] void fail(TrackId track, const std::string& message) const {
         fail(name(track), message);
+    }
+    // "ring.toml:9: camera.fov", or without the line if the file states no such value.
+    std::string where(const std::string& name) const {
+        const auto is_stated = [](const StatedAt&) { return true; };
+        PlaceOfValue<StatedAt> found;
+        if (scene_.value_places) found = place_of_value(*scene_.value_places, name, is_stated);
+        if (!found.place) return fmt::format("{}: {}", scene_.file.string(), name);
+        const std::string& key = found.key.empty() ? found.place->key : found.key;
+        return fmt::format("{}: {}{}", found.place->position, key, found.rest);
     }
     const std::string& name(TrackId track) const {
         return scene_.timeline.animation.tracks()[std::size_t(track)].name;

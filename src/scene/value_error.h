@@ -12,8 +12,9 @@ namespace isomotion::scene {
 // `name` is the value's name as a track or an array's field: "camera.fov", "blobs.cx[2]".
 class ValueError : public SceneError {
 public:
-    ValueError(const std::string& file, std::string name, double time, const std::string& why)
-        : SceneError(fmt::format("{}: {} at t = {}: {}", file, name, time, why))
+    // `where`: its place and key, "ring.toml:9: camera.fov".
+    ValueError(const std::string& where, std::string name, double time, const std::string& why)
+        : SceneError(fmt::format("{} at t = {}: {}", where, time, why))
         , name_(std::move(name))
         , time_(time)
         , why_(why) {}

@@ -88,7 +88,7 @@ TEST_F(Cli, AValueThatLeavesItsRangeLaterLeavesWholeFiles) {
     const Ending ending = run({"render", "sphere.toml", "--set", "camera.fov=40 + 200*t", "-o",
                                "new/a.####.png", "--frames", "20-25"});
     EXPECT_EQ(ending.code, 2) << ending;
-    EXPECT_THAT(ending.err, HasSubstr("sphere.toml: camera.fov at t = 0.7"));
+    EXPECT_THAT(ending.err, HasSubstr("--set: camera.fov at t = 0.7"));
     expect_only_whole_files();
 }
 

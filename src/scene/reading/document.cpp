@@ -15,12 +15,6 @@
 namespace isomotion::scene {
 namespace {
 
-std::string position(const toml::source_region& region) {
-    // Values set by --set have no place in a file.
-    if (!region.path || region.begin.line == 0) return "--set";
-    return fmt::format("{}:{}", *region.path, region.begin.line);
-}
-
 animation::Ease read_ease(const toml::table& table, const std::string& key) {
     const toml::node* node = table.get("ease");
     if (!node) return animation::Ease::linear;
@@ -75,8 +69,14 @@ toml::table parse_document(std::string_view text, const std::filesystem::path& f
     return base::parse_toml(text, file.string());
 }
 
+std::string position(const toml::node& node) {
+    const toml::source_region& region = node.source();
+    if (!region.path || region.begin.line == 0) return "--set";
+    return fmt::format("{}:{}", *region.path, region.begin.line);
+}
+
 void fail(const toml::node& at, const std::string& key, const std::string& message) {
-    throw PlacedError(at, fmt::format("{}: {}: {}", position(at.source()), key, message));
+    throw PlacedError(at, fmt::format("{}: {}: {}", position(at), key, message));
 }
 
 double read_finite(const toml::node& node, const std::string& key) {

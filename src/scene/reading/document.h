@@ -38,6 +38,8 @@ private:
     unsigned line_;
 };
 
+// "file:line", or "--set" for a value that was set on the command line.
+std::string position(const toml::node& node);
 // Throws PlacedError: "file:line: key: message".
 [[noreturn]] void fail(const toml::node& at, const std::string& key, const std::string& message);
 

@@ -322,6 +322,7 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     // Settings are chosen once, at the first frame: every frame is marched alike.
     check_work(scene, *parts, tracks);
     const SceneAt first = first_frame(scene, tracks);
+    scene.value_places = std::make_shared<const ValuePlaces>(tracks.stated());
     if (reading != Reading::whole) return scene;
     Isolation& isolation = scene.isolation;
     scene.surface.smoothness = smoothness(*scene.surface.field, regions(scene, first));

@@ -38,20 +38,20 @@ void TrackTable::fail_at(const std::string& name, const std::string& message) co
 }
 
 void TrackTable::fail_at(const ValueError& error) const {
-    const auto is_placed = [&](auto it) { return it != places_.end() && it->second.node; };
-    const std::string& name = error.name();
-    // One element's value is where its field is; a range or a vector where its first number is.
-    const auto known = places_.find(name.substr(0, name.find_last_of('[')));
-    const auto whole = places_.find(name);
-    const auto part = places_.lower_bound(name + ".");
-    const std::string time = fmt::format(" at t = {}", error.time());
-    if (is_placed(whole)) fail(*whole->second.node, whole->second.key + time, error.why());
-    if (is_placed(part) && part->first.starts_with(name + "."))
-        fail(*part->second.node, name + time, error.why());
-    if (is_placed(known))
-        fail(*known->second.node, known->second.key + name.substr(known->first.size()) + time,
-             error.why());
-    throw error;
+    const auto found = place_of_value(places_, error.name(),
+                                      [](const Place& place) { return place.node != nullptr; });
+    if (!found.place) throw error;
+    const std::string& key = found.key.empty() ? found.place->key : found.key;
+    fail(*found.place->node, fmt::format("{}{} at t = {}", key, found.rest, error.time()),
+         error.why());
+}
+
+ValuePlaces TrackTable::stated() const {
+    ValuePlaces stated;
+    for (const auto& [name, place] : places_) {
+        if (place.node) stated[name] = {position(*place.node), place.key};
+    }
+    return stated;
 }
 
 } // namespace isomotion::scene

@@ -1,11 +1,10 @@
 // Collects every animated value of a scene as a named track, with its place in the file for errors.
 #pragma once
 
-#include <map>
-
 #include "scene/reading/document.h"
 #include "scene/scene.h"
 #include "scene/value_error.h"
+#include "scene/value_places.h"
 
 namespace isomotion::scene {
 
@@ -29,6 +28,8 @@ public:
     [[noreturn]] void fail_at(const std::string& name, const std::string& message) const;
     // Throws the error with its place if that is known, otherwise as it is.
     [[noreturn]] void fail_at(const ValueError& error) const;
+    // The places of all values that the file states.
+    ValuePlaces stated() const;
 
 private:
     struct Place {
@@ -36,7 +37,7 @@ private:
         const toml::node* node = nullptr;
     };
     std::vector<animation::Track> tracks_;
-    std::map<std::string, Place> places_;
+    PlacesByName<Place> places_;
 };
 
 } // namespace isomotion::scene

@@ -57,13 +57,13 @@ TEST_F(Materials, OutOfRangeAtATime) {
     };
     const std::string ggx = "model = \"ggx\"\n", phong = "model = \"blinn-phong\"\n";
     EXPECT_EQ(at_two(ggx + "roughness = \"t\""),
-              "scene.toml: material.roughness at t = 2: must be from 0 to 1, not 2");
+              "scene.toml:17: material.roughness at t = 2: must be from 0 to 1, not 2");
     EXPECT_EQ(at_two(ggx + "metallic = \"-t\""),
-              "scene.toml: material.metallic at t = 2: must be from 0 to 1, not -2");
+              "scene.toml:17: material.metallic at t = 2: must be from 0 to 1, not -2");
     EXPECT_EQ(at_two(ggx + "specular = { keys = [[0, 0], [2, 1.5]] }"),
-              "scene.toml: material.specular at t = 2: must be from 0 to 1, not 1.5");
+              "scene.toml:17: material.specular at t = 2: must be from 0 to 1, not 1.5");
     EXPECT_EQ(at_two(phong + "shininess = \"1e4*t\""),
-              "scene.toml: material.shininess at t = 2: must be from 0 to 10000, not 20000");
+              "scene.toml:17: material.shininess at t = 2: must be from 0 to 10000, not 20000");
     EXPECT_EQ(at_two(phong + "specular = \"t/2\"\nshininess = \"5e3*t\""), "nothing is wrong");
 }
 

@@ -1,4 +1,6 @@
 // Values that leave their range while the scene moves.
+#include <algorithm>
+
 #include "testing.h"
 
 namespace isomotion::scene {
@@ -13,13 +15,17 @@ protected:
             at_time(scene, 2);
         } catch (const SceneError& error) {
             const std::string message = error.what(), file = scene.file.string();
-            EXPECT_EQ(message.substr(0, file.size()), file);
-            return message.substr(std::min(file.size(), message.size()));
+            EXPECT_EQ(message.substr(0, file.size() + 1), file + ":");
+            return message.substr(std::min(file.size() + 1, message.size()));
         }
         return "nothing is wrong";
     }
-    std::string of_line(int number, const std::string& line) const {
-        return at_two(ball_with(number, line));
+    // The same without the line, which must be the last of these.
+    std::string of_line(int number, const std::string& lines) const {
+        const std::string told = at_two(ball_with(number, lines));
+        const int last = number + int(std::ranges::count(lines, '\n'));
+        const std::string place = std::to_string(last);
+        return told.starts_with(place + ": ") ? told.substr(place.size()) : told;
     }
     std::string bounds_and(const std::string& line) const {
         return of_line(7, "bounds = { sphere = 1.5 }\n" + line);
@@ -61,14 +67,14 @@ TEST_F(Range, Camera) {
 TEST_F(Range, Lights) {
     EXPECT_EQ(at_two(ball_and("[[lights]]\ndirection = [0, 0, 1]\n"
                               "[[lights]]\ndirection = [0, 0, \"2 - t\"]")),
-              ": lights[1].direction.x at t = 2: the direction to the light has length 0");
+              "18: lights[1].direction.x at t = 2: the direction to the light has length 0");
 }
 
 // One value that is no number any more is blamed, and not what comes of it.
 TEST_F(Range, NotANumber) {
     const std::string nan = " at t = 2: the value is not a number";
     for (const std::string text : {"\"1 + log(1 - t)\"", "\"(2 - t)/(4 - 2*t)\""}) {
-        EXPECT_EQ(of_line(9, "radius = " + text), ": radius" + nan);
+        EXPECT_EQ(of_line(9, "radius = " + text), ": parameters.radius" + nan);
         EXPECT_EQ(of_line(7, "bounds = { sphere = 1, centre = [0, " + text + ", 0] }"),
                   ": surface.bounds.centre.y" + nan);
         EXPECT_EQ(bounds_and("transform = { translate = [" + text + ", 0, 0] }"),
@@ -79,25 +85,27 @@ TEST_F(Range, NotANumber) {
         EXPECT_EQ(of_line(12, "up = [0, 1, " + text + "]"), ": camera.up.z" + nan);
         EXPECT_EQ(of_line(12, "fov = " + text), ": camera.fov" + nan);
         EXPECT_EQ(at_two(ball_and("[material]\ncolor = [1, 1, " + text + "]")),
-                  ": material.color.z" + nan);
+                  "16: material.color.z" + nan);
         EXPECT_EQ(
             at_two(ball_and("[[lights]]\ndirection = [0, 0, 1]\ncolor = [1, 1, " + text + "]")),
-            ": lights[0].color.z" + nan);
+            "17: lights[0].color.z" + nan);
         // One value for all elements; below, one for each.
-        EXPECT_EQ(at_two(blobs("count = 3\nw = 1\ncx = " + text)), ": blobs.cx" + nan);
+        EXPECT_EQ(at_two(blobs("count = 3\nw = 1\ncx = " + text)), "7: arrays.blobs.cx" + nan);
     }
-    EXPECT_EQ(at_two(blobs("count = 3\nw = 1\ncx = \"log(3.5 - t - i)\"")), ": blobs.cx[2]" + nan);
+    EXPECT_EQ(at_two(blobs("count = 3\nw = 1\ncx = \"log(3.5 - t - i)\"")),
+              "7: arrays.blobs.cx[2]" + nan);
 }
 
 // A float on the GPU would be infinite.
 TEST_F(Range, TooLargeForAFloat) {
     const std::string large = " at t = 2: the value 1e+39 is beyond the range of float (3.4e+38)";
-    EXPECT_EQ(of_line(9, "radius = { keys = [[0, 1], [1, 1e39]] }"), ": radius" + large);
+    EXPECT_EQ(of_line(9, "radius = { keys = [[0, 1], [1, 1e39]] }"), ": parameters.radius" + large);
     EXPECT_EQ(of_line(9, "radius = { keys = [[0, 1], [1, 3e38]] }"), "nothing is wrong");
     EXPECT_EQ(at_two(blobs("count = 2\nw = 1\ncx = \"max(0, t - 1)*1e39*i\"")),
-              ": blobs.cx[1]" + large);
-    EXPECT_EQ(of_line(9, "radius = \"1/(2 - t)\""),
-              ": radius at t = 2: the value 1e+300 is beyond the range of float (3.4e+38)");
+              "7: arrays.blobs.cx[1]" + large);
+    EXPECT_EQ(
+        of_line(9, "radius = \"1/(2 - t)\""),
+        ": parameters.radius at t = 2: the value 1e+300 is beyond the range of float (3.4e+38)");
 }
 
 // At the first frame the scene doesn't even load.

@@ -1,0 +1,39 @@
+// Where a file states the values of its scene, to tell of one that leaves its range at some time.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace isomotion::scene {
+
+// By the names of tracks ("camera.fov") and of arrays' fields ("blobs.cx").
+template<class Place> using PlacesByName = std::map<std::string, Place>;
+
+// The place of a value and what its name has beyond the key there: of one element ("blobs.cx[2]")
+// the field's, of a vector or range its first number's. Null if the file states none.
+template<class Place> struct PlaceOfValue {
+    const Place* place = nullptr;
+    std::string key; // of the file, as far as the value's name tells more than the place
+    std::string rest;
+};
+
+template<class Place, class IsStated>
+PlaceOfValue<Place> place_of_value(const PlacesByName<Place>& places, const std::string& name,
+                                   IsStated is_stated) {
+    const auto is_found = [&](auto it) { return it != places.end() && is_stated(it->second); };
+    const auto whole = places.find(name);
+    if (is_found(whole)) return {&whole->second, {}, {}};
+    const auto part = places.lower_bound(name + ".");
+    if (is_found(part) && part->first.starts_with(name + ".")) return {&part->second, name, {}};
+    const auto field = places.find(name.substr(0, name.find_last_of('[')));
+    if (is_found(field)) return {&field->second, {}, name.substr(field->first.size())};
+    return {};
+}
+
+// A place as errors tell it: "ring.toml:9" and "camera.fov".
+struct StatedAt {
+    std::string position, key;
+};
+using ValuePlaces = PlacesByName<StatedAt>;
+
+} // namespace isomotion::scene
