@@ -15,7 +15,8 @@ vec3 matt_part(vec3 albedo, vec3 normal, vec3 to_viewer, vec3 to_light) {
 
 vec3 reflected_by_glass(vec3 albedo, vec3 normal, vec3 to_viewer, vec3 to_light) {
     // Without metal the highlight has no colour.
-    if (metallic() == 0.0) return reflected(albedo * opaque_part(), normal, to_viewer, to_light);
+    if (metallic() == 0.0)
+        return reflected(clamp(albedo, 0.0, 1.0) * opaque_part(), normal, to_viewer, to_light);
     vec3 matt = matt_part(albedo, normal, to_viewer, to_light);
     return max(reflected(albedo, normal, to_viewer, to_light) - (1.0 - opaque_part()) * matt, 0.0);
 }

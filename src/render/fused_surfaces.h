@@ -10,7 +10,7 @@
 
 namespace isomotion::render {
 
-// The formats of the attachments of pictures drawn so, after colour, record and channels.
+// The format of the last attachment of pictures drawn so, behind colour, record and channels.
 inline constexpr gpu::Format way_format = gpu::Format::r32f;
 
 class FusedSurfaces {

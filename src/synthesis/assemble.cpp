@@ -133,7 +133,8 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
         add(beam_pass(scene, passes, int(level)));
         if (has_copies(passes)) add(beam_copies_pass(scene, passes, int(level)));
     }
-    const bool fuses = stage == Stage::fragment && can_fuse(scene, channels);
+    const bool fuses =
+        stage == Stage::fragment && can_fuse(scene, channels, int(passes.attachments.size()));
     if (fuses) {
         add(mask_pass(scene, passes));
         add(fused_pass(scene, passes));

@@ -136,8 +136,11 @@ std::vector<Channel> written_channels(const std::vector<Channel>& channels) {
     return written;
 }
 
-bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels) {
-    return is_plain(scene) && !contains(channels, Channel::velocity);
+bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels, int attachments) {
+    // OpenGL has 8 at least: colour, record, these, and of several surfaces the way to the nearest.
+    constexpr int most = 8;
+    const int drawn = 2 + attachments + (is_among(scene) ? 1 : 0);
+    return is_plain(scene) && !contains(channels, Channel::velocity) && drawn <= most;
 }
 
 Pass fused_pass(const scene::Scene& scene, const Passes& passes) {

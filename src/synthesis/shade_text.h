@@ -12,7 +12,8 @@ namespace isomotion::synthesis {
 std::vector<Channel> written_channels(const std::vector<Channel>& channels);
 
 // Whether march and picture may be one draw: only the picture needs the ends of rays.
-bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels);
+// `attachments`: channels that are written. Else there are passes.
+bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels, int attachments);
 Pass fused_pass(const scene::Scene& scene, const Passes& passes);
 Pass mask_pass(const scene::Scene& scene, const Passes& passes);
 

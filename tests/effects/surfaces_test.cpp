@@ -134,7 +134,6 @@ TEST(Surfaces, PlainOnesTakeADrawEachAndLookAsInPasses) {
             const Picture passes =
                 drawn(scene, StageChoice::fragment,
                       MarchPlan{64, 64, rest.empty() ? evaluations : 20 + evaluations});
-            EXPECT_GE(passes.passes, 3);
             if (evaluations == 2 && rest.empty()) {
                 EXPECT_GT(passes.passes, 3);
             }

@@ -11,7 +11,8 @@ import pages
 import png
 
 SIDE = 256
-# Scenes of the gallery with the frame looked at, what is changed in them, and what sliders hold.
+# Scenes of the gallery with the frame looked at, what is changed in them, what sliders hold, and how
+# few evaluations of a draw make the page draw the picture again in passes.
 CAMERA = "camera={position=[6, 4, 3], target=[0, 0, 0], fov=36}"
 QUICK = [
     ("blobby75", 40, []),
@@ -20,7 +21,7 @@ QUICK = [
     ("blobby75", 20, [CAMERA], {"s": 1.45, "R": 0.3}),
     ("many.toml", 2, []),
     ("blur.toml", 2, []),
-    ("lists.toml", 2, []),
+    ("lists.toml", 2, [], {}, 3),
 ]
 ALL = QUICK + [
     ("barth_decic", 40, []),
@@ -294,7 +295,7 @@ def tally_of(rendered):
     return [int(part.split()[0]) for part in line.removeprefix("rays: ").split(", ")]
 
 
-def compare(given, folder, driven, checks, name, frame, changes, held={}):
+def compare(given, folder, driven, checks, name, frame, changes, held={}, evaluations=None):
     # One picture a frame shows where a pixel differs.
     if not name.endswith(".toml"):
         changes = ["look=none", "output.samples=1", *changes]
@@ -313,6 +314,12 @@ def compare(given, folder, driven, checks, name, frame, changes, held={}):
     page.open(file, f"?ui=0&tally&samples={samples}",
               f"#f={frame}" + "".join(f"&{name}={value}" for name, value in held.items()))
     page.until_at_rest()
+    if evaluations:
+        checks.expect(page.evaluate("isomotion.painter.tile.isFused"), f"{name}: one draw is enough")
+        page.evaluate(f"isomotion.painter.data.about.evaluations = {evaluations};"
+                      "isomotion.painter.change(false)")
+        page.until_at_rest()
+        checks.expect(not page.evaluate("isomotion.painter.tile.isFused"), f"{name}: falls back")
     if 'output.background="transparent"' in changes:
         page.call("Emulation.setDefaultBackgroundColorOverride",
                   color={"r": 0, "g": 0, "b": 0, "a": 0})

@@ -215,11 +215,13 @@ private:
                          result.not_negative));
         } else if (now.op == Op::least) {
             result.not_negative = known(key).not_negative;
+            result.may_be_subnormal = known(key).may_be_subnormal;
             line("{0} = min({0}, {1});", result.text, interval(key));
         } else {
             const std::string& least = known(now.operands[2]).text;
             const bool picks = now.op == Op::pick;
             result.not_negative = !picks || known(now.operands[1]).not_negative;
+            result.may_be_subnormal = picks && known(now.operands[1]).may_be_subnormal;
             const std::string value =
                 picks ? interval(now.operands[1]) : fmt::format("{}(e{} + 1)", type_, now.index);
             line("{0} = im_select({1}, {2}, {3}, {0});", result.text, interval(key), least, value);

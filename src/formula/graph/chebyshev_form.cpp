@@ -140,6 +140,13 @@ NodeId cut_off(Graph& g, NodeId t) {
     return g.select(t, end, t, cut_off(g));
 }
 
+// The same of T_n with T_n(-1), which may be negative, times what is cut off.
+NodeId cut_off_at_both_ends(Graph& g, NodeId t) {
+    const NodeId end = g.constant(0.999 * double(Operations<float>::saturation()));
+    const NodeId below = g.unary(Op::negate, cut_off(g));
+    return g.select(g.unary(Op::negate, t), end, cut_off(g, t), below);
+}
+
 std::optional<NodeId> inside_cut_off(Graph& g, NodeId id) {
     const Node node = g[id]; // a copy: the graph may grow
     const bool is_cut_off = node.op == Op::select && node.children[0] == node.children[2] &&
@@ -208,7 +215,7 @@ NodeId polynomial(Graph& g, NodeId id) {
         return id;
     case Op::multiply:
         for (const auto& [inside, outside] : {std::pair(a, b), std::pair(b, a)})
-            if (const auto all = joined(g, inside, outside)) return cut_off(g, *all);
+            if (const auto all = joined(g, inside, outside)) return cut_off_at_both_ends(g, *all);
         return id;
     default:
         return id;

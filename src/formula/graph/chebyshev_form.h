@@ -10,8 +10,8 @@
 
 namespace isomotion::formula {
 
-// An expression whose intervals hold all that `root` may be, on paper and evaluated. Of a graph
-// that folds exactly. `root` itself where no such thing is found, and of formulas that go through
+// An expression whose intervals hold all that `root` may be on paper, and what cosh is cut off to.
+// The graph folds exactly. `root` itself where no such thing is found, and of formulas that go through
 // the elements of arrays, whose sums keep their numbers.
 NodeId with_chebyshev(Graph& graph, NodeId root);
 

@@ -102,6 +102,7 @@ class Target {
         this.gl = gl;
         this.width = width;
         this.height = height;
+        this.layerCount = 0;
         this.textures = formats.map((format) => textureOf(gl, format, width, height));
         this.framebuffer = gl.createFramebuffer();
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
@@ -127,6 +128,7 @@ class Target {
     // So many more textures, the layers of one.
     withLayers(format, count) {
         const { gl } = this;
+        this.layerCount = count;
         if (count === 0) return this;
         const drawn = this.textures.length + count, most = gl.getParameter(gl.MAX_DRAW_BUFFERS);
         if (drawn > most) {
@@ -147,8 +149,9 @@ class Target {
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
         const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
         if (status === gl.FRAMEBUFFER_COMPLETE || gl.isContextLost()) return this;
+        const count = this.textures.length + this.layerCount;
         throw new NotPossible("This browser or its graphics card has too little memory for float " +
-            `textures of ${this.width} x ${this.height} pixels, or draws into none.`);
+            `textures of ${this.width} x ${this.height} pixels, or does not draw into ${count} at once.`);
     }
     bind() {
         this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, this.framebuffer);

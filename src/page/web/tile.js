@@ -79,10 +79,6 @@ class TileDrawer {
             table.bind("beam_texture", this.beams[level].textures[0]);
             if (this.lists) this.copyLists(level, blocks);
         });
-        if (this.lists) {
-            for (const role of ["fused", "march"])
-                table.program(role)?.set("first_lists_row", this.firstListsRow);
-        }
     }
 
     // The first level's lists go to both textures.
@@ -113,9 +109,15 @@ class TileDrawer {
         gl.clearBufferuiv(gl.COLOR, 1, [0, 0, 0, 0]);
         gl.depthFunc(gl.LESS);
         gl.depthMask(false);
-        table.program("fused").set("evaluations_per_pass", this.about.evaluations);
+        this.tellPlan(table.program("fused"), this.about.evaluations);
         this.run("fused", result, size);
         gl.disable(gl.DEPTH_TEST);
+    }
+
+    // What a program that marches is told of a draw.
+    tellPlan(program, evaluations) {
+        program.set("evaluations_per_pass", evaluations);
+        if (this.lists) program.set("first_lists_row", this.firstListsRow);
     }
 
     // Answers when the card has drawn the tile.
@@ -138,7 +140,7 @@ class TileDrawer {
     async march(role, evaluations, size, go, start = role) {
         const { table } = this;
         const program = table.program(role);
-        program.set("evaluations_per_pass", evaluations);
+        this.tellPlan(program, evaluations);
         let [from, to] = this.statesOf(start);
         for (let isFirst = true; ; isFirst = false) {
             table.bindNumbered("state_texture", from);

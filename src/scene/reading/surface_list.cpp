@@ -12,8 +12,6 @@
 namespace isomotion::scene {
 namespace {
 
-// What a surface may have of its own beside what [surface] has.
-
 constexpr std::size_t longest_name = 64;
 
 std::string number_of(std::size_t index) { return std::to_string(index + 1); }

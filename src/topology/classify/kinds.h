@@ -21,7 +21,7 @@ struct KindProofs {
     std::function<std::vector<Sides>(std::span<const std::size_t> which, int effort)> paths{};
     // Proved Betti numbers at a time without an event. May be unset, or fail.
     std::function<std::optional<Betti>(double time)> frame{};
-    int most_frames = 16; // limit on calls of `frame`
+    int most_frames = 16; // limit on calls of `frame` to part events while they are counted
     // Once it returns true, no more proofs are requested.
     std::function<bool()> stopped{};
 };

@@ -174,6 +174,7 @@ private:
     }
 
     void divide(std::size_t number) {
+        if (boxes_[number].is_divided) return; // a way may hold both halves of a parted box
         const BoxKey key = boxes_[number].key;
         boxes_[number].is_divided = true;
         for (const std::size_t other : about(number)) about_[other].reset();

@@ -111,6 +111,19 @@ TEST(ChebyshevForm, OtherHalvesAreNotJoined) {
 }
 
 // cosh is cut off, at one number of floats and at another of doubles; T_n is not.
+// The form is cut off where F is; elsewhere F, continuous, is seen to be so.
+TEST(ChebyshevForm, LeavesFContinuous) {
+    const Field field = make_field(forms[0] + " - a", test_vocabulary());
+    const EnclosurePrograms programs = enclosure_programs(field);
+    Evaluator<Interval> jump(programs.jumps);
+    auto bindings = convert<Interval>(test_bindings());
+    std::array<Interval, 3> box{Interval(0.4, 0.5), 0.0, 0.0};
+    std::array<Interval, 2> told;
+    jump.point(bindings, box, told);
+    EXPECT_EQ(told[0].lo, 0);
+    EXPECT_EQ(told[0].hi, 0);
+}
+
 TEST(ChebyshevForm, HoldsWhatIsCutOff) {
     const Field field = make_field(forms[0] + " - a", test_vocabulary());
     const EnclosurePrograms programs = enclosure_programs(field);
@@ -130,6 +143,18 @@ TEST(ChebyshevForm, HoldsWhatIsCutOff) {
         EXPECT_EQ(value.hi, infinity) << x;
         EXPECT_GT(value.lo, 0.9 * floats) << x;
         EXPECT_TRUE(contains(slope, 0)) << x; // of what is cut off
+    }
+    // Of odd n it is cut off at both ends.
+    const Field odd =
+        make_field("cos(7*acos(x))*" + outside("max(1, abs(x))", "7") + " - a", test_vocabulary());
+    const EnclosurePrograms of_odd = enclosure_programs(odd);
+    Evaluator<Interval> along_odd(of_odd.directional);
+    for (const double x : {1e5, -1e5, -1e200}) {
+        std::array<Interval, 6> box{x, 0.0, 0.0, 1.0, 0.0, 0.0};
+        std::array<Interval, 2> f;
+        along_odd.point(bindings, box, f);
+        EXPECT_TRUE(contains(f[0], x > 0 ? floats : -floats)) << x;
+        EXPECT_TRUE(contains(f[1], 0)) << x;
     }
     // Between a value below the cut and one beyond it.
     const auto [value, slope] = enclose({2, 1e4});
