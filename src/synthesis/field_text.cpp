@@ -277,7 +277,7 @@ FieldStorage field_storage(const formula::Field& field, int parameters, std::spa
         array.capacity = std::max(1, counts[a]);
         const std::size_t bytes = std::size_t(array.capacity) * std::size_t(array.texels) * 16;
         array.has_lists = finding.by_lists;
-        array.has_copies = finding.by_copies;
+        array.has_copies = array.has_lists && finding.by_copies;
         array.has_grid = finding.by_place == int(a);
         if (array.has_grid) array.sums = int(formula::own_sums(field, int(a)).size());
         array.kind = (!array.has_lists || array.has_copies) && !array.has_grid &&
