@@ -21,7 +21,8 @@ QUICK = [
     ("blobby75", 20, [CAMERA], {"s": 1.45, "R": 0.3}),
     ("many.toml", 2, []),
     ("blur.toml", 2, []),
-    ("lists.toml", 2, [], {}, 3),
+    ("lists.toml", 2, []),
+    ("blobby75", 30, [], {}, 5),
 ]
 ALL = QUICK + [
     ("barth_decic", 40, []),

@@ -179,7 +179,29 @@ TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
             for (const Pass& pass : one[k].list) roles.insert(pass.role);
         }
     }
+    const auto page_with_lists = [](const char* color) {
+        const std::string material = fmt::format("[material]\ncolor = [{}, 1, 0]\n", color);
+        return assemble(scene_of(blobs_text(75, every_bounds[0], "hermite") + material), {},
+                        Stage::fragment, false, usual_beam, false, Platform::webgl);
+    };
+    expect_same_text(page_with_lists("0.25"), page_with_lists("0.5"));
+    for (const Pass& pass : page_with_lists("0.25").list) roles.insert(pass.role);
     EXPECT_EQ(roles.size(), std::size_t(Role::double_proof) + 1) << "a role that no scene has";
+}
+
+// OpenGL draws into eight attachments at least.
+TEST_F(Assemble, NoPassHasMoreThanEightOutputs) {
+    std::vector<Channel> channels = every_channel;
+    channels.push_back(Channel::ending);
+    const scene::Scene plain = two_plain_surfaces("0.25");
+    for (const scene::Scene& scene :
+         {plain, scene::of_surface(plain, 1), scene_of(surface_text("x"))}) {
+        for (const std::vector<Channel>& wanted : {channels, {Channel::ending}}) {
+            for (const Pass& pass : assemble(scene, wanted).list)
+                EXPECT_LE(pass.outputs.size(), 8u) << pass.name;
+        }
+    }
+    EXPECT_TRUE(assemble(plain, {Channel::ending}).has(Role::fused));
 }
 
 TEST_F(Assemble, TheSameSceneGivesTheSameText) {
