@@ -61,6 +61,7 @@ std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const Rende
         all.emplace_back(scene::of_surface(scene, k), options, info);
     if (all.size() == 1) return all;
     std::vector<synthesis::Passes*> passes;
+    passes.reserve(all.size());
     for (PlannedSurface& one : all) passes.push_back(&one.passes);
     synthesis::agree_on_draws(passes);
     int width = largest_tile_of_several, height = largest_tile_of_several;

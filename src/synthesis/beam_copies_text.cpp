@@ -50,9 +50,14 @@ int rows_of_copies(const Passes& passes, int level) {
     return slots(passes, level) / columns * passes.arrays[0].texels * lists;
 }
 
-FieldStorage through_copies(FieldStorage storage) {
-    if (has_copies(storage)) storage.arrays[0].reads_copies = true;
-    return storage;
+FieldStorage through_copies(const FieldStorage& storage) {
+    FieldStorage reading = storage;
+    if (has_copies(storage)) reading.arrays[0].reads_copies = true;
+    return reading;
+}
+
+FieldStorage storage_at_level(const FieldStorage& storage, int level) {
+    return level > 0 ? through_copies(storage) : storage;
 }
 
 void add_masks(ShaderText& text, const FieldStorage& storage) {
@@ -86,8 +91,7 @@ Pass beam_copies_pass(const scene::Scene& scene, const Passes& passes, int level
     text.define("SLOTS", slots(passes, level));
     text.define("MASK_TEXELS", texels_of_a_mask(passes));
     text.define("MASK_WORDS", (passes.arrays[0].capacity + 31) / 32);
-    add_field(text, *scene.surface.field, level > 0 ? through_copies(passes) : FieldStorage(passes),
-              {});
+    add_field(text, *scene.surface.field, storage_at_level(passes, level), {});
     if (level > 0) {
         text.define("PARENT_BLOCK", passes.beams[0].block);
         add_places(text, passes);

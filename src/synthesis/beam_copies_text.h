@@ -15,7 +15,9 @@ int masks_of_level(const FieldStorage& storage, const BeamLevel& level);
 int rows_of_copies(const Passes& passes, int level);
 
 // The storage for shaders that go through copies: where there are none, the same.
-FieldStorage through_copies(FieldStorage storage);
+FieldStorage through_copies(const FieldStorage& storage);
+// The storage for the beams of a level and their lists: those of the first go through all elements.
+FieldStorage storage_at_level(const FieldStorage& storage, int level);
 
 // What a level of beams writes its bits by.
 void add_masks(ShaderText& text, const FieldStorage& storage);

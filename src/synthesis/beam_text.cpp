@@ -101,7 +101,7 @@ Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
     if (has_lists(passes)) {
         text.define("LISTS", 1);
         text.file("elements/left_out.glsl");
-        add_bounds_of_sum(text, field, parent ? through_copies(passes) : FieldStorage(passes));
+        add_bounds_of_sum(text, field, storage_at_level(passes, level));
     } else {
         add_field(text, field, passes, {FieldFunction::value_interval});
     }
