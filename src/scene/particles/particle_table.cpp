@@ -62,7 +62,7 @@ template<class To> std::vector<To> decoded(const RawColumn& raw, std::size_t cou
     with_reader(raw, [&](auto read) {
         const char* at = raw.first;
         for (To& value : values) {
-            value = To(read(at));
+            value = To(read(at)); // NOLINT(bugprone-signed-char-misuse): a number
             at += raw.stride;
         }
     });

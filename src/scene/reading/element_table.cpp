@@ -240,6 +240,7 @@ std::vector<ElementTable> read_rows_in_time(std::span<const TableOptions> option
     }
     SharedTable file(std::move(read.table), request.file, parts);
     std::vector<ElementTable> tables;
+    tables.reserve(parts.size());
     for (const Part& part : parts)
         tables.push_back(RowsInTime(part, timeline, file).read(part.rule));
     return tables;
