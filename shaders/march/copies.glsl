@@ -1,8 +1,9 @@
-// Lists of elements as copies in a texture. A list is a rectangle of 16 elements a row, TEXELS rows for
-// each texel of an element, and its last place tells how many there are: -1 where there are more than
-// places. A block's lists lie one above the other, that of the front first.
+// Lists of elements as copies in a texture. A list is a rectangle 16 texels wide: each 16 elements
+// take TEXELS rows, one for each of their texels. Its last place holds the number of elements, or -1
+// if there are more elements than places. The lists of a block lie one above the other, the front's
+// first.
 //
-// A list is how many there are, and the texel where they begin.
+// A LIST is the number of elements, and the texel where they begin.
 
 ivec2 first_of_list(ivec2 block, int which, int lists, int slots) {
     int rows = slots / 16 * TEXELS;

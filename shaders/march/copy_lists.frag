@@ -1,13 +1,13 @@
 // Copies the elements that matter in the blocks of a level of beams, as its bits tell, to lists that
-// rays and smaller beams go through: copies.glsl says where. Bits are of the elements of the list
-// that they were made from.
+// rays and smaller beams go through: copies.glsl says where. Bit e stands for element e of the list
+// that the level's beams went through.
 
 layout(location = 0) out vec4 copied;
 
 uniform usampler2DArray beam_masks_texture;
 uniform int first_row; // of the level's lists in the texture
 
-// Of bits; ES 3.00 has no bitCount().
+// How many bits of a word are set; ES 3.00 has no bitCount().
 int bits_in(uint word) {
     word -= (word >> 1) & 0x55555555u;
     word = (word & 0x33333333u) + ((word >> 2) & 0x33333333u);
