@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "gpu/query.h"
 #include "gpu/target.h"
 #include "gpu/texture.h"
 #include "image/environment.h"
@@ -69,6 +70,7 @@ struct Renderer::Parts {
             if (passes.has(Role::surface)) secondary.emplace(passes, scene, plan.march);
         }
         if (scene.environment) load_environment();
+        if (options.times_rays) clock.emplace();
         if (passes.has(Role::motion)) moved.emplace(plan.march);
         if (passes.has(Role::proof)) {
             proofs.emplace(passes, scene, plan.march, fused ? &fused->mask() : nullptr,
@@ -197,7 +199,7 @@ struct Renderer::Parts {
                 stop_if_asked();
                 const gpu::Rectangle tile{x, y, std::min(across, options.width - x),
                                           std::min(up, options.height - y)};
-                if (surfaces.size() == 1) own.draw_beams(inputs, tile);
+                if (surfaces.size() == 1) timed(picture, [&] { own.draw_beams(inputs, tile); });
                 const gpu::Target* rays = draw_tile(inputs, tile, picture);
                 fill_counts(tile, picture.frame);
                 if (const auto at = endings_in(inputs)) {
@@ -217,6 +219,15 @@ struct Renderer::Parts {
         return picture;
     }
 
+    // Adds the time of these draws to the picture's, if it is asked for.
+    template<typename Draws> void timed(Picture& picture, const Draws& draws) {
+        if (!clock) return draws();
+        clock->begin();
+        draws();
+        clock->end();
+        picture.marching += std::chrono::nanoseconds(clock->nanoseconds());
+    }
+
     void stop_if_asked() const {
         if (options.progress) options.progress(done);
         if (options.stop && options.stop()) throw Stopped{};
@@ -227,7 +238,7 @@ struct Renderer::Parts {
     const gpu::Target* draw_tile(const PictureInputs& inputs, const gpu::Rectangle& tile,
                                  Picture& picture) {
         if (fused_surfaces) {
-            fused_surfaces->draw(inputs, tile, picture.passes);
+            timed(picture, [&] { fused_surfaces->draw(inputs, tile, picture.passes); });
             record.read(result, 1, tile.width, tile.height);
             if (take_ended(tile, picture)) return nullptr;
             // Some ray takes longer than a draw may; others of this scene will too.
@@ -236,14 +247,16 @@ struct Renderer::Parts {
             picture.compiled = true;
         }
         if (several) {
-            several->draw(inputs, tile, result, environment ? &*environment : nullptr,
-                          picture.passes);
+            timed(picture, [&] {
+                several->draw(inputs, tile, result, environment ? &*environment : nullptr,
+                              picture.passes);
+            });
             record.read(result, 1, tile.width, tile.height);
             add(record.tally(), picture);
             return nullptr;
         }
         if (one_draw) {
-            fused->draw(table, tile, plan, inputs.background());
+            timed(picture, [&] { fused->draw(table, tile, plan, inputs.background()); });
             ++picture.passes;
             record.read(result, 1, tile.width, tile.height);
             if (take_ended(tile, picture)) return nullptr;
@@ -252,14 +265,16 @@ struct Renderer::Parts {
             eye_rays.emplace(passes, plan.march);
             picture.compiled = true;
         }
-        const gpu::Target& rays =
-            own.marcher.march(table, Role::march, tile, *eye_rays, result, picture.passes);
-        if (secondary) secondary->trace(table, own.marcher, tile, result, picture.passes);
-        table.bind_numbered("state_texture", rays);
+        const gpu::Target* rays = nullptr;
+        timed(picture, [&] {
+            rays = &own.marcher.march(table, Role::march, tile, *eye_rays, result, picture.passes);
+            if (secondary) secondary->trace(table, own.marcher, tile, result, picture.passes);
+        });
+        table.bind_numbered("state_texture", *rays);
         table.draw(table.program(Role::shade), tile, result);
         record.read(result, 1, tile.width, tile.height);
         add(record.tally(), picture);
-        return &rays;
+        return rays;
     }
 
     // Adds the record that was read last to the picture's, if all rays of its tile ended.
@@ -423,6 +438,7 @@ struct Renderer::Parts {
     Record record;                  // of the tile drawn last
     Planes planes;
     Layers layers;
+    std::optional<gpu::Timer> clock; // of beams and rays
     gpu::Target result;
     std::optional<FusedSurfaces> fused_surfaces; // into `result`, as long as that is enough
     std::optional<SeveralSurfaces> several;

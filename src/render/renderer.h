@@ -46,6 +46,9 @@ struct Picture {
     // From preparing its inputs to read-back. For a picture that was started and taken, the time of
     // these two calls alone.
     std::chrono::duration<double> drawing{};
+    // The GPU's time for beams and rays, if the options ask for it; in fragment shaders that march
+    // and shade in one draw, for shading, too.
+    std::chrono::duration<double> marching{};
 };
 
 struct RenderOptions {
@@ -63,6 +66,8 @@ struct RenderOptions {
     bool proofs_in_doubles = true;
     // Whether inputs may ask for the endings of rays. It changes no pixel.
     bool tells_endings = false;
+    // Whether draw() measures the GPU's time for beams and rays, for which it waits.
+    bool times_rays = false;
     // Threads that make grids of elements; 0: as many as the machine runs at once.
     int threads = 0;
     // Called before each tile and between its passes; if it returns true, draw() throws Stopped.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "gpu/compute.h"
 #include "gpu/draw.h"
 #include "gpu/program.h"
 #include "gpu/target.h"
@@ -24,27 +25,49 @@ void main() {
 
 // Chains tend to 1, whatever the number of rounds, so that no number is denormal or infinite. Each
 // begins elsewhere: they can't be merged.
-std::string fragment(int chains, bool function) {
+std::string chains_text(int chains, bool function, const std::string& place) {
     std::string begin, once, sum;
     for (int k = 0; k < chains; ++k) {
-        begin += fmt::format("    vec4 v{0} = gl_FragCoord * 1e-3 + {0}.5;\n", k);
+        begin += fmt::format("    vec4 v{0} = {1} * 1e-3 + {0}.5;\n", k, place);
         once += function ? fmt::format("        v{0} = fma(v{0}, factor, term);\n", k)
                          : fmt::format("        v{0} = v{0} * factor + term;\n", k);
         sum += fmt::format("{}v{}", k ? " + " : "", k);
     }
     std::string round;
     for (int k = 0; k < unrolled; ++k) round += once;
-    return fmt::format("#version {} core\nuniform vec4 factor, term;\nuniform int rounds;\n"
-                       "out vec4 color;\nvoid main() {{\n{}    for (int k = 0; k < rounds; ++k) "
-                       "{{\n{}    }}\n    color = {};\n}}\n",
-                       function ? "400" : "330", begin, round, sum);
+    return fmt::format("{}    for (int k = 0; k < rounds; ++k) {{\n{}    }}\n    vec4 sum = {};\n",
+                       begin, round, sum);
 }
 
-double operations_a_second(const gpu::Target& target, int chains, bool function) {
+constexpr const char* uniforms = "uniform vec4 factor, term;\nuniform int rounds;\n";
+
+gpu::Program in_fragments(int chains, bool function) {
+    return {vertex,
+            fmt::format(
+                "#version {} core\n{}out vec4 color;\nvoid main() {{\n{}    color = sum;\n}}\n",
+                function ? "400" : "330", uniforms, chains_text(chains, function, "gl_FragCoord")),
+            "peak"};
+}
+
+gpu::Program in_compute(int chains, bool function) {
+    return gpu::Program::compute(
+        fmt::format("#version 430 core\nlayout(local_size_x = {0}, local_size_y = {0}) in;\n"
+                    "layout(rgba32f, binding = 0) writeonly uniform image2D stored;\n{1}"
+                    "void main() {{\n{2}    imageStore(stored, ivec2(gl_GlobalInvocationID.xy), "
+                    "sum);\n}}\n",
+                    synthesis::workgroup_side, uniforms,
+                    chains_text(chains, function, "vec4(gl_GlobalInvocationID.xyzx)")),
+        "peak");
+}
+
+double operations_a_second(const gpu::Target& target, synthesis::Stage stage, int chains,
+                           bool function) {
     using Clock = std::chrono::steady_clock;
     constexpr double long_enough = 0.05; // seconds, beside which a draw's own cost is small
     constexpr int most_rounds = 50'000;  // below the loop limit of software drivers
-    const gpu::Program program(vertex, fragment(chains, function), "peak");
+    const bool computes = stage == synthesis::Stage::compute;
+    const gpu::Program program =
+        computes ? in_compute(chains, function) : in_fragments(chains, function);
     const gpu::Fullscreen fullscreen;
     program.set("factor", glm::vec4(0.999f));
     program.set("term", glm::vec4(0.001f));
@@ -53,7 +76,12 @@ double operations_a_second(const gpu::Target& target, int chains, bool function)
         gpu::finish();
         const auto begin = Clock::now();
         program.use();
-        fullscreen.draw();
+        if (computes) {
+            gpu::bind_image(target.texture(0), 0);
+            gpu::dispatch(glm::ivec2(size / synthesis::workgroup_side));
+        } else {
+            fullscreen.draw();
+        }
         gpu::finish();
         return std::chrono::duration<double>(Clock::now() - begin).count();
     };
@@ -71,13 +99,13 @@ double operations_a_second(const gpu::Target& target, int chains, bool function)
 
 } // namespace
 
-double peak_operations(gpu::Context& context) {
+double peak_operations(gpu::Context& context, synthesis::Stage stage) {
     const gpu::Target target(size, size);
     double best = 0;
     for (const bool function : {false, true}) {
         if (function && context.info().major < 4) continue;
         for (const int chains : {1, 2, 3, 4, 8}) {
-            best = std::max(best, operations_a_second(target, chains, function));
+            best = std::max(best, operations_a_second(target, stage, chains, function));
         }
     }
     return best;
