@@ -18,11 +18,11 @@
 #define REAL2 dvec2
 #define REAL3 dvec3
 #define REAL4 dvec4
-// By their bits where floats have no such numbers; the others are floats.
+// By their bits: NVIDIA's compiler rounds decimals to a neighbour of the nearest double.
 #define IM_INFINITY packDouble2x32(uvec2(0u, 0x7ff00000u))
 #define IM_LARGEST packDouble2x32(uvec2(0xffffffffu, 0x7fefffffu))
 #define IM_SMALLEST packDouble2x32(uvec2(0u, 0x00100000u))     // 2^-1022
 #define IM_STEP packDouble2x32(uvec2(0u, 0x00300000u))         // 2^-1020
-#define IM_ROUNDING 1.6653345369377348e-16lf                   // 1.5 * 2^-53
-#define IM_DRIVER_ERROR 8.8817841970012523e-16lf              // of quotients and roots: 2^-50
+#define IM_ROUNDING packDouble2x32(uvec2(0u, 0x3ca80000u))     // 1.5 * 2^-53
+#define IM_DRIVER_ERROR packDouble2x32(uvec2(0u, 0x3cd00000u)) // of quotients and roots: 2^-50
 #define IM_MOST_DIVISOR packDouble2x32(uvec2(0u, 0x7fc00000u)) // 2^1021

@@ -31,7 +31,7 @@ void main() {
     case 8: r = floor(a); break;
     case 9: r = abs(a); break;
     case 10: r = double(float(a)); break;
-    case 11: r = literals[at.x % LITERALS]; break;
+    case 11: r = literal(at.x % LITERALS); break;
     case 12: r = a / b; break;
     case 13: r = sqrt(a); break;
     }

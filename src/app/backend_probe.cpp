@@ -120,6 +120,9 @@ Json probe_here(gpu::Backend backend) {
                   {"uniform_block_bytes", info.max_uniform_block_size},
                   {"texture_buffer_texels", info.max_texture_buffer_size},
                   {"storage_block_bytes", info.max_storage_block_size}}},
+                {"operations_a_second",
+                 {{"fragment", info.operations_a_second.in_fragments},
+                  {"compute", info.operations_a_second.in_compute}}},
                 {"compute", compute_of(info)},
                 {"arithmetic", arithmetic()}};
     } catch (const std::exception& error) {

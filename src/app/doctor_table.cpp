@@ -90,6 +90,16 @@ std::string why_not(const Json& found, const Json& all) {
     return reason;
 }
 
+// Of hardware; that of software renderers, which takes long to measure, is not known.
+std::string speed(const Json& operations) {
+    const double fragment = operations["fragment"].get<double>();
+    const double compute = operations["compute"].get<double>();
+    if (fragment == 0) return "";
+    std::string words = fmt::format("{:.3g} Gflop/s in fragment shaders", 1e-9 * fragment);
+    if (compute > 0) words += fmt::format(", {:.3g} in compute shaders", 1e-9 * compute);
+    return line("", words);
+}
+
 std::string back_end(const Json& found, const Json& all) {
     const std::string name = text(found["name"]);
     if (!found["works"].get<bool>()) return line(name, "does not work: " + why_not(found, all));
@@ -107,6 +117,7 @@ std::string back_end(const Json& found, const Json& all) {
            line("", compute["works"].get<bool>()
                         ? "compute shaders work; --stage auto: " + text(compute["automatic_stage"])
                         : text(compute["reason"])) +
+           speed(found["operations_a_second"]) +
            (same == name ? arithmetic(found["arithmetic"])
                          : line("", fmt::format("arithmetic: the same as that of {}", same)));
 }

@@ -37,9 +37,10 @@ void add_play(CLI::App& app, Action& chosen) {
     const auto frames = std::make_shared<std::string>();
     player::PlayOptions& o = *options;
     CLI::App* command = app.add_subcommand("play", "play a scene in a window");
-    command->add_option("scene", o.scene,
-                        "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula; "
-                        "without one the gallery is shown");
+    command->add_option(
+        "scene", o.scene,
+        "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula; "
+        "without one the gallery is shown");
     command
         ->add_option("--set", o.overrides,
                      "set a parameter (r=0.5) or a key of the scene file (camera.fov=30)")

@@ -72,12 +72,11 @@ std::string expectation(const Json& report) {
             ? fmt::format("software renderer, {} core{}", processors, processors == 1 ? "" : "s")
             : "graphics card";
     const std::string rate = fmt::format("{:.{}f}", 1000 / ms, ms > 100 ? 1 : 0);
-    return fmt::format(
-        "{0}: {1} renders {2} frames a second at {3}x{3}, and plays at about "
-        "{4:.0f} "
-        "pixels{5}",
-        machine, speed["scene"].get<std::string>(), rate, size, rounded,
-        played == largest_window ? " or more" : "");
+    return fmt::format("{0}: {1} renders {2} frames a second at {3}x{3}, and plays at about "
+                       "{4:.0f} "
+                       "pixels{5}",
+                       machine, speed["scene"].get<std::string>(), rate, size, rounded,
+                       played == largest_window ? " or more" : "");
 }
 
 } // namespace isomotion::app

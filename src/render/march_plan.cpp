@@ -15,7 +15,14 @@ void expect_drawable(double operations) {
                     operations, operations_at_a_point));
 }
 
-MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int max_tile) {
+double operations_per_draw_at(double operations_a_second) {
+    constexpr double reached = 0.05, seconds = 0.5;
+    constexpr double most = 1e12;
+    return std::clamp(reached * seconds * operations_a_second, operations_per_draw, most);
+}
+
+MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int max_tile,
+                     double operations_of_a_draw) {
     const double by_loops = loop_iterations_per_pass / (1 + evaluation.iterations);
     if (by_loops < 1) {
         throw std::length_error(
@@ -31,13 +38,13 @@ MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int
     const double evaluations = std::min(useful_evaluations, by_loops);
     int tile = 64;
     while (2 * tile <= max_tile &&
-           4.0 * tile * tile * operations * evaluations <= operations_per_draw) {
+           4.0 * tile * tile * operations * evaluations <= operations_of_a_draw) {
         tile *= 2;
     }
     plan.tile_width = std::min(tile, width);
     plan.tile_height = std::min(tile, height);
     const double pixels = double(plan.tile_width) * plan.tile_height;
-    const double by_work = operations_per_draw / (pixels * operations);
+    const double by_work = operations_of_a_draw / (pixels * operations);
     plan.evaluations_per_pass = int(std::clamp(std::min(by_work, by_loops), 1.0, 60'000.0));
     return plan;
 }

@@ -134,7 +134,8 @@ int of_a_part(const scene::Scene& scene, const synthesis::Passes& passes, int ev
 }
 
 MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& passes, int width,
-                        int height, int max_texture_size, const std::optional<MarchPlan>& wanted) {
+                        int height, int max_texture_size, const std::optional<MarchPlan>& wanted,
+                        double operations_of_a_draw) {
     const std::vector<int> counts = capacities(passes);
     std::vector<int> usual = elements_by_place(passes);
     if (synthesis::has_lists(passes)) usual[0] = std::min(usual[0], usual_list);
@@ -142,8 +143,8 @@ MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& pass
     formula::Cost cost = synthesis::cost(*scene.surface.field, passes.samples, usual);
     expect_shadeable(scene, passes, by_place ? usual : counts);
     cost.iterations = std::max(cost.iterations, shade_iterations(scene, passes, usual));
-    const MarchPlan fitting =
-        plan_march(cost, width, height, std::min(largest_tile, max_texture_size));
+    const MarchPlan fitting = plan_march(
+        cost, width, height, std::min(largest_tile, max_texture_size), operations_of_a_draw);
     MarchPlan chosen = wanted.value_or(fitting);
     // One draw marches and shades.
     const double with_shade =
@@ -209,9 +210,11 @@ std::vector<int> elements_by_place(const synthesis::Passes& passes) {
 }
 
 ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Passes& passes, int width,
-                     int height, int max_texture_size, const std::optional<MarchPlan>& wanted) {
+                     int height, int max_texture_size, const std::optional<MarchPlan>& wanted,
+                     double operations_of_a_draw) {
     ScenePlan plan;
-    plan.march = plan_of_march(scene, passes, width, height, max_texture_size, wanted);
+    plan.march =
+        plan_of_march(scene, passes, width, height, max_texture_size, wanted, operations_of_a_draw);
     plan.evaluations_without_lists = without_lists(scene, passes, plan.march.evaluations_per_pass);
     plan.most_elements_at_a_place = most_at_a_place(scene, passes);
     plan.element_budget = budget_of_elements(scene, passes);

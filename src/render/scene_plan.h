@@ -25,6 +25,7 @@ std::vector<int> elements_by_place(const synthesis::Passes& passes);
 // `wanted` replaces the march plan made from the formula's cost. Throws std::length_error for a sum
 // too long for a shader, and for a formula that no draw can evaluate.
 ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Passes& passes, int width,
-                     int height, int max_texture_size, const std::optional<MarchPlan>& wanted);
+                     int height, int max_texture_size, const std::optional<MarchPlan>& wanted,
+                     double operations_of_a_draw = operations_per_draw);
 
 } // namespace isomotion::render

@@ -48,7 +48,10 @@ PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& option
     , passes(synthesis::assemble(scene, options.channels, choose_stage(options.stage, info),
                                  info.has(4, 3), options.finest_beam, options.tells_endings))
     , plan(plan_scene(scene, checked(passes, info), options.width, options.height,
-                      info.max_texture_size, options.plan)) {
+                      info.max_texture_size, options.plan,
+                      operations_per_draw_at(passes.stage == synthesis::Stage::fragment
+                                                 ? info.operations_a_second.in_fragments
+                                                 : info.operations_a_second.in_compute))) {
     const bool too_little = plan.march.evaluations_per_pass <= 1; // to end a ray in one draw
     if (too_little) passes = synthesis::without_fused_pass(std::move(passes));
 }

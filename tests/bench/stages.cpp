@@ -76,22 +76,28 @@ public:
         if (arguments.one_draw)
             options.plan = render::MarchPlan{arguments.size, arguments.size, 60'000};
         const auto begin = std::chrono::steady_clock::now();
-        renderer_ = std::make_unique<render::Renderer>(context, scene_, options);
-        take_picture(arguments.count_size);
+        timed_ = std::make_unique<render::Renderer>(context, scene_, options);
+        timed_->draw(on.frames[0]); // drivers make their code and memory at the first draw
         line_.compiling =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        if (!on.truths.empty()) {
+            options.width = options.height = arguments.count_size;
+            options.channels = {Channel::normal, Channel::position, Channel::verdict};
+            counted_ = std::make_unique<render::Renderer>(context, scene_, options);
+        }
         line_.operations = operations(on.subject.scene, method);
     }
 
     void halve(int halvings) {
         line_.halvings = halvings;
         scene_.isolation.step = std::ldexp(on_.subject.scene.isolation.step, -halvings);
-        renderer_->adjust(scene_.isolation);
+        timed_->adjust(scene_.isolation);
+        if (counted_) counted_->adjust(scene_.isolation);
     }
 
     std::int64_t wrong() {
-        if (on_.truths.empty()) return -1;
-        const render::Picture picture = take_picture(arguments_.count_size);
+        if (!counted_) return -1;
+        const render::Picture picture = counted_->draw(on_.frames[0]);
         return accuracy::compare(on_.frames[0], picture.frame, on_.truths[0]).wrong();
     }
 
@@ -100,13 +106,13 @@ public:
         Line line = line_;
         line.wrong = wrong();
         std::vector<double> marching, drawing;
-        for (int round = 0; round <= arguments_.rounds; ++round) {
-            const render::Picture picture = take_picture(arguments_.size);
+        for (int round = 0; round < arguments_.rounds; ++round) {
+            render::Picture picture = timed_->draw(on_.frames[0]);
             line.passes = picture.passes;
             line.evaluations = double(picture.evaluations);
-            if (round == 0) continue; // textures of this size are new to the driver
             marching.push_back(1e3 * picture.marching.count());
             drawing.push_back(1e3 * picture.drawing.count());
+            timed_->reuse(std::move(picture));
         }
         line.marching = median(std::move(marching));
         line.drawing = median(std::move(drawing));
@@ -119,16 +125,11 @@ private:
         return values[values.size() / 2];
     }
 
-    render::Picture take_picture(int size) {
-        renderer_->resize(size, size);
-        return renderer_->draw(on_.frames[0]);
-    }
-
     const Certified& on_;
     scene::Scene scene_;
     const Arguments& arguments_;
     Line line_;
-    std::unique_ptr<render::Renderer> renderer_;
+    std::unique_ptr<render::Renderer> timed_, counted_;
 };
 
 class Table {

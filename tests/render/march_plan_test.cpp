@@ -26,6 +26,27 @@ TEST(MarchPlan, EveryPassStaysBelowTheLoopLimitAndTheWorkOfADraw) {
     }
 }
 
+// A picture is divided into fewer draws where a draw may take more; llvmpipe's limit on loops
+// stays.
+TEST(MarchPlan, FasterHardwareTakesFewerDraws) {
+    EXPECT_EQ(operations_per_draw_at(0), operations_per_draw);    // software
+    EXPECT_EQ(operations_per_draw_at(1e11), operations_per_draw); // slower than is planned for
+    EXPECT_EQ(operations_per_draw_at(2e12), 5e10);
+    EXPECT_EQ(operations_per_draw_at(1e15), operations_per_draw_at(1e14));
+    const formula::Cost cost{100, 0};
+    MarchPlan slower = plan_march(cost, 2048, 2048, 2048);
+    for (const double speed : {1e12, 1e13, 1e14}) {
+        const MarchPlan plan = plan_march(cost, 2048, 2048, 2048, operations_per_draw_at(speed));
+        const auto of_a_draw = [](const MarchPlan& p) {
+            return double(p.tile_width) * p.tile_height * p.evaluations_per_pass;
+        };
+        EXPECT_GT(of_a_draw(plan), of_a_draw(slower)) << speed;
+        EXPECT_LE(of_a_draw(plan) * 100, operations_per_draw_at(speed));
+        EXPECT_LE(plan.evaluations_per_pass, 65'535);
+        slower = plan;
+    }
+}
+
 TEST(MarchPlan, RefusesASumThatNoPassCanHold) {
     EXPECT_THROW(plan_march({1e6, 60'001}, 64, 64, 2048), std::length_error);
 }

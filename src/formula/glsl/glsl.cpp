@@ -1,8 +1,10 @@
 #include "formula/glsl/glsl.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <map>
 
 #include <fmt/format.h>
@@ -197,9 +199,13 @@ std::string glsl_literal(double value) {
 }
 
 std::string glsl_double_literal(double value) {
-    std::string text = fmt::format("{}", value);
-    if (text.find_first_of(".e") == std::string::npos) text += ".0";
-    return text + "lf";
+    constexpr double exact_by_any_driver = 1 << 24;
+    if (value == std::floor(value) && std::abs(value) < exact_by_any_driver && !std::signbit(value))
+        return fmt::format("{}.0lf", value);
+    // NVIDIA's compiler rounds decimal fractions to a neighbour of the nearest double.
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    return fmt::format("packDouble2x32(uvec2({:#010x}u, {:#010x}u))", std::uint32_t(bits),
+                       std::uint32_t(bits >> 32));
 }
 
 std::string glsl_least_of_none() {

@@ -1,7 +1,9 @@
 #include "testing.h"
 
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "formula/field.h"
@@ -151,7 +153,8 @@ TEST(Glsl, NegativeOperandsNeverMakeADecrement) {
                              "-exp(-x) - -3", "-(-x*-1.5)", "-(-2)^x", "sum(blobs, -2*cx - -1)",
                              "-1/x", "-2 - x", "max(x,-1) - min(y,-1)"}) {
         const Field field = make_field(text, test_vocabulary());
-        for (const auto& code : {glsl_value(field), glsl_directional(field), glsl_gradient(field)}) {
+        for (const auto& code :
+             {glsl_value(field), glsl_directional(field), glsl_gradient(field)}) {
             EXPECT_THAT(code, Not(HasSubstr("--"))) << text;
             EXPECT_THAT(code, Not(HasSubstr("nan"))) << text;
             EXPECT_THAT(code, Not(HasSubstr("inf"))) << text;
@@ -198,6 +201,25 @@ TEST(GlslLiteral, WhatFloatCannotHoldIsItsLargest) {
     EXPECT_EQ(read_back(glsl_literal(1e39)), largest);
     EXPECT_EQ(read_back(glsl_literal(-1e300)), -largest);
     EXPECT_EQ(read_back(glsl_literal(std::numeric_limits<double>::infinity())), largest);
+}
+
+// Whole numbers as they are written, everything else by its bits.
+TEST(GlslLiteral, DoublesHaveTheBitsOfTheirValue) {
+    EXPECT_EQ(glsl_double_literal(0), "0.0lf");
+    EXPECT_EQ(glsl_double_literal(3), "3.0lf");
+    EXPECT_EQ(glsl_double_literal(0.1), "packDouble2x32(uvec2(0x9999999au, 0x3fb99999u))");
+    EXPECT_EQ(glsl_double_literal(-0.0), "packDouble2x32(uvec2(0x00000000u, 0x80000000u))");
+    constexpr std::uint64_t seed = 51;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    for (int k = 0; k < 1000; ++k) {
+        const double value = std::ldexp(random.in(-1, 1), random.below(2000) - 1000);
+        const std::string text = glsl_double_literal(value);
+        unsigned low = 0, high = 0;
+        ASSERT_EQ(std::sscanf(text.c_str(), "packDouble2x32(uvec2(%xu, %xu))", &low, &high), 2)
+            << text;
+        ASSERT_EQ(std::bit_cast<double>(std::uint64_t{high} << 32 | low), value) << text;
+    }
 }
 
 TEST(Glsl, ParametersArePackedByFour) {
@@ -270,7 +292,8 @@ TEST(Glsl, RandomFormulasAreWellFormed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         const std::string text = FormulaGenerator(seed).make(2 + int(seed % 4)).text;
         const Field field = make_field(text, test_vocabulary());
-        for (const auto& code : {glsl_value(field), glsl_directional(field), glsl_gradient(field)}) {
+        for (const auto& code :
+             {glsl_value(field), glsl_directional(field), glsl_gradient(field)}) {
             expect_well_formed(code);
         }
         if (HasFailure()) return;

@@ -278,8 +278,15 @@ void main() {
     bounds[1] = along.xy;
     bounds[2] = along.zw;
     field_gradient_interval(v[0], v[1], v[2], bounds[3], bounds[4], bounds[5]);
-    low = parted(bounds[wanted].x);
-    high = parted(bounds[wanted].y);
+    // By constants: NVIDIA's compiler rounds doubles of arrays to floats where the index is none.
+    dvec2 b = bounds[0];
+    if (wanted == 1) b = bounds[1];
+    if (wanted == 2) b = bounds[2];
+    if (wanted == 3) b = bounds[3];
+    if (wanted == 4) b = bounds[4];
+    if (wanted == 5) b = bounds[5];
+    low = parted(b.x);
+    high = parted(b.y);
 }
 )");
     return text.text();
