@@ -137,6 +137,12 @@ void PassTable::draw(const gpu::Program& program, const gpu::Rectangle& tile,
 
 void PassTable::march(const gpu::Program& program, const gpu::Rectangle& tile,
                       const gpu::Target& target) const {
+    if (!clock_) return march_untimed(program, tile, target);
+    clock_->time([&] { march_untimed(program, tile, target); });
+}
+
+void PassTable::march_untimed(const gpu::Program& program, const gpu::Rectangle& tile,
+                              const gpu::Target& target) const {
     if (passes_.stage == synthesis::Stage::fragment) return draw(program, tile, target);
     for (int k = 0; k < target.attachments(); ++k) gpu::bind_image(target.texture(k), k);
     const glm::ivec2 size(tile.width, tile.height);

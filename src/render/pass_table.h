@@ -15,6 +15,7 @@
 #include "gpu/draw.h"
 #include "gpu/program.h"
 #include "gpu/target.h"
+#include "render/ray_clock.h"
 #include "synthesis/pass.h"
 #include "synthesis/uniform.h"
 
@@ -68,7 +69,13 @@ public:
     void march(const gpu::Program& program, const gpu::Rectangle& tile,
                const gpu::Target& target) const;
 
+    // Later passes of rays take their time by this clock, which must outlive them.
+    void time_rays_by(RayClock& clock) { clock_ = &clock; }
+
 private:
+    void march_untimed(const gpu::Program& program, const gpu::Rectangle& tile,
+                       const gpu::Target& target) const;
+
     using Numbers = std::map<std::string, int, std::less<>>;
 
     void compile(std::size_t index);
@@ -80,6 +87,7 @@ private:
     std::map<std::string, const gpu::UniformBuffer*, std::less<>> bound_;
     synthesis::Uniforms uniforms_; // as set last
     gpu::Fullscreen triangle_;
+    RayClock* clock_ = nullptr;
 };
 
 } // namespace isomotion::render

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "gpu/query.h"
 #include "gpu/target.h"
 #include "gpu/texture.h"
 #include "image/environment.h"
@@ -16,6 +15,7 @@
 #include "render/layers.h"
 #include "render/pictures_in_flight.h"
 #include "render/planes.h"
+#include "render/ray_clock.h"
 #include "render/secondary_rays.h"
 #include "render/several_surfaces.h"
 #include "render/surface_passes.h"
@@ -70,7 +70,10 @@ struct Renderer::Parts {
             if (passes.has(Role::surface)) secondary.emplace(passes, scene, plan.march);
         }
         if (scene.environment) load_environment();
-        if (options.times_rays) clock.emplace();
+        if (options.times_rays) {
+            clock.emplace();
+            for (SurfacePasses* surface : all_surfaces()) surface->table.time_rays_by(*clock);
+        }
         if (passes.has(Role::motion)) moved.emplace(plan.march);
         if (passes.has(Role::proof)) {
             proofs.emplace(passes, scene, plan.march, fused ? &fused->mask() : nullptr,
@@ -199,7 +202,7 @@ struct Renderer::Parts {
                 stop_if_asked();
                 const gpu::Rectangle tile{x, y, std::min(across, options.width - x),
                                           std::min(up, options.height - y)};
-                if (surfaces.size() == 1) timed(picture, [&] { own.draw_beams(inputs, tile); });
+                if (surfaces.size() == 1) timed([&] { own.draw_beams(inputs, tile); });
                 const gpu::Target* rays = draw_tile(inputs, tile, picture);
                 fill_counts(tile, picture.frame);
                 if (const auto at = endings_in(inputs)) {
@@ -216,16 +219,13 @@ struct Renderer::Parts {
                 done += double(tile.width) * tile.height / pixels;
             }
         }
+        if (clock) picture.marching = clock->take();
         return picture;
     }
 
-    // Adds the time of these draws to the picture's, if it is asked for.
-    template<typename Draws> void timed(Picture& picture, const Draws& draws) {
-        if (!clock) return draws();
-        clock->begin();
+    template<typename Draws> void timed(const Draws& draws) {
+        if (clock) return clock->time(draws);
         draws();
-        clock->end();
-        picture.marching += std::chrono::nanoseconds(clock->nanoseconds());
     }
 
     void stop_if_asked() const {
@@ -238,7 +238,7 @@ struct Renderer::Parts {
     const gpu::Target* draw_tile(const PictureInputs& inputs, const gpu::Rectangle& tile,
                                  Picture& picture) {
         if (fused_surfaces) {
-            timed(picture, [&] { fused_surfaces->draw(inputs, tile, picture.passes); });
+            timed([&] { fused_surfaces->draw(inputs, tile, picture.passes); });
             record.read(result, 1, tile.width, tile.height);
             if (take_ended(tile, picture)) return nullptr;
             // Some ray takes longer than a draw may; others of this scene will too.
@@ -247,16 +247,14 @@ struct Renderer::Parts {
             picture.compiled = true;
         }
         if (several) {
-            timed(picture, [&] {
-                several->draw(inputs, tile, result, environment ? &*environment : nullptr,
-                              picture.passes);
-            });
+            several->draw(inputs, tile, result, environment ? &*environment : nullptr,
+                          picture.passes);
             record.read(result, 1, tile.width, tile.height);
             add(record.tally(), picture);
             return nullptr;
         }
         if (one_draw) {
-            timed(picture, [&] { fused->draw(table, tile, plan, inputs.background()); });
+            timed([&] { fused->draw(table, tile, plan, inputs.background()); });
             ++picture.passes;
             record.read(result, 1, tile.width, tile.height);
             if (take_ended(tile, picture)) return nullptr;
@@ -265,16 +263,14 @@ struct Renderer::Parts {
             eye_rays.emplace(passes, plan.march);
             picture.compiled = true;
         }
-        const gpu::Target* rays = nullptr;
-        timed(picture, [&] {
-            rays = &own.marcher.march(table, Role::march, tile, *eye_rays, result, picture.passes);
-            if (secondary) secondary->trace(table, own.marcher, tile, result, picture.passes);
-        });
-        table.bind_numbered("state_texture", *rays);
+        const gpu::Target& rays =
+            own.marcher.march(table, Role::march, tile, *eye_rays, result, picture.passes);
+        if (secondary) secondary->trace(table, own.marcher, tile, result, picture.passes);
+        table.bind_numbered("state_texture", rays);
         table.draw(table.program(Role::shade), tile, result);
         record.read(result, 1, tile.width, tile.height);
         add(record.tally(), picture);
-        return rays;
+        return &rays;
     }
 
     // Adds the record that was read last to the picture's, if all rays of its tile ended.
@@ -438,7 +434,7 @@ struct Renderer::Parts {
     Record record;                  // of the tile drawn last
     Planes planes;
     Layers layers;
-    std::optional<gpu::Timer> clock; // of beams and rays
+    std::optional<RayClock> clock;
     gpu::Target result;
     std::optional<FusedSurfaces> fused_surfaces; // into `result`, as long as that is enough
     std::optional<SeveralSurfaces> several;

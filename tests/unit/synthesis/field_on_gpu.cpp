@@ -270,21 +270,19 @@ vec4 parted(double x) {
 }
 
 void main() {
-    dvec2 v[6];
-    for (int k = 0; k < 6; ++k) v[k] = dvec2(joined(2 * k), joined(2 * k + 1));
-    dvec2 bounds[6];
-    bounds[0] = field_interval(v[0], v[1], v[2]);
-    dvec4 along = field_directional_interval(v[0], v[1], v[2], v[3], v[4], v[5]);
-    bounds[1] = along.xy;
-    bounds[2] = along.zw;
-    field_gradient_interval(v[0], v[1], v[2], bounds[3], bounds[4], bounds[5]);
-    // By constants: NVIDIA's compiler rounds doubles of arrays to floats where the index is none.
-    dvec2 b = bounds[0];
-    if (wanted == 1) b = bounds[1];
-    if (wanted == 2) b = bounds[2];
-    if (wanted == 3) b = bounds[3];
-    if (wanted == 4) b = bounds[4];
-    if (wanted == 5) b = bounds[5];
+    // No arrays: NVIDIA's compiler rounds their doubles to floats where the index is no constant.
+    dvec2 x = dvec2(joined(0), joined(1)), y = dvec2(joined(2), joined(3));
+    dvec2 z = dvec2(joined(4), joined(5)), dx = dvec2(joined(6), joined(7));
+    dvec2 dy = dvec2(joined(8), joined(9)), dz = dvec2(joined(10), joined(11));
+    dvec4 along = field_directional_interval(x, y, z, dx, dy, dz);
+    dvec2 gx, gy, gz;
+    field_gradient_interval(x, y, z, gx, gy, gz);
+    dvec2 b = field_interval(x, y, z);
+    if (wanted == 1) b = along.xy;
+    if (wanted == 2) b = along.zw;
+    if (wanted == 3) b = gx;
+    if (wanted == 4) b = gy;
+    if (wanted == 5) b = gz;
     low = parted(b.x);
     high = parted(b.y);
 }
