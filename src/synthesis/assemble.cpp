@@ -98,6 +98,13 @@ void become_glsl_es(Pass& pass) {
         text->replace(0, text->find('\n'), "#version 300 es");
 }
 
+// Rays march in compute shaders where fragment shaders have few processors, and beams are
+// fragments. On an H100 they take longer than they save (docs/performance.md), but for lists of
+// elements.
+bool pays_in(Stage stage, const scene::Scene& scene, bool makes_lists) {
+    return stage == Stage::fragment || makes_lists || scene.isolation.beam.value_or(false);
+}
+
 // So long that compiling it shows: some 0.2 s on a software renderer, and growing with its length.
 bool is_long(const formula::Program& gradient) { return gradient.instructions.size() > 1000; }
 
@@ -118,7 +125,8 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     if (solves) passes.degree = scene::solved_degree(*scene.surface.field);
     passes.state_textures = method.state_textures;
     // A page's beams that keep no bits find elements by place as its rays do.
-    const bool by_beams = uses_beams(scene) && (on_web || !array_with_grid(passes));
+    const bool by_beams = uses_beams(scene) && (on_web || !array_with_grid(passes)) &&
+                          pays_in(stage, scene, has_lists(passes));
     if (by_beams) passes.beams = beam_levels(passes, finest_beam);
     if (on_web) lay_side_by_side(passes.beams);
     // A polynomial is solved from where the eye's rays begin, off the surface: shadow rays from the

@@ -9,6 +9,7 @@
 #include "scene/method_domain.h"
 #include "scene/reading/load.h"
 #include "synthesis/assemble.h"
+#include "synthesis/beam_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -22,8 +23,10 @@ protected:
         }
     }
 
-    Picture draw_by(StageChoice stage, const scene::Scene& scene, int frame,
+    // With beams in both stages or in none: compute shaders have fewer by themselves.
+    Picture draw_by(StageChoice stage, scene::Scene scene, int frame,
                     std::optional<MarchPlan> plan = {}) {
+        scene.isolation.beam = synthesis::uses_beams(scene);
         RenderOptions options{scene.output.width, scene.output.height, every_channel, plan};
         options.stage = stage;
         Renderer renderer(*context, scene, options);

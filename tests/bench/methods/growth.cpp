@@ -20,6 +20,9 @@ void add(std::vector<Growth>& grown, gpu::Context& context, const Growth& what, 
         grown.back().method = methods[k];
         grown.back().timing = timings[k];
         grown.back().rays = meeting;
+        // Sums go by lists: how many elements an evaluation takes is not known.
+        if (timings[k].refused.empty() && on.subject.scene.timeline.animation.counts().empty())
+            grown.back().operations = operations(on.subject.scene, methods[k]);
     }
 }
 
@@ -33,9 +36,33 @@ std::vector<Growth> by_resolution(gpu::Context& context, const std::vector<std::
     for (const std::string& name : surfaces) {
         for (const int size : sizes) {
             tell(fmt::format("{} at {}x{}", name, size, size));
-            add(grown, context, {"resolution", name, size, size, {}, {}, 0}, surface(name), methods,
-                repeat);
+            add(grown, context, {"resolution", name, size, size, {}, {}, 0, 0}, surface(name),
+                methods, repeat);
         }
+    }
+    return grown;
+}
+
+std::vector<Growth> by_degree(gpu::Context& context, int size, std::span<const int> degrees,
+                              std::span<const scene::Method> methods, int repeat,
+                              const Tell& tell) {
+    std::vector<Growth> grown;
+    for (const int degree : degrees) {
+        tell(fmt::format("degree {} at {}x{}", degree, size, size));
+        add(grown, context, {"degree", "Chmutov", size, degree, {}, {}, 0, 0},
+            surface(fmt::format("chmutov_{}", degree)), methods, repeat);
+    }
+    return grown;
+}
+
+std::vector<Growth> by_lights(gpu::Context& context, int size, std::span<const int> counts,
+                              std::span<const scene::Method> methods, int repeat,
+                              const Tell& tell) {
+    std::vector<Growth> grown;
+    for (const int count : counts) {
+        tell(fmt::format("{} lights at {}x{}", count, size, size));
+        add(grown, context, {"lights", "tangle", size, count, {}, {}, 0, 0}, lit("tangle", count),
+            methods, repeat);
     }
     return grown;
 }
@@ -45,7 +72,7 @@ std::vector<Growth> by_blobs(gpu::Context& context, int size, std::span<const in
     std::vector<Growth> grown;
     for (const int count : counts) {
         tell(fmt::format("{} blobs at {}x{}", count, size, size));
-        add(grown, context, {"blobs", "blobs", size, count, {}, {}, 0}, blobs(count), methods,
+        add(grown, context, {"blobs", "blobs", size, count, {}, {}, 0, 0}, blobs(count), methods,
             repeat);
     }
     return grown;

@@ -3,8 +3,8 @@
 //   methods -o FOLDER [--only SURFACE,...] [--methods a,b] [--size N] [--repeat N] [--frames R] ...
 //
 // writes methods.csv, coherence.csv, growth.csv, methods.md and plots to FOLDER. --only '' leaves
-// the surfaces out, --frames '' the animation, --moving '' the coherence, --sizes '' and --blobs ''
-// the growth.
+// the surfaces out, --frames '' the animation, --moving '' the coherence, --sizes '', --blobs '',
+// --degrees '' and --lights '' the growth.
 
 #include <algorithm>
 #include <filesystem>
@@ -28,10 +28,10 @@ namespace {
 struct Arguments {
     std::string folder, backend = "auto", frames = "1-120x12", methods, only = "all";
     std::string sizes = "128,256,512,1024,2048", growing = "barth_sextic,blinn_blobby";
-    std::string blobs = "75,150,300,1000,5000";
+    std::string blobs = "75,150,300,1000,5000", degrees = "6,8,12,14,18,22,50", lights = "1,2,4,8";
     std::string moving = "blobby75,twisting_superquadric,barth_sextic,chmutov_14";
     std::string moving_frames = "25-97x24";
-    int size = 512, repeat = 5, blob_size = 128, most_halvings = 6;
+    int size = 512, repeat = 5, blob_size = 128, growing_size = 256, most_halvings = 6;
 };
 
 std::vector<std::string> listed(const std::string& text) {
@@ -86,6 +86,7 @@ void run(const Arguments& arguments) {
     const std::vector<std::string> surfaces =
         arguments.only == "all" ? table_1() : listed(arguments.only);
     const std::vector<int> sizes = numbers(arguments.sizes), counts = numbers(arguments.blobs);
+    const std::vector<int> degrees = numbers(arguments.degrees), lights = numbers(arguments.lights);
     const auto cache = accuracy::truth_cache_folder();
     const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
     std::filesystem::create_directories(arguments.folder);
@@ -125,10 +126,13 @@ void run(const Arguments& arguments) {
     results.growth =
         by_resolution(*context, listed(arguments.growing), sizes, methods, arguments.repeat, tell);
     write(results, arguments.folder);
-    const auto more =
-        by_blobs(*context, arguments.blob_size, counts, methods, arguments.repeat, tell);
-    results.growth.insert(results.growth.end(), more.begin(), more.end());
-    write(results, arguments.folder);
+    const auto add = [&](const std::vector<Growth>& more) {
+        results.growth.insert(results.growth.end(), more.begin(), more.end());
+        write(results, arguments.folder);
+    };
+    add(by_blobs(*context, arguments.blob_size, counts, methods, arguments.repeat, tell));
+    add(by_degree(*context, arguments.growing_size, degrees, methods, arguments.repeat, tell));
+    add(by_lights(*context, arguments.growing_size, lights, methods, arguments.repeat, tell));
     // Again, as whatever else the machine does at a time only takes from it.
     results.peak = std::max(results.peak, peak_operations(*context));
     write(results, arguments.folder);
@@ -157,6 +161,9 @@ int main(int argc, char** argv) {
     app.add_option("--growing", arguments.growing, "surfaces of which that is measured");
     app.add_option("--blobs", arguments.blobs, "numbers of blobs ('' for none)");
     app.add_option("--blob-size", arguments.blob_size, "pixels a side of their pictures");
+    app.add_option("--degrees", arguments.degrees, "of Chmutov's surfaces ('' for none)");
+    app.add_option("--lights", arguments.lights, "numbers of lights with shadows ('' for none)");
+    app.add_option("--growing-size", arguments.growing_size, "pixels a side of both");
     app.add_option("--backend", arguments.backend, "auto, egl or osmesa");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -128,7 +128,7 @@ void plot_ratio(const std::vector<Contest>& contests, const std::filesystem::pat
 }
 
 void plot_growth(const std::vector<Growth>& growth, const std::string& kind,
-                 const std::string& label, const std::filesystem::path& file) {
+                 const std::string& label, double peak, const std::filesystem::path& file) {
     Script script;
     script.set = fmt::format("set logscale xy\nset format y '%g'\nset xlabel '{}'\nset ylabel 'ns "
                              "a ray'\n",
@@ -151,11 +151,12 @@ void plot_growth(const std::vector<Growth>& growth, const std::string& kind,
         ticks.insert(g.at);
     }
     for (const auto& [subject, method] : lines) {
-        std::string points;
+        std::string points, least;
         for (const Growth& g : growth) {
             if (g.kind == kind && g.subject == subject && g.method == method &&
                 g.timing.refused.empty()) {
                 points += fmt::format("{} {}\n", g.at, g.ns_a_ray());
+                if (g.operations > 0) least += fmt::format("{} {}\n", g.at, g.least_ns_a_ray(peak));
             }
         }
         const std::string both = subjects.size() > 1
@@ -164,6 +165,10 @@ void plot_growth(const std::vector<Growth>& growth, const std::string& kind,
         script.curve(points, fmt::format("using 1:2 with linespoints dt {} {} title {}",
                                          1 + number(subjects, subject),
                                          style(number(methods, method)), in_quotes(both)));
+        // The machine's limit for these evaluations.
+        script.curve(least, fmt::format("using 1:2 with lines dt 3 lc rgb '{}' title {}",
+                                        colours[number(methods, method) % std::size(colours)],
+                                        in_quotes(both + ", F at the peak")));
     }
     if (ticks.empty()) return;
     script.set += fmt::format("set xtics ({})\nset xrange [{}:{}]\n", fmt::join(ticks, ", "),
@@ -178,8 +183,13 @@ void plot(const Results& results, const std::filesystem::path& folder) {
         plot_wrong(results.surfaces, folder / "wrong.svg");
         plot_ratio(results.surfaces, folder / "ratio.svg");
     }
-    plot_growth(results.growth, "resolution", "pixels a side", folder / "resolution.svg");
-    plot_growth(results.growth, "blobs", "blobs", folder / "blobs.svg");
+    const auto grown = [&](const std::string& kind, const std::string& label) {
+        plot_growth(results.growth, kind, label, results.peak, folder / (kind + ".svg"));
+    };
+    grown("resolution", "pixels a side");
+    grown("blobs", "blobs");
+    grown("degree", "degree");
+    grown("lights", "lights");
 }
 
 } // namespace isomotion::bench

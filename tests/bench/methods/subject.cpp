@@ -71,6 +71,17 @@ Subject surface(const std::string& name) {
     return {name, scene_of("[surface]\nuse = \"" + name + "\"\n")};
 }
 
+Subject lit(const std::string& name, int lights) {
+    std::string text = "[surface]\nuse = \"" + name + "\"\n";
+    for (int k = 0; k < lights; ++k) {
+        const double turn = 2 * 3.14159265358979323846 * k / lights;
+        text += fmt::format(
+            "[[lights]]\ndirection = [{0}, {1}, -1]\nshadow = true\ncolor = [{2}, {2}, {2}]\n",
+            std::cos(turn), std::sin(turn), 1.0 / lights);
+    }
+    return {name, scene_of(text)};
+}
+
 Subject animation(const std::string& name, std::vector<int> frames) {
     return {name, scene::load(ISOMOTION_SOURCE_DIR "/animations/" + name + ".toml", {"look=none"}),
             std::move(frames)};

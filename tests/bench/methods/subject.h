@@ -20,6 +20,9 @@ std::vector<std::string> table_1();
 // A surface of the catalogue at its defaults, the whole of it in the picture. Throws SceneError.
 Subject surface(const std::string& name);
 
+// The same with so many lights from all around, each of which casts shadows.
+Subject lit(const std::string& name, int lights);
+
 // An animation of the gallery. Throws SceneError.
 Subject animation(const std::string& name, std::vector<int> frames);
 

@@ -200,14 +200,15 @@ std::string contests_csv(const Results& results) {
 
 std::string growth_csv(const Results& results) {
     std::string text = "kind,subject,method,size,at,ms,spread,rays,ns_per_ray,evaluations_per_ray,"
-                       "refused,machine,date\n";
+                       "ns_per_ray_at_peak,refused,machine,date\n";
     for (const Growth& g : results.growth) {
         text +=
             fmt::format("{},{},{},{},{},", g.kind, g.subject, scene::name(g.method), g.size, g.at);
         text += !g.timing.refused.empty()
-                    ? std::string(5, ',')
-                    : fmt::format("{:.4f},{:.4f},{},{:.3f},{:.3f},", g.timing.ms, g.timing.spread,
-                                  g.rays, g.ns_a_ray(), g.evaluations_a_ray());
+                    ? std::string(6, ',')
+                    : fmt::format("{:.4f},{:.4f},{},{:.3f},{:.3f},{:.3f},", g.timing.ms,
+                                  g.timing.spread, g.rays, g.ns_a_ray(), g.evaluations_a_ray(),
+                                  g.least_ns_a_ray(results.peak));
         text += fmt::format("{},{},{}\n", in_quotes(g.timing.refused), in_quotes(results.machine),
                             results.date);
     }
@@ -265,7 +266,8 @@ std::string markdown(const Results& results) {
                 results.animations, false);
     }
     return text + coherence_table(results.coherence) + growth_table(results.growth, "resolution") +
-           growth_table(results.growth, "blobs");
+           growth_table(results.growth, "blobs") + growth_table(results.growth, "degree") +
+           growth_table(results.growth, "lights");
 }
 
 } // namespace isomotion::bench

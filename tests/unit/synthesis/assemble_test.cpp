@@ -466,6 +466,23 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     EXPECT_THAT(used, testing::ContainerEq(of_scenes));
 }
 
+// Compute shaders march where fragment shaders, which beams are, have few processors.
+TEST_F(Assemble, ComputeShadersTakeBeamsForListsOnly) {
+    const auto levels = [](const std::string& text, Stage stage) {
+        return assemble(scene_of(text), {}, stage, /*writes_buffers=*/true).beams.size();
+    };
+    const std::string plain = surface_text("x^2 + y^2 + z^2 - 1", every_bounds[0], "hermite");
+    const std::string told = plain + "beam = true\n";
+    const std::string sum =
+        surface_text("sum(p, exp(-9*((x-cx)^2 + y^2 + z^2))) - 0.5", every_bounds[0], "hermite") +
+        "[arrays.p]\ncount = 20\ncx = 'i/n'\n";
+    EXPECT_GT(levels(plain, Stage::fragment), 0U);
+    EXPECT_EQ(levels(plain, Stage::compute), 0U);
+    EXPECT_EQ(levels(told, Stage::compute), levels(plain, Stage::fragment));
+    EXPECT_GT(levels(sum, Stage::compute), 0U);
+    EXPECT_EQ(levels(sum, Stage::compute), levels(sum, Stage::fragment));
+}
+
 // What the table of passes gives units and bindings to is what the texts declare.
 TEST_F(Assemble, PassesKnowWhatTheyDeclare) {
     const Passes passes = assemble(called(one_set_of_values, calls[1], "1"), every_channel);
