@@ -128,7 +128,7 @@ public:
     // the cost of starts. Throws std::logic_error if pictures take more than one tile.
     void keep_beams(bool keep);
 
-    // Changes with the text of any shader.
+    // Changes with the code of any shader.
     const std::string& shaders_fingerprint() const;
     const MarchPlan& plan() const;
 

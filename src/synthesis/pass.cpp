@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/fingerprint.h"
+#include "synthesis/shader_code.h"
 
 namespace isomotion::synthesis {
 namespace {
@@ -119,7 +120,8 @@ std::vector<std::string> Passes::files() const {
 
 std::string Passes::fingerprint() const {
     base::Fingerprint print;
-    for (const Pass& pass : list) print.add(pass.name).add(pass.vertex).add(pass.text);
+    for (const Pass& pass : list)
+        print.add(pass.name).add(code_of(pass.vertex)).add(code_of(pass.text));
     return print.text();
 }
 

@@ -130,7 +130,7 @@ struct Passes : FieldStorage {
     const Pass& at(Role role, int level = 0) const;
 
     std::vector<std::string> files() const; // of shaders/, each once, in order of first use
-    // Changes with every shader's text.
+    // Changes with every shader's code, and not with its comments.
     std::string fingerprint() const;
 };
 
