@@ -30,10 +30,11 @@ struct SoftBox {
     dvec3 light;
 };
 
+// The mean of the map is below 1: where a mirror's pixel shows all of the room, it is not white.
 constexpr SoftBox boxes[] = {
-    {48, 42, 0.50, 0.36, {18.0, 16.6, 14.8}}, // key: large, high, slightly warm
-    {-62, 18, 0.17, 0.80, {6.0, 6.9, 8.2}},   // fill: a tall cool strip
-    {168, 34, 0.75, 0.15, {9.0, 8.8, 8.4}},   // rim: a wide low bar behind
+    {48, 42, 0.50, 0.36, {7.2, 6.6, 5.9}},  // key: large, high, slightly warm
+    {-62, 18, 0.17, 0.80, {2.6, 3.0, 3.6}}, // fill: a tall cool strip
+    {168, 34, 0.75, 0.15, {3.8, 3.7, 3.5}}, // rim: a wide low bar behind
 };
 
 // 1 inside |x| < size, 0 outside, with an edge of finite width.
