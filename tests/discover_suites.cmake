@@ -9,9 +9,13 @@
 # All share the driver's cache of shaders but those that are UNCACHED; so tests on the back end glfw
 # have an entry of their own, which begins once EGL's, with the same driver, has ended.
 #
+# Entries of the quick suite have the driver compile without optimizing, which is most of their time:
+# pictures are the same to the bit, and some tests of `--all` draw as users do. So do OPTIMIZED suites.
+#
 #   cmake -D BINARY=... -D FOLDER=<where it runs> -D LSAN=<suppressions> -D CACHE=<folder>
 #         -D "SHARDS=Suite=3;..." -D "UNCACHED=Suite;..." -D "EXHAUSTIVE=Suite;Suite.Test*;..."
-#         -D "QUICK=Suite.Test*;..." -D "BACKENDS=Suite;..." -D LABEL=... -D TO=<the file to write> -P discover_suites.cmake
+#         -D "QUICK=Suite.Test*;..." -D "BACKENDS=Suite;..." -D "OPTIMIZED=Suite;..." -D LABEL=...
+#         -D TO=<the file to write> -P discover_suites.cmake
 cmake_minimum_required(VERSION 3.25)
 
 execute_process(COMMAND ${BINARY} --gtest_list_tests
@@ -58,8 +62,8 @@ function(expect_suite option suite)
   endif()
 endfunction()
 
-foreach(suite IN LISTS UNCACHED BACKENDS)
-  expect_suite("UNCACHED or BACKENDS" ${suite})
+foreach(suite IN LISTS UNCACHED BACKENDS OPTIMIZED)
+  expect_suite("UNCACHED, BACKENDS or OPTIMIZED" ${suite})
 endforeach()
 foreach(given IN LISTS SHARDS)
   string(REGEX MATCH "^(.*)=([0-9]+)$" whole "${given}")
@@ -96,7 +100,13 @@ function(add_entry name suite filter labels environment)
   if(suite IN_LIST UNCACHED)
     list(APPEND environment "MESA_SHADER_CACHE_DISABLE=true")
   else()
-    list(APPEND environment "MESA_SHADER_CACHE_DISABLE=false" "MESA_SHADER_CACHE_DIR=${CACHE}")
+    # Mesa's cache does not tell the two kinds of code apart.
+    set(folder optimized)
+    if(NOT labels MATCHES "exhaustive" AND NOT suite IN_LIST OPTIMIZED)
+      set(folder quick)
+      list(APPEND environment "GALLIVM_PERF=nopt")
+    endif()
+    list(APPEND environment "MESA_SHADER_CACHE_DISABLE=false" "MESA_SHADER_CACHE_DIR=${CACHE}/${folder}")
   endif()
   string(APPEND text
     "add_test([=[${name}]=] [=[${BINARY}]=] [=[--gtest_filter=${filter}]=])\n"
