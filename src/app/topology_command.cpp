@@ -12,6 +12,7 @@
 #include "app/console.h"
 #include "app/progress.h"
 #include "app/stop_on_signal.h"
+#include "app/topology_subject.h"
 #include "base/base64.h"
 #include "base/file.h"
 #include "gpu/context.h"
@@ -20,7 +21,6 @@
 #include "render/renderer.h"
 #include "scene/reading/load.h"
 #include "scene/surfaces.h"
-#include "topology/analyse.h"
 #include "topology/timeline/betti_csv.h"
 #include "topology/timeline/expectation.h"
 #include "topology/timeline/plot.h"
@@ -40,19 +40,17 @@ struct TopologyArguments {
     std::string scene, surface, frames, certify = "full", output, csv, plot, check, dt = "1e-9",
                                         backend = "auto";
     std::vector<std::string> settings;
+    std::vector<std::string> contact; // none, or two surfaces
     std::optional<int> grid;
     bool quiet = false;
     scene::Reach reach = scene::Reach::own_folder;
 };
 
-// The scene's one surface; of several the one that is named.
-scene::Scene load_one(const TopologyArguments& arguments,
-                      const std::vector<scene::Override>& settings) {
+// What a picture of the subject shows: of two surfaces the whole scene.
+scene::Scene load_seen(const TopologyArguments& arguments,
+                       const std::vector<scene::Override>& settings) {
     scene::Scene scene = scene::load(arguments.scene, settings, arguments.reach);
-    if (!arguments.surface.empty())
-        return scene::alone(scene, scene::surface_named(scene, arguments.surface));
-    scene::expect_one_surface(scene, "topology, without --surface NAME,");
-    return scene;
+    return arguments.contact.empty() ? subject_of(scene, arguments.surface, {}).first : scene;
 }
 
 void check_extension(const char* option, const std::string& file, const char* extension) {
@@ -119,7 +117,7 @@ std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& argument
     settings.push_back(fmt::format("output.size=[{0},{0}]", thumbnail_size));
     std::vector<topology::Thumbnail> thumbnails;
     try {
-        scene::Scene scene = load_one(arguments, settings);
+        scene::Scene scene = load_seen(arguments, settings);
         scene.sections.clear(); // the topology is that of the whole surface
         const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
         render::Renderer renderer(*context, scene, {thumbnail_size, thumbnail_size, {}, {}, {}});
@@ -160,7 +158,7 @@ void write_files(const TopologyArguments& arguments, const topology::TimelineRec
     if (first) std::rethrow_exception(first);
 }
 
-topology::TimelineRecord analysed(const TopologyArguments& arguments, const scene::Scene& scene,
+topology::TimelineRecord analysed(const TopologyArguments& arguments, const Subject& subject,
                                   std::pair<int, int> frames, const StopOnSignal& stop) {
     topology::AnalyseOptions how;
     how.certify = parse_certify(arguments.certify);
@@ -174,10 +172,11 @@ topology::TimelineRecord analysed(const TopologyArguments& arguments, const scen
     };
     how.stop = [&] { return stop.asked(); };
     // A mistake in the last frame is told before minutes of searching.
-    const topology::TimelineHeader subject =
-        topology::header_of(scene, {scene.timeline.time(how.first), scene.timeline.time(how.last)});
+    const scene::Scene& scene = subject.first;
+    const formula::Interval range{scene.timeline.time(how.first), scene.timeline.time(how.last)};
+    const topology::TimelineHeader header = header_of(subject, range);
     try {
-        return {subject, topology::analyse(scene, how)};
+        return {header, analyse(subject, how)};
     } catch (const std::bad_alloc&) {
         throw std::runtime_error("out of memory: the search for events takes more than there is; "
                                  "search fewer --frames at a time, or with --certify fast");
@@ -210,6 +209,52 @@ int whole_or_open(const TopologyArguments& arguments, const topology::TimelineRe
     return was_to_be_proved && !is_complete ? exit_open : exit_done;
 }
 
+// What can be asked of each two surfaces at once.
+void check_options_of_all(const TopologyArguments& arguments) {
+    const std::pair<const char*, bool> of_one[] = {{"-o", !arguments.output.empty()},
+                                                   {"--csv", !arguments.csv.empty()},
+                                                   {"--plot", !arguments.plot.empty()},
+                                                   {"--check", !arguments.check.empty()}};
+    for (const auto& [option, is_given] : of_one) {
+        if (!is_given) continue;
+        throw std::invalid_argument(fmt::format(
+            "{}: the scene has several surfaces; name one by --surface NAME, or two of them by "
+            "--contact NAME NAME",
+            option));
+    }
+}
+
+void check_proves_contact(const TopologyArguments& arguments) {
+    if (parse_certify(arguments.certify) == topology::Certify::full) return;
+    throw std::invalid_argument(fmt::format(
+        "--certify {}: contact of surfaces is proved or not found; leave it out, or name one "
+        "surface by --surface NAME",
+        arguments.certify));
+}
+
+// When and where each two surfaces of the scene touch.
+int contacts_of(const TopologyArguments& arguments, const scene::Scene& scene) {
+    check_options_of_all(arguments);
+    check_proves_contact(arguments);
+    const auto frames = span_of(arguments.frames, scene);
+    const StopOnSignal stop;
+    bool is_complete = true;
+    const int count = scene.among.count;
+    for (int first = 0; first < count && !stop.asked(); ++first) {
+        for (int second = first + 1; second < count && !stop.asked(); ++second) {
+            const Subject subject = pair_of(scene, first, second);
+            const topology::TimelineRecord record = analysed(arguments, subject, frames, stop);
+            is_complete = is_complete && topology::gaps(record.timeline, record.header.fps).empty();
+            if (!arguments.quiet) print_result("{}", contact_text(subject, record));
+        }
+    }
+    if (stop.asked()) {
+        message("interrupted; what was told is what was known\n");
+        return exit_interrupted;
+    }
+    return is_complete ? exit_done : exit_open;
+}
+
 int topology_of(const TopologyArguments& arguments) {
     // What can be known to fail is told before minutes of searching.
     check_extension("-o", arguments.output, ".json");
@@ -218,19 +263,24 @@ int topology_of(const TopologyArguments& arguments) {
     check_grid(arguments);
     topology::parse_dt(arguments.dt, {1, 1});
     gpu::parse_backend(arguments.backend);
-    const scene::Scene scene = load_one(arguments, arguments.settings);
+    if (!arguments.contact.empty()) check_proves_contact(arguments);
+    const scene::Scene loaded = scene::load(arguments.scene, arguments.settings, arguments.reach);
+    const Subject subject = subject_of(loaded, arguments.surface, arguments.contact);
+    const scene::Scene& scene = subject.first;
     if (!scene.sections.empty() && !arguments.quiet) {
         message("sections cut what is seen; the topology is that of the whole surface\n");
     }
+    if (!scene.others.empty()) return contacts_of(arguments, loaded);
     const auto frames = span_of(arguments.frames, scene);
     std::optional<topology::Expectation> expectation;
     if (!arguments.check.empty()) {
         expectation = topology::read_expectation(arguments.check, scene.timeline.fps);
     }
     const StopOnSignal stop;
-    const topology::TimelineRecord record = analysed(arguments, scene, frames, stop);
+    const topology::TimelineRecord record = analysed(arguments, subject, frames, stop);
     const bool is_whole = !stop.asked();
     if (!arguments.quiet) print_result("{}", topology::summary(record));
+    if (!arguments.quiet && subject.second) print_result("{}", contact_text(subject, record));
     // Judged first: no file that fails to be written keeps the judgement back.
     const int code =
         expectation ? judged(arguments, *expectation, record) : whole_or_open(arguments, record);
@@ -254,6 +304,12 @@ void add_topology(CLI::App& app, Action& chosen) {
         ->required();
     command->add_option("--surface", a.surface,
                         "search this one of the scene's [[surfaces]] alone, by its name");
+    command
+        ->add_option("--contact", a.contact,
+                     "search what these two of the scene's [[surfaces]] have in common: it is born "
+                     "where they touch (default, of several: the contact of each two)")
+        ->expected(2)
+        ->excludes("--surface");
     command->add_option("--frames,--frame", a.frames,
                         "1-10: from frame 1 to frame 10 with all time between (default: all)");
     command->add_option("--certify", a.certify,

@@ -46,13 +46,13 @@ std::vector<std::string> surface_names(const Scene& scene) {
     return names;
 }
 
-int surface_named(const Scene& scene, const std::string& name) {
+int surface_named(const Scene& scene, const std::string& name, const std::string& option) {
     if (scene.others.empty())
-        throw SceneError(fmt::format("{}: has one surface; leave --surface out", scene.title));
+        throw SceneError(fmt::format("{}: has one surface; leave {} out", scene.title, option));
     const std::vector<std::string> names = surface_names(scene);
     const auto found = std::ranges::find(names, name);
     if (found != names.end()) return int(found - names.begin());
-    throw SceneError(fmt::format("--surface {}: the scene has no such surface; it has {}", name,
+    throw SceneError(fmt::format("{} {}: the scene has no such surface; it has {}", option, name,
                                  fmt::join(names, ", ")));
 }
 

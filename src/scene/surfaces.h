@@ -19,8 +19,10 @@ Scene of_surface(const Scene& scene, int index);
 Scene alone(const Scene& scene, int index);
 
 std::vector<std::string> surface_names(const Scene& scene);
-// The index of the surface with that name. Throws SceneError that lists the names if there is none.
-int surface_named(const Scene& scene, const std::string& name);
+// The index of the surface with that name, given by an option of the command line. Throws
+// SceneError that lists the names if there is none.
+int surface_named(const Scene& scene, const std::string& name,
+                  const std::string& option = "--surface");
 
 // Throws SceneError if there are several surfaces. `who` needs a single one: "a page".
 void expect_one_surface(const Scene& scene, const std::string& who);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "topology/betti/frame_signs.h"
+#include "topology/field/common_solid.h"
 #include "topology/moving_scene.h"
 #include "topology/sampling.h"
 #include "topology/search/arb_verifier.h"
@@ -117,11 +118,10 @@ Timeline seeded(const scene::Scene& scene, Side side, const AnalyseOptions& how,
     return timeline;
 }
 
-Timeline proved(const scene::Scene& scene, Side side, const AnalyseOptions& how, Interval range,
-                const SerialCallbacks& callbacks) {
-    Timeline timeline = find_events(scene, side, range, event_search(how, callbacks));
-
-    const MovingScene frames(scene, side, range);
+// Adds to events, of which no kinds are known, all else that can be proved. `motions`: by time.
+Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions& how,
+                Interval range, const SerialCallbacks& callbacks) {
+    const MovingScene frames(motions);
     const FrameLimits limits{.stopped = [&] { return callbacks.stopped(); }};
     const auto prove_end = [&](double time, std::optional<Betti>& betti, bool& is_proved) {
         std::string why;
@@ -156,7 +156,7 @@ Timeline proved(const scene::Scene& scene, Side side, const AnalyseOptions& how,
         callbacks.show("proofs again", 0);
         VerifyOptions confirming{.threads = threads_of(how)};
         confirming.stopped = limits.stopped;
-        prove_again(timeline, ArbVerifier(scene, side, range), confirming);
+        prove_again(timeline, ArbVerifier(motions), confirming);
     }
     if (callbacks.stopped()) {
         if (!is_late) timeline.doubts.emplace_back("interrupted while kinds were proved");
@@ -183,7 +183,21 @@ Timeline analyse(const scene::Scene& scene, const AnalyseOptions& how) {
     }
     if (how.certify == Certify::fast) return seeded(scene, side, how, how.first, last, callbacks);
     const Interval range{scene.timeline.time(how.first), scene.timeline.time(last)};
-    return proved(scene, side, how, range, callbacks);
+    return proved(find_events(scene, side, range, event_search(how, callbacks)),
+                  motions(scene, side, range, Clock::time), how, range, callbacks);
+}
+
+Timeline analyse_contact(const scene::Scene& first, const scene::Scene& second,
+                         const AnalyseOptions& how) {
+    if (how.certify != Certify::full)
+        throw std::invalid_argument("contact is proved or not found: take --certify full");
+    const int last = how.last == 0 ? first.timeline.frames : how.last;
+    const Interval range{first.timeline.time(how.first), first.timeline.time(last)};
+    const SerialCallbacks callbacks(how);
+    const Motions motions =
+        common_motions({first, solid_side(first)}, {second, solid_side(second)}, range);
+    return proved(find_events(motions, range, event_search(how, callbacks)), motions, how, range,
+                  callbacks);
 }
 
 } // namespace isomotion::topology

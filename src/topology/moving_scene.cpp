@@ -7,8 +7,10 @@ namespace isomotion::topology {
 
 using formula::Interval;
 
-MovingScene::MovingScene(const scene::Scene& scene, Side solid, Interval range) {
-    const Motions all = motions(scene, solid, range, Clock::time);
+MovingScene::MovingScene(const scene::Scene& scene, Side solid, Interval range)
+    : MovingScene(motions(scene, solid, range, Clock::time)) {}
+
+MovingScene::MovingScene(const Motions& all) {
     for (const Motion& piece : all.pieces) pieces_.emplace_back(piece);
     if (all.at_end) at_end_.emplace(*all.at_end);
 }

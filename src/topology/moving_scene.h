@@ -13,6 +13,8 @@ namespace isomotion::topology {
 class MovingScene {
 public:
     MovingScene(const scene::Scene& scene, Side solid, formula::Interval range);
+    // Motions by time.
+    explicit MovingScene(const Motions& all);
 
     struct Still {
         SpaceFormula formula;

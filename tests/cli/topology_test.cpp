@@ -177,5 +177,96 @@ TEST_F(Topology, TheLastFrameIsLookedAtToo) {
     EXPECT_THAT(ending.out, IsEmpty());
 }
 
+// A pea that flies through a ball and by a cube.
+const std::string passing = R"(title = "Passing"
+[time]
+fps = 10
+frames = 31
+[[surfaces]]
+name = "ball"
+formula = "x^2 + y^2 + z^2 - 0.25"
+bounds = { sphere = 0.7 }
+transform = { translate = [10, 0, 0] }
+[[surfaces]]
+name = "pea"
+formula = "x^2 + y^2 + z^2 - 0.09"
+bounds = { sphere = 0.4 }
+transform = { translate = ["11.5 - t", 0, 0] }
+[[surfaces]]
+name = "cube"
+formula = "max(max(abs(x), abs(y)), abs(z)) - 0.5"
+bounds = { sphere = 1 }
+transform = { translate = [10, 2, 0] }
+)";
+
+TEST_F(Topology, TellsWhenEachTwoSurfacesTouch) {
+    write("passing.toml", passing);
+    const Ending all = run({"topology", "passing.toml"});
+    EXPECT_EQ(all.code, 0) << all;
+    EXPECT_EQ(all.out, "ball and pea touch at frame 8, 0.7 s, near (10.5, 0, 0), proved\n"
+                       "ball and pea part at frame 24, 2.3 s, near (9.5, 0, 0), proved\n"
+                       "ball and pea: complete, all proved\n"
+                       "ball and cube never touch, proved\n"
+                       "pea and cube never touch, proved\n");
+    const Ending later = run({"topology", "passing.toml", "--frames", "10-20"});
+    EXPECT_EQ(later.code, 0) << later;
+    EXPECT_THAT(later.out, StartsWith("ball and pea are in contact at the start, proved\n"
+                                      "ball and pea: complete, all proved\n"));
+    // Parting at the very end is not told apart from staying.
+    const Ending open = run({"topology", "passing.toml", "--frames", "10-24"});
+    EXPECT_EQ(open.code, 4) << open;
+    EXPECT_THAT(open.out, HasSubstr("ball and pea: INCOMPLETE\n    "));
+}
+
+TEST_F(Topology, ChecksTheContactOfTwoSurfaces) {
+    write("passing.toml", passing);
+    write("told.toml", "events = [\"one birth at frame 8\", \"one death at frame 24\", "
+                       "\"nothing else\"]\n");
+    const Words ask{"topology", "passing.toml", "--contact", "pea", "ball"};
+    const auto with = [&](Words more) {
+        Words all = ask;
+        all.insert(all.end(), more.begin(), more.end());
+        return run(all);
+    };
+    const Ending told = with({"--check", "told.toml", "-o", "a.timeline.json", "--plot", "a.svg"});
+    EXPECT_EQ(told.code, 0) << told;
+    EXPECT_THAT(told.out, StartsWith("Passing (pea, ball): frames 1 to 31"));
+    EXPECT_THAT(told.out, HasSubstr("told.toml: passes"));
+    EXPECT_THAT(bytes("a.svg"), StartsWith("<svg"));
+    EXPECT_EQ(with({"--check", "a.timeline.json"}).code, 0);
+    // The contact of others, and at another place, is another.
+    const Ending moved = with(
+        {"--check", "a.timeline.json", "--set", "surfaces.ball.transform.translate=[9, 0, 0]"});
+    EXPECT_EQ(moved.code, 1) << moved;
+    EXPECT_THAT(moved.err, HasSubstr("the scene is not the one that"));
+}
+
+TEST_F(Topology, SeveralSurfacesAreAskedOneByOneOrTwoByTwo) {
+    write("passing.toml", passing);
+    const std::pair<Words, const char*> wrongs[] = {
+        {{"--contact", "ball"}, "--contact"},
+        {{"--contact", "ball", "ball"}, "--contact ball ball: name two surfaces of the scene"},
+        {{"--contact", "ball", "bal"},
+         "--contact bal: the scene has no such surface; it has ball, pea, cube"},
+        {{"--contact", "ball", "pea", "--surface", "pea"}, "--surface"},
+        {{"--contact", "ball", "pea", "--certify", "fast"},
+         "--certify fast: contact of surfaces is proved or not found"},
+        {{"--certify", "off"}, "name one surface by --surface NAME"},
+        {{"-o", "a.json"}, "-o: the scene has several surfaces; name one by --surface NAME"},
+        {{"--check", "two.json"}, "--check: the scene has several surfaces"},
+    };
+    for (const auto& [arguments, message] : wrongs) {
+        SCOPED_TRACE(message);
+        Words all{"topology", "passing.toml"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        const Ending ending = run(all);
+        EXPECT_EQ(ending.code, 2) << ending;
+        EXPECT_THAT(ending.err, HasSubstr(message));
+        EXPECT_THAT(ending.out, IsEmpty());
+    }
+    EXPECT_THAT(topology({"--contact", "a", "b"}).err,
+                HasSubstr("has one surface; leave --contact out"));
+}
+
 } // namespace
 } // namespace isomotion::cli

@@ -5,7 +5,8 @@
 namespace isomotion::formula {
 namespace {
 
-NodeId rebuild(Graph& to, const Node& node, const std::array<NodeId, 4>& children) {
+NodeId rebuild(Graph& to, const Node& node, const std::array<NodeId, 4>& children,
+               int first_array) {
     switch (node.op) {
     case Op::constant:
         return to.constant(node.value);
@@ -14,19 +15,19 @@ NodeId rebuild(Graph& to, const Node& node, const std::array<NodeId, 4>& childre
     case Op::parameter:
         return to.parameter(node.index);
     case Op::element:
-        return to.element(node.index, node.second);
+        return to.element(first_array + node.index, node.second);
     case Op::select:
         return to.select(children[0], children[1], children[2], children[3]);
     case Op::chebyshev:
         return to.chebyshev(node.index, children[0], node.second);
     case Op::sum:
-        return to.sum(node.index, children[0]);
+        return to.sum(first_array + node.index, children[0]);
     case Op::least:
-        return to.least(node.index, children[0]);
+        return to.least(first_array + node.index, children[0]);
     case Op::pick:
-        return to.pick(node.index, children[0], children[1]);
+        return to.pick(first_array + node.index, children[0], children[1]);
     case Op::which:
-        return to.which(node.index, children[0]);
+        return to.which(first_array + node.index, children[0]);
     default:
         return node.arity == 1 ? to.unary(node.op, children[0])
                                : to.binary(node.op, children[0], children[1]);
@@ -53,7 +54,7 @@ std::vector<NodeId> nodes_below(const Graph& graph, std::span<const NodeId> root
 }
 
 std::vector<NodeId> substitute(Graph& to, const Graph& from, std::span<const NodeId> roots,
-                               const Replacement& replacement) {
+                               const Replacement& replacement, int first_array) {
     std::unordered_map<NodeId, NodeId> stands_for;
     for (const NodeId id : nodes_below(from, roots)) {
         const Node node = from[id]; // a copy: the graph may grow
@@ -61,7 +62,7 @@ std::vector<NodeId> substitute(Graph& to, const Graph& from, std::span<const Nod
         for (std::size_t k = 0; k < node.arity; ++k) {
             children[k] = stands_for.at(node.children[k]);
         }
-        stands_for[id] = replacement(to, node, rebuild(to, node, children));
+        stands_for[id] = replacement(to, node, rebuild(to, node, children, first_array));
     }
     std::vector<NodeId> result;
     for (const NodeId root : roots) result.push_back(stands_for.at(root));

@@ -13,9 +13,10 @@ namespace isomotion::formula {
 // children (a leaf: the same leaf). Return it, or another node.
 using Replacement = std::function<NodeId(Graph& to, const Node& node, NodeId rebuilt)>;
 
-// The expressions `roots` of `from`, remade in `to`, which may be `from` itself.
+// The expressions `roots` of `from`, remade in `to`, which may be `from` itself. Array k of `from`
+// becomes array `first_array` + k of `to`.
 std::vector<NodeId> substitute(Graph& to, const Graph& from, std::span<const NodeId> roots,
-                               const Replacement& replacement);
+                               const Replacement& replacement, int first_array = 0);
 
 // All nodes below the roots, including the roots, in ascending order: children before parents.
 std::vector<NodeId> nodes_below(const Graph& graph, std::span<const NodeId> roots);

@@ -141,7 +141,7 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
     motion.bindings.seed = scene.timeline.animation.seed();
     if (used) *used = rules.used();
     fold_elements(motion);
-    motion.moves = reads(motion, clock_input) || reads(motion, time_input);
+    motion.moves = depends_on_clock(motion);
     return motion;
 }
 
@@ -163,21 +163,6 @@ std::optional<Motion> through_one_track(const scene::Scene& scene, const animati
         if (reads(motion, clock_input) && !reads(motion, time_input)) return motion;
     }
     return std::nullopt;
-}
-
-// Finds operations of one piece that may step from one value to another. Where they do there is no
-// derivative.
-void find_steps(const Motion& motion, std::vector<std::string>& doubts) {
-    const std::vector<NodeId> below = formula::nodes_below(motion.graph, roots(motion));
-    const std::vector<bool> rests = resting(motion.graph, below);
-    for (const NodeId id : below) {
-        const Op op = motion.graph[id].op;
-        if (op != Op::floor && op != Op::sign && op != Op::random) continue;
-        if (rests[id]) continue;
-        const std::string doubt = fmt::format(
-            "'{}' steps from value to value; what changes at a step is not seen", name(op));
-        if (std::find(doubts.begin(), doubts.end(), doubt) == doubts.end()) doubts.push_back(doubt);
-    }
 }
 
 // Spans of the piece's clock, which is the time, in which the bounds may be empty or turned inside
@@ -230,6 +215,23 @@ void find_collapses(const Motion& motion, std::vector<Interval>& collapses) {
 }
 
 } // namespace
+
+void find_steps(const Motion& motion, std::vector<std::string>& doubts) {
+    const std::vector<NodeId> below = formula::nodes_below(motion.graph, roots(motion));
+    const std::vector<bool> rests = resting(motion.graph, below);
+    for (const NodeId id : below) {
+        const Op op = motion.graph[id].op;
+        if (op != Op::floor && op != Op::sign && op != Op::random) continue;
+        if (rests[id]) continue;
+        const std::string doubt = fmt::format(
+            "'{}' steps from value to value; what changes at a step is not seen", name(op));
+        if (std::find(doubts.begin(), doubts.end(), doubt) == doubts.end()) doubts.push_back(doubt);
+    }
+}
+
+bool depends_on_clock(const Motion& motion) {
+    return reads(motion, clock_input) || reads(motion, time_input);
+}
 
 Motions motions(const scene::Scene& scene, Side side, Interval range, Clock clock) {
     Motions all;

@@ -50,6 +50,12 @@ struct Motions {
 
 enum class Clock { time, track_if_one };
 
+// Adds a doubt for each operation of the motion that may step from one value to another: there is
+// no derivative where it does.
+void find_steps(const Motion& motion, std::vector<std::string>& doubts);
+// Whether the solid or its bounds depend on the clock.
+bool depends_on_clock(const Motion& motion);
+
 // The motions of the scene's surface while the time is in `range`.
 Motions motions(const scene::Scene& scene, Side side, formula::Interval range,
                 Clock clock = Clock::track_if_one);

@@ -174,7 +174,10 @@ int index_of(const Rows& jacobian, long precision) {
 } // namespace
 
 ArbVerifier::ArbVerifier(const scene::Scene& scene, Side side, Interval range)
-    : motions_(motions(scene, side, range, Clock::time)) {
+    : ArbVerifier(motions(scene, side, range, Clock::time)) {}
+
+ArbVerifier::ArbVerifier(Motions all)
+    : motions_(std::move(all)) {
     for (const Motion& motion : motions_.pieces) {
         if (!motion.moves) continue;
         if (motion.shape == scene::Bounds::Shape::box) {

@@ -25,6 +25,8 @@ class ArbVerifier {
 public:
     // Verifies the scene's events in `range`.
     ArbVerifier(const scene::Scene& scene, Side side, formula::Interval range);
+    // Motions by time.
+    explicit ArbVerifier(Motions all);
 
     // `holds`: the event's enclosure of place and time holds exactly one point where the surface is
     // singular along the stratum, F has the event's index there, and F falls in time if the event

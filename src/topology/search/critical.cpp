@@ -251,14 +251,12 @@ private:
 // About how much of the time a stratum takes.
 double effort(const Stratum& stratum) { return std::pow(8, stratum.dimension()); }
 
-} // namespace
-
-Timeline find_events(const scene::Scene& scene, Side side, Interval range,
-                     const EventSearchOptions& how, SearchCost* cost) {
+// `scene`: whose tracks drive motions that do not go by time.
+Timeline found_in(const Motions& all, const scene::Scene* scene, Interval range,
+                  const EventSearchOptions& how, SearchCost* cost) {
     Timeline timeline;
     timeline.range = range;
     timeline.is_proved = true;
-    const Motions all = motions(scene, side, range);
     timeline.doubts = all.doubts;
     if (how.seeds > 0) timeline.doubts.emplace_back("found from seeds: events may be missing");
     for (const double jump : all.jumps) {
@@ -272,7 +270,7 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range,
     for (const Motion& motion : all.pieces) {
         if (!motion.moves || is_stopped()) continue;
         std::optional<MonotoneTrack> driven;
-        if (motion.driver) driven.emplace(scene, *motion.driver, range);
+        if (motion.driver) driven.emplace(*scene, *motion.driver, range);
         const std::vector<Part> parts = parts_of(motion);
         double whole = 0;
         for (const Part& part : parts) {
@@ -317,6 +315,18 @@ Timeline find_events(const scene::Scene& scene, Side side, Interval range,
     std::stable_sort(timeline.events.begin(), timeline.events.end(), earlier);
     std::stable_sort(timeline.unresolved.begin(), timeline.unresolved.end(), earlier);
     return timeline;
+}
+
+} // namespace
+
+Timeline find_events(const scene::Scene& scene, Side side, Interval range,
+                     const EventSearchOptions& how, SearchCost* cost) {
+    return found_in(motions(scene, side, range), &scene, range, how, cost);
+}
+
+Timeline find_events(const Motions& all, Interval range, const EventSearchOptions& how,
+                     SearchCost* cost) {
+    return found_in(all, nullptr, range, how, cost);
 }
 
 } // namespace isomotion::topology

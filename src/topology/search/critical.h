@@ -7,6 +7,7 @@
 
 #include "formula/interval/interval.h"
 #include "scene/scene.h"
+#include "topology/field/motion.h"
 #include "topology/field/solid.h"
 #include "topology/timeline/event.h"
 
@@ -34,6 +35,9 @@ struct SearchCost {
 // Times are those of the real functions that the scene's text states, not of the floats with which
 // frames are drawn. Spherical bounds have two strata, the inside and the sphere.
 Timeline find_events(const scene::Scene& scene, Side side, formula::Interval range,
+                     const EventSearchOptions& how = {}, SearchCost* cost = nullptr);
+// Of a solid whose motions go by time.
+Timeline find_events(const Motions& all, formula::Interval range,
                      const EventSearchOptions& how = {}, SearchCost* cost = nullptr);
 
 } // namespace isomotion::topology

@@ -54,9 +54,8 @@ TimelineHeader::Box box_of(const scene::BoundsAt& bounds) {
     return box;
 }
 
-} // namespace
-
-std::string fingerprint(const scene::Scene& scene) {
+// Of what determines topology and, if it counts, the placement.
+std::string fingerprint_of(const scene::Scene& scene, bool with_placement) {
     const Animation& animation = scene.timeline.animation;
     const scene::Bounds& bounds = scene.surface.bounds;
     Needed needed(animation);
@@ -76,6 +75,12 @@ std::string fingerprint(const scene::Scene& scene) {
         placed.insert(placed.end(), bounds.centre.begin(), bounds.centre.end());
         placed.push_back(bounds.radius);
     }
+    if (with_placement) {
+        const scene::Placement& placement = scene.surface.placement;
+        placed.insert(placed.end(), placement.translate.begin(), placement.translate.end());
+        placed.insert(placed.end(), placement.rotate.begin(), placement.rotate.end());
+        placed.push_back(placement.scale);
+    }
     for (const scene::TrackId id : placed) needed.track(id);
 
     Fingerprint print;
@@ -90,12 +95,28 @@ std::string fingerprint(const scene::Scene& scene) {
     return print.text();
 }
 
+} // namespace
+
+std::string fingerprint(const scene::Scene& scene) { return fingerprint_of(scene, false); }
+
 TimelineHeader header_of(const scene::Scene& scene, formula::Interval range) {
     const auto bounds = [&](double time) {
         return box_of(scene::at(scene, scene.timeline.animation.at(time)).bounds);
     };
     return {scene.title,      fingerprint(scene), scene.timeline.fps, scene.surface.bounds.shape,
             bounds(range.lo), bounds(range.hi)};
+}
+
+TimelineHeader header_of_contact(const scene::Scene& first, const scene::Scene& second,
+                                 std::string title, formula::Interval range) {
+    TimelineHeader header = header_of(first, range);
+    header_of(second, range); // throws if its values are out of their range
+    Fingerprint print;
+    print.add("isomotion contact 1").add(fingerprint_of(first, true));
+    print.add(fingerprint_of(second, true));
+    header.title = std::move(title);
+    header.fingerprint = print.text();
+    return header;
 }
 
 } // namespace isomotion::topology

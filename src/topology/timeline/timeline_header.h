@@ -39,4 +39,9 @@ std::string fingerprint(const scene::Scene& scene);
 // their range there.
 TimelineHeader header_of(const scene::Scene& scene, formula::Interval range);
 
+// The same of what two surfaces have in common (analyse_contact), with the title of both. Here
+// placements count; the bounds are the first one's.
+TimelineHeader header_of_contact(const scene::Scene& first, const scene::Scene& second,
+                                 std::string title, formula::Interval range);
+
 } // namespace isomotion::topology

@@ -1,0 +1,58 @@
+#include "app/topology_subject.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "scene/scene_at.h"
+#include "scene/surfaces.h"
+#include "topology/timeline/contact_words.h"
+
+namespace isomotion::app {
+
+Subject pair_of(const scene::Scene& scene, int first, int second) {
+    const std::vector<std::string> names = scene::surface_names(scene);
+    return {scene::alone(scene, first), scene::alone(scene, second),
+            fmt::format("{} ({}, {})", scene.title, names[std::size_t(first)],
+                        names[std::size_t(second)])};
+}
+
+Subject subject_of(const scene::Scene& scene, const std::string& surface,
+                   const std::vector<std::string>& contact) {
+    if (!contact.empty()) {
+        const int first = scene::surface_named(scene, contact[0], "--contact");
+        const int second = scene::surface_named(scene, contact[1], "--contact");
+        if (first == second) {
+            throw std::invalid_argument(
+                fmt::format("--contact {0} {0}: name two surfaces of the scene", contact[0]));
+        }
+        return pair_of(scene, first, second);
+    }
+    if (surface.empty()) return {scene, {}, scene.title};
+    scene::Scene one = scene::alone(scene, scene::surface_named(scene, surface, "--surface"));
+    return {one, {}, one.title};
+}
+
+topology::TimelineHeader header_of(const Subject& subject, formula::Interval range) {
+    return subject.second
+               ? topology::header_of_contact(subject.first, *subject.second, subject.title, range)
+               : topology::header_of(subject.first, range);
+}
+
+topology::Timeline analyse(const Subject& subject, const topology::AnalyseOptions& how) {
+    return subject.second ? topology::analyse_contact(subject.first, *subject.second, how)
+                          : topology::analyse(subject.first, how);
+}
+
+std::string contact_text(const Subject& subject, const topology::TimelineRecord& record) {
+    const scene::Scene& first = subject.first;
+    const auto to_world = [&first](double time, const std::array<double, 3>& place) {
+        const scene::SceneAt now = scene::at(first, first.timeline.animation.at(time));
+        const glm::dvec3 at = now.placement.to_world({place[0], place[1], place[2]});
+        return std::array{at.x, at.y, at.z};
+    };
+    return topology::contact_text({first.surface.label, subject.second->surface.label, to_world},
+                                  record.timeline, record.header.fps);
+}
+
+} // namespace isomotion::app
