@@ -11,7 +11,7 @@
 #include "formula/interval/interval_operations.h"
 
 // Loops over lanes for wider registers too; the values are the same, for nothing is contracted.
-#define ISOMOTION_WIDER ISOMOTION_CLONES("avx2")
+#define ISOMOTION_WIDER ISOMOTION_CLONES("avx512f", "avx2")
 
 namespace isomotion::formula {
 
