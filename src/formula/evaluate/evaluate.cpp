@@ -11,7 +11,9 @@
 #include "formula/interval/interval_operations.h"
 
 // Loops over lanes for wider registers too; the values are the same, for nothing is contracted.
-#define ISOMOTION_WIDER ISOMOTION_CLONES("avx2")
+// `flatten` puts all that a loop calls into each version: what stays a call is made for no
+// register.
+#define ISOMOTION_WIDER ISOMOTION_CLONES("avx512f", "avx2") __attribute__((flatten))
 
 namespace isomotion::formula {
 

@@ -1,10 +1,13 @@
 #include "topology/betti/certified_frame.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <vector>
 
 #include "topology/betti/cell_frame.h"
+#include "topology/betti/column.h"
+#include "topology/betti/planes.h"
 #include "topology/betti/sign_grid.h"
 
 namespace isomotion::topology {
@@ -12,7 +15,7 @@ namespace {
 
 using formula::Interval;
 
-constexpr int deepest = 10;
+constexpr int most_vertices = 1025; // of a grid along each axis
 constexpr const char interrupted[] = "interrupted";
 // Boxes are evaluated with a rim of this part of their side, so that gradients beside a wall
 // between two boxes are in the enclosures of both.
@@ -105,33 +108,6 @@ bool agree(const Cell& cell, const std::array<Interval, 3>& g, const std::array<
     return product.lo > 0;
 }
 
-// Vertices along an axis on which G is monotone, counted from where it is lowest: the first `solid`
-// are in the solid, and the one with number `not_solid` isn't known to be. It becomes known from a
-// guess by steps that double, then by halving.
-struct Column {
-    int solid = 0, not_solid = -1; // -1: not begun
-    int guess = 0, step = 0;
-    Interval beyond{}; // G at not_solid
-
-    bool is_known() const { return solid == not_solid; }
-    int next(int last) const {
-        if (step == 0) return std::min(guess, last);
-        if (not_solid > last) return std::min(last, solid - 1 + step);
-        if (solid == 0) return std::max(0, not_solid - step);
-        return (solid + not_solid) / 2;
-    }
-    void learn(Interval value, int last) {
-        const int asked = next(last);
-        step = step == 0 ? 1 : 2 * step;
-        if (value.hi < 0) {
-            solid = asked + 1;
-        } else {
-            not_solid = asked;
-            beyond = value;
-        }
-    }
-};
-
 class Octree {
 public:
     // `one` is the field for one member of the bindings.
@@ -161,6 +137,13 @@ private:
     bool settle(const Cell& cell, const SpaceBox& box, const ValueAndGradient& g, const Near& near);
     bool is_interrupted(const Cell& cell);
     bool may_go_on(const Cell& cell);
+    // Numbers of the first and the last of the grid's vertices in a cell.
+    std::array<int, 2> vertices(const Cell& cell, std::size_t axis) const;
+    double coordinate(std::size_t axis, int number) const {
+        return places_.vertex(axis, planes_[axis].place_of(number), Planes::deepest);
+    }
+    // The least distance of vertices next to each other in a cell.
+    double least_step(const Cell& cell, std::size_t axis) const;
     void fill(const Cell& cell, SignGrid& grid) const;
     // The signs of the grid's vertices in a crossed leaf; false if one is lost in rounding that
     // matters.
@@ -173,6 +156,7 @@ private:
     FrameLimits limits_;
     int boxes_ = 0;
     int depth_ = 0;
+    std::array<Planes, 3> planes_;
     std::vector<Cell> solid_; // leaves inside the solid
     std::vector<Crossed> crossed_;
     std::optional<Failure> failure_;
@@ -183,8 +167,15 @@ CertifiedFrame Octree::certify() {
     CertifiedFrame frame;
     frame.depth = depth_;
     frame.boxes = boxes_;
+    // As long as the longest of its sides: beyond the others there is no solid.
+    int side = 0;
+    for (Planes& planes : planes_) {
+        planes.number();
+        side = std::max(side, planes.count());
+    }
+    if (!failure_ && side > most_vertices) failure_ = Failure{"too many boxes", Cell{}};
     if (!failure_) {
-        SignGrid grid((1 << depth_) + 1);
+        SignGrid grid(side);
         for (const Cell& cell : solid_) fill(cell, grid);
         for (const Crossed& leaf : crossed_) {
             if (!is_interrupted(leaf.cell) && draw(leaf, grid)) continue;
@@ -215,6 +206,8 @@ bool Octree::may_go_on(const Cell& cell) {
 }
 
 void Octree::divide(const Cell& cell, const Near& near) {
+    for (std::size_t i = 0; i < 3; ++i)
+        planes_[i].add(Planes::place(2 * cell.at[i] + 1, cell.depth + 1));
     std::array<Cell, 8> cells;
     std::array<SpaceBox, 8> boxes, evaluated;
     std::array<ValueAndGradient, 8> g;
@@ -265,12 +258,25 @@ bool Octree::settle(const Cell& cell, const SpaceBox& box, const ValueAndGradien
     return true;
 }
 
+std::array<int, 2> Octree::vertices(const Cell& cell, std::size_t axis) const {
+    const auto number = [&](int index) {
+        return planes_[axis].number_of(Planes::place(index, cell.depth));
+    };
+    return {number(cell.at[axis]), number(cell.at[axis] + 1)};
+}
+
+double Octree::least_step(const Cell& cell, std::size_t axis) const {
+    const auto [first, last] = vertices(cell, axis);
+    double least = formula::infinity;
+    for (int k = first; k < last; ++k)
+        least = std::min(least, coordinate(axis, k + 1) - coordinate(axis, k));
+    return least;
+}
+
 void Octree::fill(const Cell& cell, SignGrid& grid) const {
-    const int cubes = 1 << (depth_ - cell.depth);
-    const auto [x, y, z] = cell.at;
-    for (int k = z * cubes; k <= (z + 1) * cubes; ++k) {
-        for (int j = y * cubes; j <= (y + 1) * cubes; ++j)
-            grid.set_run(x * cubes, (x + 1) * cubes, j, k);
+    const auto x = vertices(cell, 0), y = vertices(cell, 1), z = vertices(cell, 2);
+    for (int k = z[0]; k <= z[1]; ++k) {
+        for (int j = y[0]; j <= y[1]; ++j) grid.set_run(x[0], x[1], j, k);
     }
 }
 
@@ -284,18 +290,21 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
     assert(mignitude(leaf.gradient[axis]) > 0);
     const bool rises = leaf.gradient[axis].lo > 0;
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const int cubes = 1 << (depth_ - leaf.cell.depth);
+    const std::array<std::array<int, 2>, 3> range{vertices(leaf.cell, 0), vertices(leaf.cell, 1),
+                                                  vertices(leaf.cell, 2)};
+    const auto steps = [&](std::size_t along) { return range[along][1] - range[along][0]; };
+    const int last_of_column = steps(axis), wide = steps(u), high = steps(v);
 
-    std::vector<Column> columns(std::size_t(cubes + 1) * std::size_t(cubes + 1));
+    std::vector<Column> columns(std::size_t(wide + 1) * std::size_t(high + 1));
     const auto column = [&](int i, int j) -> Column& {
-        return columns[std::size_t(j) * std::size_t(cubes + 1) + std::size_t(i)];
+        return columns[std::size_t(j) * std::size_t(wide + 1) + std::size_t(i)];
     };
     // Index of the vertex with this number in a column.
     const auto index = [&](int i, int j, int number) {
         std::array<int, 3> at{};
-        at[axis] = leaf.cell.at[axis] * cubes + (rises ? number : cubes - number);
-        at[u] = leaf.cell.at[u] * cubes + i;
-        at[v] = leaf.cell.at[v] * cubes + j;
+        at[axis] = rises ? range[axis][0] + number : range[axis][1] - number;
+        at[u] = range[u][0] + i;
+        at[v] = range[v][0] + j;
         return at;
     };
     const Elements near = one_of(*leaf.near);
@@ -307,9 +316,9 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
         while (!open.empty()) {
             points.clear();
             for (const auto& [i, j] : open) {
-                const auto at = index(i, j, column(i, j).next(cubes));
+                const auto at = index(i, j, column(i, j).next(last_of_column));
                 SpaceBox& point = points.emplace_back();
-                for (std::size_t k = 0; k < 3; ++k) point[k] = places_.vertex(k, at[k], depth_);
+                for (std::size_t k = 0; k < 3; ++k) point[k] = coordinate(k, at[k]);
             }
             values.resize(open.size());
             one_.values(near, points, values);
@@ -318,22 +327,25 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
                 if (contains(values[k], 0.0))
                     one_.values(all_of_one_, std::span(points).subspan(k, 1),
                                 std::span(values).subspan(k, 1));
-                column(open[k][0], open[k][1]).learn(values[k], cubes);
+                column(open[k][0], open[k][1]).learn(values[k], last_of_column);
             }
             std::erase_if(open, [&](const auto& c) { return column(c[0], c[1]).is_known(); });
         }
     };
     // Coarse to fine: each column is guessed from those about it.
-    for (int stride = cubes; stride > 0; stride /= 2) {
-        for (int j = 0; j <= cubes; j += stride) {
-            for (int i = 0; i <= cubes; i += stride) {
+    const auto coarsest = int(std::bit_ceil(unsigned(std::max(wide, high)) + 1));
+    for (int stride = coarsest; stride > 0; stride /= 2) {
+        for (int j = 0; j <= high; j += stride) {
+            for (int i = 0; i <= wide; i += stride) {
                 Column& made = column(i, j);
                 if (made.is_known()) continue;
-                made.not_solid = cubes + 1;
-                made.guess = cubes / 2;
-                if (stride < cubes) {
+                made.not_solid = last_of_column + 1;
+                made.guess = last_of_column / 2;
+                if (stride < coarsest) {
                     const int di = i / stride % 2 ? stride : 0, dj = j / stride % 2 ? stride : 0;
-                    made.guess = (column(i - di, j - dj).solid + column(i + di, j + dj).solid) / 2;
+                    const int before = column(i - di, j - dj).solid;
+                    const bool has_after = i + di <= wide && j + dj <= high;
+                    made.guess = has_after ? (before + column(i + di, j + dj).solid) / 2 : before;
                 }
                 open.push_back({i, j});
             }
@@ -343,10 +355,10 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
 
     // Vertices beyond are taken for G >= 0; where G is below, by `lost` at most.
     double lost = 0;
-    for (int j = 0; j <= cubes; ++j) {
-        for (int i = 0; i <= cubes; ++i) {
+    for (int j = 0; j <= high; ++j) {
+        for (int i = 0; i <= wide; ++i) {
             const Column& done = column(i, j);
-            if (done.not_solid <= cubes) lost = std::max(lost, -done.beyond.lo);
+            if (done.not_solid <= last_of_column) lost = std::max(lost, -done.beyond.lo);
             if (done.solid == 0) continue;
             const auto first = index(i, j, 0), last = index(i, j, done.solid - 1);
             if (axis == 0) {
@@ -363,8 +375,7 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
     if (lost == 0) return true;
     std::array<Interval, 3> gradient = leaf.gradient;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double across = places_.vertex(i, 1, depth_) - places_.vertex(i, 0, depth_);
-        const Interval change = Interval(-lost, lost) / Interval(across / 2);
+        const Interval change = Interval(-lost, lost) / Interval(least_step(leaf.cell, i) / 2);
         gradient[i] = gradient[i] + change;
     }
     return agree(leaf.cell, leaf.gradient, gradient);
@@ -378,7 +389,7 @@ CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt&
     FrameField all(formula);
     const Places places(bounds);
     FrameLimits within = limits;
-    within.depth = std::min(limits.depth, deepest);
+    within.depth = std::min(limits.depth, Planes::deepest);
     CertifiedFrame frame = Octree(all, one, places, within).certify();
     if (frame.betti || frame.why == interrupted) return frame;
     const CertifiedFrame by_cells = certify_by_cells(formula, bounds, limits);

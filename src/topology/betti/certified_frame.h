@@ -22,14 +22,14 @@ namespace isomotion::topology {
 
 struct CertifiedFrame {
     std::optional<Betti> betti;
-    int depth = 0; // of the smallest part: the grid has 2^depth cubes in each direction
+    int depth = 0; // of the smallest part: its sides are those of the box, divided by 2^depth
     int boxes = 0;
     std::string why; // if there are no Betti numbers: what could not be proved
     SpaceBox where;  // and where
 };
 
 struct FrameLimits {
-    int depth = 10; // at most 10
+    int depth = 14; // at most 14
     int boxes = 4'000'000;
     std::function<bool()> stopped{}; // called often; once it returns true nothing is proved
 };

@@ -120,10 +120,11 @@ public:
             int least = deepest;
             for (const std::size_t box : open) least = std::min(least, boxes_[box].key.level);
             if (least >= deepest) return Sides::unknown;
-            for (const std::size_t box : open) {
-                if (boxes_[box].key.level <= least + 1 && boxes_[box].key.level < deepest)
-                    divide(box);
-            }
+            std::erase_if(open, [&](std::size_t box) {
+                const int level = boxes_[box].key.level;
+                return level > least + 1 || level >= deepest;
+            });
+            divide(open);
         }
         return Sides::unknown;
     }
@@ -173,42 +174,51 @@ private:
         about_.emplace_back();
     }
 
-    void divide(std::size_t number) {
-        if (boxes_[number].is_divided) return; // a way may hold both halves of a parted box
-        const BoxKey key = boxes_[number].key;
-        boxes_[number].is_divided = true;
-        for (const std::size_t other : about(number)) about_[other].reset();
-        about_[number].reset();
+    // All at once: evaluating many boxes together costs less than one after the other.
+    void divide(const std::vector<std::size_t>& numbers) {
+        for (const std::size_t number : numbers) {
+            for (const std::size_t other : about(number)) about_[other].reset();
+            about_[number].reset();
+        }
+        std::vector<BoxKey> keys;
         std::vector<SpaceBox> boxes, middles;
-        for (int k = 0; k < 8; ++k) {
-            boxes.push_back(where(key.part(k)));
-            middles.push_back(point_box(middle(boxes.back())));
+        for (const std::size_t number : numbers) {
+            // A way may hold both halves of a parted box.
+            if (std::exchange(boxes_[number].is_divided, true)) continue;
+            for (int k = 0; k < 8; ++k) {
+                keys.push_back(boxes_[number].key.part(k));
+                boxes.push_back(where(keys.back()));
+                middles.push_back(point_box(middle(boxes.back())));
+            }
         }
         const std::vector<ValueAndGradient> over = region_.over(boxes);
         const std::vector<Interval> at_middles = region_.values(middles);
-        for (std::size_t k = 0; k < 8; ++k) {
-            const std::size_t made = boxes_.size();
-            add(key.part(int(k)), boxes[k]);
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
             Interval value = at_middles[k];
             for (std::size_t i = 0; i < 3; ++i)
                 value = value + over[k].gradient[i] * (boxes[k][i] - middles[k][i]);
-            One& one = boxes_[made];
-            const bool is_low = over[k].value.hi < 0 || value.hi < 0;
-            const bool is_high = over[k].value.lo > 0 || value.lo > 0;
-            one.state = is_low ? State::in : is_high ? State::out : State::open;
-            if (region_.is_solid()) {
-                // A solid ends at the bounds.
-                if (region_.is_all_outside(boxes[k])) one.state = State::out;
-                if (one.state == State::in && !region_.is_all_inside(boxes[k]))
-                    one.state = State::open;
-            } else {
-                const bool is_all_outside = region_.is_all_outside(boxes[k]);
-                one.may_leave = !region_.is_all_inside(boxes[k]);
-                one.leaves = is_all_outside || reaches_end(one.key);
-                if (is_all_outside) one.state = State::in;
-            }
-            one.is_parted = plane_.is_around(boxes[k]) && plane_.side(boxes[k]) == 0;
+            add(keys[k], boxes[k]);
+            judge(boxes_.back(), over[k].value, value);
         }
+    }
+
+    // By two enclosures of H over the box.
+    void judge(One& one, const Interval& natural, const Interval& mean) const {
+        const bool is_low = natural.hi < 0 || mean.hi < 0;
+        const bool is_high = natural.lo > 0 || mean.lo > 0;
+        one.state = is_low ? State::in : is_high ? State::out : State::open;
+        if (region_.is_solid()) {
+            // A solid ends at the bounds.
+            if (region_.is_all_outside(one.where)) one.state = State::out;
+            if (one.state == State::in && !region_.is_all_inside(one.where))
+                one.state = State::open;
+        } else {
+            const bool is_all_outside = region_.is_all_outside(one.where);
+            one.may_leave = !region_.is_all_inside(one.where);
+            one.leaves = is_all_outside || reaches_end(one.key);
+            if (is_all_outside) one.state = State::in;
+        }
+        one.is_parted = plane_.is_around(one.where) && plane_.side(one.where) == 0;
     }
 
     // The undivided boxes beside those of one, kept until one of them is divided.
@@ -293,6 +303,10 @@ private:
         for (const std::size_t other : about(number)) {
             const One& next = boxes_[other];
             if (next.state == State::out) continue;
+            if (!one.is_parted && !next.is_parted) {
+                found.push_back(half(other, false));
+                continue;
+            }
             SpaceBox face;
             for (std::size_t k = 0; k < 3; ++k) face[k] = intersect(one.where[k], next.where[k]);
             const int side = plane_.side(face);
