@@ -22,10 +22,10 @@ FieldStorage storage_at_level(const FieldStorage& storage, int level);
 // What a level of beams writes its bits by.
 void add_masks(ShaderText& text, const FieldStorage& storage);
 
-// What beams within those of the first level read.
-void add_copies_of_parent(ShaderText& text, const Passes& passes);
+// What the beams of a later level read.
+void add_copies_of_parent(ShaderText& text, const Passes& passes, int level);
 
-// What rays read, which go by all levels.
+// What rays read.
 void add_copies_of_ray(ShaderText& text, const Passes& passes);
 
 // Copies the elements that the bits of a level tell.
