@@ -1,14 +1,14 @@
 // Lists of elements as copies in a texture. A list is a rectangle 16 texels wide: each 16 elements
 // take TEXELS rows, one for each of their texels. Its last place holds the number of elements, or -1
-// if there are more elements than places. The lists of a block lie one above the other, the front's
-// first, and those of a level of beams above those of the level before.
+// if there are more elements than places. The lists of a block lie side by side, the front's first,
+// and those of a level of beams above those of the level before.
 //
 // A LIST is the number of elements, and the texel where they begin.
 uniform ivec3 list_rows; // where each level's lists begin
 
 LIST stored_list(int level, ivec2 block, int which, int lists, int slots) {
     int rows = slots / 16 * TEXELS;
-    ivec2 first = ivec2(16 * block.x, list_rows[level] + (block.y * lists + which) * rows);
+    ivec2 first = ivec2(16 * (block.x * lists + which), list_rows[level] + block.y * rows);
     float count = texelFetch(array0_lists, first + ivec2(15, rows - TEXELS), 0).x;
     return LIST(count, vec2(first));
 }

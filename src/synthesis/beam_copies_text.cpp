@@ -18,7 +18,7 @@ bool is_last(const Passes& passes, int level) { return level + 1 == int(passes.b
 // may be of all. Fewer matter in smaller beams, and fewest in a last one's front; where there are
 // more, rays take what that list was made from.
 int slots(const Passes& passes, int level) {
-    constexpr int of_a_front = 3 * columns, of_a_middle = 8 * columns;
+    constexpr int of_a_front = 8 * columns, of_a_middle = 16 * columns;
     const int all = (passes.arrays[0].capacity / columns + 1) * columns;
     if (level == 0) return all;
     return std::min(all, is_last(passes, level) ? of_a_front : of_a_middle);
@@ -64,8 +64,7 @@ int masks_of_level(const FieldStorage& storage, const BeamLevel& level) {
 }
 
 int rows_of_copies(const Passes& passes, int level) {
-    const int lists = lists_of_a_block(passes.beams[std::size_t(level)]);
-    return slots(passes, level) / columns * passes.arrays[0].texels * lists;
+    return slots(passes, level) / columns * passes.arrays[0].texels;
 }
 
 FieldStorage through_copies(const FieldStorage& storage) {

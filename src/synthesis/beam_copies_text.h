@@ -11,7 +11,7 @@ namespace isomotion::synthesis {
 // Textures of 128 bits a texel that a level draws its lists' bits into; 0 without copies.
 int masks_of_level(const FieldStorage& storage, const BeamLevel& level);
 
-// Rows of the texture of copies that the lists of a row of blocks take, 16 columns a block.
+// Rows of the texture of copies that the lists of a row of blocks take, 16 columns a list.
 int rows_of_copies(const Passes& passes, int level);
 
 // The storage for shaders that go through copies: where there are none, the same.

@@ -31,9 +31,11 @@ class TileDrawer {
     // the levels before.
     newLists() {
         const { gl, about, beams, table } = this;
-        return beams.map(({ width, height }, level) => new Target(gl, 16 * width,
-            table.listRows[level] + about.beams[level].listRows * height, [gl.RGBA32F])
-            .expectComplete());
+        return beams.map(({ width, height }, level) => {
+            const { lists, listRows } = about.beams[level];
+            const rows = table.listRows[level] + listRows * height;
+            return new Target(gl, 16 * lists * width, rows, [gl.RGBA32F]).expectComplete();
+        });
     }
 
     statesOf(role) {
@@ -81,8 +83,9 @@ class TileDrawer {
 
     copyLists(level, { width, height }) {
         const { gl, table, about, lists } = this;
-        const size = { y: table.listRows[level], width: 16 * width,
-            height: about.beams[level].listRows * height };
+        const { lists: across, listRows } = about.beams[level];
+        const size = { y: table.listRows[level], width: 16 * across * width,
+            height: listRows * height };
         table.bind("beam_masks_texture", this.beams[level].layers, gl.TEXTURE_2D_ARRAY);
         table.bind("array0_lists", level > 0 ? lists[level - 1].textures[0] : null);
         for (const to of lists.slice(level)) this.run("beamCopies", to, size, level);
