@@ -1,17 +1,19 @@
 // Lists of elements as copies in a texture. A list is a rectangle 16 texels wide: each 16 elements
 // take TEXELS rows, one for each of their texels. Its last place holds the number of elements, or -1
-// if there are more elements than places. The lists of a block lie one above the other, the front's
-// first.
+// if there are more elements than places. The lists of a block lie side by side, the front's first,
+// and those of a level of beams above those of the level before.
 //
 // A LIST is the number of elements, and the texel where they begin.
+uniform ivec3 list_rows; // where each level's lists begin
 
-ivec2 first_of_list(ivec2 block, int which, int lists, int slots) {
+LIST stored_list(int level, ivec2 block, int which, int lists, int slots) {
     int rows = slots / 16 * TEXELS;
-    return ivec2(16 * block.x, (block.y * lists + which) * rows);
-}
-
-LIST stored_list(ivec2 first, int slots) {
-    int rows = slots / 16 * TEXELS;
+    ivec2 first = ivec2(16 * (block.x * lists + which), list_rows[level] + block.y * rows);
     float count = texelFetch(array0_lists, first + ivec2(15, rows - TEXELS), 0).x;
     return LIST(count, vec2(first));
+}
+
+// Of the front of a block of the largest beams, or of all of it.
+LIST list_of_first(ivec2 block, int which) {
+    return stored_list(0, block, which, 2, FIRST_SLOTS);
 }

@@ -5,7 +5,6 @@
 layout(location = 0) out vec4 copied;
 
 uniform usampler2DArray beam_masks_texture;
-uniform int first_row; // of the level's lists in the texture
 
 // How many bits of a word are set; ES 3.00 has no bitCount().
 int bits_in(uint word) {
@@ -30,12 +29,11 @@ int place_of_bit(uint word, int k) {
 }
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy) - ivec2(0, first_row);
+    ivec2 at = ivec2(gl_FragCoord.xy) - ivec2(0, list_rows[LEVEL]);
     const int rows = SLOTS / 16 * TEXELS;
-    ivec2 block = ivec2(at.x >> 4, at.y / (rows * LISTS_OF_A_BLOCK));
-    int row = at.y - block.y * rows * LISTS_OF_A_BLOCK;
-    int which = row / rows;
-    row -= which * rows;
+    int list = at.x >> 4, which = list % LISTS_OF_A_BLOCK;
+    ivec2 block = ivec2(list / LISTS_OF_A_BLOCK, at.y / rows);
+    int row = at.y - block.y * rows;
     int slot = 16 * (row / TEXELS) + (at.x & 15), texel = row % TEXELS;
     int count = 0, before = 0, place = 0;
     uint found = 0u;

@@ -1,8 +1,9 @@
-// Later levels' lists are made from one of the larger beam's, see beam.frag.
+// Later levels' lists are made from one of the larger beam's: those of the smallest beams, which have
+// no more than a front, from the one that reaches to its end. See beam.frag.
 uniform sampler2D beam_texture;
 
 void enter_parent(ivec2 block) {
     vec4 part = texelFetch(beam_texture, block, 0);
-    int which = part.z <= part.w ? 0 : 1;
-    enter_list(LIST(0.0, vec2(first_of_list(block * BLOCK / PARENT_BLOCK, which, 2, FIRST_SLOTS))));
+    int which = LISTS_OF_A_BLOCK == 1 && part.z <= part.w ? 0 : 1;
+    enter_list(LIST_OF_LARGER(block * BLOCK / LARGER_BLOCK, which));
 }

@@ -109,6 +109,7 @@ Json beams_of(const WebScene& web) {
         all.push_back(
             {{"block", level.block},
              {"masks", synthesis::masks_of_level(web.passes, level)},
+             {"lists", copied ? synthesis::lists_of_a_block(level) : 0},
              {"listRows", copied ? synthesis::rows_of_copies(web.passes, int(all.size())) : 0},
              {"evaluations",
               render::evaluations_of_a_beam(web.passes, *web.scene.surface.field, level.lists)}});

@@ -37,7 +37,11 @@ void expect_few_elements(const scene::Scene& scene, const synthesis::Passes& pas
 } // namespace
 
 WebScene web_scene(scene::Scene scene) {
-    scene::expect_one_surface(scene, "a page");
+    if (!scene.others.empty()) {
+        refuse(scene, fmt::format("surfaces: there are {}, and a page shows one; leave the others "
+                                  "out, or share a movie (isomotion render --movie)",
+                                  scene.among.count));
+    }
     if (scene.material.glass) {
         refuse(scene,
                "material.transmission: a page shows no glass; leave it out, or share a movie "

@@ -12,13 +12,16 @@ namespace {
 
 constexpr int columns = 16; // of a list
 
+bool is_last(const Passes& passes, int level) { return level + 1 == int(passes.beams.size()); }
+
 // Places of a list, the last of which holds how many elements there are. The first level's lists
-// may be of all; in a later one's front few matter, and where there are more, rays take what that
-// list was made from.
+// may be of all. Fewer matter in smaller beams, and fewest in a last one's front; where there are
+// more, rays take what that list was made from.
 int slots(const Passes& passes, int level) {
-    constexpr int of_a_front = 3 * columns;
+    constexpr int of_a_front = 8 * columns, of_a_middle = 16 * columns;
     const int all = (passes.arrays[0].capacity / columns + 1) * columns;
-    return level == 0 ? all : std::min(all, of_a_front);
+    if (level == 0) return all;
+    return std::min(all, is_last(passes, level) ? of_a_front : of_a_middle);
 }
 
 int texels_of_a_mask(const FieldStorage& storage) {
@@ -32,11 +35,26 @@ std::string repeated(std::string_view value, int times) {
 
 // Where lists lie.
 void add_places(ShaderText& text, const Passes& passes) {
-    assert(passes.beams.size() == 2);
-    text.define("COPIES", 1);
     text.define("TEXELS", passes.arrays[0].texels);
     text.define("FIRST_SLOTS", slots(passes, 0));
     text.file("march/copies.glsl");
+}
+
+// And those of the beams that a level's lie in.
+void add_larger(ShaderText& text, const Passes& passes, int level) {
+    assert(level == 1 || level == 2);
+    add_places(text, passes);
+    text.define("COPIES", 1);
+    text.define("LARGER_BLOCK", passes.beams[std::size_t(level - 1)].block);
+    if (level == 2) {
+        text.define("FIRST_BLOCK", passes.beams[0].block);
+        text.define("MIDDLE_BLOCK", passes.beams[1].block);
+        text.define("MIDDLE_SLOTS", slots(passes, 1));
+        text.file("march/copies_of_middle.glsl");
+    }
+    text.generated("lists of larger beams",
+                   fmt::format("#define LIST_OF_LARGER {}\n",
+                               level == 2 ? "list_of_middle" : "list_of_first"));
 }
 
 } // namespace
@@ -46,8 +64,7 @@ int masks_of_level(const FieldStorage& storage, const BeamLevel& level) {
 }
 
 int rows_of_copies(const Passes& passes, int level) {
-    const int lists = lists_of_a_block(passes.beams[std::size_t(level)]);
-    return slots(passes, level) / columns * passes.arrays[0].texels * lists;
+    return slots(passes, level) / columns * passes.arrays[0].texels;
 }
 
 FieldStorage through_copies(const FieldStorage& storage) {
@@ -71,21 +88,23 @@ void add_masks(ShaderText& text, const FieldStorage& storage) {
     text.file("march/write_masks.glsl");
 }
 
-void add_copies_of_parent(ShaderText& text, const Passes& passes) {
-    add_places(text, passes);
+void add_copies_of_parent(ShaderText& text, const Passes& passes, int level) {
+    add_larger(text, passes, level);
     text.file("march/copies_of_parent.glsl");
 }
 
 void add_copies_of_ray(ShaderText& text, const Passes& passes) {
-    add_places(text, passes);
-    text.define("LAST_SLOTS", slots(passes, 1));
-    text.define("FIRST_BLOCK", passes.beams[0].block);
+    const int last = int(passes.beams.size()) - 1;
+    add_larger(text, passes, last);
+    text.define("LAST_LEVEL", last);
+    text.define("LAST_SLOTS", slots(passes, last));
     text.file("march/copies_of_ray.glsl");
 }
 
 Pass beam_copies_pass(const scene::Scene& scene, const Passes& passes, int level) {
     const BeamLevel& beam = passes.beams[std::size_t(level)];
     ShaderText text;
+    text.define("LEVEL", level);
     text.define("BLOCK", beam.block);
     text.define("LISTS_OF_A_BLOCK", lists_of_a_block(beam));
     text.define("SLOTS", slots(passes, level));
@@ -93,11 +112,11 @@ Pass beam_copies_pass(const scene::Scene& scene, const Passes& passes, int level
     text.define("MASK_WORDS", (passes.arrays[0].capacity + 31) / 32);
     add_field(text, *scene.surface.field, storage_at_level(passes, level), {});
     if (level > 0) {
-        text.define("PARENT_BLOCK", passes.beams[0].block);
-        add_places(text, passes);
+        add_larger(text, passes, level);
         text.file("march/copy_of_copies.glsl");
     } else {
         text.define("TEXELS", passes.arrays[0].texels);
+        text.generated("they are the first in the texture", "const ivec3 list_rows = ivec3(0);\n");
         text.file("march/copy_of_all.glsl");
     }
     text.file("march/copy_lists.frag");

@@ -11,7 +11,7 @@ namespace isomotion::synthesis {
 // Textures of 128 bits a texel that a level draws its lists' bits into; 0 without copies.
 int masks_of_level(const FieldStorage& storage, const BeamLevel& level);
 
-// Rows of the texture of copies that the lists of a row of blocks take, 16 columns a block.
+// Rows of the texture of copies that the lists of a row of blocks take, 16 columns a list.
 int rows_of_copies(const Passes& passes, int level);
 
 // The storage for shaders that go through copies: where there are none, the same.
@@ -22,10 +22,10 @@ FieldStorage storage_at_level(const FieldStorage& storage, int level);
 // What a level of beams writes its bits by.
 void add_masks(ShaderText& text, const FieldStorage& storage);
 
-// What beams within those of the first level read.
-void add_copies_of_parent(ShaderText& text, const Passes& passes);
+// What the beams of a later level read.
+void add_copies_of_parent(ShaderText& text, const Passes& passes, int level);
 
-// What rays read, which go by all levels.
+// What rays read.
 void add_copies_of_ray(ShaderText& text, const Passes& passes);
 
 // Copies the elements that the bits of a level tell.

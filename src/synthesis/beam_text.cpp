@@ -51,7 +51,7 @@ void add_boxes(ShaderText& text, const scene::Scene& scene, const Passes& passes
     text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
     text.file("march/beam_way.glsl");
     if (parent && has_copies(passes)) {
-        add_copies_of_parent(text, passes);
+        add_copies_of_parent(text, passes, int(parent - passes.beams.data()) + 1);
     } else if (parent && has_lists(passes)) {
         text.file("march/read_lists.glsl");
     }
@@ -169,12 +169,10 @@ std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest) {
     // single pixels lie side by side.
     const int bits = finest == 1 ? 6 : 4;
     if (!has_lists(storage)) return {{finest, none, 1, bits}};
-    // Fewer programs: a page shows its first picture when all are compiled.
-    if (has_copies(storage)) {
-        // Smaller blocks have shorter lists, and more places to copy to: one for every element.
-        const int first = storage.arrays[0].capacity <= 128 ? 16 : 32;
-        return {{first, whole, 0.3, 2}, {finest, front, 0.12, bits}};
-    }
+    // Fewer programs: a page shows its first picture when all are compiled. Beams of 16 pixels that
+    // go through more elements than these take longer than two levels.
+    if (has_copies(storage) && storage.arrays[0].capacity <= 128)
+        return {{16, whole, 0.3, 2}, {finest, front, 0.12, bits}};
     return {{64, whole, 0.3, 2}, {16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
 }
 

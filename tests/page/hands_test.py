@@ -222,6 +222,30 @@ def needs_floats(driven, file, checks):
         page.close()
 
 
+FOUR_TEXTURES = """{
+    const { prototype } = WebGL2RenderingContext, { getParameter } = prototype;
+    prototype.getParameter = function (name) {
+        return name === this.MAX_DRAW_BUFFERS ? 4 : getParameter.call(this, name);
+    };
+}"""
+
+
+def needs_textures(driven, folder, given, checks):
+    """Where a browser draws into four textures at once, as WebGL2 promises, 128 elements are drawn,
+    and of more the page says what is missing."""
+    for animation, told in [("blobby75", ""), ("falling_drops", "draws into 4 textures at once, and "
+                                               "this scene needs 7")]:
+        file = pages.made(given.program, animation, os.path.join(folder, "textures.html"),
+                          "--set", "look=none")
+        page = driven.page(64, 64)
+        page.call("Page.addScriptToEvaluateOnNewDocument", source=FOUR_TEXTURES)
+        page.open(file, "?ui=0&play=0&samples=1")
+        page.until("isomotion?.painter.drawn > 0 || !document.getElementById('failure').hidden", 60)
+        said = page.evaluate("document.getElementById('failure').textContent").strip()
+        checks.expect(told in said if told else not said, f"{animation} with four textures: {said}")
+        page.close()
+
+
 def has_a_movie(driven, folder, scene, given, checks):
     """`--video`: where nothing can be drawn, the movie plays; elsewhere it is not seen."""
     file = pages.made(given.program, scene, os.path.join(folder, "movie.html"), "--video",
@@ -274,6 +298,7 @@ def test(given, folder, driven, checks):
     page.close()
     pinches(driven, file, checks)
     needs_floats(driven, file, checks)
+    needs_textures(driven, folder, given, checks)
     has_a_movie(driven, folder, scene, given, checks)
     is_embedded(driven, folder, file, checks)
 

@@ -1,6 +1,16 @@
 // The scene's passes as programs: compiled, connected to their textures and blocks, ready to run, as
 // src/render/pass_table.h has them.
 
+// Where each level's lists of elements begin in their texture: shaders/march/copies.glsl.
+function rowsOfLists({ beams, tile }) {
+    let next = 0;
+    return Array.from({ length: 3 }, (_, level) => {
+        const row = next, { block, listRows } = beams[level] ?? { block: 1, listRows: 0 };
+        next += listRows * Math.ceil(tile / block);
+        return row;
+    });
+}
+
 class PassTable {
     constructor(gl, about, pageShaders) {
         this.gl = gl;
@@ -11,6 +21,7 @@ class PassTable {
         this.programs = new Map(); // compiling or ready
         this.buffers = new Map();
         this.effects = {};
+        this.listRows = rowsOfLists(about);
         for (const { samplers, blocks } of this.passes) {
             for (const name of samplers) this.number(this.units, name);
             for (const name of blocks) this.number(this.bindings, name);
@@ -50,6 +61,7 @@ class PassTable {
         while (!program.isReady()) await soon(5);
         program.finish(this.units, this.bindings);
         program.set("element_budget", this.elementBudget);
+        program.set("list_rows", this.listRows);
         for (const [name, value] of Object.entries(this.effects)) program.set(name, value);
     }
 

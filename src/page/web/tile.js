@@ -27,15 +27,15 @@ class TileDrawer {
         if (table.has("mirror")) this.mirrorEnds = this.newEnds();
     }
 
-    // Textures of lists, see shaders/march/copies.glsl: those of the first beams, which smaller ones
-    // read, and all, which rays read.
+    // A texture for each level of beams, which smaller ones read, or rays: its lists, and those of
+    // the levels before.
     newLists() {
-        const { gl, about } = this;
-        const rows = about.beams.map(({ listRows }, k) => listRows * this.beams[k].height);
-        const list = (height) =>
-            new Target(gl, 16 * this.beams[1].width, height, [gl.RGBA32F]).expectComplete();
-        this.firstListsRow = rows[1];
-        return [list(rows[0]), list(rows[0] + rows[1])];
+        const { gl, about, beams, table } = this;
+        return beams.map(({ width, height }, level) => {
+            const { lists, listRows } = about.beams[level];
+            const rows = table.listRows[level] + listRows * height;
+            return new Target(gl, 16 * lists * width, rows, [gl.RGBA32F]).expectComplete();
+        });
     }
 
     statesOf(role) {
@@ -81,19 +81,14 @@ class TileDrawer {
         });
     }
 
-    // The first level's lists go to both textures.
     copyLists(level, { width, height }) {
         const { gl, table, about, lists } = this;
-        const size = { width: 16 * width, height: about.beams[level].listRows * height };
-        const program = table.program("beamCopies", level);
+        const { lists: across, listRows } = about.beams[level];
+        const size = { y: table.listRows[level], width: 16 * across * width,
+            height: listRows * height };
         table.bind("beam_masks_texture", this.beams[level].layers, gl.TEXTURE_2D_ARRAY);
-        const copy = (to, row) => {
-            program.set("first_row", row);
-            this.run("beamCopies", to, { y: row, ...size }, level);
-        };
-        table.bind("array0_lists", level > 0 ? lists[0].textures[0] : null);
-        if (level === 0) copy(lists[0], 0);
-        copy(lists[1], level === 0 ? this.firstListsRow : 0);
+        table.bind("array0_lists", level > 0 ? lists[level - 1].textures[0] : null);
+        for (const to of lists.slice(level)) this.run("beamCopies", to, size, level);
         table.bind("array0_lists", lists[level].textures[0]);
     }
 
@@ -109,15 +104,9 @@ class TileDrawer {
         gl.clearBufferuiv(gl.COLOR, 1, [0, 0, 0, 0]);
         gl.depthFunc(gl.LESS);
         gl.depthMask(false);
-        this.tellPlan(table.program("fused"), this.about.evaluations);
+        table.program("fused").set("evaluations_per_pass", this.about.evaluations);
         this.run("fused", result, size);
         gl.disable(gl.DEPTH_TEST);
-    }
-
-    // What a program that marches is told of a draw.
-    tellPlan(program, evaluations) {
-        program.set("evaluations_per_pass", evaluations);
-        if (this.lists) program.set("first_lists_row", this.firstListsRow);
     }
 
     // Answers when the card has drawn the tile.
@@ -140,7 +129,7 @@ class TileDrawer {
     async march(role, evaluations, size, go, start = role) {
         const { table } = this;
         const program = table.program(role);
-        this.tellPlan(program, evaluations);
+        program.set("evaluations_per_pass", evaluations);
         let [from, to] = this.statesOf(start);
         for (let isFirst = true; ; isFirst = false) {
             table.bindNumbered("state_texture", from);
