@@ -20,7 +20,7 @@ target_precompile_headers(isomotion_precompiled PRIVATE
 # `#include "gpu/context.h"` does not compile in a folder that may not know gpu.
 #
 # INNER_LOOPS says that the time of a proof, a count or a pixel is spent here. What is called some times a
-# frame, or a scene, is compiled with -O1, which takes a third less; values don't depend on it.
+# frame, or a scene, is compiled with -O1, which takes an eighth to a third less; values don't depend on it.
 #
 # BUILD_LINKS are libraries of headers alone, used in no header of ours: who links an installed
 # library of ours (src/package) needs them no more.
