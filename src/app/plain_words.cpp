@@ -32,7 +32,7 @@ bool looks_like_scene(const std::string& word) {
     return std::ranges::count(scene::animation_names(), word) > 0;
 }
 
-std::string quoted(const std::string& word) {
+std::string line_in_quotes(const std::string& word) {
     const std::string one_line = base::printable_line(word);
     return farm::shell_word(one_line);
 }
@@ -74,7 +74,7 @@ std::string why_no_command(const std::vector<std::string>& words, const CommandT
                            "    isomotion play {0}      in a window\n"
                            "    isomotion render {0}    into files\n"
                            "isomotion --help lists all commands\n",
-                           quoted(word));
+                           line_in_quotes(word));
     }
     std::vector<std::string> names;
     for (const CommandText& command : tree.commands) names.push_back(command.name);

@@ -90,16 +90,16 @@ Known constant(double value) {
 std::string_view interval_kernel(Op op) { return op == Op::chebyshev ? name(op) : kernel(op); }
 
 // T_n^(k)(1), rounded up.
-float chebyshev_at_one(int n, int k) {
+float rounded_chebyshev_at_one(int n, int k) {
     double product = 1;
     for (int j = 0; j < k; ++j) product *= (double(n) * n - double(j) * j) / (2.0 * j + 1);
     return float(std::min(product * 1.000001, double(Floats::max())));
 }
 
-class Writer {
+class IntervalWriter {
 public:
-    Writer(const Program& program, const IntervalSignature& signature, const ArrayPacking& packing,
-           const IntervalNumbers& numbers)
+    IntervalWriter(const Program& program, const IntervalSignature& signature,
+                   const ArrayPacking& packing, const IntervalNumbers& numbers)
         : program_(program)
         , signature_(signature)
         , packing_(packing)
@@ -276,7 +276,7 @@ private:
         }
         case Op::chebyshev:
             if (now.second >= 2) {
-                const auto bound = float_text(chebyshev_at_one(now.index, now.second));
+                const auto bound = float_text(rounded_chebyshev_at_one(now.index, now.second));
                 return define(now.result,
                               fmt::format("im_chebyshev_steep({}, {})", bound, interval(a)), false);
             }
@@ -378,7 +378,7 @@ private:
 
 std::string emit_interval_glsl(const Program& program, const IntervalSignature& signature,
                                const ArrayPacking& packing, const IntervalNumbers& numbers) {
-    return Writer(program, signature, packing, numbers).write();
+    return IntervalWriter(program, signature, packing, numbers).write();
 }
 
 std::set<std::string> interval_kernels_used(const Program& program) {

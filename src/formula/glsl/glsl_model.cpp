@@ -19,7 +19,7 @@ constexpr const char* no_rounding = "0.0";
 constexpr const char* float_rounding = "6.0e-8";
 
 // What is known of a register when the text is written.
-struct Known {
+struct KnownNumber {
     std::string text;
     bool is_number = false; // else a model
     bool is_constant = false;
@@ -47,7 +47,7 @@ public:
         for (const Instruction& now : program_.instructions) {
             if (now.kind != Instruction::Kind::operation || !operation(now)) return std::nullopt;
         }
-        const Known& f = known_[std::size_t(program_.outputs.at(0))];
+        const KnownNumber& f = known_[std::size_t(program_.outputs.at(0))];
         text_ += fmt::format("    return {};\n}}\n", model(f));
         return std::move(text_);
     }
@@ -55,7 +55,7 @@ public:
 private:
     bool operation(const Instruction& now) {
         constexpr std::array inputs{"x", "y", "z"};
-        Known& result = known_[std::size_t(now.result)];
+        KnownNumber& result = known_[std::size_t(now.result)];
         switch (now.op) {
         case Op::constant:
             result = {number(now.value), true, true, now.value};
@@ -78,8 +78,8 @@ private:
     }
 
     std::string of_operands(const Instruction& now) const {
-        const Known& a = known_[std::size_t(now.operands[0])];
-        const Known& b = known_[std::size_t(now.operands[now.arity > 1 ? 1 : 0])];
+        const KnownNumber& a = known_[std::size_t(now.operands[0])];
+        const KnownNumber& b = known_[std::size_t(now.operands[now.arity > 1 ? 1 : 0])];
         switch (now.op) {
         case Op::negate:
             return fmt::format("md_negate({})", model(a));
@@ -107,22 +107,22 @@ private:
         }
     }
 
-    std::string shifted(const Known& a, const Known& by) const {
+    std::string shifted(const KnownNumber& a, const KnownNumber& by) const {
         return by.is_number ? fmt::format("md_shift({}, {}, {})", model(a), by.text, rounding(by))
                             : fmt::format("md_add({}, {})", model(a), model(by));
     }
 
-    std::string scaled(const Known& a, const Known& by) const {
+    std::string scaled(const KnownNumber& a, const KnownNumber& by) const {
         return by.is_number ? fmt::format("md_scale({}, {}, {})", by.text, model(a), rounding(by))
                             : fmt::format("md_multiply({}, {})", model(a), model(by));
     }
 
-    std::string divided(const Known& a, const Known& by) const {
+    std::string divided(const KnownNumber& a, const KnownNumber& by) const {
         if (!by.is_number) return {};
         return fmt::format("md_divide({}, {}, {})", model(a), by.text, rounding(by));
     }
 
-    std::string model(const Known& known) const {
+    std::string model(const KnownNumber& known) const {
         return known.is_number ? fmt::format("md_of_{}({}, {})", type_, known.text, rounding(known))
                                : known.text;
     }
@@ -132,7 +132,7 @@ private:
     }
 
     // Relative.
-    const char* rounding(const Known& known) const {
+    const char* rounding(const KnownNumber& known) const {
         const bool is_exact =
             doubles_ || !known.is_constant || double(float(known.value)) == known.value;
         return is_exact ? no_rounding : float_rounding;
@@ -141,7 +141,7 @@ private:
     const Program& program_;
     const std::string type_;
     const bool doubles_;
-    std::vector<Known> known_;
+    std::vector<KnownNumber> known_;
     std::string text_;
 };
 

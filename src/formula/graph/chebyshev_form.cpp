@@ -8,11 +8,10 @@
 
 #include "formula/graph/operations.h"
 #include "formula/graph/substitute.h"
+#include "formula/interval/interval.h"
 
 namespace isomotion::formula {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Range {
     double low = -infinity, high = infinity;

@@ -51,7 +51,6 @@ bool is_never_negative(const Graph& g, NodeId id, int depth = 12) {
     }
 }
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN(); // as an interval, the line
 
 class Differentiation {
@@ -180,7 +179,8 @@ private:
     NodeId where_bounded(NodeId id, NodeId slope) {
         if (slopes_ != Slopes::generalized || !may_be_unbounded(g_[id].op)) return slope;
         if (g_.is_constant(slope, 0)) return slope;
-        return g_.select(g_.unary(Op::abs, id), g_.constant(infinity), slope,
+        return g_.select(g_.unary(Op::abs, id),
+                         g_.constant(std::numeric_limits<double>::infinity()), slope,
                          g_.constant(no_number));
     }
 

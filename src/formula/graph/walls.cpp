@@ -6,16 +6,16 @@
 namespace isomotion::formula {
 namespace {
 
-using Vector = std::array<NodeId, 3>;
+using NodeVector = std::array<NodeId, 3>;
 
-NodeId dot(Graph& g, const Vector& a, const Vector& b) {
+NodeId dot(Graph& g, const NodeVector& a, const NodeVector& b) {
     NodeId sum = g.constant(0);
     for (std::size_t k = 0; k < 3; ++k) sum = g.add(sum, g.multiply(a[k], b[k]));
     return sum;
 }
 
-Vector gradient(Graph& g, NodeId root) {
-    Vector slopes{};
+NodeVector gradient(Graph& g, NodeId root) {
+    NodeVector slopes{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         std::vector<NodeId> along(3, g.constant(0));
         along[axis] = g.constant(1);
@@ -46,12 +46,12 @@ NodeId place_of(Graph& g, NodeId id) {
 
 // The sum over all places p = 0 of grad p / |p|, each as long as one over the distance, so that the
 // nearest outweighs the others by far.
-Vector towards_places(Graph& g, NodeId root, double least_distance) {
-    Vector sum{g.constant(0), g.constant(0), g.constant(0)};
+NodeVector towards_places(Graph& g, NodeId root, double least_distance) {
+    NodeVector sum{g.constant(0), g.constant(0), g.constant(0)};
     for (const NodeId id : nodes_below(g, std::array{root})) {
         const NodeId place = place_of(g, id);
         if (g.is_constant(place)) continue;
-        const Vector slope = gradient(g, place);
+        const NodeVector slope = gradient(g, place);
         const NodeId size = g.unary(Op::sqrt, dot(g, slope, slope));
         const NodeId length =
             g.add(g.unary(Op::abs, place), g.multiply(g.constant(least_distance), size));
@@ -65,7 +65,7 @@ Vector towards_places(Graph& g, NodeId root, double least_distance) {
 }
 
 // F at a point, off by a vector.
-NodeId moved(Graph& g, NodeId root, const Vector& by) {
+NodeId moved(Graph& g, NodeId root, const NodeVector& by) {
     const Graph from = g;
     const auto shift = [&](Graph& to, const Node& node, NodeId rebuilt) {
         return node.op == Op::input ? to.add(rebuilt, by[std::size_t(node.index)]) : rebuilt;
@@ -76,11 +76,11 @@ NodeId moved(Graph& g, NodeId root, const Vector& by) {
 } // namespace
 
 std::array<NodeId, 3> wall_gradient(Graph& g, NodeId root, double distance) {
-    const Vector towards = towards_places(g, root, distance * 0x1p-10);
+    const NodeVector towards = towards_places(g, root, distance * 0x1p-10);
     const NodeId size = g.unary(Op::sqrt, dot(g, towards, towards));
     const NodeId near = g.constant(1 / distance);
     const NodeId known = g.select(near, size, size, near);
-    Vector ahead{}, behind{}, wall = gradient(g, root);
+    NodeVector ahead{}, behind{}, wall = gradient(g, root);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const NodeId step = g.multiply(g.constant(4 * distance), g.divide(towards[axis], known));
         ahead[axis] = step;

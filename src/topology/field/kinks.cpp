@@ -191,7 +191,7 @@ struct KinkTree::Branch {
 };
 
 namespace {
-enum Side : char { negative, positive, on, beside }; // of h
+enum SideOfKink : char { negative, positive, on, beside }; // of h
 } // namespace
 
 KinkTree::KinkTree(BoundFormula formula, std::size_t most_multipliers)

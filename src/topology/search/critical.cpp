@@ -11,6 +11,7 @@
 #include "topology/field/moving_field.h"
 #include "topology/field/sphere_chart.h"
 #include "topology/search/comoving_fit.h"
+#include "topology/search/critical_system.h"
 #include "topology/search/kinked_search.h"
 #include "topology/search/krawczyk.h"
 #include "topology/search/morse.h"
@@ -24,8 +25,6 @@ namespace {
 
 using formula::Interval;
 namespace why = unresolved;
-
-int sign_of(const Interval& a) { return a.lo > 0 ? 1 : a.hi < 0 ? -1 : 0; }
 
 // Points on a sphere, each once: charts overlap.
 class OnSphere {

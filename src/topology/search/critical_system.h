@@ -7,6 +7,9 @@
 
 namespace isomotion::topology {
 
+// The sign that all members have; 0 if they have none in common.
+inline int sign_of(const formula::Interval& a) { return a.lo > 0 ? 1 : a.hi < 0 ? -1 : 0; }
+
 // The left-hand sides.
 template<class T> std::array<T, most_variables> residual(const Jet<T>& jet, std::size_t n) {
     std::array<T, most_variables> f{};

@@ -10,7 +10,7 @@
 namespace isomotion::topology {
 namespace {
 
-constexpr std::size_t together = 64; // points
+constexpr std::size_t points_together = 64; // points
 constexpr int most_steps = 25, most_steps_on = 8;
 // From this step on each is shorter than the one before by this factor, or leads nowhere.
 constexpr int first_sure_step = 3;
@@ -48,14 +48,15 @@ public:
     // those that are lost.
     std::vector<std::optional<Critical>> limits(std::span<const Point> from, int steps) {
         std::vector<std::optional<Critical>> found(from.size());
-        const std::size_t batches = (from.size() + together - 1) / together;
+        const std::size_t batches = (from.size() + points_together - 1) / points_together;
         std::vector<std::int64_t> evaluations(batches, 0);
         base::share(base::SharedLoop{batches, how_.threads, how_.stopped, {}}, [&] {
             return [&, numbers = Numbers(field_)](std::size_t k) mutable {
                 const auto batch =
-                    from.subspan(k * together, std::min(together, from.size() - k * together));
-                follow(numbers, batch, steps, std::span(found).subspan(k * together, batch.size()),
-                       evaluations[k]);
+                    from.subspan(k * points_together,
+                                 std::min(points_together, from.size() - k * points_together));
+                follow(numbers, batch, steps,
+                       std::span(found).subspan(k * points_together, batch.size()), evaluations[k]);
             };
         });
         for (const std::int64_t number : evaluations) evaluations_ += number;

@@ -26,11 +26,9 @@ constexpr int most_narrowings = 6;
 constexpr double narrowest_part = 1.0 / 32;
 constexpr int most_parts = 64;
 // With more unresolved boxes than this in a task the smallest box grows: a curve of them.
-constexpr std::size_t too_many = 64;
+constexpr std::size_t too_many_kinked = 64;
 
 enum class Verdict { nothing, point, open };
-
-int sign_of(const Interval& a) { return a.lo > 0 ? 1 : a.hi < 0 ? -1 : 0; }
 
 bool may_be_0(const Jet<Interval>& jet, std::size_t derivatives) {
     if (!contains(jet.value, 0.0)) return false;
@@ -92,9 +90,9 @@ private:
     std::map<const Branch*, std::unique_ptr<Formula>> formulas_;
 };
 
-class Task {
+class KinkedTask {
 public:
-    Task(Worker& worker, const SearchOptions& searching)
+    KinkedTask(Worker& worker, const SearchOptions& searching)
         : worker_(worker)
         , searching_(searching)
         , d_(std::size_t(worker.whole().dimension()))
@@ -112,7 +110,7 @@ public:
             const auto side = side_to_halve(now);
             if (!side) {
                 found_.unresolved.push_back(now);
-                if (found_.unresolved.size() % too_many == 0) smallest_ *= 4;
+                if (found_.unresolved.size() % too_many_kinked == 0) smallest_ *= 4;
                 continue;
             }
             Box low = now, high = now;
@@ -450,7 +448,7 @@ KinkedResult search_kinked(const Motion& motion, const Stratum& stratum,
     std::vector<KinkedResult> parts(boxes.size());
     const auto seek = [&] {
         return [&, worker = std::make_shared<Worker>(motion, stratum)](std::size_t k) {
-            parts[k] = Task(*worker, searching).run(boxes[k]);
+            parts[k] = KinkedTask(*worker, searching).run(boxes[k]);
         };
     };
     base::share({boxes.size(), searching.threads, searching.stopped, searching.progress}, seek);

@@ -15,6 +15,10 @@ struct Betti {
     auto operator<=>(const Betti&) const = default;
 };
 
+constexpr Betti operator+(const Betti& a, const Betti& b) {
+    return {a.components + b.components, a.tunnels + b.tunnels, a.voids + b.voids};
+}
+
 // The Betti numbers of the closed surface that bounds a solid. Each component of the solid and each
 // void has one component of surface; each tunnel has a handle, which adds two loops.
 constexpr Betti surface_of(const Betti& solid) {

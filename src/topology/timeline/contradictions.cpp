@@ -9,10 +9,6 @@
 namespace isomotion::topology {
 namespace {
 
-Betti sum(const Betti& a, const Betti& b) {
-    return {a.components + b.components, a.tunnels + b.tunnels, a.voids + b.voids};
-}
-
 // What an event says of itself.
 std::vector<std::string> contradictions_within(const Event& event, const Timeline& timeline,
                                                animation::FrameRate fps) {
@@ -56,7 +52,7 @@ std::vector<std::string> contradictions(const Timeline& timeline, animation::Fra
                                         what, in_words(*event.before), in_words(now)));
         }
         if (event.before) now = *event.before; // what is wrong once is told once
-        now = sum(now, change(event.kind));
+        now = now + change(event.kind);
         if (event.after && *event.after != now) {
             found.push_back(fmt::format("{}: after it are {}; its kind leaves {}", what,
                                         in_words(*event.after), in_words(now)));

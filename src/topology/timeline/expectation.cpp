@@ -21,7 +21,7 @@ namespace {
 
 using formula::Interval;
 
-constexpr std::size_t most_claim_bytes = 1 << 20, most_timeline_bytes = 16 << 20;
+constexpr std::size_t most_claim_bytes = 1 << 20;
 
 struct NumberName {
     const char* name;

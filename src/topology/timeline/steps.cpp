@@ -5,10 +5,6 @@
 namespace isomotion::topology {
 namespace {
 
-Betti sum(const Betti& a, const Betti& b) {
-    return {a.components + b.components, a.tunnels + b.tunnels, a.voids + b.voids};
-}
-
 std::vector<Instant> instants_of(const Timeline& timeline) {
     std::vector<Instant> single;
     for (std::size_t k = 0; k < timeline.events.size(); ++k) {
@@ -74,7 +70,7 @@ std::optional<Betti> change(const Timeline& timeline, const Instant& instant) {
     Betti all;
     for (const std::size_t k : instant.events) {
         if (timeline.events[k].kind == Kind::unknown) return std::nullopt;
-        all = sum(all, change(timeline.events[k].kind));
+        all = all + change(timeline.events[k].kind);
     }
     return all;
 }
@@ -94,7 +90,7 @@ void mark_proved(const Timeline& timeline, Steps& all) {
     const auto leads = [&](std::size_t k) {
         const auto add = change(timeline, all.instants[k]);
         return add && steps[k].solid && steps[k + 1].solid &&
-               sum(*steps[k].solid, *add) == *steps[k + 1].solid &&
+               *steps[k].solid + *add == *steps[k + 1].solid &&
                is_certain(timeline, all.instants[k]);
     };
     // Where nothing happens, both ends speak of one step.
@@ -145,7 +141,7 @@ Steps steps_of(const Timeline& timeline) {
         if (!here) here = before(timeline, all.instants[k]);
         next = after(timeline, all.instants[k]);
         if (const auto add = change(timeline, all.instants[k]); !next && here && add) {
-            next = sum(*here, *add);
+            next = *here + *add;
         }
     }
     // The end's own number stands for the end, whatever the last event says that it leaves.

@@ -21,7 +21,6 @@ using formula::Interval;
 using Json = nlohmann::ordered_json; // keys as they were added
 using Point = std::array<Interval, 3>;
 
-constexpr std::size_t most_timeline_bytes = 16 << 20;
 constexpr std::string_view shape_names[] = {"box", "sphere"}; // by scene::Bounds::Shape
 
 Json json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }

@@ -6,6 +6,7 @@
 // reading, so that no edit goes unnoticed.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@ namespace isomotion::topology {
 
 inline constexpr std::string_view timeline_format = "isomotion topology timeline";
 inline constexpr int timeline_version = 1;
+inline constexpr std::size_t most_timeline_bytes = 16 << 20; // of a file that is read
 
 std::string to_json(const TimelineRecord& record);
 
