@@ -1,4 +1,4 @@
-// Later levels' lists are made from one of the larger beam's, see beam.frag.
+// Lists of later levels are made from one of the larger beam's, see beam.frag.
 uniform sampler2D beam_texture;
 
 void enter_parent(ivec2 block) {
