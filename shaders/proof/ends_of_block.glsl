@@ -1,6 +1,6 @@
-// Where the rays of a block end, and what larger blocks tell of it.
+// Finds where the rays of a block end, and what larger blocks proved of it.
 
-// Where in tau the rays end.
+// The ends of the rays, in tau.
 struct Ends {
     int hits, misses;
     vec2 lean;         // of the plane through the hits
