@@ -28,11 +28,10 @@ precision highp usampler2DArray;
 #define IM_BUFFER_OF_UINTS usamplerBuffer
 #define IM_BUFFER_AT(buffer, at) texelFetch(buffer, at)
 #endif
-// Operations<float>::saturation() of the CPU.
+// Equals Operations<float>::saturation() on the CPU.
 #define IM_SATURATION 1.0e30
 // `condition ? then : otherwise` for a number and for two. It computes both, so use it for cheap
-// values. Mesa makes branches of `?:`, and its compiler's memory grows with branches times
-// variables: a formula of 40 powers took 5.4 GB and 33 s with `?:`, and takes 0.8 GB and 8 s with
-// this.
+// ones. Mesa makes branches of `?:`, and its compiler's memory grows with branches times variables:
+// a formula of 40 powers took 5.4 GB and 33 s with `?:`, 0.8 GB and 8 s with this.
 #define IM_SELECT(condition, then, otherwise) mix(otherwise, then, condition)
 #define IM_SELECT2(condition, then, otherwise) mix(otherwise, then, bvec2(condition))

@@ -3,9 +3,8 @@
 //
 // The highlight is pi * brdf = specular * N * (n.h)^shininess, with
 // N = (s + 2)(s + 4) / (8 (s + 2^(-s/2))). So a white highlight (specular 1) reflects all light to
-// a viewer straight above, and less to any other. The matt part gets the share of light that the
-// highlight cannot take. So no more light comes back than came, and light and viewer may be
-// exchanged.
+// a viewer straight above, and less to any other. The matt part gets the light that the highlight
+// leaves. So no more light comes back than came, and light and viewer may be exchanged.
 
 uniform vec4 gloss; // shininess s >= 0, specular 0..1
 

@@ -15,8 +15,7 @@ float footprint_at(vec3 position) {
 }
 
 // Distance along the normal where F has the sign of the ray's side. The root is known to |F| /
-// |grad F|, so twice that is enough but for rounding, which part of a pixel covers or the loop
-// detects.
+// |grad F|, so twice that is enough but for rounding, which part of a pixel or the loop covers.
 float offset_from(SurfacePoint p) {
     float offset = 0.0;
     for (int k = 0; k < 8; ++k) {

@@ -6,8 +6,8 @@
 //
 // L covers the three lists, one made from another, each of which may leave out LEFT_OUT of the
 // sum's value at roots (beam_list.glsl), bounded anywhere in its part. A block's proof is continued
-// by those of its rays, which may use another list: then what one has proved of the sum is off by
-// both numbers, see begin.frag. Hence L takes 12 LEFT_OUT: three times 3, and some more.
+// by those of its rays, which may use another list: then the sums of both proofs differ by both
+// numbers, see begin.frag. Hence L takes 12 LEFT_OUT: three times 3, and some more.
 
 vec2 array0_rest[1] = vec2[1](vec2(0.0));
 

@@ -7,7 +7,7 @@ vec3 absorbed(float way) {
     return exp(-absorption.rgb * max(way, 0.0));
 }
 
-// How light from `direction` splits at the surface.
+// The split of light from `direction` at the surface.
 struct Refraction {
     float reflected; // the part of unpolarised light; 1: total reflection
     vec3 direction;  // of the refracted rest

@@ -1,4 +1,4 @@
-// Splits light at a point of glass: the reflected part sees the surroundings; the path follows the
+// Splits light at a point of glass. The reflected part sees the surroundings; the path follows the
 // rest, or all if reflection is total. Needs matter.glsl, path.glsl, end_of_ray.glsl and
 // seen_around().
 

@@ -113,8 +113,7 @@ REAL2 im_square(REAL2 a) {
 }
 
 // Returns r, or exactly 0 if a is 0. r is a product with the factor a, or a sum of two intervals
-// with the hull a. So 0 times an unbounded factor is 0. Tests a and not r, which may be 0 by
-// underflow.
+// with the hull a: 0 times an unbounded factor is 0. Tests a, since r may be 0 by underflow.
 REAL2 im_unless_zero(REAL2 a, REAL2 r) {
     return IM_SELECT2(a.x == 0.0 && a.y == 0.0, REAL2(0.0), r);
 }

@@ -1,8 +1,8 @@
 // im_chebyshev, im_chebyshev_stopped, im_chebyshev_slope, im_chebyshev_steep on intervals. Needs
 // arithmetic.glsl, exp.glsl, trig.glsl, divide.glsl, inverse_trig.glsl, math/log.glsl.
 //
-// T_n(cos h) = cos(n h) and T_n(cosh t) = cosh(n t), for degrees n >= 2. The angles are intervals
-// that include their errors.
+// T_n(cos h) = cos(n h), T_n(cosh t) = cosh(n t), degree n >= 2; intervals of angles hold their
+// error.
 
 // Encloses the t >= 0 with cosh t = y, for y >= 1; a smaller y counts as 1.
 vec2 im_acosh(float y) {
@@ -17,7 +17,7 @@ vec2 im_acosh(float y) {
 }
 
 // Joins the values `inside` [-1, 1] with those beyond: `low` at |a.x| and `high` at |a.y|. `even`:
-// values at -x equal those at x, otherwise their negatives.
+// values at -x equal those at x; otherwise they are negated.
 vec2 im_with_outside(vec2 a, vec2 inside, vec2 low, vec2 high, bool even) {
     vec2 left = IM_SELECT2(even, low, -low.yx);
     vec2 left_inner = IM_SELECT2(even, high, -high.yx);

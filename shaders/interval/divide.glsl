@@ -1,9 +1,9 @@
 // im_divide on intervals. Needs arithmetic.glsl.
 //
-// If the divisor's lower end is 0, the quotient is bounded where possible: 0 gives what positive
-// divisors near it give. Any other divisor that holds 0, and 0/0, gives the entire line. GLSL
-// allows a float quotient an error of 2.5 ulps for divisors up to 2^126, and the result 0 beyond; 8
-// ulps are counted.
+// If the divisor's lower end is 0, the quotient is bounded where possible: 0 counts as a small
+// positive divisor. Any other divisor that holds 0, and 0/0, gives the entire line. GLSL allows a
+// float quotient an error of 2.5 ulps for divisors up to 2^126, and the result 0 beyond; 8 ulps are
+// counted.
 REAL2 im_divide(REAL2 a, REAL2 b) {
     bool negative = b.y < 0.0;
     REAL2 n = IM_SELECT2(negative, -a.yx, a);

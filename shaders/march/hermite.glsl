@@ -3,8 +3,8 @@
 // by a multiple of (t - t0)^2 (t - t1)^2. If the cubic stays farther from 0 than this error, the
 // step has no root; the farther it stays, the longer the next step. If F changes its sign and the
 // cubic has one root, that is the root. In doubt the step is cut where the cubic is nearest to 0.
-// So roots that F only touches are found too, at a price that grows with the logarithm of how
-// closely it approaches 0.
+// So roots that F only touches are found too, at a price that grows as the logarithm of how closely
+// it does.
 //
 // A turn has no branches, since software renderers and GPUs alike execute both sides of most.
 
@@ -12,7 +12,7 @@ float next_sample(RayState s) {
     return s.high;
 }
 
-// Where F is 0, as a part of h in (0, 1), if t is a cubic of F. f0 and f1 have different signs.
+// Returns the zero of F as a part of h, in (0, 1), if t is a cubic of F; f0 and f1 differ in sign.
 float inverse_cubic(vec2 f0, vec2 f1, float h) {
     float rise = f1.x - f0.x;
     float u = -f0.x / rise, v = 1.0 - u;
@@ -60,7 +60,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float measured = scale * scale * (abs(off) + abs(0.5 * bend * o * p / (o + p)));
     float error = o == 0.0 ? abs(c3) * h * h * h : safety * measured;
 
-    // Where the cubic is least if F > 0 at 0, otherwise largest.
+    // The cubic's minimum if F > 0 at 0, otherwise its maximum.
     float upright = f0 < 0.0 ? -1.0 : 1.0;
     float a = upright * 3.0 * c3, b = upright * (c2 - h * c3), c = upright * m0;
     float root = sqrt(max(b * b - a * c, 0.0));
@@ -93,8 +93,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
 
     float step = starts ? abs(t - newton) : h * (min(middle, abs(f.x)) > 8.0 * error ? 2.5 : 1.2);
 #ifdef ROUGH
-    // Behind a break, whose length is in `other`, more of it may follow. Far from 0 steps grow
-    // fast.
+    // Behind a break, whose length `other` holds, more may follow. Far from 0 steps grow fast.
     if (starts && s.other.x > 0.0) step = min(step, 8.0 * s.other.x);
     if (!starts && min(middle, abs(f.x)) > 800.0 * error) step = 8.0 * h;
 #endif

@@ -14,7 +14,7 @@ RayState leave_open(RayState s, float t) {
     return cut(s, 0.5 * (t - s.low));
 }
 
-// Where the next piece ends, if it begins at t and could have this length.
+// Returns the end of the next piece, which begins at t and could have this length.
 float next_end(RayState s, Ray ray, float t, float length) {
     float rest = s.open_end - t, part = s.refinements < 2 ? 0.5 * rest : rest;
     float most = rest > 0.0 ? min(length, max(part, finest_at(t))) : length;

@@ -1,7 +1,6 @@
 // One turn of a method that bounds F over the piece [low, high] of the ray and samples it at a
-// point of the piece: next_sample() chooses the point, advance() continues from there. Every
-// method's first sample is where the ray begins. While the ray refines its root, the piece is a
-// point.
+// point of the piece: next_sample() chooses it, advance() continues from there. Every method first
+// samples where the ray begins. While the ray refines its root, the piece is a point.
 RayState turn(RayState s, Ray ray) {
     bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
     bool isolates = s.phase == PHASE_MARCH;

@@ -1,5 +1,5 @@
-// Writes the lists of beams: elements one after the other in a buffer, of which each beam has a
-// part. A list is its number of elements and its first.
+// Writes the lists of beams into a buffer, elements one after the other; each beam has a part of
+// it. A list is its number of elements and its first element.
 
 layout(location = 1) out vec4 lists; // of the front and of the middle
 layout(location = 2) out vec4 list_of_all;

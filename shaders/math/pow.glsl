@@ -33,8 +33,7 @@ float im_log_split(float a, precise out float low) {
 
 // a^b from the logarithm of a > 0, without the special cases.
 float im_pow_of_log(float l_high, float l_low, float b) {
-    // An infinite b would split into infinity - infinity; a finite b this large gives the same
-    // power.
+    // An infinite b would split into infinity - infinity; so large a finite b gives the same.
     b = clamp(b, -IM_SATURATION, IM_SATURATION);
     precise float b_high = im_leading(b);
     precise float b_low = b - b_high;

@@ -36,8 +36,7 @@ float im_cos_reduced(float r) {
     return y;
 }
 
-// Sine and cosine together: a value and its slope need both, and each needs both polynomials
-// anyway.
+// Sine and cosine together: a value and its slope need both, and one alone needs both polynomials.
 vec2 im_sin_cos(float x) {
     int quadrant;
     float r = im_quarter_turns(x, quadrant);

@@ -1,14 +1,14 @@
 // Proves a block of BLOCK x BLOCK rays at once, as far as possible, over boxes around all of them.
 //
-// Pieces follow each other from where the rays' parts begin. F stays away from 0 in a piece by its
-// natural bound, or because its value at the beginning is too far from 0 for its slope. If all rays
-// hit and F is monotone along all of them from there to behind the last root, each ray only has to
-// prove that its root is close to where it was found: begin.frag. The proofs of other single rays
-// begin where this one ends.
+// From where the rays' parts begin, F stays away from 0 in a piece by its natural bound, or because
+// its value at the beginning is too far from 0 for its slope. If all rays hit and F is monotone
+// along all of them from there to behind the last root, each ray only has to prove that its root is
+// close to where it was found: begin.frag. The proofs of other single rays begin where this one
+// ends.
 
-// Where in tau F may first be 0: .x + (.y u + .z v), with u and v from -1 to 1 across the block. .w
-// is the least slope of F in tau if F is monotone from there to behind the last root, by the margin
-// that begin.frag assumes; otherwise 0. It is -1 if proved that no ray hits.
+// The tau from which on F may be 0: .x + (.y u + .z v), with u and v from -1 to 1 across the block.
+// .w is the least slope of F in tau if F is monotone from there to behind the last root, by the
+// margin that begin.frag assumes; otherwise 0. It is -1 if proved that no ray hits.
 layout(location = 0) out vec4 block_proof;
 
 uniform int block_pieces; // limit on the pieces

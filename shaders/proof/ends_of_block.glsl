@@ -27,7 +27,7 @@ uniform sampler2D coarse_block_texture;
 
 float settled_before(ivec2 block, float low) {
     float coarse = texelFetch(coarse_block_texture, block * BLOCK / COARSE_BLOCK, 0).x;
-    return coarse > low ? coarse : low; // also if that is not a number
+    return coarse > low ? coarse : low; // also for NaN
 }
 
 Ends ends_of(ivec2 block) {

@@ -25,6 +25,6 @@ float toward_zero(double x) {
     return 0.9999998 * float(clamp(x, -3.4e38lf, 3.4e38lf));
 }
 
-// Where a piece is sampled: at its beginning, or at the root, where floats were too coarse.
+// The t at which a piece is sampled: its beginning; or the root, where floats were too coarse.
 double sampled_at(ProofState s, double low) { return s.at_root ? double(s.settled) : low; }
 double uncertain_at_root(ProofState s, dvec2 sampled) { return max(-sampled.x, sampled.y); }

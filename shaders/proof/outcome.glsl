@@ -8,7 +8,7 @@ const int PROOF_SIGN = 4;      // F may not change its sign at the root, or more
 const int PROOF_BUDGET = 5;
 const int PROOF_UNBOUNDED = 6; // F or its slope has no bound somewhere
 
-// Where the proof of a ray stands. A texel keeps it between passes.
+// The progress of a ray's proof. A texel keeps it between passes.
 struct ProofState {
     float settled; // nothing is left to prove from here to the end of the ray's part
     float value;   // F there is at least this far from 0, with this sign; 0: unknown. At the root:

@@ -20,8 +20,7 @@ ProofState resume_proof(ProofState s) {
     float piece = s.at_root ? 32.0 * tube.w : 4.0 * s.piece;
     s.piece = max(piece, shortest_piece);
 #ifdef LISTS
-    // F's value was bounded for other elements, see elements/lists.glsl, so it does not hold for
-    // every F here.
+    // A value of F for other elements, see elements/lists.glsl, does not hold for every F here.
     if (!s.at_root) s.value = 0.0;
 #endif
     s.outcome = PROOF_UNFINISHED;
@@ -67,9 +66,8 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
                                              far > 0.0 && cross_at > deep);
     REAL kept = near > 0.0 ? near : max(f.x, -f.y);
 
-    // Derives the next piece's length from how far this one was from the other outcome. The range
-    // of slopes over a piece grows about as its length, so what keeps F off 0 falls with its
-    // square.
+    // Derives the next piece's length from how far this one was from the other outcome. Slopes over
+    // a piece spread about as its length, so what keeps F off 0 falls with its square.
     REAL spread = 0.5 * (f.w - f.z), middle = 0.5 * abs(f.z + f.w);
     // For the root: dF/dt must exclude 0 and be steep enough to bring Newton's step close enough.
     REAL by_root = 0.8 * (middle - 1.1 * uncertain / tube.w) / spread;

@@ -67,8 +67,7 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
 
     bool succeeds = at_root ? isolates : reach > 0.05;
     if (succeeds) {
-        // Settles a part of the piece, less the rounding of its ends, up to a float that is no
-        // lower.
+        // Settles a part of the piece, less the rounding of its ends, to a float no lower.
         REAL part_done = high - 0.499 * reach * (high - low) + IM_DRIVER_ERROR * abs(middle);
         s.settled = at_root || is_free ? float(low)
                                        : float(part_done + 4.76837158e-7 * abs(part_done));
