@@ -3,8 +3,8 @@
 // by a multiple of (t - t0)^2 (t - t1)^2. If the cubic stays farther from 0 than this error, the
 // step has no root; the farther it stays, the longer the next step. If F changes its sign and the
 // cubic has one root, that is the root. In doubt the step is cut where the cubic is nearest to 0.
-// So roots that F only touches are found too, at a price that grows as the logarithm of how closely
-// it does.
+// So roots that F only touches are found too, at a price that grows with the logarithm of how
+// nearly F touches 0.
 //
 // A turn has no branches, since software renderers and GPUs alike execute both sides of most.
 
