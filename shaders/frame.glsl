@@ -1,4 +1,4 @@
-// What one frame sets: FrameBlock of src/render/uniform_blocks.h, by way of fullscreen.vert.
+// The values that a frame sets: FrameBlock of src/render/uniform_blocks.h, through fullscreen.vert.
 
 // Rays, see src/scene/rays.h.
 flat in vec4 ray_origin;
@@ -9,10 +9,10 @@ flat in vec4 ray_up;
 flat in vec4 bounds_min;
 flat in vec4 bounds_max;
 flat in vec4 picture;    // 2/width, 2/height; the tile's lower left pixel in the whole picture
-// Step, near, far and horizon of Eq. 2.
+// Step, near, far and horizon of Eq. 2 (march/adaptive_step.glsl).
 flat in vec4 thresholds;
-// Bisections; most evaluations of a ray; the finest and the first piece of methods that bound F.
+// Bisections; evaluations per ray; for methods that bound F, the shortest and the first piece.
 flat in vec4 limits;
-// For methods by cubics: the safety, the longest step, how far rounding moves a sample, the finest
+// For methods by cubics: safety factor, longest step, displacement of a sample by rounding, finest
 // step.
 flat in vec4 cubics;

@@ -1,9 +1,9 @@
 #version 330 core
-// What differs from one GLSL to another stands here alone: desktops have 3.30 and later, browsers (the
-// first line is another there) ES 3.00.
+// The differences between GLSL versions: desktops have 3.30 and later, browsers ES 3.00, with
+// another first line.
 //
 // `precise` keeps a driver from reassociating float arithmetic (Mesa does: (a+b)-a becomes b). It
-// comes with GLSL 4.00 or this extension; where there is neither, the word must still compile.
+// needs GLSL 4.00 or this extension; without both, the word must still compile.
 #ifdef GL_ES
 precision highp float;
 precision highp int;
@@ -17,8 +17,8 @@ precision highp usampler2DArray;
 #define precise
 #endif
 #endif
-// Long arrays of vec4s or of unsigned integers and their element `at`. Browsers have them as rows of
-// a texture.
+// Long arrays of vec4s or of unsigned integers, and their element `at`. In browsers they are rows
+// of a texture.
 #ifdef GL_ES
 #define IM_BUFFER sampler2D
 #define IM_BUFFER_OF_UINTS usampler2D
@@ -28,10 +28,10 @@ precision highp usampler2DArray;
 #define IM_BUFFER_OF_UINTS usamplerBuffer
 #define IM_BUFFER_AT(buffer, at) texelFetch(buffer, at)
 #endif
-// Operations<float>::saturation() of the CPU.
+// Equals Operations<float>::saturation() on the CPU.
 #define IM_SATURATION 1.0e30
-// `condition ? then : otherwise` of a number and of two. Both are worked out, so for what is cheap.
-// Mesa makes branches of `?:`, and the memory of its compiler grows with branches times variables:
-// a formula of 40 powers took 5.4 GB and 33 s with it, and takes 0.8 GB and 8 s with this.
+// `condition ? then : otherwise` for a number and for two. It computes both, so use it for cheap
+// ones. Mesa makes branches of `?:`, and its compiler's memory grows with branches times variables:
+// a formula of 40 powers took 5.4 GB and 33 s with `?:`, 0.8 GB and 8 s with this.
 #define IM_SELECT(condition, then, otherwise) mix(otherwise, then, condition)
 #define IM_SELECT2(condition, then, otherwise) mix(otherwise, then, bvec2(condition))

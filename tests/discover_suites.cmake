@@ -106,7 +106,7 @@ function(add_entry name suite filter labels environment)
       set(folder quick)
       list(APPEND environment "GALLIVM_PERF=nopt")
     endif()
-    list(APPEND environment "MESA_SHADER_CACHE_DISABLE=false" "MESA_SHADER_CACHE_DIR=${CACHE}/${folder}")
+    list(APPEND environment "MESA_SHADER_CACHE_DISABLE=false" "MESA_SHADER_CACHE_DIR=${CACHE}_${folder}")
   endif()
   string(APPEND text
     "add_test([=[${name}]=] [=[${BINARY}]=] [=[--gtest_filter=${filter}]=])\n"

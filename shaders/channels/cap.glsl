@@ -1,4 +1,4 @@
-// cap: the section whose cap is seen, from 1 on; 0 elsewhere.
+// Channel cap: number of the section whose cap is seen, from 1 on; 0 elsewhere.
 layout(location = CAP_LOCATION) out vec4 cap_out;
 
 void write_cap(Ray ray, Hit hit, int verdict) {

@@ -1,4 +1,4 @@
-// Z: distance from the eye along the camera's axis, in world units; infinite where nothing is hit.
+// Channel Z: distance from the eye along the camera's axis in world units; infinite without a hit.
 layout(location = DEPTH_LOCATION) out vec4 depth_out;
 
 void write_depth(Ray ray, Hit hit, int verdict) {

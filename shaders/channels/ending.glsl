@@ -1,4 +1,4 @@
-// Where on its ray a hit is, for its proof; of other endings, which.
+// Channel ending, for proofs: t of a hit, or a code of verdict.glsl for a miss or an unknown end.
 layout(location = ENDING_LOCATION) out float ending_out;
 
 void write_ending(Ray ray, Hit hit, int verdict) {

@@ -1,4 +1,4 @@
-// cap of a scene without sections.
+// Channel cap of a scene without sections.
 layout(location = CAP_LOCATION) out vec4 cap_out;
 
 void write_cap(Ray ray, Hit hit, int verdict) {

@@ -1,4 +1,4 @@
-// N: the unit normal in world coordinates, towards the viewer; 0 where nothing is hit.
+// Channel N: unit normal in world coordinates, towards the viewer; 0 where nothing is hit.
 layout(location = NORMAL_LOCATION) out vec4 normal_out;
 
 void write_normal(Ray ray, Hit hit, int verdict) {

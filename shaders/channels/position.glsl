@@ -1,4 +1,4 @@
-// P: the point in world coordinates; 0 where nothing is hit.
+// Channel P: point in world coordinates; 0 where nothing is hit.
 layout(location = POSITION_LOCATION) out vec4 position_out;
 
 void write_position(Ray ray, Hit hit, int verdict) {

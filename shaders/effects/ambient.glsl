@@ -1,4 +1,4 @@
-// Light from everywhere: one colour from the zenith, one from the nadir. Needs shade/shading.glsl.
+// Ambient light: one colour from the zenith, one from the nadir. Needs shade/shading.glsl.
 uniform vec4 ambient_top;
 uniform vec4 ambient_bottom;
 

@@ -1,10 +1,10 @@
-// A white highlight on a matt surface: Blinn-Phong, normalised. Needs math/pow.glsl and what that
-// needs. See brdf_lambert.glsl for what the two functions are.
+// Blinn-Phong, normalised: a white highlight on a matt surface. Needs math/pow.glsl and the files
+// that it needs. brdf_lambert.glsl describes the two functions.
 //
-// The highlight pi * brdf = specular * N * (n.h)^shininess has N such that a white one (specular 1)
-// reflects all light to a viewer straight above, and less to any other:
-// N = (s + 2)(s + 4) / (8 (s + 2^(-s/2))). What the highlight may take, the matt part leaves: never
-// more light comes back than came, and light and viewer may change places.
+// The highlight is pi * brdf = specular * N * (n.h)^shininess, with
+// N = (s + 2)(s + 4) / (8 (s + 2^(-s/2))). So a white highlight (specular 1) reflects all light to
+// a viewer straight above, and less to any other. The matt part gets the light that the highlight
+// leaves. So no more light comes back than came, and light and viewer may be exchanged.
 
 uniform vec4 gloss; // shininess s >= 0, specular 0..1
 
@@ -13,7 +13,7 @@ vec3 reflected(vec3 albedo, vec3 normal, vec3 to_viewer, vec3 to_light) {
     if (!(cosine > 0.0)) return vec3(0.0);
     float shininess = max(gloss.x, 0.0);
     float specular = clamp(gloss.y, 0.0, 1.0);
-    // The half vector keeps its length: (n.h)^2 is a quotient of squares, and 0 for no half vector.
+    // The half vector is not normalised: (n.h)^2 is a quotient of squares, 0 for a zero vector.
     vec3 between = to_viewer + to_light;
     float along = max(dot(normal, between), 0.0);
     float square = min(along * along / max(dot(between, between), 1.0e-12), 1.0);
@@ -23,8 +23,8 @@ vec3 reflected(vec3 albedo, vec3 normal, vec3 to_viewer, vec3 to_light) {
     return (clamp(albedo, 0.0, 1.0) * (1.0 - specular) + highlight) * cosine;
 }
 
-// Schlick's Fresnel term, from `specular` straight on to 1 along the surface. A material of
-// specular below 2 % has no such rim: at 0 it is matt from every side.
+// Schlick's Fresnel term, from `specular` straight on to 1 at grazing angles. Below 2 % of specular
+// the rim fades; at 0 the material is matt from every side.
 vec3 mirror_weight(vec3 albedo, vec3 normal, vec3 to_viewer) {
     float specular = clamp(gloss.y, 0.0, 1.0);
     float off = 1.0 - clamp(dot(normal, to_viewer), 0.0, 1.0);

@@ -1,19 +1,19 @@
-// Microfacets, from plastic to metal. Needs no other file. See brdf_lambert.glsl for what the two
-// functions are.
+// Microfacet materials, from plastic to metal. Needs no other file. brdf_lambert.glsl describes the
+// two functions.
 //
-// The highlight is Cook and Torrance's: GGX with alpha = roughness^2, Smith's height-correlated
-// masking (Heitz 2014), Schlick's Fresnel term. What facets pass on to other facets comes back as a
-// second lobe, and the matt part gets what both leave (Kulla & Conty 2017): no material loses much
-// light or makes any, and light and viewer may change places. A metal's highlight has the colour of
-// its albedo. Reflectances above 1 count as 1.
+// The highlight is Cook and Torrance's, with GGX at alpha = roughness^2, Smith's height-correlated
+// masking (Heitz 2014) and Schlick's Fresnel term. Light that facets pass on to other facets comes
+// back as a second lobe, and the matt part gets what both lobes leave (Kulla & Conty 2017). So no
+// material loses much light or makes any, and light and viewer may be exchanged. A metal's
+// highlight has the colour of its albedo. Reflectances above 1 count as 1.
 
 uniform vec4 gloss; // roughness, metallic, specular (reflectance straight on); each 0..1
 
-// Below it the highlight of a light without size is smaller than a pixel.
+// With less roughness, the highlight of a point light is smaller than a pixel.
 const float least_roughness = 0.045;
 
-// What facets reflect: Schlick's term from `straight` on to `along` the surface, and what of the
-// light that is lost at first comes back after more facets.
+// Reflection by facets: Schlick's term from `straight` on to `along` the surface; `back` is the
+// share of the light lost at the first facet that returns after further ones.
 struct Specular {
     vec3 straight, along, back;
 };
@@ -35,14 +35,14 @@ float metallic() {
     return clamp(gloss.y, 0.0, 1.0);
 }
 
-// How much light from (or to) one direction the highlight leaves and takes: x, the part that a
-// facet of reflectance 1 does not send out at once; y, the part that (1 - v.h)^5 weights. Least
-// squares over numerical integrals, leaning to the side that makes no light: x is at most 0.0015
-// above and 0.016 below, y at most 0.002 below and 0.02 above.
+// The highlight's parts of light from (or to) one direction: x, the part that facets of reflectance
+// 1 do not return at once; y, the part with the weight (1 - v.h)^5. Least squares fits to numerical
+// integrals, biased to the side that makes no light: x is at most 0.0015 above and 0.016 below, y
+// at most 0.002 below and 0.02 above.
 vec2 lost_and_rim(float cosine) {
     float r = roughness();
     vec4 p = vec4(1.0, r, r * r, r * r * r);
-    float x = cosine / (cosine + alpha()); // in it all narrow lobes are alike
+    float x = cosine / (cosine + alpha()); // in x all narrow lobes are alike
     float lost = dot(vec4(8.02535, -50.0926, 90.7582, -5.00699), p);
     lost = lost * x + dot(vec4(-22.082, 137.518, -305.388, 134.611), p);
     lost = lost * x + dot(vec4(16.839, -105.294, 239.821, -118.79), p);
@@ -60,8 +60,8 @@ vec2 lost_and_rim(float cosine) {
     return clamp(vec2(lost, rim), 0.0, 1.0);
 }
 
-// Their means over all directions, weighted by the cosine. The first leans up, by 1 % and more the
-// smaller it is: less comes back than was lost.
+// Their means over all directions, weighted by the cosine. The fit of the first is too high, by 1 %
+// and more the smaller it is, so that less light comes back than was lost.
 vec2 mean_lost_and_rim() {
     float r = roughness();
     float lost = 3.52232;
@@ -78,21 +78,21 @@ vec2 mean_lost_and_rim() {
     return vec2(max(lost * r * r, 1.0e-7), rim);
 }
 
-// How facets reflect whose reflectance straight on is 0..1. No matter has less than 2 %: a smaller
-// reflectance fades the rim, too, and 0 gives no highlight. At each further facet light is reflected
-// by the mean of Schlick's term, and lost by the mean of what is lost.
+// Reflection by facets with a reflectance of 0..1 straight on. No real material has less than 2 %:
+// a smaller reflectance also fades the rim, and 0 gives no highlight. Each further facet reflects
+// the mean of Schlick's term and loses the mean of the lost part.
 Specular specular_of(vec3 straight, float mean_lost) {
     vec3 along = vec3(min(50.0 * max(max(straight.r, straight.g), straight.b), 1.0));
     vec3 mean = mix(straight, along, 1.0 / 21.0);
     return Specular(straight, along, mean * mean * (1.0 - mean_lost) / (1.0 - mean * mean_lost));
 }
 
-// What lies on the matt part, of no colour.
+// The colourless coat over the matt part.
 Specular coat_of(float mean_lost) {
     return specular_of(vec3(clamp(gloss.z, 0.0, 1.0)), mean_lost);
 }
 
-// Half a metal is one half metal, the other half coat.
+// Mixes metal and coat: a half metal is one half of each.
 Specular highlight_of(vec3 albedo, Specular coat, float mean_lost) {
     Specular metal = specular_of(albedo, mean_lost);
     float part = metallic();
@@ -106,8 +106,8 @@ vec3 share(Specular s, vec2 lost_rim) {
            s.back * lost_rim.x;
 }
 
-// pi D F G / (4 (n.l) (n.v)). The half vector keeps its length, and 1 - (n.h)^2 comes from a cross
-// product: as a difference it would have no digits left where the highlight is.
+// pi D F G / (4 (n.l) (n.v)). The half vector is not normalised. 1 - (n.h)^2 is computed by a cross
+// product, since the difference would have no digits left inside the highlight.
 vec3 single_scattering(Specular s, vec3 normal, vec3 to_viewer, vec3 to_light, float nv, float nl) {
     vec3 between = to_viewer + to_light;
     vec3 across = cross(normal, between);
@@ -118,7 +118,7 @@ vec3 single_scattering(Specular s, vec3 normal, vec3 to_viewer, vec3 to_light, f
     float q = (cosine2 + sine2) / max(cosine2 * a2 + sine2, 1.0e-20);
     float masking =
         0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));
-    float vh = min(0.5 * length(between), 1.0); // of unit vectors
+    float vh = min(0.5 * length(between), 1.0); // of two unit vectors
     float off = 1.0 - vh;
     float off2 = off * off;
     return mix(s.straight, s.along, off2 * off2 * off) * (a2 * q * q * masking);
@@ -141,8 +141,8 @@ vec3 reflected(vec3 albedo, vec3 normal, vec3 to_viewer, vec3 to_light) {
     return all * nl;
 }
 
-// The highlight's share of light from everywhere: Schlick's term for a mirror, less of a rim where
-// the surface is rough.
+// The highlight's share of ambient light: Schlick's term for a mirror, with a weaker rim where the
+// surface is rough.
 vec3 mirror_weight(vec3 albedo, vec3 normal, vec3 to_viewer) {
     float mean_lost = mean_lost_and_rim().x;
     Specular highlight = highlight_of(clamp(albedo, 0.0, 1.0), coat_of(mean_lost), mean_lost);

@@ -1,4 +1,4 @@
-// A colour at every place. Needs color_value() and a file with curvatures().
+// Evaluates the material's colour at a point. Needs color_value() and a file with curvatures().
 vec3 color_by_place(Hit hit) {
     vec3 rising = hit.inside ? -hit.normal : hit.normal; // towards F > 0
     vec3 n = normalize(mat3(to_world) * rising);

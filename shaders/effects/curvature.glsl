@@ -1,15 +1,15 @@
-// Curvatures of the surface, as src/formula/curvature.h has them: in a frame of the tangent plane,
-// without the differences of large terms that formulas in coordinates take. Needs state.glsl and
-// field_hessian().
+// Curvatures of the surface, as in src/formula/curvature.h. They are computed in a frame of the
+// tangent plane, which avoids the differences of large terms in formulas by coordinates. Needs
+// state.glsl and field_hessian().
 vec3 surface_gradient(RayState s, vec3 position);
 
-// Mean and Gaussian; not numbers where the gradient vanishes.
+// Mean and Gaussian curvature; NaN where the gradient vanishes.
 vec2 curvatures(Hit hit) {
 #ifdef SECTIONS
     if (hit.cap >= 0) return section_curvatures(hit.cap);
 #endif
     vec3 g = surface_gradient(load_state(), hit.position);
-    // Neither depends on the scale of F, which may be far from float's middle.
+    // Neither depends on the scale of F, which may be near the limits of float's range.
     float scale = max(max(abs(g.x), abs(g.y)), abs(g.z));
     if (!(scale > 0.0)) return vec2(IM_NAN);
     g /= scale;

@@ -1,12 +1,12 @@
-// The place that a ray ended on, and how far off it the rays that start there have to begin. Needs
+// Finds the point where a ray ended, and how far from it further rays must start. Needs
 // surface_point.glsl.
 
-// |g| may leave float's range long before its direction does: scaled by its largest component.
+// Largest component of g, to scale by: |g| may leave float's range long before its direction does.
 float magnitude(vec3 g) {
     return max(max(abs(g.x), abs(g.y)), abs(g.z));
 }
 
-// The width of a pixel where it sees `position`.
+// Width of a pixel at `position`.
 float footprint_at(vec3 position) {
     vec3 eye = ray_origin.xyz - ray_axis.xyz;
     float along = dot(position - eye, ray_axis.xyz) / dot(ray_axis.xyz, ray_axis.xyz);
@@ -14,8 +14,8 @@ float footprint_at(vec3 position) {
     return ray_axis.w > 0.0 ? width * max(abs(along), 1.0e-6) : width;
 }
 
-// The root is known to |F| / |grad F|: twice that along the normal F has its sign for certain, but
-// for rounding, which a part of a pixel covers or the loop finds out.
+// Distance along the normal where F has the sign of the ray's side. The root is known to |F| /
+// |grad F|, so twice that is enough but for rounding, which part of a pixel or the loop covers.
 float offset_from(SurfacePoint p) {
     float offset = 0.0;
     for (int k = 0; k < 8; ++k) {
@@ -39,7 +39,7 @@ SurfacePoint end_of_ray(Ray ray, RayState s) {
 #endif
     if (s.verdict != VERDICT_HIT) return p;
     vec3 g = surface_gradient(s, position);
-    // Before clamping, which turns NaN into a number on some drivers.
+    // Must precede the clamp, which turns NaN into a number on some drivers.
     bool known = !(im_is_nan(g.x) || im_is_nan(g.y) || im_is_nan(g.z));
     g = clamp(g, -IM_SATURATION, IM_SATURATION);
     float scale = magnitude(g);
@@ -49,7 +49,7 @@ SurfacePoint end_of_ray(Ray ray, RayState s) {
         p.inside = dot(p.normal, ray.direction) > 0.0; // F rises along the ray
         if (p.inside) p.normal = -p.normal;
     } else {
-        p.verdict = VERDICT_ZERO_GRADIENT; // a hit all the same: lit as if it faced the viewer
+        p.verdict = VERDICT_ZERO_GRADIENT; // still a hit: lit as if it faced the viewer
     }
     p.offset = offset_from(p);
 #ifdef SECTIONS

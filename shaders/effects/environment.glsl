@@ -1,16 +1,16 @@
-// Light from far away, by direction. Needs math/inverse_trig.glsl.
+// Light from the environment, by direction. Needs math/inverse_trig.glsl.
 //
-// environment_map is a latitude-longitude map, row 0 the top one. As texelFetch alone reads it, the
-// texel is filtered here: bilinear, round the back in longitude, its first and last row up to the
-// poles.
+// environment_map is a latitude-longitude map whose row 0 is the top. Since texelFetch alone reads
+// it, this file filters it: bilinearly, across the seam in longitude, and with the first and last
+// rows extended to the poles.
 uniform sampler2D environment_map;
-// Where the map has its middle, its left quarter and its top: unit length, formula coordinates.
+// Directions of the map's middle, left quarter and top: unit length, formula coordinates.
 uniform vec3 environment_ahead;
 uniform vec3 environment_left;
 uniform vec3 environment_top;
 uniform float environment_intensity;
 
-// The angle of v in turns, -1/2 to 1/2; 0 for no direction. GLSL lets atan(y, x) be off by 4096
+// Angle of v in turns, -1/2 to 1/2; 0 for a zero vector. GLSL allows atan(y, x) an error of 4096
 // ulp, a texel of a large map.
 float turns(vec2 v) {
     vec2 size = abs(v);
@@ -22,12 +22,12 @@ float turns(vec2 v) {
     return v.y < 0.0 ? -turn : turn;
 }
 
-// Where a direction is in maps, from their top left to their bottom right. `direction` in formula
-// coordinates, of unit length.
+// Coordinates of a direction in maps, from their top left to their bottom right. `direction`:
+// formula coordinates, unit length.
 vec2 environment_place(vec3 direction) {
     vec3 d = vec3(dot(environment_ahead, direction), dot(environment_left, direction),
                   dot(environment_top, direction));
-    // The angle from the top, not asin(d.z), which has no digits left near the poles.
+    // Uses the angle from the top, since asin(d.z) has no digits left near the poles.
     return vec2(0.5 - turns(d.xy), 2.0 * turns(vec2(d.z, length(d.xy))));
 }
 
@@ -35,7 +35,7 @@ vec3 environment_texel(sampler2D map, int column, int row) {
     return texelFetch(map, ivec2(column, row), 0).rgb;
 }
 
-// The map of this size that begins in row `top` of a texture.
+// Reads the map of this size that begins in row `top` of a texture.
 vec3 environment_filtered(sampler2D map, int top, ivec2 size, vec2 place) {
     vec2 at = place * vec2(size) - 0.5;
     vec2 corner = floor(at);

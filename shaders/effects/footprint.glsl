@@ -1,17 +1,17 @@
-// How far the normal turns within a pixel: mirrors and highlights are blurred by as much, so that
-// none glitters where the surface is curved strongly (Tokuyoshi & Kaplanyan 2019). Needs
+// Computes how far the normal turns within a pixel. Mirrors and highlights are blurred by this
+// angle, so that strongly curved surfaces do not glitter (Tokuyoshi & Kaplanyan 2019). Needs
 // surface_point.glsl and field_hessian().
 //
-// The normals of a pixel that turns by T count as facets of alpha^2 = T^2 / 48. An even spread over
-// T has the variance T^2 / 12, but GGX's tails then carry lamps far beyond it: the chrome blobby was
-// 1.32 times as bright at 288x288 as the mean of 16 rays a pixel, and farther from that mean than
-// without any of this. With 48 it is 1.15 times as bright and nearer to it. Less blur would leave
-// more glitter.
+// The normals of a pixel over which the normal turns by T count as facets of alpha^2 = T^2 / 48. An
+// even spread over T has the variance T^2 / 12, but GGX's tails then carry lamps far beyond it: at
+// 288x288 the chrome blobby was 1.32 times as bright as the mean of 16 rays per pixel, and farther
+// from that mean than without any blur. With 48 it is 1.15 times as bright and nearer to the mean.
+// Less blur would leave more glitter.
 
-// Added to alpha^2 of what is being lit.
+// Added to alpha^2 of the surface being lit.
 float footprint_alpha2 = 0.0;
 
-// `width`: of the beam that comes along `direction`. 2 where the normal has no slope.
+// `width`: of the beam along `direction`. Returns 2 where the normal has no derivative.
 float turn_of_normal(SurfacePoint p, vec3 direction, float width) {
     if (p.on_ground) return 0.0;
 #ifdef SECTIONS
@@ -27,8 +27,8 @@ float turn_of_normal(SurfacePoint p, vec3 direction, float width) {
     vec3 hu = h * u, hv = h * v;
     hu -= dot(hu, n) * n;
     hv -= dot(hv, n) * n;
-    // Along the ray the beam is cut slantwise.
+    // The surface cuts the beam obliquely, which makes its footprint longer along the ray.
     float slant = max(-dot(direction, n), 0.1);
     float turn = width / p.steepness * sqrt(dot(hu, hu) + dot(hv, hv) / (slant * slant));
-    return turn < 2.0 ? turn : 2.0; // of NaN too
+    return turn < 2.0 ? turn : 2.0; // also for NaN
 }

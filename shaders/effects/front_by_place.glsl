@@ -1,4 +1,4 @@
-// The colour of the place where the surface is seen from F > 0.
+// Evaluates the colour at a point on the side where F > 0.
 uniform vec4 inside_color; // of the side where F < 0
 
 vec3 surface_color(Hit hit) {

@@ -1,4 +1,4 @@
-// A plane without end. Needs surface_point.glsl, footprint_at() and ray_begin().
+// An infinite plane. Needs surface_point.glsl, footprint_at() and ray_begin().
 uniform vec4 ground_plane; // dot(xyz, p) + w = 0, xyz the world's z axis, formula coordinates
 
 SurfacePoint before_ground(Ray ray, SurfacePoint p) {

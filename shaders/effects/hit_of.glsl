@@ -1,4 +1,4 @@
-// The place that a ray ended on. Needs hit.glsl and surface_point.glsl.
+// Turns the end of a ray into a Hit. Needs hit.glsl and surface_point.glsl.
 Hit hit_of(SurfacePoint p) {
     Hit hit = hit_at(p.position, p.normal, p.t, p.inside);
 #ifdef SECTIONS

@@ -1,4 +1,4 @@
-// What comes from one light to a place.
+// The light of one source at a point.
 struct LightRay {
     vec3 direction; // to the light, unit length
     float reach;    // its distance

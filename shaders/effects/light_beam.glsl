@@ -1,7 +1,7 @@
-// Shadow rays by beams of the light's own: each light far away that casts shadows has a picture of
-// the bounds, whose blocks tell where its rays may first meet the surface (march/beam.frag). A ray
-// comes from there, with the light, to the place that it may fall on: what is hidden is so by what
-// the ray meets first, and what is lit has little of it left.
+// Marches shadow rays by beams of the light. Each distant light that casts shadows has a picture of
+// the bounds. Its blocks hold the depths at which the light's rays may first meet the surface
+// (march/beam.frag). A shadow ray starts there and runs with the light to its point. If the point
+// is hidden, the ray meets the occluder first; if it is lit, little of the ray is left.
 //
 // The pictures lie one above the other in the texture.
 uniform sampler2D light_beam_texture;
@@ -9,13 +9,13 @@ uniform sampler2D light_beam_texture;
 uniform sampler2D light_beam_lists_texture;
 uniform sampler2D light_beam_all_texture;
 #endif
-// Four vectors for each light. The first two lead across its picture and up it, in pixels from the
-// middle; their w are half of the pixels, and how far from the last vector's place the pictures are
-// right. The third gives depth tau; its w is the unit. The last is the place without any of these
-// three; its w is what rounding may add to a depth.
+// Four vectors for each light. The first two lead right and up across its picture, in pixels from
+// the middle. Their w are half of the picture's pixels, and the distance from the origin up to
+// which the pictures are valid. The third gives depth tau; its w is the unit. The last is the
+// origin of these three; its w is the rounding that a depth may have.
 uniform vec4 light_views[4 * LIGHTS];
 
-// As it is, to a light: through all elements.
+// Marches the ray towards the light, over all elements.
 void come_to_light() {
 #ifdef LISTS
     vec2 all = vec2(float(array_counts[0].x), 0.0);
@@ -24,7 +24,7 @@ void come_to_light() {
 #endif
 }
 
-// Turns the ray from a place to light k round, unless it is far away.
+// Reverses the ray from a point to light k, unless the point is too far away for the picture.
 void come_from_light(inout Ray ray, int k) {
     vec4 right = light_views[4 * k], up = light_views[4 * k + 1];
     vec4 depth = light_views[4 * k + 2], origin = light_views[4 * k + 3];

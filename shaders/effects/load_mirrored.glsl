@@ -1,4 +1,4 @@
-// What the mirrored rays ended on. Needs surface_point.glsl.
+// Loads the ends of mirrored rays. Needs surface_point.glsl.
 uniform sampler2D mirrored_texture_0;
 uniform sampler2D mirrored_texture_1;
 uniform sampler2D mirrored_texture_2;

@@ -1,4 +1,4 @@
-// Needs surface_point.glsl.
+// Loads the end of a pixel's ray. Needs surface_point.glsl.
 uniform sampler2D surface_texture_0;
 uniform sampler2D surface_texture_1;
 uniform sampler2D surface_texture_2;

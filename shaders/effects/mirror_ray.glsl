@@ -1,4 +1,4 @@
-// The ray of a pixel, mirrored where it ended; `eye_ray` is pixel_ray() of march/ray.glsl. Needs
+// Mirrors the ray of a pixel at its end. `eye_ray` is pixel_ray() of march/ray.glsl. Needs
 // load_surface.glsl.
 
 float ray_begin(Ray ray) {

@@ -1,4 +1,4 @@
-// The answers of the shadow rays from what mirrored rays met.
+// Loads the results of shadow rays that start where mirrored rays ended.
 uniform sampler2D mirrored_shadow_texture;
 
 float mirrored_visibility(int k) {

@@ -1,8 +1,8 @@
-// F and its gradient at another time, where this time's rays ended: drawn a little before and a
-// little after, these tell how the surface moves (src/render/motion.h).
+// Evaluates F and its gradient at another time, where the rays of this time ended. The values from
+// a little earlier and a little later give the surface's motion (src/render/motion.h).
 layout(location = 0) out vec4 field_there;
 
-// The place in formula coordinates of the other time: they move if the surface's placement does.
+// Transforms a point to formula coordinates of the other time, which move with the placement.
 uniform vec4 move_x;
 uniform vec4 move_y;
 uniform vec4 move_z;

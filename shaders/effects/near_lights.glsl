@@ -1,6 +1,6 @@
-// Lights far away, or (w = 1) at a place; light_color.w is the distance at which a light has its
-// colour and beyond which it fades with the square, 0 if it doesn't. Close to a light the factor
-// stays below 1e12, so that its light is a float.
+// Directional lights, and lights at a point (w = 1). light_color.w is the distance at which a light
+// has its colour and beyond which it fades with the square; 0 if it doesn't fade. The factor stays
+// below 1e12 close to a light, so that its strength fits a float.
 LightRay light_at(int k, vec3 position) {
     vec4 place = light_direction[k];
     vec4 color = light_color[k];

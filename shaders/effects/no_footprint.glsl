@@ -1,4 +1,4 @@
-// In place of footprint.glsl where the formula's second derivatives are too long for a shader.
+// Replaces footprint.glsl if the formula's second derivatives are too long for a shader.
 float footprint_alpha2 = 0.0;
 
 float turn_of_normal(SurfacePoint p, vec3 direction, float width) {

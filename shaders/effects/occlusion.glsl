@@ -1,5 +1,5 @@
-// Ambient occlusion after Evans 2006: along the normal of a free plane the distance grows as fast
-// as the way; where |F| / |grad F| stays behind, something is near.
+// Ambient occlusion after Evans 2006. Along the normal of an open plane the distance to it grows as
+// fast as the sample moves away. Where |F| / |grad F| grows less, something is near.
 uniform vec4 occlusion; // reach in formula units, strength
 
 float openness(SurfacePoint p) {

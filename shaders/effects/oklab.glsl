@@ -1,5 +1,5 @@
-// Linear sRGB of a colour in OKLab (Ottosson 2020): lightness, green to red, blue to yellow. Equal
-// distances look equally different.
+// Converts OKLab (Ottosson 2020: lightness, green to red, blue to yellow) to linear sRGB. Equal
+// distances in OKLab look equally different.
 vec3 from_oklab(vec3 lab) {
     vec3 lms = lab.x + vec3(0.3963377774 * lab.y + 0.2158037573 * lab.z,
                             -0.1055613458 * lab.y - 0.0638541728 * lab.z,

@@ -1,11 +1,11 @@
-// A colour by a number. Needs paint_value(), a file with curvatures() and one with color_map().
-uniform vec2 paint_range; // what is at the ends of the map
+// Colours a point by a number. Needs paint_value(), a file with curvatures(), one with color_map().
+uniform vec2 paint_range; // numbers at the ends of the map
 
 vec3 surface_color(Hit hit) {
     vec3 rising = hit.inside ? -hit.normal : hit.normal; // towards F > 0
     vec3 n = normalize(mat3(to_world) * rising);
     float value = paint_value(hit.position, n, curvatures(hit), float(load_state().evaluations));
     float u = (value - paint_range.x) / (paint_range.y - paint_range.x);
-    // What is no number is grey, and darker than the greys near the middle of a map.
+    // NaN is grey, darker than the greys near the middle of a map.
     return im_is_nan(u) ? vec3(0.05) : color_map(clamp(u, 0.0, 1.0));
 }

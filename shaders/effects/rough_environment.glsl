@@ -1,7 +1,7 @@
-// The environment as a rough mirror shows it. Needs effects/environment.glsl.
+// The environment seen in a rough mirror. Needs effects/environment.glsl.
 //
 // environment_levels holds eight blurred maps one below the other, each half as wide as the one
-// above it and at least 32 texels wide. Level k is the map seen by GGX's lobe of alpha 2^k / 256
+// above it and at least 32 texels wide. Level k is the map blurred by GGX's lobe of alpha 2^k / 256
 // (image/environment_levels.h). Level 0 is the map itself.
 uniform sampler2D environment_levels;
 

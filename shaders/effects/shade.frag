@@ -1,4 +1,4 @@
-// The picture from what the rays ended on, where a scene calls for more than a plain light.
+// Shades the ends of the rays, for scenes with more than a plain light.
 
 layout(location = 0) out vec4 color;
 layout(location = 1) out uvec2 record; // and evaluations of shadow rays
@@ -11,9 +11,9 @@ void main() {
     if (is_on_surface(p) || p.on_ground) {
         color = vec4(shade(ray, p, hit), 1.0);
     } else if (p.verdict == VERDICT_NAN) {
-        color = vec4(1.0, 0.0, 1.0, 1.0); // no pixel lies silently: magenta,
+        color = vec4(1.0, 0.0, 1.0, 1.0); // no pixel lies silently: NaN is magenta,
     } else if (p.verdict == VERDICT_STEP_LIMIT) {
-        color = vec4(1.0, 0.8, 0.0, 1.0); // amber
+        color = vec4(1.0, 0.8, 0.0, 1.0); // the step limit amber
     } else {
         color = sky(ray.direction);
     }

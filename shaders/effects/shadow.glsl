@@ -1,6 +1,5 @@
-// Shadow rays: from every place to every light that casts shadows, one light after the other. Of
-// the ray's state `refinements` counts the lights and `verdict` holds a bit for each that is
-// hidden.
+// Marches shadow rays from each point to every light that casts shadows, one light after the other.
+// In the ray's state, `refinements` counts the lights, and `verdict` has a bit for each hidden one.
 
 uniform bool first_pass;
 uniform int evaluations_per_pass;
@@ -21,7 +20,7 @@ Ray shadow_ray(SurfacePoint p, int k) {
     return ray;
 }
 
-// The next light that may be hidden: none is where the surface turns away from it.
+// Starts the next light that may be hidden. Lights behind the surface are skipped.
 RayState next_light(RayState s, SurfacePoint p) {
     bool anything = is_on_surface(p) || p.on_ground;
     for (int k = s.refinements + 1; k < LIGHTS && anything; ++k) {
@@ -50,14 +49,14 @@ void march_pixel() {
     int turns = evaluations_per_pass;
 #ifdef LISTS
     // Loops must end before drivers end them. Drivers go through the longest list of some eight
-    // neighbours, each of which has its own; the last sample may go through all.
+    // neighbours, each with its own list; the last sample may go through all elements.
     int elements = int(0.125 * element_budget) - array_counts[0].x;
 #endif
 #ifdef GRID
     int most_elements = int(0.125 * element_budget);
 #endif
-    // One light after the other; software renderers, which skip no branch, should not look for the
-    // next at every sample.
+    // The loops are nested, since software renderers skip no branch and would otherwise look for
+    // the next light at every sample.
     bool begins = first_pass;
     while (true) {
         if (begins) s = next_light(s, p);

@@ -1,4 +1,4 @@
-// The shadow rays' answers.
+// Loads the results of the shadow rays.
 uniform sampler2D shadow_texture;
 
 float visibility(int k) {

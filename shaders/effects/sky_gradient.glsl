@@ -1,6 +1,6 @@
-// A colour above and one below, behind the surface. Needs shade/shading.glsl.
+// The sky behind the surface: a colour above and one below. Needs shade/shading.glsl.
 //
-// Mixed by the height of a place on the sphere around, not by its angle: no kink at the poles.
+// Mixed by height on the sphere around, not by angle, which would give a kink at the poles.
 uniform vec3 sky_top;
 uniform vec3 sky_bottom;
 

@@ -1,4 +1,4 @@
-// Needs surface_point.glsl.
+// Stores the end of a pixel's ray. Needs surface_point.glsl.
 layout(location = 0) out vec4 surface_0;
 layout(location = 1) out vec4 surface_1;
 layout(location = 2) out vec4 surface_2;

@@ -1,9 +1,9 @@
-// What a finished ray ended on, kept for the rays that start there.
+// The end of a ray, kept for the rays that start there.
 
 struct SurfacePoint {
     vec3 position;    // formula coordinates
     float offset;     // along the normal: from there the surface is on the other side
-    vec3 normal;      // unit length, towards where the ray came from
+    vec3 normal;      // unit length, towards the origin of the ray
     int verdict;      // of the ray; a miss may still have met the ground
     bool inside;      // seen from where F < 0
     bool on_ground;

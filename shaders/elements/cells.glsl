@@ -1,5 +1,5 @@
-// Elements by place: src/elements/element_grid.h. All sums over the array go through the list of
-// the cell that was entered last.
+// Finds elements by cell: src/elements/element_grid.h. All sums over the array use the list of the
+// cell that was entered last.
 
 uniform IM_BUFFER_OF_UINTS cells_texture;  // as Cell
 uniform IM_BUFFER_OF_UINTS listed_texture; // elements
@@ -7,17 +7,16 @@ uniform IM_BUFFER_OF_UINTS listed_texture; // elements
 #define GRID_LOW array_grid[0].xyz
 #define GRID_CELL array_grid[1].xyz
 #define GRID_ACROSS ivec3(array_grid[2].xyz)
-// No element that a list leaves out is less.
+// No element left out of a list has a smaller key.
 #define GRID_LEAST array_grid[0].w
-// Elements of the longest list.
+// Length of the longest list.
 #define GRID_LONGEST array_grid[1].w
 
 int GRID_COUNT = 0, grid_first = 0;
-// Elements of all cells that were entered, and terms of other arrays meanwhile: what loops went
-// through.
+// Cost of the loops so far: elements of all cells entered, and terms of other arrays meanwhile.
 int grid_entered = 0, grid_others = 0;
 
-// The cell that holds p; for a place outside of the grid, the nearest cell.
+// The cell that holds p, or the nearest cell if p is outside of the grid.
 ivec3 cell_of(vec3 p) {
     return clamp(ivec3(floor((p - GRID_LOW) / GRID_CELL)), ivec3(0), GRID_ACROSS - 1);
 }

@@ -1,5 +1,5 @@
-// Bounds over a box of numbers REAL: the hull of those over its parts in each cell. A box in more
-// cells than MOST_CELLS, or of more elements than MOST_ELEMENTS, has none.
+// Bounds over a box of numbers REAL: the hull of the bounds over its parts in each cell. A box has
+// no bounds if it meets more than MOST_CELLS cells or takes more than MOST_ELEMENTS elements.
 
 struct CellRange {
     ivec3 first, last;
@@ -7,7 +7,7 @@ struct CellRange {
     bool is_empty; // the first cell stands for all
 };
 
-// Whether no element matters in any of the cells, as the one in their middle tells.
+// Whether no element matters in any of these cells, by the empty cells around the middle one.
 bool are_empty(ivec3 first, ivec3 last) {
     ivec3 middle = (first + last) / 2, reach = last - middle;
     uvec2 cell = read_cell(middle);
@@ -17,7 +17,7 @@ bool are_empty(ivec3 first, ivec3 last) {
 
 CellRange cells_of_box(REAL2 rx, REAL2 ry, REAL2 rz) {
     vec2 x = vec2(rx), y = vec2(ry), z = vec2(rz);
-    // Where rounding may take an end for one of the next cell's, that cell counts.
+    // Counts the next cell, too, if rounding may move an end of the box into it.
     vec3 slack = GRID_CELL * 6.1e-5 + 2.4e-7 * (abs(vec3(x.x, y.x, z.x)) + abs(vec3(x.y, y.y, z.y)));
     ivec3 first = cell_of(vec3(x.x, y.x, z.x) - slack), last = cell_of(vec3(x.y, y.y, z.y) + slack);
     ivec3 n = last - first + 1;
@@ -29,8 +29,8 @@ CellRange cells_of_box(REAL2 rx, REAL2 ry, REAL2 rz) {
     return CellRange(first, last, too_many, false);
 }
 
-// The part of a box's side in a cell and a little around it; what lies outside of the grid belongs
-// to its outermost cells.
+// The part of a box's side in a cell and a little around it. The outermost cells extend beyond the
+// grid.
 REAL2 side_in_cell(REAL2 side, int k, float low, float cell, int across) {
     float slack = cell * 6.1e-5 + 2.4e-7 * float(abs(side.x) + abs(side.y));
     REAL begin = low + float(k) * cell - slack, end = low + float(k + 1) * cell + slack;
@@ -44,7 +44,7 @@ void box_in_cell(CellRange range, ivec3 place, inout REAL2 x, inout REAL2 y, ino
     z = side_in_cell(z, place.z, GRID_LOW.z, GRID_CELL.z, GRID_ACROSS.z);
 }
 
-// The next cell of a range, x first; past the last one z is beyond it.
+// The next cell of a range, x first. After the last cell, z is beyond the range.
 ivec3 next_cell(CellRange range, ivec3 place) {
     place.x += 1;
     if (place.x > range.last.x) {

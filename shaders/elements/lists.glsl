@@ -1,13 +1,13 @@
-// Chooses the elements that proofs go through where beams have lists of those that matter: those of
-// one list all the way, or all elements. What a list leaves out of F's sum is one function of the
-// place, at most a number in size. What is proved of F holds for every number up to that one, added
-// to the sum. So if all of these F are free of roots in a part, so is F; if each has one root within
-// an eighth of a pixel, with the same change of sign, so has F.
+// Chooses the elements that a proof sums over where beams have lists: one list for the whole ray,
+// or all elements. The sum that a list leaves out is a function of the place, at most a number L in
+// size. Proofs hold with any number up to L, in size, added to the sum that is left. So if none of
+// these F has a root in a part of the ray, neither has F. If each has one root within an eighth of
+// a pixel, with the same change of sign, so has F.
 //
-// The number: what the three lists, one made from another, may leave out at a root (beam_list.glsl),
-// which is LEFT_OUT of what the sum is at roots, wherever in their part that is asked. A block's
-// proof leads on to those of its rays, which may go by another list: then the sum is off by both of
-// these numbers in what one has proved of it, see begin.frag. Hence three times 3, and some more.
+// L covers the three lists, one made from another, each of which may leave out LEFT_OUT of the
+// sum's value at roots (beam_list.glsl), bounded anywhere in its part. A block's proof is continued
+// by those of its rays, which may use another list: then the sums of both proofs differ by both
+// numbers, see begin.frag. Hence L takes 12 LEFT_OUT: three times 3, and some more.
 
 vec2 array0_rest[1] = vec2[1](vec2(0.0));
 
@@ -16,13 +16,13 @@ void enter_all_elements() {
     array0_rest[0] = vec2(0.0);
 }
 
-// A list whose part holds this box, at least where it meets the bounds.
+// Enters a list whose part holds this box, at least where the box meets the bounds.
 void enter_list_of_proof(vec2 list, REAL2 x, REAL2 y, REAL2 z) {
     REAL2 rest, factor;
     rest_and_factor_interval(x, y, z, rest, factor);
     REAL least = im_abs(factor).x, most = 12.0 * LEFT_OUT * im_abs(rest).y;
     float left_out = float(most / least) * 1.00001;
-    bool is_bounded = least > 1.0e-30 && left_out < IM_SATURATION; // and a number
+    bool is_bounded = least > 1.0e-30 && left_out < IM_SATURATION; // and not NaN
     if (!is_bounded) {
         enter_all_elements();
         return;

@@ -1,10 +1,10 @@
-// Rays go past cells without roots, as far as bounds of the sums tell (src/elements/element_grid.h).
+// Moves rays past cells that have no root by the bounds of the sums (src/elements/element_grid.h).
 
-// Where the part of the ray that t is in ends that has no root; t where it may have one.
+// The end of the rootless part of the ray that holds t; t itself if a root may be there.
 float end_of_free(Ray ray, float t) {
-    // Nothing is divided by 0.
+    // Avoids division by 0.
     vec3 direction = mix(ray.direction, vec3(1.0e-20), lessThan(abs(ray.direction), vec3(1.0e-20)));
-    // Borders are passed by less than lists reach over them.
+    // Steps past a border by less than the lists extend beyond it.
     float beyond = 3.0e-5 * min(GRID_CELL.x, min(GRID_CELL.y, GRID_CELL.z));
     for (int k = 0; k < 48 && t < ray.t_far; ++k) {
         vec3 p = ray_point(ray, t);
@@ -21,7 +21,7 @@ float end_of_free(Ray ray, float t) {
     return min(t, ray.t_far);
 }
 
-// A ray that stands where there is no root begins anew where there may be one.
+// Restarts a ray that stands where there is no root, at the next t where there may be one.
 RayState pass_free(RayState s, Ray ray) {
     if (s.phase != PHASE_START && s.phase != PHASE_MARCH) return s;
     float t = end_of_free(ray, s.low);

@@ -1,8 +1,8 @@
-// What lists leave out of F's sums, for proofs.
+// Bounds, for proofs, of what lists leave out of F's sums.
 //
-// Left out of a sum is a number at each place, at most the grid's bound L in size, and another one
-// by each cell's list: where a ray goes on in the next cell the number may change by 2 L. What is
-// told of F holds for all numbers up to 64 L. So it is still told of the right one where slopes led
-// from there to the ends of two boxes, over at most 12 cells each (cells_of_box.glsl), and aside by
-// what rounding makes of the ray.
+// At each place, the list of its cell leaves a number out of a sum, at most the grid's bound L in
+// size. In the next cell along a ray this number may differ by 2 L. Statements about F hold for all
+// numbers up to 64 L. So they still hold for the right one after slopes led from a place to the
+// ends of two boxes, over at most 12 cells each (cells_of_box.glsl), and aside by the ray's
+// rounding.
 vec2 bounds_of_rest(float bound) { return 64.0 * vec2(-bound, bound); }

@@ -1,4 +1,4 @@
-// Passes where a path goes on: a query on this draw tells whether its next ray is needed.
+// Keeps pixels whose path goes on. A query on this draw tells whether another ray is needed.
 layout(location = 0) out vec4 unused;
 
 void main() {

@@ -1,6 +1,6 @@
-// Where paths end. Needs path.glsl, ground_ahead() and behind().
+// Ends paths. Needs path.glsl, ground_ahead() and behind().
 
-// On what the ray sees if it meets no surface.
+// Ends a path whose ray meets no surface: on the ground, or with the light from behind.
 Path see_behind(Path path) {
     float way = ground_ahead(path.position, path.direction);
     if (way > 0.0) {
@@ -13,7 +13,7 @@ Path see_behind(Path path) {
     return path;
 }
 
-// So does a path that may have no further ray, or whose next would hardly be seen.
+// Ends a path in the same way if it may have no further ray, or its next would hardly be seen.
 Path unless_faint(Path path, int rays_left) {
     float weight = max(max(path.weight.r, path.weight.g), path.weight.b);
     if (rays_left > 0 && weight > 0.001) return path;

@@ -1,4 +1,4 @@
-// Paths that went on, back to where all are kept.
+// Copies the paths that went on back to the textures of all paths.
 void main() {
     store_path(load_path());
 }

@@ -1,4 +1,4 @@
-// Begins the paths of a pixel's light: where the eye's ray met glass, or ends in it.
+// Begins the paths of the pixels, where the eye's ray meets glass or ends inside it.
 uniform int rays_left;
 
 void main() {

@@ -1,4 +1,4 @@
-// The ground that is seen through glass, as ends of rays from which shadow rays go to the lights.
+// Stores ground seen through glass as ends of rays, where shadow rays to the lights start.
 void main() {
     Path path = load_path();
     bool on_ground = path.state == PATH_ON_GROUND;

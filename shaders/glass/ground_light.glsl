@@ -1,4 +1,4 @@
-// The ground as it is seen through glass and in it. Needs light_at(), light_from_everywhere() and
+// Shades the ground seen through glass and in it. Needs light_at(), light_from_everywhere() and
 // arrives().
 uniform vec4 ground_color;
 

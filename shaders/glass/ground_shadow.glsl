@@ -1,4 +1,4 @@
-// The answers of the shadow rays from the ground that is seen through glass.
+// Loads the results of shadow rays from the ground seen through glass.
 uniform sampler2D glass_shadow_texture;
 
 float arrives(int k) {

@@ -1,5 +1,5 @@
-// Light on glass by effects/brdf_ggx.glsl. What goes through is taken off the matt part alone: the
-// highlight, metal's too, is what it is without glass.
+// Lights glass by effects/brdf_ggx.glsl. Transmitted light is taken from the matt part only; the
+// highlight, also of metal, is the same as without glass.
 
 // The matt part of reflected().
 vec3 matt_part(vec3 albedo, vec3 normal, vec3 to_viewer, vec3 to_light) {

@@ -1,4 +1,5 @@
-// What glass does to light, after Born and Wolf, Principles of Optics, 1.5. Needs surface_point.glsl.
+// Refraction and absorption, after Born and Wolf, Principles of Optics, 1.5. Needs
+// surface_point.glsl.
 uniform vec4 glass;      // transmission, index of refraction
 uniform vec4 absorption; // per formula unit
 
@@ -6,10 +7,10 @@ vec3 absorbed(float way) {
     return exp(-absorption.rgb * max(way, 0.0));
 }
 
-// Where light from `direction` goes at a place of the surface.
+// The split of light from `direction` at the surface.
 struct Refraction {
-    float reflected; // of light of all polarisations alike; 1: totally
-    vec3 direction;  // of the rest
+    float reflected; // the part of unpolarised light; 1: total reflection
+    vec3 direction;  // of the refracted rest
 };
 
 Refraction refraction_at(SurfacePoint p, vec3 direction) {

@@ -1,4 +1,4 @@
-// Goes on from where a ray of a path ended; run where paths go on.
+// Continues a path where its ray ended. Runs for paths that go on.
 uniform int rays_left;
 
 void main() {
@@ -11,7 +11,7 @@ void main() {
     float ahead = ground_ahead(ray.anchor, ray.direction);
     bool on_ground = ahead > 0.0 && (hit ? ahead < p.t : p.verdict == VERDICT_MISS);
     float end = on_ground ? min(ahead, ray.t_far) : hit ? p.t : ray.t_far;
-    // A root is the first: F has one sign before it.
+    // The root is the ray's first one, so F keeps its sign before it.
     bool in_glass = hit ? p.inside : path.state == PATH_IN_GLASS;
     if (in_glass) path.weight *= absorbed(end);
     if (hit && !on_ground) {

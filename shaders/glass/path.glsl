@@ -1,18 +1,18 @@
-// The light of a pixel on its way through glass, back to front: what it has brought so far, and the
+// The path of a pixel's light through glass, traced from the eye: the light found so far, and the
 // ray that looks for the rest.
 const int PATH_ENDED = 0;
-const int PATH_IN_GLASS = 1;  // its ray goes on, within F < 0
-const int PATH_OUTSIDE = 2;   // and outside
-const int PATH_ON_GROUND = 3; // it ended there
+const int PATH_IN_GLASS = 1;  // its ray goes on within F < 0
+const int PATH_OUTSIDE = 2;   // its ray goes on outside
+const int PATH_ON_GROUND = 3; // it ended on the ground
 
 struct Path {
-    vec3 position;  // where its ray begins; on the ground, where it ended
+    vec3 position;  // where its ray begins, or where it ended on the ground
     int state;
     vec3 direction; // unit length
     int evaluations; // so far
-    float off;      // how far along its ray that is on the side that it goes to
-    vec3 weight;    // of what the ray sees, in the pixel
-    vec3 light;     // in the pixel so far
+    float off;      // distance along its ray from which that is on the right side of the surface
+    vec3 weight;    // of what its ray sees, in the pixel's colour
+    vec3 light;     // in the pixel's colour so far
 };
 
 uniform sampler2D glass_texture_0;

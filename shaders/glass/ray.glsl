@@ -1,4 +1,4 @@
-// The ray of a pixel's light through glass; `eye_ray` is pixel_ray() of march/ray.glsl. Needs path.glsl.
+// The next ray of a pixel's path. `eye_ray` is pixel_ray() of march/ray.glsl. Needs path.glsl.
 
 float ray_begin(Ray ray) {
     return 0.0;

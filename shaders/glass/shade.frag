@@ -1,5 +1,5 @@
-// The picture of a scene with glass: effects/shade.frag, what is seen without a surface being seen
-// through the glass that the eye is in.
+// Shades scenes with glass, as effects/shade.frag does. If the eye is inside glass, the sky is seen
+// through it.
 
 layout(location = 0) out vec4 color;
 layout(location = 1) out uvec2 record; // and evaluations of further rays
@@ -12,9 +12,9 @@ void main() {
     if (is_on_surface(p) || p.on_ground) {
         color = vec4(shade(ray, p, hit), 1.0);
     } else if (p.verdict == VERDICT_NAN) {
-        color = vec4(1.0, 0.0, 1.0, 1.0); // no pixel lies silently: magenta,
+        color = vec4(1.0, 0.0, 1.0, 1.0); // no pixel lies silently: NaN is magenta,
     } else if (p.verdict == VERDICT_STEP_LIMIT) {
-        color = vec4(1.0, 0.8, 0.0, 1.0); // amber
+        color = vec4(1.0, 0.8, 0.0, 1.0); // the step limit amber
     } else {
         color = sky(ray.direction) * vec4(load_path().weight, 1.0);
     }

@@ -1,4 +1,4 @@
-// Needs path.glsl.
+// Stores a path. Needs path.glsl.
 layout(location = 0) out vec4 path_0;
 layout(location = 1) out vec4 path_1;
 layout(location = 2) out vec4 path_2;

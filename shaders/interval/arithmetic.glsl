@@ -1,20 +1,20 @@
-// im_add, im_subtract, im_multiply, im_square, im_abs, im_unless_zero, im_select on intervals. Needs
-// float32.glsl or float64.glsl.
+// im_add, im_subtract, im_multiply, im_square, im_abs, im_unless_zero, im_select on intervals.
+// Needs float32.glsl or float64.glsl.
 //
-// An interval (lo, hi) is as in src/formula/interval/interval.h: lo <= hi, lo < infinity, hi > -infinity, no
-// NaN, an infinite end is no bound, and 0 times an unbounded interval is 0. Ends are 0 or normal:
-// drivers may flush others to 0.
+// Intervals (lo, hi) are as in src/formula/interval/interval.h: lo <= hi, lo < infinity,
+// hi > -infinity, no NaN; an infinite end is no bound, and 0 times an unbounded interval is 0. Ends
+// are 0 or normal numbers, since drivers may flush subnormal ones to 0.
 //
-// Rounding outwards: a sum or product r is the nearest number of p bits to the exact value, which is
-// off by at most 2^-p |r|. 3/2 of that, IM_ROUNDING, reaches a number at or beyond the exact value,
-// see interval.h. Where that product underflows, results may have been flushed to 0 below 2^e, but
-// errors are at most 2^e, and IM_STEP = 2^(e+2) is more than that and the flush of its own
-// difference.
+// Rounding outwards: a computed sum or product r is the number of p bits nearest to the exact
+// value, so it is off by at most 2^-p |r|. A margin of 3/2 of that, IM_ROUNDING |r|, reaches a
+// number at or beyond the exact value, see interval.h. Where the margin underflows, r may have been
+// flushed to 0 if below 2^e. Errors are then at most 2^e, and IM_STEP = 2^(e+2) exceeds that and
+// the flush of its own difference.
 
 #define IM_ENTIRE REAL2(-IM_INFINITY, IM_INFINITY)
 
-// The bounds of values that came out as r, each off by at most `relative` |r| or IM_STEP. A bound
-// that overflowed inwards is the largest number.
+// Bounds of values that were computed as r, with errors of at most `relative` |r| or IM_STEP. A
+// bound that overflowed inwards becomes the largest number.
 REAL2 im_widen(REAL2 r, REAL relative) {
     precise REAL2 inner = REAL2(min(r.x, IM_LARGEST), max(r.y, -IM_LARGEST));
     precise REAL2 margin = abs(inner) * relative + IM_STEP;
@@ -26,12 +26,12 @@ REAL2 im_outwards(REAL2 r) {
     return im_widen(r, IM_ROUNDING);
 }
 
-// Cuts off below 0 an interval of something that is never negative on paper.
+// Clips at 0 an interval of a quantity that is never negative in exact arithmetic.
 REAL2 im_not_negative(REAL2 a) {
     return REAL2(max(a.x, 0.0), a.y);
 }
 
-// Results beyond the saturation of floats are unbounded, and begin no further out than there.
+// Beyond the saturation of floats, outer ends become infinite, and inner ends the saturation.
 REAL2 im_saturate(REAL2 a) {
     return REAL2(IM_SELECT(a.x < -IM_SATURATION, -IM_INFINITY, min(a.x, IM_SATURATION)),
                  IM_SELECT(a.y > IM_SATURATION, IM_INFINITY, max(a.y, -IM_SATURATION)));
@@ -52,8 +52,8 @@ REAL2 im_subtract(REAL2 a, REAL2 b) {
     return im_outwards(r);
 }
 
-// 0 times an infinite end is NaN here and 0 by meaning. The comparisons below, precise so that none
-// becomes a min(), drop NaN; a product of two finite members takes its place.
+// 0 times an infinite end is NaN in GLSL, but 0 by definition. The comparisons below drop NaN, and
+// a product of two finite members takes its place. They are precise, so that none becomes a min().
 REAL2 im_multiply(REAL2 a, REAL2 b) {
     precise REAL p = a.x * b.x;
     precise REAL q = a.x * b.y;
@@ -71,7 +71,7 @@ REAL2 im_multiply(REAL2 a, REAL2 b) {
     return im_outwards(REAL2(lo, hi));
 }
 
-// b >= 0, so that it is the ends of a alone that are the outermost.
+// For b >= 0: the lower end comes from a's lower end, the upper one from a's upper end.
 REAL2 im_multiply_by_not_negative(REAL2 a, REAL2 b) {
     precise REAL2 inner = REAL2(max(a.x, -IM_LARGEST), min(a.y, IM_LARGEST)) * b.x;
     precise REAL2 outer = a * b.y;
@@ -105,15 +105,15 @@ REAL2 im_scale_up(REAL s, REAL2 a) {
     return im_outwards(r);
 }
 
-// a * a for one a, which a * b for two that happen to be equal is not.
+// a * a for the same member a, tighter than im_multiply(a, a) for two independent members.
 REAL2 im_square(REAL2 a) {
     precise REAL2 size = im_abs(a);
     precise REAL2 r = size * size;
     return im_not_negative(im_outwards(r));
 }
 
-// A product r of a, or a sum of what both are in a: exactly 0 where a is, so that a factor without
-// bounds leaves it 0. By a and not by r, which may be 0 by underflow.
+// Returns r, or exactly 0 if a is 0. r is a product with the factor a, or a sum of two intervals
+// with the hull a: 0 times an unbounded factor is 0. Tests a, since r may be 0 by underflow.
 REAL2 im_unless_zero(REAL2 a, REAL2 r) {
     return IM_SELECT2(a.x == 0.0 && a.y == 0.0, REAL2(0.0), r);
 }

@@ -1,21 +1,23 @@
-// im_chebyshev, im_chebyshev_stopped, im_chebyshev_slope, im_chebyshev_steep on intervals. Needs arithmetic.glsl,
-// exp.glsl, trig.glsl, divide.glsl, inverse_trig.glsl, math/log.glsl.
+// im_chebyshev, im_chebyshev_stopped, im_chebyshev_slope, im_chebyshev_steep on intervals. Needs
+// arithmetic.glsl, exp.glsl, trig.glsl, divide.glsl, inverse_trig.glsl, math/log.glsl.
 //
-// T_n(cos h) = cos(n h) and T_n(cosh t) = cosh(n t); angles carry their error along. Degree n >= 2.
+// T_n(cos h) = cos(n h), T_n(cosh t) = cosh(n t), degree n >= 2; intervals of angles hold their
+// error.
 
-// Enclosure of the t >= 0 with cosh t = y, of y >= 1; of 1 for smaller ones.
+// Encloses the t >= 0 with cosh t = y, for y >= 1; a smaller y counts as 1.
 vec2 im_acosh(float y) {
     precise float above = max(min(y, 1.0e18) - 1.0, 0.0);
     precise float v = above + sqrt(above * (above + 2.0));
     precise float t = im_log(1.0 + v);
-    // The rounding of 1 + v is 2^-24 of it, those before it are 2^-20 of v generously.
+    // 1 + v is rounded by 2^-24 of itself; the steps before err by 2^-20 of v, generously.
     precise float margin = 2.4e-7 + 1.9e-6 * t;
     precise vec2 result =
         vec2(max(t - margin, 0.0), IM_SELECT(y > 1.0e18, IM_INFINITY, t + margin));
     return IM_SELECT2(y > 1.0, result, vec2(0.0));
 }
 
-// What beyond 1 comes to what is inside; `even`: values at -x are those at x.
+// Joins the values `inside` [-1, 1] with those beyond: `low` at |a.x| and `high` at |a.y|. `even`:
+// values at -x equal those at x; otherwise they are negated.
 vec2 im_with_outside(vec2 a, vec2 inside, vec2 low, vec2 high, bool even) {
     vec2 left = IM_SELECT2(even, low, -low.yx);
     vec2 left_inner = IM_SELECT2(even, high, -high.yx);
@@ -34,8 +36,8 @@ vec2 im_chebyshev(int n, vec2 a) {
     return im_with_outside(a, inside, low, high, (n & 1) == 0);
 }
 
-// For high degrees, whose evaluation stops arguments at +-reach, and so values at about +-stop. The
-// interval holds both those values and the ones on paper.
+// For high degrees: evaluation stops arguments at +-reach, so values stop at about +-stop. The
+// interval holds these values and the exact ones.
 vec2 im_chebyshev_stopped(int n, float reach, float stop, vec2 a) {
     vec2 r = im_chebyshev(n, a);
     vec2 right = vec2(0.5 * stop, 2.0 * stop);
@@ -44,7 +46,7 @@ vec2 im_chebyshev_stopped(int n, float reach, float stop, vec2 a) {
     return IM_SELECT2(a.x > -reach, r, vec2(min(r.x, left.x), max(r.y, left.y)));
 }
 
-// sin h of x = cos h; the differences are exact where it is small.
+// Encloses sin h for x = cos h. The differences are exact where sin h is small.
 vec2 im_sine_of_cosine(float x) {
     precise vec2 factors = vec2(1.0 - x, 1.0 + x);
     precise float square = factors.x * factors.y;
@@ -54,14 +56,14 @@ vec2 im_sine_of_cosine(float x) {
     return result;
 }
 
-// T_n'(x) = n sin(n h) / sin h at the ends of a within [-1, 1], at most n^2.
+// T_n'(x) = n sin(n h) / sin h at a point x of [-1, 1], at most n^2.
 vec2 im_slope_inside(float degree, float x) {
     vec2 sines = im_sin(im_scale_up(degree, im_acos(vec2(x))));
     vec2 slope = im_scale_up(degree, im_divide(sines, im_sine_of_cosine(x)));
     return clamp(slope, -degree * degree, degree * degree);
 }
 
-// T_n'(y) = n sinh(n t) / sinh t beyond 1, at least n^2.
+// T_n'(y) = n sinh(n t) / sinh t at a point y beyond 1, at least n^2.
 vec2 im_slope_outside(float degree, float y) {
     vec2 t = im_acosh(y);
     vec2 slope = im_scale_up(degree, im_divide(im_sinh(im_scale_up(degree, t)), im_sinh(t)));
@@ -100,7 +102,7 @@ vec2 im_chebyshev_slope(int n, vec2 a) {
     return im_with_outside(a, slope, low_end, high_end, even);
 }
 
-// Bounds a higher derivative: `bound` is its value at 1, the largest in [-1, 1].
+// Bounds a higher derivative, whose largest size in [-1, 1] is `bound`, its value at 1.
 vec2 im_chebyshev_steep(float bound, vec2 a) {
     return IM_SELECT2(max(-a.x, a.y) <= 1.0, vec2(-bound, bound), IM_ENTIRE);
 }

@@ -1,6 +1,6 @@
 // im_exp, im_sinh, im_cosh, im_tanh on intervals. Needs arithmetic.glsl, math/exp.glsl.
 //
-// The tests of the kernels allow them up to 2.3 ulps. 2^-20 of the result are counted: 8 ulps.
+// The kernels' tests allow up to 2.3 ulps; 2^-20 of the result is counted, which is 8 ulps.
 
 #define IM_KERNEL_ERROR 9.53674316e-7
 

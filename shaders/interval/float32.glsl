@@ -1,7 +1,7 @@
-// What follows in shaders/interval/ is on intervals of floats. Needs bits.glsl.
+// Makes the files of shaders/interval/ that follow work on intervals of floats. Needs bits.glsl.
 //
-// The files there are written for numbers of type REAL, and may come twice in one shader: once for
-// floats and once for doubles, by float64.glsl.
+// These files are written for numbers of type REAL. A shader may contain them twice: once for
+// floats and once for doubles, after float64.glsl.
 #undef REAL
 #undef REAL2
 #undef REAL3

@@ -1,7 +1,7 @@
 // im_asin, im_acos, im_atan on intervals. Needs arithmetic.glsl, math/inverse_trig.glsl.
 //
-// The tests of the kernels allow asin 1.7 and atan 2.6 ulps; 2^-20 of the result are counted: 8
-// ulps. acos is allowed 2e-7, and 1.7 ulps of small results; 4e-7 and 2^-20 are counted.
+// The kernels' tests allow 1.7 ulps for asin and 2.6 for atan; 2^-20 of the result is counted,
+// which is 8 ulps. acos: 2e-7, and 1.7 ulps of small results; 4e-7 and 2^-20 are counted.
 
 vec2 im_asin(vec2 a) {
     return im_widen(vec2(im_asin(a.x), im_asin(a.y)), 9.53674316e-7);

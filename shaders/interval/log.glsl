@@ -1,6 +1,6 @@
 // im_log on intervals. Needs arithmetic.glsl, math/log.glsl.
 //
-// The tests of the kernel allow it 1.25 ulps; 2^-20 of the result are counted: 8 ulps.
+// The kernel's tests allow 1.25 ulps; 2^-20 of the result is counted, which is 8 ulps.
 vec2 im_log(vec2 a) {
     vec2 inner = clamp(a, IM_SMALLEST, IM_LARGEST);
     vec2 r = im_widen(vec2(im_log(inner.x), im_log(inner.y)), 9.53674316e-7);

@@ -1,7 +1,7 @@
 // im_pow on intervals. Needs arithmetic.glsl, math/pow.glsl.
 //
-// The tests of the kernel allow it up to 5 ulps; 2^-19 of the result are counted: 16 ulps. Powers
-// are extreme at the ends of base and exponent: in each they rise or fall throughout.
+// The kernel's tests allow up to 5 ulps; 2^-19 of the result is counted, which is 16 ulps. Powers
+// are monotone in base and in exponent, so their extremes are at the ends of both.
 
 #define IM_POWER_ERROR 1.90734863e-6
 
@@ -10,7 +10,7 @@ vec2 im_powers(float least, float most) {
     return im_saturate(im_not_negative(im_widen(vec2(least, most), IM_POWER_ERROR)));
 }
 
-// Negative numbers have powers at integers.
+// A negative base has powers only for integer exponents.
 vec2 im_pow(vec2 a, float b) {
     precise vec2 r = vec2(im_pow(abs(a.x), b), im_pow(abs(a.y), b));
     vec2 size = im_powers(min(r.x, r.y), max(r.x, r.y));
@@ -18,7 +18,7 @@ vec2 im_pow(vec2 a, float b) {
     bool across = below && a.y >= 0.0;
     bool whole = floor(b) == b;
     bool odd = floor(0.5 * b) != 0.5 * b;
-    // 0 is in between.
+    // 0 lies inside the base.
     vec2 even_across = IM_SELECT2(b > 0.0, vec2(0.0, size.y), vec2(size.x, IM_INFINITY));
     vec2 even_power = IM_SELECT2(across, even_across, size);
     vec2 left = im_powers(r.x, r.x);

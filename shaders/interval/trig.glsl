@@ -1,12 +1,12 @@
 // im_sin, im_cos, im_tan on intervals. Needs arithmetic.glsl, divide.glsl, math/trig.glsl.
 //
-// The tests of the kernels allow sine and cosine 1.2e-7 up to arguments of 1e5; 2^-21 = 4.8e-7 are
+// The kernels' tests allow sine and cosine 1.2e-7 for arguments up to 1e5; 2^-21 = 4.8e-7 is
 // counted. Beyond, they are only known to lie in [-1, 1].
 
 #define IM_WAVE_ERROR 4.76837158e-7
 #define IM_WAVE_REACH 1.0e5
 
-// a / pi. Its rounding and those of im_may_hold() are below 2^-22 |a / pi| + 2^-22; twice that is
+// a / pi. The rounding here and in im_may_hold() is below 2^-22 |a / pi| + 2^-22; twice that is
 // counted.
 vec2 im_half_turns(vec2 a) {
     precise vec2 turns = a * 0.318309886;
@@ -15,13 +15,13 @@ vec2 im_half_turns(vec2 a) {
     return outer;
 }
 
-// May there be an integer j with first + j / frequency in `turns`? In doubt yes.
+// Whether `turns` may hold first + j / frequency for an integer j. True in doubt.
 bool im_may_hold(vec2 turns, float first, float frequency) {
     precise vec2 steps = (turns - first) * frequency;
     return floor(steps.y) >= steps.x;
 }
 
-// A wave with crests at (crest + 2j) pi, from its values at the ends.
+// Encloses a wave with crests at (crest + 2j) pi, from its values at the ends.
 vec2 im_wave(vec2 a, vec2 inner, vec2 values, float crest) {
     vec2 turns = im_half_turns(inner);
     precise float lo = min(values.x, values.y) - IM_WAVE_ERROR;
@@ -45,7 +45,7 @@ vec2 im_cos(vec2 a) {
     return im_wave(a, inner, vec2(im_sin_cos(inner.x).y, im_sin_cos(inner.y).y), 0.0);
 }
 
-// It rises from pole to pole.
+// The tangent rises from pole to pole.
 vec2 im_tan(vec2 a) {
     vec2 inner = im_within_wave_reach(a);
     vec2 error = vec2(-IM_WAVE_ERROR, IM_WAVE_ERROR);

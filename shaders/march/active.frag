@@ -1,4 +1,4 @@
-// Passes where a ray still marches: a query on this draw tells whether another pass is needed.
+// Keeps pixels whose ray still marches. A query on this draw tells whether another pass is needed.
 layout(location = 0) out vec4 unused;
 
 void main() {

@@ -1,7 +1,7 @@
-// Adaptive marching points, Algorithm 1 of Singh & Narayanan 2010. Which roots it sees is up to
-// root_exists(), how far it goes to step_size().
+// Adaptive marching points, Algorithm 1 of Singh & Narayanan 2010. root_exists() determines the
+// roots that it sees, step_size() the steps.
 
-// Goes on from `low` by the step that Eq. 2 allows there.
+// Takes the step from `low` that Eq. 2 allows there.
 RayState step_on(RayState s, Ray ray) {
     if (s.low >= ray.t_far) return finish(s, VERDICT_MISS);
     s.phase = PHASE_MARCH;
@@ -15,12 +15,12 @@ float next_sample(RayState s) {
     return s.phase == PHASE_REFINE ? 0.5 * (s.low + s.high) : s.high;
 }
 
-// One turn, F and dF/dt at t being f.
+// Advances a ray by its sample at t: F and dF/dt are f.
 RayState advance(RayState s, Ray ray, float t, vec2 f) {
     s.evaluations += 1;
     if (im_is_nan(f.x)) return finish(s, VERDICT_NAN);
     if (s.phase == PHASE_GRADIENT) return take_derivative(s, f);
-    // A slope that is not a number (a kink, say) counts as none: only F decides a verdict.
+    // A NaN slope (at a kink, say) counts as 0: only F decides a verdict.
     if (im_is_nan(f.y)) f.y = 0.0;
     bool root = s.phase != PHASE_START && root_exists(s.low, s.f_low, t, f);
     if (s.phase == PHASE_REFINE) {

@@ -1,6 +1,6 @@
-// Shadow rays by the paper's methods: any root will do, so there is no refinement (Singh & Narayanan
-// 2010, IV-B). But a root that a test only suspects, where the sign is the same at both ends, must
-// still be there in half the step, down to `finest`.
+// Shadow rays for the paper's methods. Any root will do, so there is no refinement (Singh &
+// Narayanan 2010, IV-B). But where a test suspects a root although the signs at both ends agree, it
+// must still do so in half the step, down to `finest`.
 
 const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2;
 

@@ -1,4 +1,4 @@
-// Shadow rays by `chebyshev` look for the first root, since the sample at the root must agree.
+// Shadow rays of `chebyshev` look for the first root, since the sample at the root must agree.
 
 const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2;
 

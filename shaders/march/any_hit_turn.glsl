@@ -1,4 +1,4 @@
-// Shadow rays: any root will do, so a ray that begins to close in on one is hidden.
+// Shadow rays. Any root will do, so a ray that begins to refine a root is hidden.
 
 const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2, RAY_IS_SOLVED = 3;
 
@@ -6,7 +6,7 @@ int any_hit(inout RayState s, Ray ray, float finest) {
     RayState next = turn(s, ray);
     if (next.phase == PHASE_REFINE) return RAY_IS_HIDDEN;
     if (next.phase == PHASE_DONE) return next.verdict == VERDICT_HIT ? RAY_IS_HIDDEN : RAY_IS_FREE;
-    // They count lights and samples here.
+    // These two count samples and lights here.
     next.evaluations = s.evaluations;
     next.refinements = s.refinements;
     s = next;
@@ -14,7 +14,7 @@ int any_hit(inout RayState s, Ray ray, float finest) {
 }
 
 #ifdef BOUNDED_TOUCHES
-// Behind a turn that left its ray to solve().
+// Continues a ray whose turn left it to solve().
 int any_hit_solved(inout RayState s, Ray ray) {
     RayState next = solve(s, ray);
     if (next.phase == PHASE_DONE) return next.verdict == VERDICT_HIT ? RAY_IS_HIDDEN : RAY_IS_FREE;

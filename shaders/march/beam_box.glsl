@@ -1,4 +1,4 @@
-// Boxes against the bounds, a box.
+// Boxes and the bounds, if these are a box.
 
 vec3 bounds_low() { return bounds_min.xyz - beam.w; }
 vec3 bounds_high() { return bounds_max.xyz + beam.w; }

@@ -1,16 +1,16 @@
-// The elements of the array that matter in a beam. F is factor * sum + rest, so at a root the sum
-// is as large as rest / factor. Elements are left out whose terms, bounded in pieces of the beam
-// and all together, stay below LEFT_OUT of that: float32 loses as much when it adds up some ten
-// terms.
+// Lists the elements of the array that matter in a beam. F is factor * sum + rest, so at a root the
+// sum is as large as rest / factor. Elements are left out if their terms, bounded in pieces of the
+// beam and all together, stay below LEFT_OUT of that. Float32 loses as much when it adds up some
+// ten terms.
 
-// Elements and the first, of all of a way and of its front, which ends at a depth.
+// The elements of the whole beam, and of its front, which ends at a depth.
 struct Lists {
     KEPT all, front;
     float front_end;
 };
 
 Lists lists_of(ivec2 block, Beam way, float low, float high) {
-    // Loops must end before drivers end them, silently.
+    // Loops must end before drivers end them silently.
     int pieces = clamp(MOST_TERMS / max(array0_count, 1), 1, PIECES);
     int front_pieces = min(FRONT_PIECES, pieces);
     float part = 1.0 / float(pieces);
@@ -24,8 +24,8 @@ Lists lists_of(ivec2 block, Beam way, float low, float high) {
         left = most < IM_SATURATION ? min(left, LEFT_OUT * least / max(most, 1.0e-30)) : 0.0;
         if (k < front_pieces) left_in_front = left;
     }
-    // Boxes around equal pieces lie evenly between the first and the last; each element meets them
-    // all, and they take more than its bound when they are made anew for it.
+    // Boxes around equal pieces lie evenly between the first and the last. Each element meets them
+    // all, and recomputing them would cost more than its bound.
     vec2 first_x, first_y, first_z, last_x, last_y, last_z;
     box_around(way, low, mix(low, high, part), first_x, first_y, first_z);
     box_around(way, mix(low, high, 1.0 - part), high, last_x, last_y, last_z);
@@ -41,7 +41,7 @@ Lists lists_of(ivec2 block, Beam way, float low, float high) {
             vec2 z = mix(first_z, last_z, along) + rounding;
             largest = max(largest, im_abs(term_interval(e, x, y, z)).y);
             if (k < front_pieces) in_front = largest;
-            // It stays.
+            // The element stays.
             if (k + 1 >= front_pieces && !(largest <= 0.125 * left)) break;
         }
         if (largest <= 0.125 * left) {

@@ -1,4 +1,4 @@
-// Beams within larger ones, which are PARENT_BLOCK pixels across.
+// Beams within larger beams, which are PARENT_BLOCK pixels across.
 uniform sampler2D beam_texture;
 
 Part parent_part(ivec2 block) {

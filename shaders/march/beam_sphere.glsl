@@ -1,4 +1,4 @@
-// Boxes against the bounds, a sphere.
+// Boxes and the bounds, if these are a sphere.
 vec3 bounds_low() { return bounds_min.xyz - (bounds_min.w + beam.w); }
 vec3 bounds_high() { return bounds_min.xyz + (bounds_min.w + beam.w); }
 

@@ -1,34 +1,34 @@
-// The beam of a block of BLOCK x BLOCK pixels and boxes around pieces of it.
+// The beam of a block of BLOCK x BLOCK pixels, and boxes around pieces of it.
 //
-// Depths are tau: the ray that crosses the plane of the anchors at `across` (from ray_origin) is
-// there at ray_origin + tau ray_axis + (1 + w tau) across, w = 1, or 0 for parallel rays.
+// Depths are tau: the ray that crosses the plane of the anchors at `across` (from ray_origin) is at
+// ray_origin + tau ray_axis + (1 + w tau) across, with w = 1, or 0 for parallel rays.
 
 vec2 hull(float a, float b) {
     return vec2(min(a, b), max(a, b));
 }
 
-// [a, b] times an interval, 0 <= a <= b.
+// The factors [a, b] times an interval, 0 <= a <= b.
 vec2 scaled(float a, float b, vec2 x) {
     return vec2(min(a * x.x, b * x.x), max(a * x.y, b * x.y));
 }
 
 struct Beam {
-    vec3 low, high; // of `across`
+    vec3 low, high; // range of `across`
 };
 
-// What a beam is told of its way.
+// The part of its length that a beam has to search.
 struct Part {
     float low, high; // tau
-    float first;     // the piece to try first
+    float first;     // length of the piece to try first
 #ifdef LISTS
-    // The elements to go through up to front_end, and everywhere.
+    // The lists of elements for depths up to front_end, and for all depths.
     float front_end;
     LIST front, all;
 #endif
 };
 
-// What is added to the middles of a block's outer pixels, in pixels: rays may be anywhere in blocks
-// of a light's picture.
+// Widens the block beyond the middles of its outer pixels, in pixels: rays may be anywhere in
+// blocks of a light's picture.
 uniform float around_middles;
 
 Beam beam_of(ivec2 block) {
@@ -41,7 +41,7 @@ Beam beam_of(ivec2 block) {
     return Beam(across - reach, across + reach);
 }
 
-// A box around the beam from depth a to b.
+// Encloses the beam between depths a and b in a box.
 void box_around(Beam way, float a, float b, out vec2 x, out vec2 y, out vec2 z) {
     float near = max(1.0 + ray_axis.w * a, 0.0), far = max(1.0 + ray_axis.w * b, 0.0);
     vec2 rounding = vec2(-beam.w, beam.w);
@@ -53,7 +53,7 @@ void box_around(Beam way, float a, float b, out vec2 x, out vec2 y, out vec2 z) 
         scaled(near, far, vec2(way.low.z, way.high.z)) + rounding;
 }
 
-// Its part in the bounds. False if it is outside of them.
+// The same box within the bounds. False if it lies outside of them.
 bool box_of(Beam way, float a, float b, out vec2 x, out vec2 y, out vec2 z) {
     box_around(way, a, b, x, y, z);
     bool meets = meets_bounds(x, y, z);

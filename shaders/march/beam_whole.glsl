@@ -1,4 +1,4 @@
-// The first beams: their part is all of the bounds.
+// First level of beams: they search all of the bounds.
 
 Part parent_part(ivec2 block) {
     float first = 0.125 * (beam.y - beam.x);

@@ -1,8 +1,8 @@
-// Polynomials in Bernstein's form on [0, 1]. There are at most as many roots as the coefficients
-// change their sign, and no fewer by an odd number.
+// Polynomials in Bernstein form on [0, 1]. The number of roots is the number of sign changes of the
+// coefficients, or less by an even number.
 
-// The parts on [0, u] and on [u, 1], by de Casteljau; returns p(u) and p'(u). `right` holds the
-// whole before.
+// Splits the polynomial in `right` into its parts on [0, u] and on [u, 1], by de Casteljau. Returns
+// p(u) and p'(u).
 vec2 split(inout float right[DEGREE + 1], out float left[DEGREE + 1], float u) {
     float slope = 0.0;
     left[0] = right[0];
@@ -14,7 +14,7 @@ vec2 split(inout float right[DEGREE + 1], out float left[DEGREE + 1], float u) {
     return vec2(right[0], slope);
 }
 
-// How often the coefficients change their sign, and where their polygon does so first.
+// The number of sign changes of the coefficients, and where their polygon first changes its sign.
 struct Changes {
     int count;
     float first;

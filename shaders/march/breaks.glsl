@@ -1,8 +1,8 @@
-// Where F may jump, have a pole or lack a value there is no root, whatever its sign does: methods
-// that bound F pass the shortest piece around such a place, and begin anew behind it.
+// Finds where F may jump, have a pole or lack a value. No root is there, whatever its sign does.
+// Methods that bound F pass the shortest piece around such a point, and restart behind it.
 
-// (jumps, without value): the entire line where F may not be continuous; above 0 where it has no
-// value anywhere.
+// (jumps, without value): the first interval is the entire line if F may not be continuous; the
+// second is above 0 if F has no value anywhere in the piece.
 vec4 breaks_over(Ray ray, vec2 piece) {
     vec2 x, y, z;
     box_over(ray, piece, x, y, z);

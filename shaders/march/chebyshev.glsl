@@ -1,14 +1,14 @@
-// For polynomials F in x, y and z: along the ray F is a polynomial in t, known from DEGREE + 1
-// samples. Its first root is approached from the left: where the polygon of Bernstein's
-// coefficients first meets 0 (Morken & Reimers 2007), the polynomial is split; what is free of sign
-// changes is left behind, what has one isolates the root, and a left part with more is split
-// closer. Samples of F at the root, and Newton steps, then take away the rounding of the
+// Finds the first root of polynomials F in x, y and z. Along the ray F is a polynomial in t, known
+// from DEGREE + 1 samples. Its first root is approached from the left: the polynomial is split
+// where the polygon of its Bernstein coefficients first meets 0 (Morken & Reimers 2007). A left
+// part without sign changes is passed, a part with one isolates the root, and a left part with more
+// is split closer. Samples of F at the root, and Newton steps, then remove the rounding of the
 // coefficients.
 //
-// Rounding makes the polynomial err by about NOISE times the largest coefficient. A value that near
-// to 0 counts as 0, so that roots which F only touches are found, if a sample of F agrees. If it
-// does not, the rest of the ray is a polynomial anew, more accurate for being shorter; a ray that
-// has taken the samples of MOST_PIECES is given up as a miss.
+// Rounding errs by about NOISE times the largest coefficient. A value that near to 0 counts as 0,
+// so that roots which F only touches are found, if a sample of F agrees. If it does not, the rest
+// of the ray is sampled anew, more accurately since it is shorter. A ray that has taken the samples
+// of MOST_PIECES is given up as a miss.
 
 const float NOISE = 4.0 * 5.9604645e-8;
 const int MOST_SPLITS = 32;
@@ -28,8 +28,8 @@ RayState take_sample(RayState s, Ray ray, float f) {
     return s;
 }
 
-// At a root of the polynomial, which has the slope f_low.y there: f_low.x is what counts as 0, with
-// the sign of F before the root.
+// Refines a root of the polynomial, where it has the slope f_low.y. f_low.x is the value that
+// counts as 0, with the sign of F before the root.
 RayState refine(RayState s, Ray ray, float t, float f) {
     float level = abs(s.f_low.x);
     float value = s.f_low.x < 0.0 ? -f : f;
@@ -38,18 +38,18 @@ RayState refine(RayState s, Ray ray, float t, float f) {
     float root = inside ? newton : t;
     s.taken += 1;
     bool last = s.taken >= MOST_NEWTON_STEPS || !inside;
-    // A step that floats hardly tell from none, too.
+    // Also stops at a step that floats hardly tell from none.
     bool stands = abs(newton - t) <= 1.0e-6 * abs(ray.t_far - ray.t_near);
     // Samples err less than coefficients.
     if (abs(value) <= 0.0625 * level || stands || (last && value < 0.0)) return found(s, root);
     s.high = root;
     if (!last) return s;
-    // Nothing there: the rest of the ray.
+    // No root here: samples the rest of the ray.
     s.low = t;
     s.high = t;
     s.taken = 0;
     s.phase = PHASE_START;
-    // Shadow rays add up the evaluations of all lights up to this one.
+    // For shadow rays, evaluations include those of all lights up to this one.
     bool gives_up = s.evaluations > MOST_PIECES * (DEGREE + 2) * (s.refinements + 1);
     if (t < ray.t_far && !gives_up) return s;
     return finish(s, VERDICT_MISS);

@@ -1,7 +1,7 @@
-// The part of a ray inside the box of the bounds, empty as (1, 0).
+// Returns the part of a ray inside the bounds, a box; (1, 0) if it is empty.
 vec2 clip_to_bounds(vec3 anchor, vec3 direction) {
-    // 1/0 is infinity on some drivers and NaN on others: a ray along a face gets a slope that
-    // leaves the slab only far outside the picture.
+    // 1/0 is infinity on some drivers and NaN on others. So a ray along a face gets a slope by
+    // which it leaves the slab only far outside the picture.
     vec3 slope = vec3(abs(direction.x) < 1e-12 ? 1e-12 : direction.x,
                       abs(direction.y) < 1e-12 ? 1e-12 : direction.y,
                       abs(direction.z) < 1e-12 ? 1e-12 : direction.z);

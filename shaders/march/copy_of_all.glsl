@@ -1,2 +1,2 @@
-// The first level's lists are of all elements.
+// Lists of the first level are made from all elements.
 void enter_parent(ivec2 block) {}

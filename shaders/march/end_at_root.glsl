@@ -1,4 +1,4 @@
-// The ray ends at its root; the shade pass takes the gradient there.
+// Ends the ray at its root. The shade pass computes the gradient there.
 
 RayState found(RayState s, float root) {
     s.low = root;

@@ -1,4 +1,4 @@
-// The part of a ray that its beam left to march, see beam.frag.
+// Restricts a ray to the part that its beam left to march, see beam.frag.
 uniform sampler2D beam_texture;
 
 void enter_beam(inout Ray ray) {

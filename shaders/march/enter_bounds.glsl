@@ -1,2 +1,2 @@
-// Rays march all of their part inside the bounds.
+// Rays march their whole part inside the bounds.
 void enter_beam(inout Ray ray) {}

@@ -1,11 +1,11 @@
-// Pieces of a ray that bounds are taken over, and the shortest.
+// The lengths of the pieces over which a ray is bounded.
 
-// The shortest piece at t: a part of the pixel, and no fewer floats than 4.
+// The shortest piece at t: a part of a pixel, and at least 4 floats.
 float finest_at(float t) {
     return max(limits.z, 4.76837158e-7 * abs(t));
 }
 
-// The piece is to be shorter.
+// Shortens the piece to this length.
 RayState cut(RayState s, float length) {
     s.high = s.low + length;
     bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);

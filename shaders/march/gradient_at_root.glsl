@@ -1,4 +1,4 @@
-// For long formulas: at its root the ray samples three slopes more, along the axes, and leaves them
+// For long formulas: at its root the ray samples three more slopes, along the axes, and leaves them
 // as the gradient in f_low and high. So no other shader holds the field, and the compiler meets its
 // text once, with one derivative instead of three.
 

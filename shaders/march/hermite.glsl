@@ -1,17 +1,18 @@
-// Error-controlled cubic marching. F and dF/dt at both ends of a step make a cubic; a third sample,
-// outside of the step, tells how far F is from it, as cubic interpolation errs by a multiple of
-// (t - t0)^2 (t - t1)^2. Where that error leaves 0 out of reach, the step has no root, and the next
-// is longer the farther off 0 was. Where F changes its sign and the cubic has one root, that is the
-// root. In doubt the step is cut where the cubic comes nearest to 0; so roots that F only touches
-// are found too, at a price that grows with the logarithm of how nearly it does.
+// Error-controlled cubic marching. F and dF/dt at both ends of a step define a cubic. A third
+// sample, outside of the step, measures how far F is from the cubic, since cubic interpolation errs
+// by a multiple of (t - t0)^2 (t - t1)^2. If the cubic stays farther from 0 than this error, the
+// step has no root; the farther it stays, the longer the next step. If F changes its sign and the
+// cubic has one root, that is the root. In doubt the step is cut where the cubic is nearest to 0.
+// So roots that F only touches are found too, at a price that grows with the logarithm of how
+// nearly F touches 0.
 //
-// One turn has no branches: software renderers and GPUs alike go through both sides of most.
+// A turn has no branches, since software renderers and GPUs alike execute both sides of most.
 
 float next_sample(RayState s) {
     return s.high;
 }
 
-// Where, as a part of h, F is 0 if t is a cubic of F, in (0, 1); f0 and f1 have different signs.
+// Returns the zero of F as a part of h, in (0, 1), if t is a cubic of F; f0 and f1 differ in sign.
 float inverse_cubic(vec2 f0, vec2 f1, float h) {
     float rise = f1.x - f0.x;
     float u = -f0.x / rise, v = 1.0 - u;
@@ -30,17 +31,17 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     if (judge_by_intervals(s, ray, t, f, longest)) return s;
     RayState before = s;
 #endif
-    // A slope that is not a number (a kink, say) counts as none.
+    // A NaN slope (at a kink, say) counts as 0.
     if (im_is_nan(f.y)) f.y = 0.0;
     float newton = t - f.x / f.y;
 
-    // Where F changes its sign, if it does: to one side of the sample or the other.
+    // The interval in which F changes its sign, if it does: on one side of the sample or the other.
     bool same_side = (f.x < 0.0) == (s.f_low.x < 0.0);
     bool beyond = refines && same_side;
     float begins = beyond ? t : s.low, ends = refines && same_side ? s.other.x : t;
     vec2 first = beyond ? f : s.f_low, last = beyond ? s.other.yz : f;
     float part = inverse_cubic(first, last, ends - begins);
-    // Now and then it halves the interval: kinks and noise in slopes cost little.
+    // Halves the interval now and then, so that kinks and noise in slopes cost little.
     float halfway = begins + 0.5 * (ends - begins);
     float between = (s.refinements & 3) == 2 ? halfway : begins + part * (ends - begins);
     between = between > begins && between < ends ? between : halfway;
@@ -51,7 +52,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float mean = (f.x - f0) * per_h;
     float c2 = (mean - m0) * per_h;
     float c3 = (f.y + m0 - 2.0 * mean) * per_h * per_h;
-    // Its error in the middle. Without a third sample nothing is known.
+    // The cubic's error in the middle. It is unknown without a third sample.
     float o = s.other.x - s.low, p = s.other.x - t;
     float off = f0 + o * (m0 + o * (c2 + p * c3)) - s.other.y;
     float bend = m0 + o * (2.0 * c2 + (o + 2.0 * p) * c3) - s.other.z;
@@ -59,7 +60,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float measured = scale * scale * (abs(off) + abs(0.5 * bend * o * p / (o + p)));
     float error = o == 0.0 ? abs(c3) * h * h * h : safety * measured;
 
-    // Where it is least, for F > 0 at 0, and else largest.
+    // The cubic's minimum if F > 0 at 0, otherwise its maximum.
     float upright = f0 < 0.0 ? -1.0 : 1.0;
     float a = upright * 3.0 * c3, b = upright * (c2 - h * c3), c = upright * m0;
     float root = sqrt(max(b * b - a * c, 0.0));
@@ -68,7 +69,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     y = dips ? y : 0.5 * h;
     float least = upright * (f0 + y * (m0 + y * (c2 + (y - h) * c3)));
     float in_step = 4.0 * y * (h - y) * per_h * per_h;
-    // How far rounding moves a sample; all that keeps a cubic off a double root where it is exact.
+    // Displacement of a sample by rounding. Only this keeps an exact cubic off a double root.
     float rounding = cubics.z;
     bool clear = least > error * in_step * in_step + 0.25 * rounding * max(abs(m0), abs(f.y));
     float middle = upright * (0.5 * (f0 + f.x) + 0.125 * h * (m0 - f.y));
@@ -78,8 +79,8 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     bool fits = error < 0.5 * max(abs(f0), abs(f.x));
     bool isolated =
         !same_side && !refines && !starts && (is_finest || (clear || !dips) && fits);
-    // A sample that lies on a double root itself leaves none inside of the steps beside it. The
-    // finest steps tell nothing of curvature.
+    // A sample on a double root leaves no root inside the steps beside it. The finest steps say
+    // nothing of curvature.
     float touching = h > finest ? 4.0 * abs(c2 + 2.0 * h * c3) * rounding * rounding : 0.0;
     bool on_root = fits && abs(f.x) <= touching;
     bool touches = same_side && (on_root || !free && is_finest) && !refines && !starts;
@@ -92,15 +93,15 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
 
     float step = starts ? abs(t - newton) : h * (min(middle, abs(f.x)) > 8.0 * error ? 2.5 : 1.2);
 #ifdef ROUGH
-    // Behind a break, whose length `other` has, there may be more of it; far from 0 steps grow fast.
+    // Behind a break, whose length `other` holds, more may follow. Far from 0 steps grow fast.
     if (starts && s.other.x > 0.0) step = min(step, 8.0 * s.other.x);
     if (!starts && min(middle, abs(f.x)) > 800.0 * error) step = 8.0 * h;
 #endif
     float forward = min(t + clamp(step, finest, longest), ray.t_far);
     float cut = s.low + clamp(y, 0.1 * h, 0.9 * h);
     float next = closes_in ? between : moves ? forward : cut;
-    // Newton's step leaves as much as the slope changes on the way, told by the slopes of both ends
-    // and of the chord between: an inflection has the same slope on both sides.
+    // Newton's step errs by the change of the slope on its way. The slopes at both ends and of the
+    // chord between give that change: an inflection has the same slope on both sides.
     float chord = (last.x - first.x) / (ends - begins);
     float unlike = max(abs(last.y - first.y), 2.0 * abs(f.y - chord));
     float change = 0.5 * (newton - t) * unlike / (f.y * (ends - begins));

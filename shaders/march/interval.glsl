@@ -1,7 +1,7 @@
-// Interval marching, after Knoll et al. 2009. A piece of the ray where the bound on F does not hold
-// 0 has no root; where that on dF/dt does not, it has one if F changes its sign from end to end and
-// else none. In doubt the piece is halved, down to the shortest, where F is taken to touch 0. So no
-// root is ever missed, but for rounding in the signs at the ends of pieces.
+// Interval marching, after Knoll et al. 2009. A piece of the ray over which the bound on F excludes
+// 0 has no root. If the bound on dF/dt excludes 0, the piece has one root if F changes its sign
+// from end to end, and otherwise none. In doubt the piece is halved, down to the shortest, where F
+// counts as 0. So no root is missed, except by rounding in the signs at the ends of pieces.
 
 float next_sample(RayState s) {
     return s.high;

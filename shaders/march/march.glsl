@@ -1,6 +1,6 @@
-// Marches rays to their first roots, as a state machine: every turn of the loop samples the field
+// Marches rays to their first roots, as a state machine: each turn of the loop samples the field
 // once, at one place in the text. Drivers inline the field at each call, so a second call would
-// double the compile time. The method is in the files before this one: turn().
+// double the compile time. The files before this one define the method: turn().
 
 uniform int evaluations_per_pass;
 #if defined(LISTS) || defined(GRID)
@@ -15,7 +15,7 @@ RayState begin(Ray ray) {
 }
 
 RayState march(Ray ray, RayState s) {
-    // Software renderers go through a loop's body once more after a break at its top.
+    // Software renderers run a loop's body once more after a break at its top.
     int turns = s.phase == PHASE_DONE ? 0 : evaluations_per_pass;
     // Loops must end before drivers end them.
 #ifdef LISTS
@@ -28,7 +28,7 @@ RayState march(Ray ray, RayState s) {
     if (turns > 0) {
         do {
 #ifdef SOLVES
-            // Software renderers, which skip no branch, should not solve at every sample.
+            // Software renderers skip no branch, so they should not solve at every sample.
             do {
 #ifdef PASSES_FREE
                 s = pass_free(s, ray);

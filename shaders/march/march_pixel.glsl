@@ -1,4 +1,4 @@
-// One pass of rays that may take several.
+// One pass of rays that may take several passes.
 
 uniform bool first_pass;
 

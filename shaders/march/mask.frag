@@ -1,6 +1,6 @@
-// Writes which rays have a way to march, as depth: 1, else 0. The draw that marches is at depth 0.5,
-// and the depth test comes before its shader runs. Only this test spares a software renderer the
-// shader: it goes through both sides of a branch.
+// Writes depth 1 for rays with a part to march, otherwise 0. The draw that marches is at depth 0.5,
+// and the depth test precedes its shader. Only this test saves a software renderer from running the
+// shader, since it executes both sides of a branch.
 void main() {
     Ray ray = pixel_ray();
     enter_beam(ray);

@@ -1,4 +1,4 @@
-// F is continuous and has a value everywhere, as far as its operations tell: see breaks.glsl.
+// For F that is continuous and has a value everywhere, by its operations: see breaks.glsl.
 
 bool may_break(Ray ray, vec2 piece) {
     return false;

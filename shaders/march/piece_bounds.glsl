@@ -1,4 +1,4 @@
-// Bounds over a piece of a ray, in interval arithmetic.
+// Bounds F and its slope over a piece of a ray, in interval arithmetic.
 struct Bounds {
     vec2 value; // of F
     vec2 derivative; // of dF/dt, and of every difference quotient in the piece

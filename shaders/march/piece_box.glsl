@@ -1,5 +1,5 @@
-// A piece of a ray as a box, for interval arithmetic. Bounds may be NaN, which comparisons are
-// written to take for 'may hold 0'.
+// Encloses a piece of a ray in a box, for interval arithmetic. Bounds may be NaN; comparisons are
+// written so that NaN counts as 'may hold 0'.
 void box_over(Ray ray, vec2 piece, out vec2 x, out vec2 y, out vec2 z) {
     x = im_add(vec2(ray.anchor.x), im_scale(ray.direction.x, piece));
     y = im_add(vec2(ray.anchor.y), im_scale(ray.direction.y, piece));

@@ -3,9 +3,9 @@
 struct Ray {
     vec3 anchor;    // where it crosses the plane through the middle of the bounds: t = 0
     vec3 direction; // unit length
-    float t_near;   // the part inside the bounds and before the eye; empty if t_near > t_far
+    float t_near;   // the part inside the bounds and in front of the eye; empty if t_near > t_far
     float t_far;
-    float to_eye;   // from the anchor
+    float to_eye;   // distance from the anchor
 };
 
 vec3 ray_point(Ray ray, float t) {

@@ -1,4 +1,4 @@
-// What beams found to matter in them: elements of their front, of their middle and of all.
+// Loads a beam's lists of the elements that matter in its front, its middle and all of it.
 uniform sampler2D beam_lists_texture;
 uniform sampler2D beam_all_texture;
 

@@ -1,8 +1,8 @@
-// What methods that bound F over pieces share. In the ray's state, [low, high] is the piece, f_low.x
-// a value of F with the sign that it has before the piece, and f_low.y the next sample of a ray that
-// closes in on its root.
+// Common part of the methods that bound F over pieces. In the ray's state, [low, high] is the
+// piece, f_low.x a value of F with the sign before the piece, and f_low.y the next sample of a ray
+// that refines its root.
 
-// There is no root before t, where F has the sign of f: a piece of this length is next.
+// Moves on to t, where F has the sign of f and before which there is no root; `length`: next piece.
 RayState move_on(RayState s, Ray ray, float t, float f, float length) {
     s.phase = PHASE_MARCH;
     s.low = t;
@@ -14,8 +14,8 @@ RayState move_on(RayState s, Ray ray, float t, float f, float length) {
     return s;
 }
 
-// From its value f at `low` F comes to 0 no sooner than after |f| over the rate at which it can
-// fall within the piece; where that is beyond the piece, there is no root in it.
+// Distance from `low`, where F is f, before which F cannot be 0: |f| over the rate at which it can
+// fall within the piece. The whole piece if it has no root.
 float safe_step(RayState s, float f, Bounds bounds) {
     float fall = f < 0.0 ? bounds.derivative.y : -bounds.derivative.x;
     float length = s.high - s.low;
@@ -26,12 +26,12 @@ float safe_step(RayState s, float f, Bounds bounds) {
 RayState step_by_derivative(RayState s, Ray ray, float f, Bounds bounds) {
     float h = s.high - s.low, step = safe_step(s, f, bounds);
     bool free = step >= h;
-    // Short pieces have close bounds.
+    // Short pieces have tight bounds.
     float next = free ? 2.0 * h : clamp(2.0 * step, 0.25 * h, h);
     return move_on(s, ray, free ? s.high : s.low + step, f, next);
 }
 
-// F changes its sign in [low, high]; `guess` is where.
+// Begins to refine a root: F changes its sign in [low, high], at about `guess`.
 RayState isolated(RayState s, float low, float high, float guess) {
     s.low = low;
     s.high = high;
@@ -41,7 +41,7 @@ RayState isolated(RayState s, float low, float high, float guess) {
     return s;
 }
 
-// Newton's step where it stays between the ends, and every fourth time half of the interval.
+// Takes Newton's step if it stays between the ends, and halves the interval every fourth time.
 RayState refine(RayState s, float t, float f, float slope) {
     if ((f < 0.0) == (s.f_low.x < 0.0)) s.low = t;
     else s.high = t;

@@ -1,27 +1,27 @@
-// What keeps cubics right where F isn't smooth. Over the piece between two samples intervals tell
-// whether there may be a kink, a jump or a pole; there the step is judged by bounds of F and dF/dt
-// over the piece, as in interval.glsl, and elsewhere by cubics.
+// Keeps cubics right where F isn't smooth. Over each piece between two samples, intervals decide
+// whether there may be a kink, a jump or a pole. If so, bounds of F and dF/dt over the piece judge
+// the step, as in interval.glsl; otherwise cubics do.
 //
-// A piece that bounds leave open is cut in halves, and what is left of it is again, as long as at
-// most one part in a row passes: breaks are closed in on at one sample a bit. While a ray marches,
+// A piece that bounds leave open is halved. The rest of it is halved again, as long as at most one
+// part in a row passes. So breaks are closed in on at one sample per bit. While a ray marches,
 // `refinements` counts the parts passed, or says that bounds alone may judge.
 const int BY_BOUNDS = 64;
 
-// The piece up to t is left open.
+// Leaves the piece up to t open.
 RayState leave_open(RayState s, float t) {
     s.open_end = t;
     s.refinements = s.refinements == BY_BOUNDS ? BY_BOUNDS : 0;
     return cut(s, 0.5 * (t - s.low));
 }
 
-// Where the next piece ends, if it begins at t and could be as long as `length`.
+// Returns the end of the next piece, which begins at t and could have this length.
 float next_end(RayState s, Ray ray, float t, float length) {
     float rest = s.open_end - t, part = s.refinements < 2 ? 0.5 * rest : rest;
     float most = rest > 0.0 ? min(length, max(part, finest_at(t))) : length;
     return min(t + most, ray.t_far);
 }
 
-// Cubics take F for 0 between the samples at s.low and t.
+// Handles a piece between the samples at s.low and t over which cubics take F for 0.
 RayState doubt_touch(RayState s, float t) {
     s.refinements = BY_BOUNDS;
     s.other = vec3(s.low, s.f_low);
@@ -29,15 +29,15 @@ RayState doubt_touch(RayState s, float t) {
     return s;
 }
 
-// A cubic of the ray as it was `before` leaves no root up to t.
+// Moves on from t, after a cubic of the ray as it was `before` left no root up to there.
 RayState pass_cubic(RayState s, RayState before, Ray ray, float t) {
     s.refinements = before.refinements + 1;
     s.high = next_end(s, ray, t, s.high - t);
     return s;
 }
 
-// A ray that begins at t, after what its samples tell nothing of. `length`: of the piece to try
-// where F has no value.
+// Restarts the ray at t, since its samples before say nothing of what follows. `length`: of the
+// piece to try where F has no value.
 RayState begin_at(RayState s, Ray ray, float t, float length) {
     s.low = s.high = t;
     s.other = vec3(length, 0.0, 0.0);
@@ -47,7 +47,7 @@ RayState begin_at(RayState s, Ray ray, float t, float length) {
     return s;
 }
 
-// F has no value where the ray begins.
+// Continues a ray that begins where F has no value.
 RayState no_value_at_begin(RayState s, Ray ray) {
     float finest = finest_at(s.low), length = max(s.other.x, finest);
     bool passes = length <= finest || has_no_value(ray, vec2(s.low, s.low + length));
@@ -55,7 +55,7 @@ RayState no_value_at_begin(RayState s, Ray ray) {
     return begin_at(s, ray, s.low, 0.5 * length);
 }
 
-// There is no root up to t, where F is f.
+// Moves on to t, where F is f and before which there is no root.
 RayState pass_piece(RayState s, Ray ray, float t, vec2 f, vec3 other) {
     s.refinements = s.refinements == BY_BOUNDS ? 0 : s.refinements + 1;
     s.high = next_end(s, ray, t, max(2.0 * (t - s.low), finest_at(t)));
@@ -69,7 +69,7 @@ RayState pass_piece(RayState s, Ray ray, float t, vec2 f, vec3 other) {
     return s;
 }
 
-// A lower bound of F, positive at both ends of a piece of length h, by its slopes there.
+// Lower bound of F over a piece of length h, from its positive values at both ends and its slopes.
 float least_between(float at_begin, float at_end, vec2 slope, float h) {
     if (!(slope.x < 0.0)) return at_begin;
     if (!(slope.y > 0.0)) return at_end;
@@ -77,7 +77,7 @@ float least_between(float at_begin, float at_end, vec2 slope, float h) {
     return (slope.y * at_begin - slope.x * at_end + slope.x * slope.y * h) / (slope.y - slope.x);
 }
 
-// From the sample at s.low to that at t.
+// Judges the piece from the sample at s.low to that at t.
 RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f) {
     float h = t - s.low;
     bool is_finest = h <= finest_at(t);
@@ -100,7 +100,7 @@ RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f) {
         s.phase = PHASE_REFINE;
         return s;
     }
-    // Samples in gaps of F may be numbers, as those of min(log(x), 3) are.
+    // Samples in gaps of F may be numbers, such as those of min(log(x), 3).
     if (has_no_value(ray, vec2(s.low, t))) return begin_at(s, ray, t, h);
     if (!is_finest) return leave_open(s, t);
     bool bounded = abs(bounds.value.x) < IM_LARGEST && abs(bounds.value.y) < IM_LARGEST;
@@ -112,7 +112,7 @@ RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f) {
     return finish(s, VERDICT_STEP_LIMIT);
 }
 
-// Whether the piece up to the sample at t was judged here, and s is what comes of it. Cubics are left
+// Returns whether intervals judged the piece up to the sample at t; s is the result. Leaves cubics
 // no pieces longer than `longest`; others may be longer.
 bool judge_by_intervals(inout RayState s, Ray ray, float t, vec2 f, float longest) {
     if (s.phase == PHASE_START) {
@@ -131,7 +131,7 @@ bool judge_by_intervals(inout RayState s, Ray ray, float t, vec2 f, float longes
         s = pass_piece(s, ray, t, f, behind);
         return true;
     }
-    // Cut, it is as long but for rounding.
+    // After a cut the length is the same but for rounding.
     if (is_smooth && t - s.low <= 1.01 * longest) return false;
     if (is_smooth) s = cut(s, longest);
     else s = advance_by_bounds(s, ray, t, f);

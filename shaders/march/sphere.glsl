@@ -1,6 +1,6 @@
-// Sphere tracing with bounds on the slope ahead (Hart 1996; Galin et al. 2020): a step is as long
-// as F keeps off 0 for certain, and the piece that is bounded follows the step. Where the ray can
-// go less than the shortest piece, that is the root.
+// Sphere tracing with bounds on the slope ahead (Hart 1996; Galin et al. 2020). A step is as long
+// as F certainly stays away from 0, and the length of the bounded piece follows the step. Where a
+// ray can move by less than the shortest piece, that is the root.
 
 float next_sample(RayState s) {
     return s.low;

@@ -1,29 +1,29 @@
-// Where a ray stands between two passes. It lives in RGBA32F textures: a pass marches a bounded
-// number of evaluations and the next goes on exactly where it stopped. llvmpipe ends every loop
-// after 65535 iterations of a shader, silently, and real GPUs are reset by draw calls of seconds.
+// The state of a ray between two passes, kept in RGBA32F textures. A pass marches a bounded number
+// of evaluations, and the next one continues exactly where it stopped. llvmpipe silently ends every
+// loop after 65535 iterations of a shader, and GPUs are reset by draw calls of seconds.
 
 const int PHASE_START = 0;   // sample t_near next
-const int PHASE_MARCH = 1;   // sample `high` next: is there a root in [low, high]?
-const int PHASE_REFINE = 2;  // there is one: close in on it
-const int PHASE_GRADIENT = 3; // the root is in `low` and `high`: sample the gradient there
+const int PHASE_MARCH = 1;   // sample `high` next: is a root in [low, high]?
+const int PHASE_REFINE = 2;  // there is one: refine it
+const int PHASE_GRADIENT = 3; // sample the gradient at the root, which is in `low` and `high`
 const int PHASE_DONE = 4;
-const int PHASE_SOLVE = 5; // between two samples: solve() goes on; never stored
+const int PHASE_SOLVE = 5; // between two samples: solve() continues; never stored
 
 struct RayState {
-    float low;         // t of the last sample before the root; of the root when done
+    float low;         // t of the last sample before the root; when done, of the root
     vec2 f_low;        // F and dF/dt there
     float high;
     int phase;
     int verdict;
     int evaluations;
-    int refinements;   // done so far; before, see rough.glsl
+    int refinements;   // number done; while marching, see rough.glsl
 #ifdef THREE_SAMPLES
-    vec3 other;        // t, F and dF/dt of one sample more, see hermite.glsl
-    float open_end;    // of a piece that bounds left open, see rough.glsl; else not beyond low;
-                       // in PHASE_SOLVE where F may touch 0, see touch_by_bounds.glsl
+    vec3 other;        // t, F and dF/dt of one more sample, see hermite.glsl
+    float open_end;    // end of a piece that bounds left open, see rough.glsl; otherwise at most
+                       // low; in PHASE_SOLVE, where F may touch 0, see touch_by_bounds.glsl
 #endif
 #ifdef DEGREE
-    // The samples so far of a polynomial. They end with the pass: the next one takes them anew.
+    // The polynomial's samples so far. They end with the pass; the next pass takes them anew.
     float samples[DEGREE + 1];
     int taken;
 #endif
@@ -65,7 +65,7 @@ RayState finish(RayState s, int verdict) {
     return s;
 }
 
-// Before any sample: the next is at t.
+// The state before any sample; the next sample is at t.
 RayState state_at(float t) {
     RayState s;
     s.low = t;

@@ -1,4 +1,4 @@
-// Needs state.glsl.
+// Stores the state of a ray. Needs state.glsl.
 layout(location = 0) out vec4 state_0;
 layout(location = 1) out vec4 state_1;
 #ifdef THREE_SAMPLES

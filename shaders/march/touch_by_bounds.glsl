@@ -1,5 +1,5 @@
-// What bounds say where cubics take F for 0 without a change of sign. They tell q^2 - l^3 beside its
-// cuspidal edge, where q is 0 and l below it, from 0, when samples of F near q = 0 are all noise.
+// Lets bounds decide where cubics take F for 0 without a change of sign. Bounds tell q^2 - l^3 from
+// 0 beside its cuspidal edge, where q = 0 and l < 0, although samples near q = 0 are all noise.
 
 vec2 bounds_of_value(Ray ray, vec2 piece) {
     vec2 x, y, z;
@@ -7,12 +7,12 @@ vec2 bounds_of_value(Ray ray, vec2 piece) {
     return field_interval(x, y, z);
 }
 
-// Whether F may be 0 in the piece, down to the shortest parts of it; false where nobody asks.
+// Whether F may be 0 in some part of the piece of length `shortest`. False if nobody asks.
 bool may_be_0(bool asks, Ray ray, vec2 piece, float shortest) {
     float begin = piece.x, length = piece.y - piece.x;
     bool found = false, searches = asks;
     int tries = 0;
-    // Software renderers go through the loop once at least, whoever asks.
+    // Software renderers run the loop at least once, whoever asks.
     while (searches) {
         bool free = excludes_0(bounds_of_value(ray, vec2(begin, begin + length)));
         found = !free && length <= shortest;
@@ -25,14 +25,14 @@ bool may_be_0(bool asks, Ray ray, vec2 piece, float shortest) {
     return found;
 }
 
-// The state goes on as if F were not 0 at t, where it may touch it.
+// Continues the state as if F were not 0 at t, where it may touch 0.
 RayState doubt_touch(RayState s, float t) {
     s.open_end = t;
     s.phase = PHASE_SOLVE;
     return s;
 }
 
-// Between two samples: whether F is taken to touch 0.
+// Decides, between two samples, whether F touches 0.
 RayState solve(RayState s, Ray ray) {
     bool asks = s.phase == PHASE_SOLVE;
     float finest = cubics.w, rounding = cubics.z;

@@ -1,6 +1,6 @@
-// What becomes of the shortest pieces, and of pieces where F has no value.
+// Decides the shortest pieces, and pieces where F has no value.
 
-// A place where F has no root whatever its sign does (breaks.glsl) is passed.
+// Passes a piece in which F has no root whatever its sign does (breaks.glsl).
 RayState pass_break(RayState s, Ray ray) {
     s.refinements = 0;
     float h = s.high - s.low;
@@ -14,15 +14,15 @@ RayState pass_break(RayState s, Ray ray) {
 }
 
 #ifdef WALLS
-// Behind a piece in which F jumps between bounds, where it has the value f: `refinements` tells of it.
+// Whether the piece before, marked in `refinements`, holds a wall: a jump of bounded F, to f here.
 bool is_wall(RayState s, float f) {
     return s.refinements == 1 && (f < 0.0) != (s.f_low.x < 0.0);
 }
 #endif
 
-// F is not a number at the piece's sample.
+// Handles a piece at whose sample F is not a number.
 RayState no_value(RayState s, Ray ray) {
-    // Between bounds that prove F continuous only float32 can lose it.
+    // Bounds prove F continuous there, so only float32 can have lost it.
     if (s.phase == PHASE_REFINE) return finish(s, VERDICT_NAN);
     float h = s.high - s.low;
     bool passes = h <= finest_at(s.low) || has_no_value(ray, vec2(s.low, s.high));
@@ -30,8 +30,8 @@ RayState no_value(RayState s, Ray ray) {
     return cut(s, 0.5 * h);
 }
 
-// In the shortest piece, around t, nothing keeps F off 0: it is taken to be 0 unless it is beyond all
-// bounds there.
+// Decides the shortest piece, around t, in which F may be 0: it counts as 0 unless F is unbounded
+// there.
 RayState touches_at(RayState s, Ray ray, float t, Bounds bounds) {
     bool bounded = abs(bounds.value.x) < IM_LARGEST && abs(bounds.value.y) < IM_LARGEST;
     if (may_break(ray, vec2(s.low, s.high))) {

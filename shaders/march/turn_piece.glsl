@@ -1,6 +1,6 @@
-// One turn of a method that bounds F over the piece [low, high] of the ray and samples it at a point
-// of the piece: next_sample() says which, advance() goes on from there. The first sample is where the
-// ray begins, whatever the method. Where the ray closes in on its root the piece is a point.
+// One turn of a method that bounds F over the piece [low, high] of the ray and samples it at a
+// point of the piece: next_sample() chooses it, advance() continues from there. Every method first
+// samples where the ray begins. While the ray refines its root, the piece is a point.
 RayState turn(RayState s, Ray ray) {
     bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
     bool isolates = s.phase == PHASE_MARCH;
@@ -17,7 +17,7 @@ RayState turn(RayState s, Ray ray) {
     if (s.phase == PHASE_GRADIENT) return take_derivative(s, vec2(f, slope));
     if (im_is_nan(f)) return no_value(s, ray);
     if (refines) return refine(s, t, f, slope);
-    // Samples in gaps of F may be numbers, as those of min(log(x), 3) are.
+    // Samples in gaps of F may be numbers, such as those of min(log(x), 3).
     if (!excludes_0(bounds.value) && has_no_value(ray, piece)) return pass_break(s, ray);
 #ifdef WALLS
     if (starts && is_wall(s, f)) return found(s, t);

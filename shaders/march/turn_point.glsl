@@ -1,5 +1,5 @@
-// One turn of a method that samples points of the ray: next_sample() says where, advance() goes on
-// from there.
+// One turn of a method that samples points of the ray: next_sample() chooses the point, advance()
+// continues from there.
 RayState turn(RayState s, Ray ray) {
     float t = next_sample(s);
 #ifdef LISTS

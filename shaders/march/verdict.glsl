@@ -1,4 +1,4 @@
-// How a ray ends: Verdict of src/render/record.h.
+// The endings of a ray: Verdict of src/render/record.h.
 const int VERDICT_MISS = 0;
 const int VERDICT_HIT = 1;
 const int VERDICT_STEP_LIMIT = 2;
@@ -9,6 +9,6 @@ bool on_surface(int verdict) {
     return verdict == VERDICT_HIT || verdict == VERDICT_ZERO_GRADIENT;
 }
 
-// Where the channel ending tells no place.
+// Codes of the channel ending for rays without a root.
 const float ENDS_NOWHERE = 1.0e30; // a miss
 const float ENDS_UNKNOWN = -1.0e30;

@@ -1,10 +1,10 @@
-// Where beams keep their lists: elements one after the other in a buffer, of which each beam has a
-// part. A list is how many there are, and the first.
+// Writes the lists of beams into a buffer, elements one after the other; each beam has a part of
+// it. A list is its number of elements and its first element.
 
 layout(location = 1) out vec4 lists; // of the front and of the middle
 layout(location = 2) out vec4 list_of_all;
 
-uniform ivec3 list; // this level's first element, most of one list, blocks across
+uniform ivec3 list; // this level's first element, limit on one list, blocks across
 layout(std430, binding = 0) buffer lists_buffer { vec4 listed[]; };
 
 #define KEPT LIST
@@ -13,7 +13,7 @@ struct NewList {
     int first, kept;
 };
 
-// List `which` of a block's.
+// Begins list `which` of a block.
 NewList new_list(ivec2 block, int which) {
     int place = (block.y * list.z + block.x) * LISTS_OF_A_BLOCK + which;
     return NewList(list.x + place * list.y, 0);
@@ -27,7 +27,7 @@ void keep(inout NewList made, int e) {
     made.kept += 1;
 }
 
-// What does not fit goes on with the list it came from.
+// A list that does not fit is replaced by the list that it was made from.
 LIST list_of(NewList made) {
     return made.kept <= list.y ? LIST(float(made.kept), float(made.first)) : entered_list();
 }

@@ -1,6 +1,6 @@
-// Where beams keep which elements matter in them: the layers of a texture are drawn into at once,
-// MASK_TEXELS of them for the front, and where LIST_OF_ALL is 1 as many for all. Later levels hold no
-// more of all than the first.
+// Writes which elements matter in beams, into the layers of a texture at once: MASK_TEXELS for the
+// front, and as many for all where LIST_OF_ALL is 1. At later levels the first level's list of all
+// still holds.
 layout(location = 1) out uvec4 masks[MASK_TEXELS * LISTS_OF_A_BLOCK];
 
 #define KEPT Mask
@@ -17,7 +17,7 @@ void keep(inout NewList made, int e) {
 
 KEPT list_of(NewList made) { return made; }
 
-// Outputs are written by constant indices alone.
+// Outputs can be written by constant indices only.
 void store_masks(KEPT front, KEPT all) {
     masks[0] = front.texels[0];
 #if MASK_TEXELS > 1

@@ -1,6 +1,6 @@
 // im_divide. Needs bits.glsl.
 //
-// Within +-IM_SATURATION. a/0 has the sign of a whatever the sign of the zero; 0/0 is NaN.
+// Results are within +-IM_SATURATION. a/0 has the sign of a, for zeros of both signs; 0/0 is NaN.
 
 float im_divide(float a, float b) {
     precise float q = a / b;

@@ -1,14 +1,14 @@
 // im_exp, im_sinh, im_cosh, im_tanh. Needs no other file.
 //
 // exp and cosh saturate at IM_SATURATION and sinh at +-IM_SATURATION instead of overflowing, so
-// that a term exp(100)*0 of a field is 0 and not NaN. exp is 0 below the smallest normal float.
-// NaN gives NaN: selections are written so that a comparison with NaN keeps it, are precise because
-// Mesa makes min() and max() of them otherwise, and avoid 0.0 as the first, for which it turns the
-// comparison round all the same.
+// that a term exp(100)*0 of a field is 0 and not NaN. exp is 0 below the smallest normal float. NaN
+// gives NaN. For this, selections are written so that a comparison with NaN keeps it. They are
+// precise, since Mesa otherwise makes min() and max() of them. They avoid 0.0 as the first operand,
+// for which Mesa reverses the comparison even so.
 
 // exp(r) * 2^exponent for |r| <= ln(2)/2; 0 where the power is below the normal floats.
 float im_exp_reduced(float r, int exponent) {
-    // Estrin's order instead of Horner's: shorter chains, and this is called once a term of a sum.
+    // Estrin's order, not Horner's: shorter chains, since each term of a sum may call this.
     precise float z = r * r;
     precise float p = (0.166665211 * r + 0.49999994) +
                       z * ((0.00836871658 * r + 0.041668389) + z * 0.00138145988);
@@ -16,11 +16,11 @@ float im_exp_reduced(float r, int exponent) {
     return e * intBitsToFloat(max(exponent + 127, 0) << 23);
 }
 
-// exp(x) * 2^shift for x >= -100. Above the range of floats the result is meaningless, and the
-// caller selects another.
+// exp(x) * 2^shift for x >= -100. Meaningless above the range of floats, where the caller selects
+// another value.
 float im_exp_scaled(float x, int shift) {
     float k = floor(x * 1.44269504 + 0.5);
-    // ln(2) in two parts: k times the first is exact.
+    // ln(2) in two parts; k times the first is exact.
     precise float r = (x - k * 0.693359375) + k * 2.12194440e-4;
     return im_exp_reduced(r, int(k) + shift);
 }
@@ -40,7 +40,7 @@ float im_sinh(float x) {
     p = p * z + 0.0083333496;
     p = p * z + 0.166666672;
     precise float near = x + x * z * p;
-    // Half of exp at once: exp alone would saturate a factor of two too early.
+    // Takes half of exp at once, since exp alone would saturate a factor of two too early.
     precise float h = im_exp_scaled(a, -1);
     precise float far = h - 0.25 / h;
     far = IM_SELECT(a > 69.7707, IM_SATURATION, far);

@@ -1,10 +1,10 @@
 // im_asin, im_acos, im_atan. Needs no other file.
 //
-// Arguments of asin and acos beyond +-1 count as +-1: they come from rounding. The constants of pi
+// Arguments of asin and acos beyond +-1 come from rounding and count as +-1. The constants of pi
 // are added in two floats, the small one first.
 
-// asin(a) - a for a in [0, 1/2], from z = a*a. A larger |x| goes through a = sqrt((1 - |x|)/2),
-// whose square is exact: asin(|x|) = pi/2 - 2 asin(a).
+// asin(a) - a for a in [0, 1/2], with z = a*a. For a larger |x|, a = sqrt((1 - |x|)/2), whose
+// square is exact: asin(|x|) = pi/2 - 2 asin(a).
 float im_asin_excess(float a, float z) {
     precise float p = 4.2163199048e-2;
     p = p * z + 2.4181311049e-2;
@@ -53,7 +53,7 @@ float im_acos(float x) {
 
 float im_atan(float x) {
     float a = abs(x);
-    // Turned by 0, pi/4 or pi/2 into [-tan(pi/8), tan(pi/8)], with one division for all.
+    // Turns by 0, pi/4 or pi/2 into [-tan(pi/8), tan(pi/8)], with one division for all.
     bool steep = a > 2.41421356;
     bool middle = a > 0.414213562;
     float above = IM_SELECT(steep, -1.0, IM_SELECT(middle, a - 1.0, a));

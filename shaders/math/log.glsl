@@ -1,9 +1,9 @@
 // im_log. Needs bits.glsl.
 //
-// log(0) is -IM_SATURATION, log of a negative number NaN, log(infinity) IM_SATURATION.
+// log(0) is -IM_SATURATION, log of a negative number is NaN, log(infinity) is IM_SATURATION.
 
-// x = 2^n * (1 + f) with 1 + f in [2/3, 4/3): around 1 there is n = 0 and f = x - 1 exactly, which
-// keeps the relative accuracy there. For normal x > 0.
+// x = 2^n * (1 + f) with 1 + f in [2/3, 4/3), for normal x > 0; returns f. Around 1, n = 0 and
+// f = x - 1 exactly, which keeps the relative accuracy there.
 float im_log_reduce(float x, out float n) {
     int bits = floatBitsToInt(x);
     int exponent = (bits - 0x3f2aaaab) >> 23;

@@ -1,11 +1,11 @@
 // im_pow, im_pow_and_lower. Needs bits.glsl, exp.glsl, log.glsl.
 //
-// For a > 0 accurate to a few ulp however large b*log(a): an error of the logarithm comes out
-// multiplied by b, so the logarithm and its product with b are carried in two floats.
-// pow(a, 0) = 1 even for a = 0 or NaN. pow(0, b) is 0 for b > 0 and IM_SATURATION for b < 0.
-// For a < 0 an integer b gives the signed power, any other NaN. Never beyond +-IM_SATURATION.
+// For a > 0 accurate to a few ulp, however large b*log(a) is. The logarithm and its product with b
+// are carried in two floats, since b multiplies an error of the logarithm. pow(a, 0) = 1 even for
+// a = 0 or NaN. pow(0, b) is 0 for b > 0 and IM_SATURATION for b < 0. For a < 0 an integer b gives
+// the signed power, any other b NaN. Results are within +-IM_SATURATION.
 
-// log(a) = high + low for normal a > 0; high has 12 bits, so that its products are exact.
+// log(a) = high + low for normal a > 0. high has 12 bits, so that its products are exact.
 float im_log_split(float a, precise out float low) {
     float n;
     precise float f = im_log_reduce(a, n);
@@ -33,7 +33,7 @@ float im_log_split(float a, precise out float low) {
 
 // a^b from the logarithm of a > 0, without the special cases.
 float im_pow_of_log(float l_high, float l_low, float b) {
-    // An infinite b would split into infinity - infinity; so large a finite one says the same.
+    // An infinite b would split into infinity - infinity; so large a finite b gives the same.
     b = clamp(b, -IM_SATURATION, IM_SATURATION);
     precise float b_high = im_leading(b);
     precise float b_low = b - b_high;

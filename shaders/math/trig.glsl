@@ -1,9 +1,9 @@
 // im_sin, im_cos, im_sin_cos, im_tan. Needs bits.glsl, divide.glsl.
 //
 // Accurate up to |x| = 1e5. Beyond, the result is that of an argument within two spacings of
-// floats, and from 1e7 on merely a number in [-1, 1]. Infinity gives NaN.
+// floats; from 1e7 on it is merely a number in [-1, 1]. Infinity gives NaN.
 
-// x = quadrant * pi/2 + the result, which is within +-pi/4 or, far out, not much beyond.
+// x = quadrant * pi/2 + the result, which is within +-pi/4, or slightly beyond for large x.
 float im_quarter_turns(float x, out int quadrant) {
     float k = floor(x * 0.636619772 + 0.5);
     // pi/2 in parts of 8 bits: k times a part is exact up to 2^16, and the subtractions cancel.
@@ -12,8 +12,8 @@ float im_quarter_turns(float x, out int quadrant) {
     r = r + k * 6.407499313354492e-7;
     r = r - k * 9.92093629470503e-10;
     quadrant = int(k);
-    // Where nothing is left of x, at least stay where the polynomials are within +-1. The clamp
-    // loses NaN: infinity and NaN are told by their bits.
+    // Where no digits of x are left, the clamp at least keeps the polynomials within +-1. It loses
+    // NaN, so infinity and NaN are recognised by their bits.
     r = clamp(r, -1.5, 1.5);
     return IM_SELECT((floatBitsToUint(x) & 0x7f800000u) == 0x7f800000u, IM_NAN, r);
 }
@@ -36,7 +36,7 @@ float im_cos_reduced(float r) {
     return y;
 }
 
-// Both at once: a value and its slope need both, and either alone takes both polynomials anyway.
+// Sine and cosine together: a value and its slope need both, and one alone needs both polynomials.
 vec2 im_sin_cos(float x) {
     int quadrant;
     float r = im_quarter_turns(x, quadrant);

@@ -1,5 +1,5 @@
-// Begins the proofs of single rays, and ends those of which their blocks left little: whether the
-// root is close to where it was found. That is told by Newton's step, see prove.glsl.
+// Begins the proofs of single rays. Ends those for which the block proved all but that the root is
+// close to where it was found; Newton's step decides that, see prove.glsl.
 layout(location = 0) out vec4 proof;
 
 void main() {

@@ -1,23 +1,24 @@
-// Proves a block of BLOCK x BLOCK rays at once, as far as that goes, over boxes around all of them.
+// Proves a block of BLOCK x BLOCK rays at once, as far as possible, over boxes around all of them.
 //
-// From where the rays' ways begin on, F keeps off 0 in a piece by its natural bound, or as its value
-// at the beginning is too far from 0 for its slope. Where all rays hit and F is monotone along all
-// of them from there to behind the last root, what is left to each ray is whether its root is close
-// to where it was found: begin.frag. The proofs of other single rays begin where this one ends.
+// From where the rays' parts begin, F stays away from 0 in a piece by its natural bound, or because
+// its value at the beginning is too far from 0 for its slope. If all rays hit and F is monotone
+// along all of them from there to behind the last root, each ray only has to prove that its root is
+// close to where it was found: begin.frag. The proofs of other single rays begin where this one
+// ends.
 
-// From where on in tau F may be 0: with u and v from -1 to 1 across the block, .x + (.y u + .z v). In
-// .w the least slope in tau of F, which is monotone from there to behind the last root by as much as
-// begin.frag takes for granted, or 0 if it is not; or -1 where no ray hits, proved.
+// The tau from which on F may be 0: .x + (.y u + .z v), with u and v from -1 to 1 across the block.
+// .w is the least slope of F in tau if F is monotone from there to behind the last root, by the
+// margin that begin.frag assumes; otherwise 0. It is -1 if proved that no ray hits.
 layout(location = 0) out vec4 block_proof;
 
-uniform int block_pieces; // at most
+uniform int block_pieces; // limit on the pieces
 
 void main() {
     ivec2 block = ivec2(pixel_centre);
     Beam way = beam_of(block);
     Part whole = parent_part(block);
 
-    // Where in tau they end.
+    // Finds where the rays end, in tau.
     int hits = 0, misses = 0;
     float first = IM_SATURATION, last = -IM_SATURATION, nearest_eye = IM_SATURATION;
     for (int k = 0; k < RAYS; ++k) {
@@ -42,7 +43,7 @@ void main() {
                          all_hit ? high : whole.high, all_hit ? last : mix(whole.low, whole.high, 0.5));
 #endif
 
-    // Directions of the rays in tau.
+    // Directions of the rays, per tau.
     vec3 one = ray_axis.xyz + ray_axis.w * way.low, other = ray_axis.xyz + ray_axis.w * way.high;
     float rounding = tube.y * length(max(abs(one), abs(other)));
     vec3 least = min(one, other) - rounding, most = max(one, other) + rounding;
@@ -50,12 +51,12 @@ void main() {
 
     vec2 x, y, z;
     float settled = low, piece = 0.0, longest = 0.25 * (high - low);
-    float value = 0.0; // F at `settled` is at least so far from 0, on this side; 0: unknown
+    float value = 0.0; // F at `settled` is at least this far from 0, with this sign; 0: unknown
     bool below = false, open = low < high && hits + misses > 0, monotone = false, at_roots = false;
     float slope = 0.0;
     for (int k = 0; k < block_pieces && open; ++k) {
         float end = at_roots ? high : min(settled + piece, high);
-        // All of it: where one ray enters the bounds, another's value is already told.
+        // Takes the whole box: where one ray enters the bounds, another's value is already known.
         box_around(way, settled, end, x, y, z);
         bool inside = meets_bounds(x, y, z);
         vec4 f = field_directional_interval(x, y, z, dx, dy, dz);
@@ -72,7 +73,7 @@ void main() {
             value = !is_free ? value : !inside ? 0.0 : natural ? max(f.x, -f.y) : KEPT_BY_SLOPES;
             settled = is_free ? end : settled;
             piece = k == 0 ? longest : is_free ? 2.0 * h : 0.4 * h;
-            // No shorter piece could bring the box in.
+            // A shorter piece would not make the box smaller.
             bool stuck = piece < beam.z || k == block_pieces - 2;
             at_roots = stuck && all_hit;
             open = settled < high && (!stuck || all_hit);

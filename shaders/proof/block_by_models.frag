@@ -1,14 +1,14 @@
-// Proves a block of BLOCK x BLOCK rays of a polynomial F at once, as far as that goes, by models of
-// F over pieces of their beam. Three things differ from block.frag. Pieces lie between planes, and the
-// last plane leans as the surface does that the rays hit, so that a thin piece holds all roots. That
-// piece comes first. In any other piece the beginning is settled as far as the quadratic stays away
-// from 0, less the error of the model.
+// Proves a block of BLOCK x BLOCK rays of a polynomial F at once, as far as possible, by models of
+// F over pieces of their beam. It differs from block.frag in three ways. Pieces lie between planes,
+// and the last plane leans as the surface does at the hits, so that a thin piece holds all roots.
+// That piece comes first. In any other piece the beginning is settled as far as the quadratic stays
+// away from 0, less the model's error.
 //
-// Larger blocks come before (COARSE); they only tell what is before all roots.
+// Larger blocks come before (COARSE); they only prove the part before all roots.
 
-layout(location = 0) out vec4 block_proof; // as of block.frag
+layout(location = 0) out vec4 block_proof; // as in block.frag
 
-uniform int block_pieces; // at most
+uniform int block_pieces; // limit on the pieces
 
 void main() {
     ivec2 block = ivec2(pixel_centre);
@@ -21,14 +21,14 @@ void main() {
     float around = 2.0 * tube.w / ends.nearest_eye + margin;
     float low = settled_before(block, whole.low - margin), high = whole.high + margin;
     bool open = low < high && ends.hits + ends.misses > 0, roots = open && all_hit;
-    // The piece with the roots, above the leaning plane.
-    // Roots are to be as far from its ends as begin.frag takes for granted.
+    // The piece with the roots, above the leaning plane. Roots must keep the distance from its ends
+    // that begin.frag assumes.
     float beside = around + 0.3 * beam.z + 0.05 * (ends.last - ends.first);
     float last = all_hit ? ends.last + beside : high, leans = abs(ends.lean.x) + abs(ends.lean.y);
-    // What is before, from low to here, in parts of it for each ray.
+    // The part before, from low to here, between planes that lean in proportion.
     float first = all_hit ? ends.first - beside : high;
     if (all_hit) low = min(low, first - leans - around);
-    // beam.w holds hardly farther than the bounds.
+    // beam.w hardly holds beyond the bounds.
     open = open && low > beam.x - 0.5 * (beam.y - beam.x);
 
     float way_length = first - low;
@@ -36,14 +36,14 @@ void main() {
     for (int k = 0; k < block_pieces && open; ++k) {
         float to = min(settled + part, 1.0);
         float middle = 0.5 * (settled + to), half_part = 0.500001 * (to - settled) + IM_DRIVER_ERROR;
-        float off = IM_DRIVER_ERROR * (abs(low) + abs(first)); // of its ends
+        float off = IM_DRIVER_ERROR * (abs(low) + abs(first)); // error of its ends
         Piece piece = Piece(low + middle * way_length, half_part * way_length + off,
                             middle * ends.lean, half_part * ends.lean);
         if (roots)
             piece = Piece(0.5 * (first + last), 0.500001 * (last - first) + off, ends.lean, vec2(0.0));
         Model f = model_of_piece(way, piece);
         float size = md_size(f), rounding = 8.0 * IM_ROUNDING * size;
-        // The beginning, in y.
+        // The beginning of the piece, as a polynomial in y.
         bool below = f.c - f.l.z + f.d.z < 0.0;
         float upright = below ? -1.0 : 1.0;
         float c = upright * f.c, l = upright * f.l.z, d = upright * f.d.z;

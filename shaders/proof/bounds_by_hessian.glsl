@@ -1,5 +1,5 @@
-// F and its slope over a piece of the rays. The slope is also bounded by what it is in the middle
-// and how it bends from there: in a long polynomial, whose terms cancel, that is closer by far.
+// Bounds F and its slope over a piece of the rays. The slope is also bounded by its value in the
+// middle and its change from there. For a long polynomial, whose terms cancel, that is far tighter.
 REAL4 bounds_of_piece(ProofRay ray, REAL low, REAL high) {
     Box all = box_around(ray, low, high);
     Box d = directions_about(ray);
@@ -8,7 +8,7 @@ REAL4 bounds_of_piece(ProofRay ray, REAL low, REAL high) {
     precise REAL middle = 0.5 * (low + high);
     precise REAL3 p = ray_point(ray, middle);
     REAL2 there = field_directional_interval(REAL2(p.x), REAL2(p.y), REAL2(p.z), d.x, d.y, d.z).zw;
-    // Along the ray here, and from it to the others.
+    // Along this ray, and aside from it to the others.
     REAL2 along = im_add(im_add(im_scale(ray.direction.x, bx), im_scale(ray.direction.y, by)),
                          im_scale(ray.direction.z, bz));
     precise REAL aside = im_abs(bx).y + im_abs(by).y + im_abs(bz).y;

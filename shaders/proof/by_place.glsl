@@ -1,7 +1,7 @@
-// What proofs share whose elements are found by place; see elements/rest.glsl.
+// Common part of the proofs with elements in cells; see elements/rest.glsl.
 #ifdef GRID
 #define HAS_ELEMENTS_LEFT (grid_entered + grid_others < MOST_ELEMENTS)
-// Slopes lead over two boxes at most.
+// Slopes may lead over two boxes at most.
 #define KEPT_BY_SLOPES 0.0
 #else
 #define HAS_ELEMENTS_LEFT true

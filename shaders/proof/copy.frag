@@ -1,4 +1,4 @@
-// Proofs that went on, back to where all are kept.
+// Copies the proofs that went on back to the texture of all proofs.
 layout(location = 0) out vec4 proof;
 
 void main() {

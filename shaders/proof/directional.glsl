@@ -1,4 +1,4 @@
-// Directions of the rays, and F and its slope along them.
+// The directions of the rays, and bounds on F and its slope along them.
 Box directions_about(ProofRay ray) {
     precise REAL3 least = ray.direction - tube.y;
     precise REAL3 most = ray.direction + tube.y;

@@ -1,4 +1,4 @@
-// How the rays of pixels ended, as the picture has it: channels/ending.glsl.
+// Loads how the rays of pixels ended, from the picture's channel: channels/ending.glsl.
 uniform sampler2D ending_texture;
 
 struct Ending {

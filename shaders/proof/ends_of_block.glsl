@@ -1,6 +1,6 @@
-// Where the rays of a block end, and what larger blocks tell of it.
+// Finds where the rays of a block end, and what larger blocks proved of it.
 
-// Where in tau the rays end.
+// The ends of the rays, in tau.
 struct Ends {
     int hits, misses;
     vec2 lean;         // of the plane through the hits
@@ -27,7 +27,7 @@ uniform sampler2D coarse_block_texture;
 
 float settled_before(ivec2 block, float low) {
     float coarse = texelFetch(coarse_block_texture, block * BLOCK / COARSE_BLOCK, 0).x;
-    return coarse > low ? coarse : low; // also if that is not a number
+    return coarse > low ? coarse : low; // also for NaN
 }
 
 Ends ends_of(ivec2 block) {

@@ -1,5 +1,5 @@
-// How far from y = 0 on, up to 2, g0 + y g1 + y^2 g2 is certainly above 0, where each number may be
-// off by `rounding` in all it adds.
+// Returns the y, at most 2, up to which g0 + y g1 + y^2 g2 is certainly positive from y = 0 on. All
+// terms together may be off by `rounding`.
 REAL first_reach(REAL g0, REAL g1, REAL g2, REAL rounding) {
     REAL disc = g1 * g1 - 4.0 * g0 * g2;
     REAL below = sqrt(max(disc, 0.0)) - g1;

@@ -1,8 +1,8 @@
-// Proofs in doubles go along the ray that float32 rounded to the one that is marched, made of the
-// same numbers.
+// Proofs in doubles use the exact ray of the same numbers, which float32 rounded to the marched
+// one.
 struct ProofRay {
     dvec3 anchor, direction;
-    double t_near, t_far; // the marched one's
+    double t_near, t_far; // of the marched ray
     double to_eye;
 };
 
@@ -20,11 +20,11 @@ dvec3 ray_point(ProofRay ray, double t) {
     return ray.anchor + t * ray.direction;
 }
 
-// As a float.
+// Rounds x to a float that is not farther from 0.
 float toward_zero(double x) {
     return 0.9999998 * float(clamp(x, -3.4e38lf, 3.4e38lf));
 }
 
-// Where a piece is sampled: at its beginning, or at the root, where floats told too little of F.
+// The t at which a piece is sampled: its beginning; or the root, where floats were too coarse.
 double sampled_at(ProofState s, double low) { return s.at_root ? double(s.settled) : low; }
 double uncertain_at_root(ProofState s, dvec2 sampled) { return max(-sampled.x, sampled.y); }

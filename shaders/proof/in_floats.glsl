@@ -1,4 +1,4 @@
-// Proofs in floats go along the ray that is marched.
+// Proofs in floats use the ray that is marched.
 #define ProofRay Ray
 
 ProofRay proof_ray(Ray marched) {
@@ -9,6 +9,6 @@ float toward_zero(float x) {
     return x;
 }
 
-// Where a piece is sampled: at its beginning. What F can be at the root is known.
+// The t at which a piece is sampled: its beginning. The range of F at the root is known.
 float sampled_at(ProofState s, float low) { return low; }
 float uncertain_at_root(ProofState s, vec2 sampled) { return s.value; }

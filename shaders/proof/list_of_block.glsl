@@ -1,5 +1,5 @@
-// The list for the proof of a block whose rays' ways lie between two depths, and of which a place at
-// the depth `at` is in the list's part. Roots from `first` on are surrounded by that part.
+// Chooses the list for the proof of a block whose rays run between two depths. A point at the depth
+// `at` is in the list's part. That part surrounds roots from `first` on.
 void choose_list_of_block(Beam way, ivec2 block, float first, float last, float at) {
     ivec2 texel = beam_texel(block * BLOCK / PARENT_BLOCK, PARENT_SQUARE_BITS);
     vec4 part = texelFetch(beam_texture, texel, 0);

@@ -1,5 +1,5 @@
-// The list for the proof of a ray that ended there; after enter_beam(). A root whose surroundings
-// reach out of the part where lists hold is proved with all elements.
+// Chooses the list for the proof of a ray with this ending; call it after enter_beam(). If the
+// surroundings of a root extend beyond the part where lists hold, all elements are used.
 void choose_list_of_proof(Ray ray, Ending ended) {
     float around = tube.w + 2.0 * tube.z;
     float end = ended.hit ? ended.t + around : ray.t_far;

@@ -1,5 +1,5 @@
-// Opens the gate for rays with something to prove. What stays closed are misses without a way to go:
-// beams proved it, or the ray is off the bounds by more than rounding can be.
+// Opens the depth gate for rays with something to prove. It stays closed for misses without a part
+// to march: beams proved them, or the ray misses the bounds by more than rounding.
 void main() {
     Ray ray = pixel_ray();
     enter_beam(ray);

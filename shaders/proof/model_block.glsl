@@ -1,17 +1,17 @@
-// Models of F over a piece of the beam of a block: with u and v from -1 to 1 across the block and
-// s from -1 to 1 along it,
+// Models of F over a piece of a block's beam. With u and v from -1 to 1 across the block and s from
+// -1 to 1 along it, F is
 //   c + l (u, v, s) + d (u^2, v^2, s^2) + o (u v, u s, v s)
-// how far F may be off it, and how far its slope in s. Needs interval/arithmetic.glsl.
+// up to `error`, and its slope in s up to `slope_error`. Needs interval/arithmetic.glsl.
 //
-// Coefficients of products are off by at most 4 of 2^-24 times the product of both sums of sizes,
-// those of sums by one of their own; slopes in s, by twice that. Terms of third degree have slopes
-// of three times their size at most, those of fourth degree of four times.
+// Coefficients of products are off by at most 4 times 2^-24 of the product of both sums of sizes,
+// those of sums by 2^-24 of themselves; slopes in s by twice that. Terms of third degree have
+// slopes of at most three times their size, terms of fourth degree four times.
 #undef MODEL
 #define MODEL Model
 struct Model {
     float c;
     vec3 l, d, o;
-    float linear, square; // sums of sizes, of l and of d and o
+    float linear, square; // sums of sizes: of l, and of d and o
     float error, slope_error;
 };
 
@@ -32,7 +32,7 @@ float md_size(Model a) {
     return abs(a.c) + a.linear + a.square;
 }
 
-// The steepest that the model is in s.
+// The steepest slope of the model in s.
 float md_slope(Model a) {
     return a.linear + 2.0 * a.square;
 }

@@ -1,4 +1,4 @@
-// The model of F over a piece of the rays.
+// Evaluates the model of F over a piece of the rays.
 Model coordinate_of(REAL anchor, REAL direction, REAL middle, REAL half_piece, REAL3 axis) {
     precise REAL way = middle * direction;
     precise REAL c = anchor + way;

@@ -1,11 +1,11 @@
-// What models of any kind have in common; MODEL is the kind. Needs a file of shaders/proof/ that
-// defines it.
+// Operations of all kinds of models; MODEL is the kind. Needs a file of shaders/proof/ that defines
+// it.
 
 MODEL md_subtract(MODEL a, MODEL b) {
     return md_add(a, md_negate(b));
 }
 
-// By a number, not of a model. What is cut off has no bound.
+// Divides by a number, not a model. There is no bound where evaluation would saturate.
 MODEL md_divide(MODEL a, REAL by, REAL rounding) {
     REAL size = abs(by);
     MODEL r = md_scale(REAL(1.0) / by, a, 1.000001 * rounding + 2.0 * IM_DRIVER_ERROR);
@@ -15,7 +15,7 @@ MODEL md_divide(MODEL a, REAL by, REAL rounding) {
     return r;
 }
 
-// One of both, where it is certain which: so a polynomial stays one over the piece.
+// One of both, if it is certain which: so a polynomial stays one over the piece.
 MODEL md_min(MODEL a, MODEL b) {
     REAL2 of_a = md_range(a), of_b = md_range(b);
     MODEL either = md_without_bound(a);
@@ -28,7 +28,7 @@ MODEL md_max(MODEL a, MODEL b) {
     return md_negate(md_min(md_negate(a), md_negate(b)));
 }
 
-// a where it is certainly below or above what it is cut off at: beyond that F is another on paper.
+// a, if it is certainly below its cut-off `end`; beyond that, F is another function on paper.
 MODEL md_below(MODEL a, MODEL end) {
     if (!(md_range(a).y < md_range(end).x)) a = md_without_bound(a);
     return a;

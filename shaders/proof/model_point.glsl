@@ -1,5 +1,5 @@
-// Models of F at a point of all that float32 may make of a ray: a number; how it changes with the
-// point's coordinates, by as much as rounding moves each; and how far F may be off all that. Needs
+// Models of F at the points that float32 may make of one point of a ray: a value, its change with
+// each coordinate by as much as rounding moves that, and the error of F beyond both. Needs
 // interval/arithmetic.glsl.
 #undef MODEL
 #define MODEL PointModel

@@ -1,12 +1,12 @@
-// Models of F along all that float32 may make of a ray, over a piece of it: c.x + s c.y + s^2 c.z
-// with s from -1 at its beginning to 1 at its end; how it changes with the points' coordinates, by
-// as much as rounding moves each, aside + s turn; how far F may be off all that, and how far its
-// slope in s. Needs interval/arithmetic.glsl and model_point.glsl.
+// Models of F along all rays that float32 may make of one, over a piece: c.x + s c.y + s^2 c.z,
+// with s from -1 at its beginning to 1 at its end. aside + s turn is the change with each of the
+// points' coordinates, by as much as rounding moves it. `error` and `slope_error` bound how far F
+// and its slope in s may be off. Needs interval/arithmetic.glsl and model_point.glsl.
 //
-// Coefficients of products are off by at most 4 of 2^-p times the product of both sums of sizes, as
-// are those that are left out; those of sums by one of their own. The points' coordinates are off by
-// linear functions of s, whose slopes are no more than the most that they come to; so the slope of
-// what is left out is at most four times it.
+// Coefficients of products, and those left out, are off by at most 4 times 2^-p of the product of
+// both sums of sizes; those of sums by 2^-p of themselves. The points' coordinates are off by
+// linear functions of s, whose slopes are at most their largest values. So the slope of what is
+// left out is at most four times its size.
 #undef MODEL
 #define MODEL Model
 struct Model {
@@ -14,7 +14,7 @@ struct Model {
     REAL error, slope_error;
 };
 
-// A bound on what changes along the piece.
+// Bounds the change along the piece.
 REAL md_change(Model a) {
     return abs(a.c.y) + abs(a.c.z);
 }
@@ -23,12 +23,12 @@ REAL md_size(Model a) {
     return md_sum(a.c) + md_sum(a.aside) + md_sum(a.turn);
 }
 
-// The steepest that it is in s.
+// The steepest slope in s.
 REAL md_slope(Model a) {
     return abs(a.c.y) + 2.0 * abs(a.c.z) + md_sum(a.aside) + 2.0 * md_sum(a.turn);
 }
 
-// How far F may be off the quadratic.
+// Bounds how far F may be from the quadratic.
 REAL md_off(Model a) {
     return md_up(a.error + md_sum(a.aside) + md_sum(a.turn));
 }

@@ -1,22 +1,22 @@
-// What is proved of a ray: Proof of src/render/proofs.h.
+// The state of a ray's proof: Proof of src/render/proofs.h.
 const int PROOF_UNFINISHED = -1;
 const int PROOF_NONE = 0;      // the march ended with neither a root nor a miss
 const int PROOF_HIT = 1;
 const int PROOF_MISS = 2;
-const int PROOF_HIDDEN = 3;    // a root may lie before the one found, or where none was
-const int PROOF_SIGN = 4;      // F may not change its sign, or more than once, at the root
+const int PROOF_HIDDEN = 3;    // a root may lie before the one found, or on a ray without one
+const int PROOF_SIGN = 4;      // F may not change its sign at the root, or more than once
 const int PROOF_BUDGET = 5;
 const int PROOF_UNBOUNDED = 6; // F or its slope has no bound somewhere
 
-// Where the proof of a ray stands. It lives in a texel between passes.
+// The progress of a ray's proof. A texel keeps it between passes.
 struct ProofState {
-    float settled; // from here on to the end of the ray's part nothing is left to prove
-    float value;   // F there is at least so far from 0, on this side; 0: unknown. At the root: what
-                   // F can be there
-    float piece;   // the next one's length
+    float settled; // nothing is left to prove from here to the end of the ray's part
+    float value;   // F there is at least this far from 0, with this sign; 0: unknown. At the root:
+                   // how large F can be
+    float piece;   // length of the next piece
     int outcome;
-    bool at_root;  // the next piece is about the root, or was the last
-    int pieces;    // so far; forgotten when it ends
+    bool at_root;  // the next piece, or the last one, is about the root
+    int pieces;    // number so far; forgotten when the proof ends
 };
 
 uniform sampler2D proof_texture;

@@ -1,6 +1,6 @@
-// Pieces of a block's beam, and the models of F over them.
+// Pieces of a block's beam, and models of F over them.
 
-// The rays through the middles of a block's pixels, in the plane of the anchors.
+// The rays through the centres of a block's pixels, in the plane of the anchors.
 struct Across {
     vec3 middle, right, up; // from the middle to the outer pixels
 };
@@ -12,7 +12,7 @@ Across across_block(ivec2 block) {
                   half_size.y * ray_up.xyz);
 }
 
-// tau in a piece: middle + s piece + u (lean.x + s turn.x) + v (lean.y + s turn.y)
+// A piece's points, in tau: middle + s half_length + u (lean.x + s turn.x) + v (lean.y + s turn.y)
 struct Piece {
     float middle, half_length;
     vec2 lean, turn;
@@ -22,7 +22,7 @@ Model coordinate_of(Piece piece, float origin, float axis, float across, float r
     precise float c = origin + piece.middle * axis;
     precise vec3 l = axis * vec3(piece.lean, piece.half_length);
     precise vec2 turn = axis * piece.turn;
-    // What is by the way's beginning, and what widens with it.
+    // The part of a coordinate that stays along the beam, and the part that widens with it.
     precise float widens = 1.0 + ray_axis.w * piece.middle;
     precise vec3 widening = ray_axis.w * vec3(piece.lean, piece.half_length);
     precise vec2 widening_turn = ray_axis.w * piece.turn;
@@ -32,9 +32,9 @@ Model coordinate_of(Piece piece, float origin, float axis, float across, float r
     precise vec3 others = vec3(widening.x * up + widening.y * right,
                                turn + widening_turn * across + widening.z * vec2(right, up));
     float cubic = md_sum(vec3(widening_turn, 0.0)) * (abs(right) + abs(up));
-    // beam.w has the rounding of all this, but for the terms that lean.
+    // beam.w includes the rounding of all this, except for the terms that lean.
     float off = beam.w + cubic + 8.0 * IM_ROUNDING * (abs(middle) + md_sum(linear) + md_sum(others));
-    // Rays are straight: what they are off by is linear in s.
+    // Rays are straight, so their error is linear in s.
     return md_model(middle, linear, squares, others, md_up(off), md_up(off));
 }
 

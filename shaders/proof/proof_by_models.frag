@@ -1,5 +1,5 @@
 // One pass of the proofs of single rays, by models.
-uniform int start; // 0: go on; 1: what was given up, again
+uniform int start; // 0: continue; 1: resume proofs that were given up
 
 layout(location = 0) out vec4 proof;
 
@@ -9,7 +9,7 @@ void main() {
     ProofState s = load_proof();
     bool again = start == 1 && s.outcome >= PROOF_HIDDEN && s.settled > ray.t_near;
     if (again) s = resume_proof(s);
-    // A query on this draw tells whether there was anything left to do.
+    // A query on this draw tells whether anything was left to do.
     if (s.outcome != PROOF_UNFINISHED) discard;
     REAL uncertain = uncertain_at_root(s, value_at(ray, s.settled));
     int turns = pieces_per_pass;

@@ -1,11 +1,11 @@
-// Proves where a ray ended, by bounds on F and dF/dt over pieces of all that float32 may make of
-// it.
+// Proves where a ray ended, by bounds on F and dF/dt over pieces of all rays that float32 may make
+// of it.
 //
-// First the root: over a piece about it where dF/dt keeps off 0, Newton's step with all values of F
-// at the root and all slopes (Moore 1966) tells where each ray has its one root, if that step stays
-// in the piece. Then what is before, backwards from there: F keeps off 0 in a piece by its natural
-// bound, or as its values at both ends, which the neighbour shares, are too far from 0 for its
-// slope.
+// First the root: over a piece around it in which dF/dt excludes 0, Newton's step with all values
+// of F at the root and all slopes (Moore 1966) encloses the one root of each ray, if that step
+// stays in the piece. Then the part before, backwards from there: F stays away from 0 in a piece by
+// its natural bound, or because its values at both ends, which neighbouring pieces share, are too
+// far from 0 for its slope.
 
 uniform int pieces_per_pass;
 uniform int most_pieces;
@@ -15,12 +15,12 @@ ProofState conclude(ProofState s, int outcome) {
     return s;
 }
 
-// Goes on where a proof was given up.
+// Continues where a proof was given up.
 ProofState resume_proof(ProofState s) {
     float piece = s.at_root ? 32.0 * tube.w : 4.0 * s.piece;
     s.piece = max(piece, shortest_piece);
 #ifdef LISTS
-    // What was told of F by other elements, see elements/lists.glsl, is not of every F here.
+    // A value of F for other elements, see elements/lists.glsl, does not hold for every F here.
     if (!s.at_root) s.value = 0.0;
 #endif
     s.outcome = PROOF_UNFINISHED;
@@ -28,7 +28,7 @@ ProofState resume_proof(ProofState s) {
     return s;
 }
 
-// All from t, a float, on is settled; F there is at least as far from 0 as `value`.
+// Settles everything from t, a float, on; F there is at least as far from 0 as `value`.
 ProofState settle(ProofState s, ProofRay ray, bool hit, REAL t, REAL value) {
     s.settled = float(t);
     s.value = toward_zero(value);
@@ -44,8 +44,8 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
     REAL4 f = bounds_of_piece(ray, low, high);
     s.pieces += 1;
 
-    // The root. Half a millionth more than float32 can lose in these lines.
-    precise REAL steepness = max(f.z, -f.w); // the least, if positive
+    // The root. The factors exceed float32's error in these lines by half a millionth.
+    precise REAL steepness = max(f.z, -f.w); // the least slope, if positive
     precise REAL off = uncertain / steepness * 1.000002 + 4.76837158e-7 * abs(s.settled);
     bool isolates = steepness > 0.0 && off <= high - s.settled && off <= s.settled - low &&
                     s.settled - off > 2.0 * tube.z - ray.to_eye &&
@@ -53,12 +53,12 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
                     inside_bounds(vec3(ray_point(ray, s.settled + off)));
     precise REAL ahead = steepness * (0.999998 * (s.settled - low) - off);
 
-    // What is before, upright: F > 0 at its beginning.
+    // The part before, with signs flipped so that F > 0 at its beginning.
     bool below = there.y < 0.0;
     REAL near = below ? -there.y : there.x, far = below ? -s.value : s.value;
     REAL fall = max(below ? f.w : -f.z, 0.0), rise = max(below ? -f.z : f.w, 0.0);
     precise REAL h = (high - low) * 1.000002;
-    // Two lines that F stays above, one from either end, cross above 0.
+    // Two lines below F, one from either end, cross above 0.
     precise REAL cross_at = near * rise + far * fall;
     precise REAL deep = fall * rise * h * 1.000002 + 1.0e-34 * (1.0 + h);
     bool natural = f.x > 0.0 || f.y < 0.0;
@@ -66,17 +66,17 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
                                              far > 0.0 && cross_at > deep);
     REAL kept = near > 0.0 ? near : max(f.x, -f.y);
 
-    // How long the next piece may be, from how far this one was from the other outcome. Slopes over
-    // a piece spread about as it is long, so what keeps F off 0 falls by its square.
+    // Derives the next piece's length from how far this one was from the other outcome. Slopes over
+    // a piece spread about as its length, so what keeps F off 0 falls with its square.
     REAL spread = 0.5 * (f.w - f.z), middle = 0.5 * abs(f.z + f.w);
-    // ... and off 0, or as steep as brings Newton's step close enough.
+    // For the root: dF/dt must exclude 0 and be steep enough to bring Newton's step close enough.
     REAL by_root = 0.8 * (middle - 1.1 * uncertain / tube.w) / spread;
     REAL by_near = near > 0.0 ? max(cross_at / deep, near / (fall * h)) : REAL(0.0);
     REAL by_value = max(by_near, far / (rise * h));
     REAL least = s.at_root ? 0.03 : !is_free ? 0.15 : natural ? 2.0 : 1.0;
     REAL most = s.at_root || !is_free ? 0.7 : 4.0;
     REAL part = s.at_root ? by_root : 0.9 * sqrt(by_value);
-    part = part > least ? min(part, most) : least; // also where it is not a number
+    part = part > least ? min(part, most) : least; // also for NaN
     // No shorter piece could bring Newton's step close enough.
     bool hopeless = s.at_root && uncertain > tube.w * max(-f.z, f.w);
     REAL length = s.settled - low;
@@ -85,7 +85,7 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
     if (succeeds) {
         REAL value = s.at_root ? (f.z > 0.0 ? -1.0 : 1.0) * max(ahead, 0.0)
                                 : (near > 0.0 ? below : f.y < 0.0) ? -kept : kept;
-        // Behind the root F grows, as far as its slope keeps its sign.
+        // Behind the root F grows as long as its slope keeps its sign.
         REAL onwards = s.at_root ? clamp(2.0 * by_root, 2.0, 16.0) : part;
         s.piece = float(max(onwards * length, shortest_piece));
         s = settle(s, ray, hit, low, value);

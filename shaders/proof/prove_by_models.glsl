@@ -1,10 +1,10 @@
-// Proves where a ray of a polynomial F ended, by models of F over pieces of all that float32 may
-// make of it; as prove.glsl, but that a piece's quadratic tells more than bounds do.
+// Proves where a ray of a polynomial F ended, by models of F over pieces of all rays that float32
+// may make of it. It follows prove.glsl, but a piece's quadratic is tighter than bounds.
 //
-// First the root, in the middle of a piece: where the model's slope keeps off 0, what F can be at
-// the root over the least slope tells where each ray has its one root (Newton's step, Moore 1966).
-// Then what is before, backwards from there: F keeps off 0 as far as the quadratic does, less the
-// error of the model.
+// First the root, in the middle of a piece: if the model's slope excludes 0, the range of F at the
+// root over the least slope encloses the one root of each ray (Newton's step, Moore 1966). Then the
+// part before, backwards from there: F stays away from 0 as far as the quadratic does, less the
+// model's error.
 
 uniform int pieces_per_pass;
 uniform int most_pieces;
@@ -14,7 +14,7 @@ ProofState conclude(ProofState s, int outcome) {
     return s;
 }
 
-// Goes on where a proof was given up.
+// Continues where a proof was given up.
 ProofState resume_proof(ProofState s) {
     s.piece = max(s.at_root ? 32.0 * tube.w : 4.0 * s.piece, shortest_piece);
     s.outcome = PROOF_UNFINISHED;
@@ -22,27 +22,27 @@ ProofState resume_proof(ProofState s) {
     return s;
 }
 
-// The part of a root's piece to both sides that is settled by it, for rounding.
+// The part of a root's piece, to both sides, that its proof settles; the rest is for rounding.
 const float PART_OF_ROOT = 0.98;
 
-// `uncertain`: what F can be at the root, while the proof is about it.
+// `uncertain`: how large F can be at the root, while the proof is about the root.
 ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     bool at_root = s.at_root;
     REAL high = s.settled;
-    // A root's piece is to reach hardly farther than the ray does: tube.x holds there.
+    // A root's piece should hardly extend beyond the ray, where tube.x holds.
     REAL beyond = max(ray.t_far, -ray.t_near) - high;
     float piece = at_root ? float(min(s.piece, max(beyond, tube.w))) : s.piece;
     REAL low = float(max(s.settled - piece, ray.t_near));
     REAL middle = at_root ? high : 0.5 * (low + high);
-    // A piece before the root is a bit longer than its ends need.
+    // A piece before the root is slightly longer than its ends need.
     REAL half_piece = at_root ? REAL(piece / PART_OF_ROOT)
                               : 0.500001 * (high - low) + IM_DRIVER_ERROR * abs(middle);
     Model f = model_of_piece(ray, middle, half_piece);
     s.pieces += 1;
     REAL error = md_off(f), size = md_size(f), rounding = 8.0 * IM_ROUNDING * size;
 
-    // The root. Half a millionth more than float32 can lose in these lines.
-    // The directions of the rays differ by no more than this, in s, of what the points do.
+    // The root. The factors exceed float32's error in these lines by half a millionth. The
+    // directions of the rays differ, in s, by at most `apart` times what the points do.
     REAL turns = md_sum(f.turn), apart = min(half_piece * tube.y / tube.x * 1.00001, 1.0);
     REAL bends = 2.0 * abs(f.c.z);
     REAL rest = f.slope_error + apart * (md_sum(f.aside) + turns) + turns;
@@ -57,7 +57,7 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     REAL by_bend = 0.5 * abs(f.c.y) / bends, by_rest = 0.5 * sqrt(abs(f.c.y) / rest);
     REAL shorter = min(by_bend, by_rest);
 
-    // What is before, upright: F > 0 at the end. In y, from there backwards.
+    // The part before, with signs flipped so that F > 0 at its end; y runs backwards from there.
     bool below = f.c.x + f.c.y + f.c.z < 0.0;
     REAL3 c = below ? -f.c : f.c;
     precise REAL g0 = c.x + c.y + c.z - error;
@@ -67,7 +67,7 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
 
     bool succeeds = at_root ? isolates : reach > 0.05;
     if (succeeds) {
-        // A part of a piece less what rounding does to its ends, to a float no lower.
+        // Settles a part of the piece, less the rounding of its ends, to a float no lower.
         REAL part_done = high - 0.499 * reach * (high - low) + IM_DRIVER_ERROR * abs(middle);
         s.settled = at_root || is_free ? float(low)
                                        : float(part_done + 4.76837158e-7 * abs(part_done));
@@ -76,7 +76,7 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
         s.value = 0.0;
         s.at_root = false;
         if (s.settled <= ray.t_near) s = conclude(s, hit ? PROOF_HIT : PROOF_MISS);
-        // Else hardly on.
+        // Otherwise the proof hardly advanced.
         succeeds = at_root || is_free || length >= 0.25 * shortest_piece;
     }
     if (!succeeds && s.outcome == PROOF_UNFINISHED) {

@@ -1,3 +1,3 @@
-// What rounding adds to a point and to a direction, in each coordinate; what it adds to the ends of
-// the part in the bounds; how far from its place a root may be proved.
+// The rounding of a point and of a direction, in each coordinate; the rounding of the ends of the
+// part in the bounds; the largest distance of a proved root from the one found.
 uniform vec4 tube;

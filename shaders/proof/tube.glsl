@@ -1,5 +1,5 @@
-// Boxes that hold the points of all rays that float32 may make of the pixel's ray: of the one here
-// and of the one that was marched (src/truth/tube.h).
+// Boxes around the points of all rays that float32 may make of the pixel's ray: the one here and
+// the one that was marched (src/truth/tube.h).
 
 uniform float shortest_piece;
 
@@ -7,7 +7,7 @@ struct Box {
     REAL2 x, y, z;
 };
 
-// Around the points from t = low to high.
+// Encloses the points from t = low to high.
 Box box_around(ProofRay ray, REAL low, REAL high) {
     precise REAL3 a = ray.anchor + low * ray.direction;
     precise REAL3 b = ray.anchor + high * ray.direction;

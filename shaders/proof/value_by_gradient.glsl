@@ -1,6 +1,5 @@
-// What F can be at a point of the rays: its value on the one here, and how far its gradient lets it
-// be off on the others. Near nodes, where terms cancel in the gradient, the natural bound is wider
-// by far.
+// Bounds F at a point of the rays: its value on this ray, widened by its gradient for the others.
+// Near nodes, where terms cancel in the gradient, the natural bound is far wider.
 REAL2 value_at(ProofRay ray, REAL t) {
     precise REAL3 p = ray_point(ray, t);
     Box all = box_around(ray, t, t);

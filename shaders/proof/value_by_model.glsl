@@ -1,5 +1,5 @@
-// What F can be at a point of the rays: its value on the one here, its rounding, and how far its
-// gradient lets it be off on the others.
+// Bounds F at a point of the rays: its value on this ray, widened by its rounding, and by its
+// gradient for the others.
 PointModel coordinate_at(REAL anchor, REAL direction, REAL t, REAL3 axis) {
     precise REAL way = t * direction;
     precise REAL c = anchor + way;

@@ -1,12 +1,12 @@
-// The part of a ray that its proof is of: what beams left of it and, rounding included, the proof of
-// its block.
+// The part of a ray that its proof covers: what beams left of it and, rounding included, the proof
+// of its block.
 uniform sampler2D block_texture;
 
 vec4 load_block() {
     return texelFetch(block_texture, ivec2(pixel_centre) / PROVED_BLOCK, 0);
 }
 
-// From where on in tau, see block.frag.
+// The tau up to which the block's proof settled the ray, see block.frag.
 float settled_by_block(vec4 block) {
     vec2 place = vec2(ivec2(pixel_centre) % PROVED_BLOCK) * (2.0 / float(PROVED_BLOCK - 1)) - 1.0;
     return block.x + dot(block.yz, place);

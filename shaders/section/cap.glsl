@@ -1,4 +1,4 @@
-// A ray that ends on the cap of a section, and which that is, or -1. Needs state.glsl.
+// Ends a ray on the cap of a section; cap_of() returns that section, or -1. Needs state.glsl.
 
 RayState end_on_cap(RayState s, float t, int section) {
     s.low = t;

@@ -1,4 +1,4 @@
-// Caps have a colour of their own.
+// Gives caps a colour of their own.
 uniform vec4 cap_color;
 
 vec3 surface_color(Hit hit) {

@@ -1,8 +1,8 @@
-// From one part of a ray that sections leave to the next. Needs parts.glsl and field_at().
+// Crosses from one part of a ray that sections leave to the next. Needs parts.glsl and field_at().
 //
-// Between two parts a ray is in PHASE_CROSS: at `low` it has come to the end of a part, or to its
-// own beginning, and `refinements` tells the section that ended the part, or -1. A cap is there
-// where F < 0: behind, if the part ended in the solid, or ahead, if the next one begins in it.
+// Between two parts a ray is in PHASE_CROSS: `low` is the end of a part or the ray's beginning, and
+// `refinements` is the section that ended the part, or -1. A cap is there if F < 0: behind, if the
+// part ended inside the solid, or ahead, if the next one begins inside it.
 const int PHASE_CROSS = 6;
 
 RayState at_crossing(RayState s, float t, int behind) {

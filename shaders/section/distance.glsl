@@ -1,11 +1,11 @@
-// How far off what is left of the solid a place is, or within it, `of_matter` being how far off F is
-// 0: what occlusion asks. Needs sections.glsl.
+// Distance from a point to the surface of the remaining solid, on either side of it, for occlusion.
+// `of_matter`: distance to the surface of F. Needs sections.glsl.
 float distance_to_rest(vec3 place, bool inside, float of_matter) {
     float cut = sections_value(place);
     return inside ? min(of_matter, -cut) : max(of_matter, cut);
 }
 
-// As offset_from() of end_of_ray.glsl, off a cap.
+// offset_from() of end_of_ray.glsl for a cap.
 float offset_from_cap(vec3 position, vec3 normal, int cap, bool inside, float pixel) {
     float offset = 0.05 * pixel;
     for (int k = 0; k < 8; ++k) {

@@ -1,6 +1,6 @@
-// The first sample of a part tells whether it begins with a cap. turn_of_method() is the method's
-// turn; march_by_samples.glsl says where a part begins.
-int cut_ahead = -1;   // the section that it begins on, or -1
+// Decides by the first sample of a part whether it begins with a cap. turn_of_method() is the
+// method's turn. march_by_samples.glsl sets where a part begins.
+int cut_ahead = -1;   // the section on which it begins, or -1
 float cut_at = 0.0;
 
 RayState turn(RayState s, Ray ray) {

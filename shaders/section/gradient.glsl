@@ -1,4 +1,4 @@
-// Towards the outside of what is left of the solid; matter_gradient() is that of F.
+// Gradient at the remaining solid's surface, outwards; matter_gradient() is that of F.
 vec3 surface_gradient(RayState s, vec3 position) {
     vec3 of_matter = matter_gradient(s, position);
     int cap = cap_of(s);

@@ -1,5 +1,5 @@
-// Marches a ray through the parts that sections leave of it, one after the other. The march of
-// march.glsl is march_part() here and knows one part. Needs cross.glsl.
+// Marches a ray through the parts that sections leave of it, one after the other. march_part(), the
+// march of march.glsl, knows only one part. Needs cross.glsl.
 
 RayState begin(Ray ray) {
     RayState s = begin_part(ray);
@@ -8,7 +8,7 @@ RayState begin(Ray ray) {
 }
 
 RayState march(Ray ray, RayState s) {
-    int rounds = s.phase == PHASE_DONE ? 0 : PARTS + 1; // the last may but cross
+    int rounds = s.phase == PHASE_DONE ? 0 : PARTS + 1; // the last one may only cross
     while (rounds > 0) {
         rounds -= 1;
         s = cross_sections(s, ray);

@@ -1,8 +1,8 @@
-// As march.glsl of this folder, where the march's own samples tell of caps: the first one of a part
-// in first_sample.glsl, and the last one, which f_low has when a ray leaves its part.
+// Replaces march.glsl of this folder if the march's own samples decide about caps: the first sample
+// of a part in first_sample.glsl; the last one, which f_low holds when a ray leaves its part.
 
-// The part that the ray is in, or that begins next. Where another may follow, the state is at its
-// start.
+// Marches the part that the ray is in, or that begins next. If another part may follow, the state
+// returned is at the start.
 RayState through_part(Ray ray, RayState s) {
     Part part = part_from(ray, s.low);
     bool marches = s.phase != PHASE_DONE, starts = s.phase == PHASE_START;
@@ -16,7 +16,7 @@ RayState through_part(Ray ray, RayState s) {
     bool leaves = marches && s.phase == PHASE_DONE && s.verdict == VERDICT_MISS && part.end_cut >= 0;
     if (!leaves) return s;
     if (s.f_low.x < 0.0) return end_on_cap(s, part.end, part.end_cut);
-    // Nothing is left behind a half-space.
+    // A half-space leaves nothing behind it.
     if (!is_ball(part.end_cut)) return s;
     RayState fresh = state_at(part.end);
     fresh.evaluations = s.evaluations;
@@ -27,7 +27,7 @@ RayState march(Ray ray, RayState s) {
 #if SECTION_BALLS == 0
     return through_part(ray, s);
 #else
-    int rounds = s.phase == PHASE_DONE ? 0 : PARTS + 1; // the last finds that no part is left
+    int rounds = s.phase == PHASE_DONE ? 0 : PARTS + 1; // the last one finds that no part is left
     while (rounds > 0) {
         rounds -= 1;
         s = through_part(ray, s);

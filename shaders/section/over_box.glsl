@@ -1,4 +1,4 @@
-// Least and most of sections_value() over a box, rounding included. Needs sections.glsl.
+// Returns the least and largest sections_value() over a box, with rounding. Needs sections.glsl.
 vec2 sections_over(vec2 x, vec2 y, vec2 z, float rounding) {
     vec2 most = vec2(-1.0e30);
     vec3 low = vec3(x.x, y.x, z.x), high = vec3(x.y, y.y, z.y);

@@ -1,12 +1,12 @@
-// The parts of a ray that sections leave. Needs ray.glsl and sections.glsl.
+// Finds the parts of a ray that sections leave. Needs ray.glsl and sections.glsl.
 
-// At its ends, the section that ends it there, or -1.
+// A part of a ray. The cuts are the sections that end it at each end, or -1.
 struct Part {
     float begin, end; // empty if begin >= end
     int begin_cut, end_cut;
 };
 
-// Where the ray is in a ball, empty as (1, 0). As clip_sphere.glsl has it.
+// The interval of the ray inside a ball, by clip_sphere.glsl's method; (1, 0) if it is empty.
 vec2 in_ball(Ray ray, vec4 ball) {
     vec3 from = ray.anchor - ball.xyz;
     float middle = -dot(from, ray.direction);
@@ -16,10 +16,10 @@ vec2 in_ball(Ray ray, vec4 ball) {
     return square > 0.0 ? vec2(middle - half_chord, middle + half_chord) : vec2(1.0, 0.0);
 }
 
-// The first part from t = from on.
+// Returns the first part from t = from on.
 Part part_from(Ray ray, float from) {
     Part part = Part(from, ray.t_far, -1, -1);
-    // Half-spaces leave one interval.
+    // Half-spaces leave a single interval.
     for (int k = 0; k < SECTIONS; ++k) {
         if (is_ball(k)) continue;
         float height = section_value(k, ray.anchor), slope = dot(sections[k].xyz, ray.direction);

@@ -1,5 +1,5 @@
-// What shadow rays make of a crossing. Needs cross.glsl and any_hit(). As `refinements` counts
-// their lights, `high` tells which section is behind.
+// Crosses sections on shadow rays. Needs cross.glsl and any_hit(). In their state `refinements`
+// counts lights, so `high` holds the section behind.
 
 RayState at_shadow_crossing(RayState s, float t, int behind) {
     s.phase = PHASE_CROSS;
@@ -8,7 +8,7 @@ RayState at_shadow_crossing(RayState s, float t, int behind) {
     return s;
 }
 
-// The same of an eye's ray; of one that doesn't cross, none.
+// The crossing as an eye's ray has it; a miss if the ray doesn't cross.
 RayState crossing_of(RayState s, bool crosses) {
     RayState crossing = at_crossing(state_at(s.low), s.low, int(s.high));
     if (!crosses) return finish(crossing, VERDICT_MISS);
@@ -20,7 +20,7 @@ int outcome_of(RayState crossing) {
     return crossing.verdict == VERDICT_HIT ? RAY_IS_HIDDEN : RAY_IS_FREE;
 }
 
-// The state of a light's ray where the next part begins; it counts lights and evaluations.
+// State of a shadow ray where its next part begins; keeps its counts of lights and evaluations.
 RayState on_part(RayState s, RayState crossing) {
     RayState fresh = state_at(crossing.low);
     fresh.verdict = s.verdict;

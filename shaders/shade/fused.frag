@@ -1,4 +1,4 @@
-// Marches and shades in one draw, for rays that end within one pass. If a ray does not, the record
+// Marches and shades in one draw, for rays that end within one pass. If a ray does not, its record
 // says so, and the tile has to be drawn in passes.
 
 void main() {

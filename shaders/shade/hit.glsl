@@ -1,4 +1,4 @@
-// A place on the surface.
+// A point on the surface.
 struct Hit {
     vec3 position; // formula coordinates
     vec3 normal;   // unit length, towards the viewer

@@ -1,4 +1,4 @@
-// Diffuse light from every direction light, and a little from everywhere.
+// Diffuse light from every directional light, and a little ambient light.
 vec3 shade(Hit hit) {
     vec3 light = vec3(0.12);
     for (int k = 0; k < LIGHTS; ++k) {

@@ -1,4 +1,4 @@
-// What is counted of a pixel's rays: src/render/record.h. VERDICT_UNFINISHED is none of the verdicts.
+// Packs the record of a pixel's rays: src/render/record.h. VERDICT_UNFINISHED is no Verdict.
 const int VERDICT_UNFINISHED = 7;
 
 uint packed_record(int verdict, int evaluations) {

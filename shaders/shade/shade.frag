@@ -1,4 +1,4 @@
-// The picture from the rays of a finished march.
+// Shades the rays of a finished march.
 void main() {
     shade_ray(pixel_ray(), load_state());
 }

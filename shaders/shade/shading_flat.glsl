@@ -1,5 +1,5 @@
-// What colours of a plain picture with one light need: the block of shading.glsl, of which every
-// fragment's part comes by way of fullscreen.vert.
+// The block of shading.glsl for plain pictures with one light. The part that every fragment needs
+// comes through fullscreen.vert.
 flat in vec4 material_color;
 flat in vec4 background;
 flat in vec4 light_direction[1];

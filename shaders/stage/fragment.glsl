@@ -1,2 +1,2 @@
-// What rays ask of a fragment shader; stage/compute.glsl is the other stage's answer.
+// Runs rays in a fragment shader. stage/compute.glsl is the counterpart.
 #define pixel_centre gl_FragCoord.xy // in the tile, from its lower left corner

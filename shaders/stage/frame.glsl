@@ -1,5 +1,5 @@
-// The names of frame.glsl where no vertex shader hands them on: each invocation reads the block
-// once, before its loop. The order is that of fullscreen.vert.
+// Defines the names of frame.glsl if no vertex shader passes them on. Each invocation reads the
+// block once, before its loop. The order is that of fullscreen.vert.
 layout(std140) uniform Frame {
     vec4 frame[10];
 };

@@ -1,4 +1,4 @@
-// Work groups reach over the tile's upper and right edges.
+// Work groups extend over the tile's upper and right edges.
 uniform ivec2 tile_size;
 
 void main() {

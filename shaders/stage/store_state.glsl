@@ -1,4 +1,4 @@
-// march/store_state.glsl for compute shaders. Needs state.glsl.
+// Replaces march/store_state.glsl in compute shaders. Needs state.glsl.
 layout(rgba32f, binding = 0) writeonly uniform image2D state_image_0;
 layout(rgba32f, binding = 1) writeonly uniform image2D state_image_1;
 #ifdef THREE_SAMPLES
