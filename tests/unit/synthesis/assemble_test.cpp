@@ -408,6 +408,10 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     const Passes of_bits = assemble(scene_of(blobs_text(75, every_bounds[0], "hermite")), {},
                                     Stage::fragment, false, usual_beam, false, Platform::webgl);
     add(of_bits);
+    const Passes of_three_levels =
+        assemble(scene_of(blobs_text(384, every_bounds[0], "hermite")), {}, Stage::fragment, false,
+                 usual_beam, false, Platform::webgl);
+    add(of_three_levels);
     const Passes of_sides =
         assemble(scene_of(surface_text("x") + "[material]\nback_color = [1, 1, 1]\n"));
     add(of_sides);
