@@ -1,6 +1,6 @@
 // Writes which elements matter in beams, into the layers of a texture at once: MASK_TEXELS for the
-// front, and as many for all where LIST_OF_ALL is 1. At later levels the first level's list of all
-// still holds.
+// front, and as many for all where LIST_OF_ALL is 1. At the last level
+// the list of all of the level before still holds.
 layout(location = 1) out uvec4 masks[MASK_TEXELS * LISTS_OF_A_BLOCK];
 
 #define KEPT Mask

@@ -22,7 +22,7 @@ dvec3 ray_point(ProofRay ray, double t) {
 
 // Rounds x to a float that is not farther from 0.
 float toward_zero(double x) {
-    return 0.9999998 * float(clamp(x, -3.4e38lf, 3.4e38lf));
+    return 0.9999998 * float(clamp(x, -double(3.4e38), double(3.4e38)));
 }
 
 // The t at which a piece is sampled: its beginning; or the root, where floats were too coarse.

@@ -237,9 +237,16 @@ int contacts_of(const TopologyArguments& arguments, const scene::Scene& scene) {
     check_options_of_all(arguments);
     check_proves_contact(arguments);
     const auto frames = span_of(arguments.frames, scene);
+    const int count = scene.among.count;
+    // A mistake in the last pair's last frame is told before minutes of searching the first.
+    const formula::Interval range{scene.timeline.time(frames.first),
+                                  scene.timeline.time(frames.second)};
+    for (int first = 0; first < count; ++first) {
+        for (int second = first + 1; second < count; ++second)
+            header_of(pair_of(scene, first, second), range);
+    }
     const StopOnSignal stop;
     bool is_complete = true;
-    const int count = scene.among.count;
     for (int first = 0; first < count && !stop.asked(); ++first) {
         for (int second = first + 1; second < count && !stop.asked(); ++second) {
             const Subject subject = pair_of(scene, first, second);

@@ -52,8 +52,12 @@ PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& option
                       operations_per_draw_at(passes.stage == synthesis::Stage::fragment
                                                  ? info.operations_a_second.in_fragments
                                                  : info.operations_a_second.in_compute))) {
-    const bool too_little = plan.march.evaluations_per_pass <= 1; // to end a ray in one draw
-    if (too_little) passes = synthesis::without_fused_pass(std::move(passes));
+    // Whether one draw may end a ray, by the usual budget: the passes, and so the fingerprint, are
+    // not to depend on how fast this machine is today.
+    const ScenePlan usual = plan_scene(scene, passes, options.width, options.height,
+                                       info.max_texture_size, options.plan);
+    if (usual.march.evaluations_per_pass <= 1)
+        passes = synthesis::without_fused_pass(std::move(passes));
 }
 
 std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const RenderOptions& options,

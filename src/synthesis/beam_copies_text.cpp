@@ -16,9 +16,12 @@ bool is_last(const Passes& passes, int level) { return level + 1 == int(passes.b
 
 // Places of a list, the last of which holds how many elements there are. The first level's lists
 // may be of all. Fewer matter in smaller beams, and fewest in a last one's front; where there are
-// more, rays take what that list was made from.
+// more, rays take what that list was made from. Elements of more texels have fewer places: all
+// lists lie in one texture, and WebGL2 promises 2048 rows.
 int slots(const Passes& passes, int level) {
-    constexpr int of_a_front = 8 * columns, of_a_middle = 16 * columns;
+    const int texels = passes.arrays[0].texels;
+    const int of_a_front = std::max(8 / texels, 1) * columns;
+    const int of_a_middle = std::max(16 / texels, 1) * columns;
     const int all = (passes.arrays[0].capacity / columns + 1) * columns;
     if (level == 0) return all;
     return std::min(all, is_last(passes, level) ? of_a_front : of_a_middle);

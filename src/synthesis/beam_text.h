@@ -11,8 +11,7 @@ namespace isomotion::synthesis {
 inline constexpr int beam_square = 64;
 
 // Whether a scene's rays use beams: as the scene states, otherwise with the method hermite if
-// bounds of the field cost less than they save. In compute shaders only if also told so, or with
-// lists of elements.
+// bounds of the field cost less than they save. In compute shaders assemble() asks for more.
 bool uses_beams(const scene::Scene& scene);
 
 // The levels of beams; the smallest have 8 pixels or 1.

@@ -36,7 +36,7 @@ struct AnalyseOptions {
 // std::invalid_argument if sampling all frames takes too many operations.
 Timeline analyse(const scene::Scene& scene, const AnalyseOptions& how = {});
 
-// The timeline of what two surfaces have in common, each a scene of its own (scene::alone). A birth
+// The timeline of what two surfaces of one scene have in common, each alone (scene::alone). A birth
 // is a place where they touch, a death one where they part. Coordinates are the first one's. Only
 // with Certify::full, otherwise throws std::invalid_argument.
 Timeline analyse_contact(const scene::Scene& first, const scene::Scene& second,

@@ -3,7 +3,7 @@
 //
 //   stages_bench [-o FILE.csv] [--only SURFACE,...] [--blobs N,...] [--methods a,b] [--stages a,b]
 //                [--size N] [--count-size N] [--rounds N] [--halvings N] [--one-draw]
-//                [--no-beams]
+//                [--beams on|off]
 //
 // Prints a line for each subject, stage and method. Wrong pixels are counted at --count-size; times
 // are of --size, medians, and of the card: reading back, which takes longer there than marching, is
@@ -24,6 +24,7 @@
 #include "machine.h"
 #include "methods/contest.h"
 #include "methods/peak.h"
+#include "synthesis/assemble.h"
 
 namespace isomotion::bench {
 namespace {
@@ -34,7 +35,8 @@ struct Arguments {
     std::string output, backend = "auto", only = "all", blobs, animations = "blobby75";
     std::string methods = "amp-sign,hermite", stages = "fragment,compute";
     int size = 1024, count_size = 512, rounds = 9, halvings = 6;
-    bool one_draw = false, no_beams = false;
+    bool one_draw = false;
+    std::string beams; // on, off; otherwise as the scene has them
 };
 
 std::vector<std::string> listed(const std::string& text) {
@@ -48,6 +50,7 @@ struct Line {
     std::string subject;
     Stage stage;
     scene::Method method;
+    bool has_beams = false;
     int halvings = 0;
     double compiling = 0;             // s, up to the first picture
     double marching = 0, drawing = 0; // ms
@@ -67,7 +70,7 @@ public:
         , arguments_(arguments)
         , line_{on.subject.name, stage, method} {
         scene_.isolation.method = method;
-        if (arguments.no_beams) scene_.isolation.beam = false;
+        if (!arguments.beams.empty()) scene_.isolation.beam = arguments.beams == "on";
         render::RenderOptions options{
             arguments.size, arguments.size, {Channel::normal, Channel::position, Channel::verdict}};
         options.stage =
@@ -85,6 +88,8 @@ public:
             options.channels = {Channel::normal, Channel::position, Channel::verdict};
             counted_ = std::make_unique<render::Renderer>(context, scene_, options);
         }
+        line_.has_beams =
+            !synthesis::assemble(scene_, {}, stage, context.info().has(4, 3)).beams.empty();
         line_.operations = operations(on.subject.scene, method);
     }
 
@@ -137,7 +142,7 @@ public:
     Table(const std::string& file, std::map<Stage, double> peaks)
         : csv_(file.empty() ? std::ofstream() : std::ofstream(file))
         , peaks_(std::move(peaks)) {
-        csv_ << "subject,stage,method,step_over,compiling_s,march_ms,frame_ms,passes,rays,"
+        csv_ << "subject,stage,method,beams,step_over,compiling_s,march_ms,frame_ms,passes,rays,"
                 "evaluations,wrong,operations_of_evaluation,part_of_peak\n";
         fmt::print(
             "| subject | stage | method | step | compiled in s | march ms | frame ms | passes "
@@ -156,10 +161,11 @@ public:
                    line.drawing, line.passes, line.rays / line.marching / 1e3,
                    line.evaluations / line.rays, wrong, 1e-9 * rate, 100 * part);
         std::fflush(stdout);
-        csv_ << fmt::format("{},{},{},{},{:.3f},{:.4f},{:.4f},{},{},{},{},{},{:.5f}\n",
+        csv_ << fmt::format("{},{},{},{},{},{:.3f},{:.4f},{:.4f},{},{},{},{},{},{:.5f}\n",
                             line.subject, render::name(line.stage), scene::name(line.method),
-                            1 << line.halvings, line.compiling, line.marching, line.drawing,
-                            line.passes, line.rays, line.evaluations, wrong, line.operations, part)
+                            line.has_beams ? "yes" : "no", 1 << line.halvings, line.compiling,
+                            line.marching, line.drawing, line.passes, line.rays, line.evaluations,
+                            wrong, line.operations, part)
              << std::flush;
     }
 
@@ -258,7 +264,9 @@ int main(int argc, char** argv) {
     app.add_option("--halvings", arguments.halvings, "of the sign test's step, at most")
         ->check(CLI::Range(0, 12));
     app.add_flag("--one-draw", arguments.one_draw, "one tile, as many evaluations as rays need");
-    app.add_flag("--no-beams", arguments.no_beams, "each ray by itself");
+    app.add_option("--beams", arguments.beams,
+                   "for all methods, or for none (default: by method and stage)")
+        ->check(CLI::IsMember({"on", "off"}));
     app.add_option("--backend", arguments.backend, "auto, egl or osmesa");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -61,6 +61,34 @@ protected:
 };
 ISOMOTION_ON_EVERY_BACKEND(StageOf);
 
+// As users draw: compute shaders take no beams here, and fragments do. Only evaluations differ.
+TEST_P(StageOf, ComputeShadersWithoutBeamsHitTheSame) {
+    for (const char* name : {"barth_sextic", "goursat"}) {
+        SCOPED_TRACE(name);
+        const scene::Scene scene = scene::load(name, {"look=none", "output.size=[61,43]"});
+        const auto drawn = [&](StageChoice stage) {
+            RenderOptions options{61, 43, every_channel};
+            options.stage = stage;
+            Renderer renderer(*context, scene, options);
+            return renderer.draw(scene::at(scene, scene.timeline.values(31)));
+        };
+        const Picture fragment = drawn(StageChoice::fragment),
+                      compute = drawn(StageChoice::compute);
+        EXPECT_GT(count(fragment, Verdict::hit), 0);
+        EXPECT_NE(fragment.evaluations, compute.evaluations); // beams leave less of the way
+        const auto layer = [](const Picture& picture, const char* channel) {
+            return std::span<const float>(picture.frame.find(channel)->samples);
+        };
+        const auto a = layer(fragment, "verdict"), b = layer(compute, "verdict");
+        const auto depth = layer(fragment, "Z"), depth_too = layer(compute, "Z");
+        for (std::size_t k = 0; k < a.size(); ++k) {
+            ASSERT_EQ(a[k], b[k]) << "pixel " << k;
+            if (Verdict(int(a[k])) != Verdict::hit) continue;
+            ASSERT_NEAR(depth[k], depth_too[k], 1e-5 * depth[k]) << "pixel " << k;
+        }
+    }
+}
+
 // Neither side of the picture is a multiple of a work group's. Among the scenes: a high degree, a
 // sum over an array in a block, a sphere and a box as bounds.
 TEST_P(StageOf, ChangesLastBitsAtMostWhateverTheMethod) {

@@ -192,5 +192,17 @@ TEST(Contact, IsProvedOrRefused) {
                  std::invalid_argument);
 }
 
+// Scenes are refused for such a scale at frames only. In between, both bodies shrink to one point.
+TEST(Contact, IsNotToldWhereASurfaceIsScaledToAPoint) {
+    const std::string scaled =
+        "transform = { scale = \"(t - 0.55)^2 - 0.001\" }\n"; // 0 at 0.518 and 0.582
+    const std::string apart = "formula = \"(x - 3)^2 + y^2 + z^2 - 0.25\"\n"
+                              "bounds = { sphere = 0.7, centre = [3, 0, 0] }\n";
+    const Timeline timeline = Contact{ball + scaled, apart + scaled, "", 11}.timeline();
+    EXPECT_FALSE(timeline.is_complete()) << described(timeline);
+    const Contact grows{ball, apart + "transform = { scale = \"1 + 0.1*t\" }\n"};
+    EXPECT_TRUE(grows.timeline().is_complete());
+}
+
 } // namespace
 } // namespace isomotion::topology

@@ -92,7 +92,9 @@ SpaceBox with_rim(const SpaceBox& box) {
     SpaceBox wide;
     for (std::size_t i = 0; i < 3; ++i) {
         const double more = rim * (box[i].hi - box[i].lo);
-        wide[i] = {box[i].lo - more, box[i].hi + more};
+        // A step further at least: far from the origin a rim may be less than the rounding.
+        wide[i] = {std::nextafter(box[i].lo - more, -formula::infinity),
+                   std::nextafter(box[i].hi + more, formula::infinity)};
     }
     return wide;
 }

@@ -159,6 +159,16 @@ Motion common(Pair pair) {
     return motion;
 }
 
+// Adds the spans in which a surface may be scaled to a point or turned inside out: scenes are
+// refused for that at the times of frames only.
+void find_points(const scene::Scene& scene, double within, Interval clock,
+                 std::vector<Interval>& spans) {
+    Graph g;
+    animation::Rules rules = placement_rules(scene, within, g);
+    const std::array scale{placement_nodes(scene.surface.placement, g, rules).scale};
+    find_not_positive(g, scale, clock, scene.timeline.animation.seed(), spans);
+}
+
 // Where a placement's rules change.
 std::vector<animation::Knot> knots_of(const scene::Scene& scene, Interval range) {
     Graph g;
@@ -215,7 +225,6 @@ Motions common_motions(const Body& a, const Body& b, Interval range) {
         }
     }
     std::ranges::sort(all.jumps);
-    std::ranges::sort(all.collapses, {}, &Interval::lo);
     if (changes_at_end) {
         Pair pair = paired(a, b, end_of(of_a), end_of(of_b), range.hi);
         pair.motion.clock = range.hi;
@@ -226,11 +235,14 @@ Motions common_motions(const Body& a, const Body& b, Interval range) {
         const double middle = from + (to - from) / 2;
         Pair pair = paired(a, b, piece_at(of_a, middle), piece_at(of_b, middle), middle);
         pair.motion.clock = {from, to};
+        for (const Body* body : {&a, &b})
+            find_points(body->scene, middle, pair.motion.clock, all.collapses);
         Motion motion = common(std::move(pair));
         find_steps(motion, all.doubts);
         all.pieces.push_back(std::move(motion));
         from = to;
     }
+    std::ranges::sort(all.collapses, {}, &Interval::lo);
     return all;
 }
 

@@ -168,35 +168,44 @@ std::optional<Motion> through_one_track(const scene::Scene& scene, const animati
 // Spans of the piece's clock, which is the time, in which the bounds may be empty or turned inside
 // out: scenes are refused for that at the times of frames only.
 void find_collapses(const Motion& motion, std::vector<Interval>& collapses) {
-    Graph g;
-    const auto of_clock = [&](NodeId root) {
-        return formula::substitute(g, motion.graph, std::array{root},
-                                   [](Graph& to, const Node& node, NodeId rebuilt) {
-                                       return node.op == Op::input ? to.input(0) : rebuilt;
-                                   })[0];
-    };
+    Graph g = motion.graph;
     std::vector<NodeId> wholes; // greater than 0 while the bounds hold anything
     if (motion.shape == scene::Bounds::Shape::sphere) {
-        wholes.push_back(of_clock(motion.radius));
+        wholes.push_back(motion.radius);
     } else {
         for (std::size_t k = 0; k < 3; ++k)
-            wholes.push_back(g.subtract(of_clock(motion.high[k]), of_clock(motion.low[k])));
+            wholes.push_back(g.subtract(motion.high[k], motion.low[k]));
+    }
+    find_not_positive(g, wholes, motion.clock, motion.bindings.seed, collapses);
+}
+
+} // namespace
+
+void find_not_positive(const Graph& graph, std::span<const NodeId> lengths, Interval clock,
+                       std::uint64_t seed, std::vector<Interval>& spans) {
+    Graph g;
+    std::vector<NodeId> wholes;
+    for (const NodeId root : lengths) {
+        wholes.push_back(formula::substitute(
+            g, graph, std::array{root}, [](Graph& to, const Node& node, NodeId rebuilt) {
+                return node.op == Op::input ? to.input(0) : rebuilt;
+            })[0]);
     }
     const formula::Program program = formula::schedule(g, wholes);
     formula::Bindings<Interval> bindings;
-    bindings.seed = motion.bindings.seed;
+    bindings.seed = seed;
     formula::Evaluator<Interval> evaluator(program);
     std::vector<Interval> values(wholes.size());
     // Two halves that touch are one span.
     const auto add = [&](Interval time) {
-        if (!collapses.empty() && collapses.back().hi == time.lo) {
-            collapses.back().hi = time.hi;
+        if (!spans.empty() && spans.back().hi == time.lo) {
+            spans.back().hi = time.hi;
         } else {
-            collapses.push_back(time);
+            spans.push_back(time);
         }
     };
     constexpr int most_halvings = 14;
-    std::vector<std::pair<Interval, int>> stack{{motion.clock, 0}};
+    std::vector<std::pair<Interval, int>> stack{{clock, 0}};
     while (!stack.empty()) {
         const auto [time, halvings] = stack.back();
         stack.pop_back();
@@ -213,8 +222,6 @@ void find_collapses(const Motion& motion, std::vector<Interval>& collapses) {
         stack.push_back({{time.lo, middle}, halvings + 1});
     }
 }
-
-} // namespace
 
 void find_steps(const Motion& motion, std::vector<std::string>& doubts) {
     const std::vector<NodeId> below = formula::nodes_below(motion.graph, roots(motion));

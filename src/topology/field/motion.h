@@ -10,7 +10,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,11 @@ enum class Clock { time, track_if_one };
 // Adds a doubt for each operation of the motion that may step from one value to another: there is
 // no derivative where it does.
 void find_steps(const Motion& motion, std::vector<std::string>& doubts);
+// Adds the spans of the clock in which one of these expressions, of the clock alone, may be 0 or
+// less.
+void find_not_positive(const formula::Graph& graph, std::span<const formula::NodeId> lengths,
+                       formula::Interval clock, std::uint64_t seed,
+                       std::vector<formula::Interval>& spans);
 // Whether the solid or its bounds depend on the clock.
 bool depends_on_clock(const Motion& motion);
 

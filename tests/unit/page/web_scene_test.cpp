@@ -110,13 +110,30 @@ TEST(WebScene, ListsOfTheFirstBeamsHaveRoomForAllElements) {
     }
 }
 
-// WebGL2 promises textures of 2048 pixels across: all lists of a tile fit, of elements of a texel.
+// So many Gaussian balls whose elements have so many texels, each of four fields.
+std::string balls_of_texels(int count, int texels) {
+    std::string factors = "1", fields;
+    for (int k = 3; k < 4 * texels; ++k) {
+        factors += fmt::format("*f{}", k);
+        fields += fmt::format("f{} = '1 + 0.01*random(i, {})'\n", k, k);
+    }
+    return fmt::format("formula = 'sum(p, {}*exp(-20*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))) - "
+                       "0.5'\nbounds = {{ sphere = 2 }}\n[isolation]\nmethod = 'hermite'\n"
+                       "[arrays.p]\ncount = {}\ncx = 'random(i, 0)'\ncy = 'random(i, 1)'\n"
+                       "cz = 'random(i, 2)'\n{}",
+                       factors, count, fields);
+}
+
+// WebGL2 promises textures of 2048 pixels across: all lists of a tile fit.
 TEST(WebScene, ListsFitIntoTheTexturesThatEveryBrowserHas) {
-    for (const int count : {9, 128, 129, 384}) {
-        SCOPED_TRACE(count);
-        const WebScene web = web_scene(scene_of(balls(count)));
+    for (const auto& [count, texels] :
+         {std::pair{9, 1}, std::pair{128, 1}, std::pair{129, 1}, std::pair{384, 1},
+          std::pair{384, 2}, std::pair{384, 3}, std::pair{384, 4}, std::pair{128, 5}}) {
+        SCOPED_TRACE(fmt::format("{} elements of {} texels", count, texels));
+        const WebScene web = web_scene(scene_of(balls_of_texels(count, texels)));
         const synthesis::Passes& passes = web.passes;
-        ASSERT_EQ(passes.arrays[0].texels, 1);
+        ASSERT_EQ(passes.arrays[0].texels, texels);
+        ASSERT_TRUE(synthesis::has_copies(passes));
         int rows = 0;
         for (std::size_t level = 0; level < passes.beams.size(); ++level) {
             const synthesis::BeamLevel& beam = passes.beams[level];
