@@ -1,6 +1,7 @@
 #include "topology/search/critical.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -269,7 +270,8 @@ Timeline found_in(const Motions& all, const scene::Scene* scene, Interval range,
     for (const Motion& motion : all.pieces) {
         if (!motion.moves || is_stopped()) continue;
         std::optional<MonotoneTrack> driven;
-        if (motion.driver) driven.emplace(*scene, *motion.driver, range);
+        assert(scene || !motion.driver); // what two surfaces have in common moves by time
+        if (scene && motion.driver) driven.emplace(*scene, *motion.driver, range);
         const std::vector<Part> parts = parts_of(motion);
         double whole = 0;
         for (const Part& part : parts) {
