@@ -1,6 +1,5 @@
 #include "gpu/arithmetic_speed.h"
 
-#include <algorithm>
 #include <chrono>
 #include <string>
 #include <tuple>
@@ -62,8 +61,9 @@ Program in_compute() {
 
 // `run` does the work of so many rounds. 0 if no clock tells how long that takes.
 //
-// Drivers may have timers that always tell 0, or the time of a part of the draw (gpu/query.h), and
-// the wall's time holds what the driver does besides: the longer of the two is taken.
+// Drivers may have timers that always tell 0, or the time of a part of the draw (gpu/query.h). A
+// timer that tells less than a tenth of a draw that took long is one of these; the wall's time,
+// which holds what the driver does besides, then takes its place.
 template<typename Run> double operations_a_second(const Run& run) {
     using Clock = std::chrono::steady_clock;
     constexpr double long_enough = 1e-3; // seconds, beside which a draw's own cost is small
@@ -79,15 +79,15 @@ template<typename Run> double operations_a_second(const Run& run) {
         const double on_the_wall = std::chrono::duration<double>(Clock::now() - begin).count();
         return std::pair(1e-9 * double(timer.nanoseconds()), on_the_wall);
     };
-    constexpr double part_of_the_wall = 0.02; // a timer that tells less tells too little
+    constexpr double long_on_the_wall = 20e-3; // far more than what drivers do besides
     int rounds = 1;
     seconds(rounds); // drivers make their code at the first draw
     auto [timed, wall] = seconds(rounds);
-    while (std::max(timed, part_of_the_wall * wall) < long_enough && rounds < most_rounds) {
+    while (timed < long_enough && wall < long_on_the_wall && rounds < most_rounds) {
         rounds *= 4;
         std::tie(timed, wall) = seconds(rounds);
     }
-    const double taken = std::max(timed, part_of_the_wall * wall);
+    const double taken = timed < 0.1 * wall ? wall : timed;
     return taken > 0 ? operations_of_a_round * rounds / taken : 0;
 }
 
