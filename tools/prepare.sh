@@ -1,24 +1,30 @@
 # Sourced by the commands beside it: leaves the repository's root as the working directory and the
-# packages of packages.txt installed, or says what is missing and stops.
+# packages of packages.txt installed, or says what is missing and stops. `sections` names the sections of
+# that file that are wanted, `later` those that the command asks for afterwards; unset, all are wanted.
 
 set -eu
 cd "$(dirname "$0")/.."
 
-# prepare_packages <package>...
-prepare_packages() {
-    missing=
+# Those of the packages that are not installed, each after a space.
+missing_of() {
     for package in "$@"; do
         case $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) in
             installed) ;;
-            *) missing="$missing $package" ;;
+            *) printf ' %s' "$package" ;;
         esac
     done
+}
+
+# prepare_packages <package>...
+prepare_packages() {
+    missing=$(missing_of "$@")
     [ -n "$missing" ] || return 0
     as_root=
     if [ "$(id -u)" != 0 ]; then as_root=$(command -v sudo || echo none); fi
     if [ "$as_root" = none ] || ! command -v apt-get >/dev/null; then
         echo "These Debian packages are missing, and installing them needs apt-get and root:" >&2
-        echo "    apt-get install --no-install-recommends$missing" >&2
+        # shellcheck disable=SC2046,SC2086 # lists of words
+        echo "    apt-get install --no-install-recommends$(missing_of "$@" $(packages_of ${later:-formulas}))" >&2
         exit 3
     fi
     echo "installing:$missing"
@@ -51,6 +57,29 @@ show_packages() {
         fi
     done
     [ ! -t 1 ] || echo
+}
+
+# install_behind <section>...: installs their packages while the commands that follow run;
+# wait_for_packages ends when they are there. Where root's password would be asked for again, they are
+# installed first.
+install_behind() {
+    behind=
+    # shellcheck disable=SC2046 # a list of packages
+    if [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; then
+        mkdir -p build
+        prepare_packages $(packages_of "$@") >build/packages.log 2>&1 &
+        behind=$!
+    else
+        prepare_packages $(packages_of "$@")
+    fi
+}
+wait_for_packages() {
+    [ -n "$behind" ] || return 0
+    ! kill -0 "$behind" 2>/dev/null || echo "waiting for packages (log in build/packages.log)"
+    if ! wait "$behind"; then
+        cat build/packages.log >&2
+        exit 3
+    fi
 }
 
 # prepare_check <check>: its packages of check-packages.txt.
@@ -94,12 +123,15 @@ build_in() {
     fi
 }
 
-# build <cmake options>: all of build/release.
-build() { build_in release "" "$@"; }
+# build <cmake options>: all of build/release, whatever parts were built before.
+build() { build_in release "" -DISOMOTION_GL=ON -DISOMOTION_PROGRAM=ON "$@"; }
 
-# What only tests need comes last in the list; `without_tests` leaves it out.
-if [ -n "${without_tests:-}" ]; then
-    prepare_packages $(sed '/^# to test/,$d; s/#.*//' tools/packages.txt)
-else
-    prepare_packages $(sed 's/#.*//' tools/packages.txt)
-fi
+# packages_of <section>...: their packages; without a section, all.
+packages_of() {
+    awk -v wanted=" $* " '
+        /^# [a-z]+:/ { section = substr($2, 1, length($2) - 1) }
+        !/^#/ && (wanted ~ /^ *$/ || index(wanted, " " section " ")) { print }' tools/packages.txt
+}
+
+# shellcheck disable=SC2046,SC2086 # lists of words
+prepare_packages $(packages_of ${sections:-})

@@ -23,7 +23,7 @@
 #include "gpu/lost_display.h"
 #include "image/frame.h"
 #include "scene/error.h"
-#include "sequence/movie.h"
+#include "sequence/movies/movie.h"
 
 namespace isomotion::app {
 namespace {

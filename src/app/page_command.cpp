@@ -22,7 +22,7 @@
 #include "scene/data_folder.h"
 #include "scene/reading/load.h"
 #include "sequence/exporter.h"
-#include "sequence/movie.h"
+#include "sequence/movies/movie.h"
 
 namespace isomotion::app {
 namespace fs = std::filesystem;

@@ -20,7 +20,7 @@
 #include "scene/sight.h"
 #include "scene/surfaces.h"
 #include "sequence/exporter.h"
-#include "sequence/movie.h"
+#include "sequence/movies/movie.h"
 
 namespace isomotion::app {
 namespace {

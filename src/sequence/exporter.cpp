@@ -12,7 +12,7 @@
 #include "render/exposure.h"
 #include "sequence/describe.h"
 #include "sequence/manifest.h"
-#include "sequence/movie.h"
+#include "sequence/movies/movie.h"
 #include "sequence/writer.h"
 
 namespace isomotion::sequence {

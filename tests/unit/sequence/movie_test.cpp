@@ -1,4 +1,4 @@
-#include "sequence/movie.h"
+#include "sequence/movies/movie.h"
 
 #include <cstdio>
 #include <memory>
@@ -120,6 +120,23 @@ TEST_F(RealMovie, SameBytesAgain) {
         write_movie(folder_ / name, pictures_, {30, 1});
         EXPECT_EQ(base::read_whole(folder_ / name), before) << name;
     }
+}
+
+TEST_F(RealMovie, PicturesThatAreDrawnGiveTheBytesOfTheirFiles) {
+    make_pictures(4, 20, 10);
+    write_movie(folder_ / "files.mp4", pictures_, {30, 1});
+    std::vector<std::size_t> asked;
+    const MoviePictures drawn{
+        pictures_.size(),
+        [&](std::size_t i) {
+            asked.push_back(i);
+            return image::plain(20, 10, float(i + 1) / 4, 0.2f, 0.0f);
+        },
+        [](std::size_t i) { return "frame " + std::to_string(i); },
+    };
+    write_movie(folder_ / "drawn.mp4", drawn, {30, 1});
+    EXPECT_EQ(asked, (std::vector<std::size_t>{0, 1, 2, 3}));
+    EXPECT_EQ(base::read_whole(folder_ / "drawn.mp4"), base::read_whole(folder_ / "files.mp4"));
 }
 
 TEST_F(RealMovie, UnusualNamesAreNames) {

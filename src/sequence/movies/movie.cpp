@@ -1,4 +1,4 @@
-#include "sequence/movie.h"
+#include "sequence/movies/movie.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -125,16 +125,16 @@ void expect_ffmpeg() {
         throw MovieError("ffmpeg is not on PATH: install it with apt-get install ffmpeg");
 }
 
-bool write_movie(const std::filesystem::path& movie,
-                 std::span<const std::filesystem::path> pictures, image::Rational frames_per_second,
-                 const std::function<bool()>& stop) {
+bool write_movie(const std::filesystem::path& movie, const MoviePictures& pictures,
+                 image::Rational frames_per_second, const std::function<bool()>& stop) {
     const Container container = container_of(movie);
     check_rate(movie, container, frames_per_second);
-    if (pictures.empty()) throw MovieError(movie.string() + ": a movie needs at least one picture");
+    if (pictures.count == 0)
+        throw MovieError(movie.string() + ": a movie needs at least one picture");
     expect_ffmpeg();
     const auto ffmpeg = base::find_program("ffmpeg");
 
-    image::Frame frame = image::decode(pictures.front());
+    image::Frame frame = pictures.picture(0);
     const Size size{frame.width, frame.height};
     const Size shown = container.even_size ? Size{to_even(size.width), to_even(size.height)} : size;
 
@@ -143,13 +143,13 @@ bool write_movie(const std::filesystem::path& movie,
                                command(container, shown, frames_per_second, partial.path()));
     bool fed = true;
     const auto stopped = [&] { return stop && stop(); };
-    for (std::size_t i = 0; fed && i < pictures.size(); ++i) {
+    for (std::size_t i = 0; fed && i < pictures.count; ++i) {
         if (stopped()) return false;
-        if (i > 0) frame = image::decode(pictures[i]);
+        if (i > 0) frame = pictures.picture(i);
         if (Size{frame.width, frame.height} != size)
             throw MovieError(fmt::format("{}: is {} x {}, but the movie's first picture is {} x {}",
-                                         pictures[i].string(), frame.width, frame.height,
-                                         size.width, size.height));
+                                         pictures.name(i), frame.width, frame.height, size.width,
+                                         size.height));
         fed = encoder.feed(screen_bytes(frame, shown), stopped);
     }
     // Words are an error even with status 0: ffmpeg 5.1 ends like this when the disk fills up while
@@ -162,6 +162,17 @@ bool write_movie(const std::filesystem::path& movie,
             fmt::format("{}: ffmpeg failed ({}): {}", movie.string(), encoder.ending(), words));
     partial.publish();
     return true;
+}
+
+bool write_movie(const std::filesystem::path& movie,
+                 std::span<const std::filesystem::path> pictures, image::Rational frames_per_second,
+                 const std::function<bool()>& stop) {
+    const MoviePictures files{
+        pictures.size(),
+        [pictures](std::size_t i) { return image::decode(pictures[i]); },
+        [pictures](std::size_t i) { return pictures[i].string(); },
+    };
+    return write_movie(movie, files, frames_per_second, stop);
 }
 
 } // namespace isomotion::sequence
