@@ -16,6 +16,7 @@
 #include "gpu/program.h"
 #include "gpu/target.h"
 #include "render/arithmetic.h"
+#include "render/arithmetic_speed.h"
 #include "render/stage.h"
 
 namespace isomotion::app {
@@ -107,6 +108,7 @@ Json probe_here(gpu::Backend backend) {
     try {
         const auto context = gpu::Context::create(backend);
         const gpu::ContextInfo& info = context->info();
+        const render::ArithmeticSpeed speed = render::arithmetic_speed(info);
         return {{"name", gpu::name(backend)},
                 {"works", true},
                 {"backend", info.backend},
@@ -121,8 +123,7 @@ Json probe_here(gpu::Backend backend) {
                   {"texture_buffer_texels", info.max_texture_buffer_size},
                   {"storage_block_bytes", info.max_storage_block_size}}},
                 {"operations_a_second",
-                 {{"fragment", info.operations_a_second.in_fragments},
-                  {"compute", info.operations_a_second.in_compute}}},
+                 {{"fragment", speed.in_fragments}, {"compute", speed.in_compute}}},
                 {"compute", compute_of(info)},
                 {"arithmetic", arithmetic()}};
     } catch (const std::exception& error) {

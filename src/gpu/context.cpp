@@ -161,7 +161,6 @@ void Context::describe() {
         info_.max_storage_block_size = integer_of(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
     }
     info_.software = draws_in_software(info_.renderer);
-    if (!info_.software) info_.operations_a_second = measure_arithmetic_speed();
 }
 
 } // namespace isomotion::gpu

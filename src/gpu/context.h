@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "gpu/arithmetic_speed.h"
 
 struct GLFWwindow;
 
@@ -33,7 +32,6 @@ struct ContextInfo {
     int max_texture_buffer_size = 0; ///< texels
     int max_storage_block_size = 0;  ///< bytes; 0 before OpenGL 4.3
     bool software = false;
-    ArithmeticSpeed operations_a_second; ///< of hardware; else 0
 };
 
 /// One back end that was tried and did not work.

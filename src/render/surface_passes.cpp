@@ -4,6 +4,7 @@
 #include <thread>
 #include <utility>
 
+#include "render/arithmetic_speed.h"
 #include "scene/error.h"
 #include "scene/surfaces.h"
 #include "synthesis/inlined_size.h"
@@ -49,9 +50,7 @@ PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& option
                                  info.has(4, 3), options.finest_beam, options.tells_endings))
     , plan(plan_scene(scene, checked(passes, info), options.width, options.height,
                       info.max_texture_size, options.plan,
-                      operations_per_draw_at(passes.stage == synthesis::Stage::fragment
-                                                 ? info.operations_a_second.in_fragments
-                                                 : info.operations_a_second.in_compute))) {
+                      operations_per_draw_at(arithmetic_speed(info).in(passes.stage)))) {
     // Whether one draw may end a ray, by the usual budget: the passes, and so the fingerprint, are
     // not to depend on how fast this machine is today.
     const ScenePlan usual = plan_scene(scene, passes, options.width, options.height,

@@ -1,6 +1,5 @@
 #include "every_backend.h"
 
-#include "gpu/arithmetic_speed.h"
 #include "gpu/buffer.h"
 #include "gpu/compute.h"
 #include "gpu/depth_mask.h"
@@ -251,21 +250,6 @@ TEST_P(DrawingTest, ASamplesQuerySeesWhetherAnythingWasWritten) {
         EXPECT_EQ(query.passed() > 0, drop == 0);
         EXPECT_TRUE(query.ready());
     }
-}
-
-// A processor does more than a million operations a second, and no machine 10^17.
-TEST_P(DrawingTest, TheSpeedOfArithmeticIsMeasuredInBothStages) {
-    const ArithmeticSpeed speed = measure_arithmetic_speed();
-    EXPECT_GT(speed.in_fragments, 1e6);
-    EXPECT_LT(speed.in_fragments, 1e17);
-    if (has_compute(context->info())) {
-        EXPECT_GT(speed.in_compute, 1e6);
-        EXPECT_LT(speed.in_compute, 1e17);
-    } else {
-        EXPECT_EQ(speed.in_compute, 0);
-    }
-    // Contexts of software renderers don't wait for it.
-    EXPECT_EQ(context->info().operations_a_second.in_fragments == 0, context->info().software);
 }
 
 TEST_P(DrawingTest, ATimerAgreesWithTheClock) {
