@@ -1,4 +1,4 @@
-// Draws one triangle over the whole viewport. Passes the frame on to the fragments as flat values,
+// Draws one triangle over the whole viewport, or rectangles in it. Passes the frame on to the fragments as flat values,
 // which cost software renderers nothing; each vec4 read from a block costs every pixel as much as
 // several operations.
 layout(std140) uniform Frame {
@@ -18,8 +18,12 @@ layout(std140) uniform Shading { // shade/shading_flat.glsl
 flat out vec4 material_color, background, light_direction[1], light_color[1];
 #endif
 
+#ifndef RECTANGLES
+vec2 corner() { return vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0; }
+#endif
+
 void main() {
-    gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
+    gl_Position = vec4(corner(), 0.0, 1.0);
     ray_origin = frame[0];
     ray_axis = frame[1];
     ray_right = frame[2];

@@ -9,12 +9,10 @@ void main() {
     ProofState s = load_proof();
     bool again = start == 1 && s.outcome >= PROOF_HIDDEN && s.settled > ray.t_near;
     if (again) s = resume_proof(s);
-    // A query on this draw tells whether anything was left to do.
-    if (s.outcome != PROOF_UNFINISHED) discard;
     int turns = pieces_per_pass;
-    do {
+    while (turns > 0 && s.outcome == PROOF_UNFINISHED) {
         s = prove_piece(s, ray, hit);
         turns = HAS_ELEMENTS_LEFT ? turns - 1 : 0;
-    } while (turns > 0 && s.outcome == PROOF_UNFINISHED);
+    }
     proof = packed_proof(s);
 }

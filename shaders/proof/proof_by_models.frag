@@ -9,13 +9,11 @@ void main() {
     ProofState s = load_proof();
     bool again = start == 1 && s.outcome >= PROOF_HIDDEN && s.settled > ray.t_near;
     if (again) s = resume_proof(s);
-    // A query on this draw tells whether anything was left to do.
-    if (s.outcome != PROOF_UNFINISHED) discard;
     REAL uncertain = uncertain_at_root(s, value_at(ray, s.settled));
     int turns = pieces_per_pass;
-    do {
+    while (turns > 0 && s.outcome == PROOF_UNFINISHED) {
         s = prove_piece(s, ray, hit, uncertain);
         turns -= 1;
-    } while (turns > 0 && s.outcome == PROOF_UNFINISHED);
+    }
     proof = packed_proof(s);
 }

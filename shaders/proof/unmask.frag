@@ -1,5 +1,4 @@
-// Closes the depth gate for rays with nothing left to prove.
+// Closes the depth gate for rays whose proofs have ended.
 void main() {
-    int outcome = load_proof().outcome;
-    if (outcome != PROOF_HIT && outcome != PROOF_MISS && outcome != PROOF_NONE) discard;
+    if (load_proof().outcome == PROOF_UNFINISHED) discard;
 }

@@ -135,6 +135,15 @@ void PassTable::draw(const gpu::Program& program, const gpu::Rectangle& tile,
     draw(program, tile);
 }
 
+void PassTable::draw(const gpu::Program& program, const gpu::Rectangle& tile,
+                     const gpu::Rectangles& parts) const {
+    gpu::set_viewport({0, 0, tile.width, tile.height});
+    program.set("tile_origin", glm::ivec2(tile.x, tile.y));
+    program.set("pixel_of_viewport", 2.0f / glm::vec2(tile.width, tile.height));
+    bind("rectangles", parts.words());
+    parts.draw();
+}
+
 void PassTable::march(const gpu::Program& program, const gpu::Rectangle& tile,
                       const gpu::Target& target) const {
     if (!clock_) return march_untimed(program, tile, target);

@@ -14,6 +14,7 @@
 #include "gpu/buffer.h"
 #include "gpu/draw.h"
 #include "gpu/program.h"
+#include "gpu/rectangles.h"
 #include "gpu/target.h"
 #include "render/ray_clock.h"
 #include "synthesis/pass.h"
@@ -64,6 +65,9 @@ public:
     void draw(const gpu::Program& program, const gpu::Rectangle& tile) const;
     void draw(const gpu::Program& program, const gpu::Rectangle& tile,
               const gpu::Target& target) const;
+    // The same over rectangles in that area, for passes that are drawn so (synthesis::Cover).
+    void draw(const gpu::Program& program, const gpu::Rectangle& tile,
+              const gpu::Rectangles& parts) const;
     // Runs a pass of rays, in the stage that the passes were assembled for; `target` receives the
     // states.
     void march(const gpu::Program& program, const gpu::Rectangle& tile,

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "render/doubles.h"
+#include "render/open_squares.h"
 #include "render/scene_plan.h"
 #include "synthesis/proof_text.h"
 
@@ -55,15 +56,6 @@ int pieces_of_draw(const formula::Cost& piece, double rays) {
 
 int blocks_across(int pixels, int block = synthesis::proved_block) {
     return (pixels + block - 1) / block;
-}
-
-// Counts open pixels among outcomes of four numbers each.
-std::uint32_t count_open(std::span<const float> record) {
-    std::uint32_t open = 0;
-    for (std::size_t k = 0; k < record.size(); k += 4) {
-        open += Proof(int(record[k])) >= Proof::hidden;
-    }
-    return open;
 }
 
 int attachment_of(const synthesis::Passes& passes, synthesis::Channel channel) {
@@ -143,11 +135,9 @@ void Proofs::draw_and_keep(PassTable& table, const gpu::Program& program,
                            const gpu::Rectangle& tile) {
     // A texture can't be read and written at once.
     table.bind("proof_texture", kept_.texture(0));
-    drawn_.begin();
-    mask_.apply(going_on_, [&] { table.draw(program, tile); });
-    drawn_.end();
+    mask_.apply(going_on_, [&] { table.draw(program, tile, open_); });
     table.bind("proof_texture", going_on_.texture(0));
-    mask_.apply(kept_, [&] { table.draw(table.program(Role::proof_copy), tile); });
+    mask_.apply(kept_, [&] { table.draw(table.program(Role::proof_copy), tile, open_); });
 }
 
 void Proofs::begin(PassTable& table, const gpu::Rectangle& tile) {
@@ -162,37 +152,38 @@ void Proofs::begin(PassTable& table, const gpu::Rectangle& tile) {
         table.bind("coarse_block_texture", of_coarse_blocks_.texture(0));
     }
     draw_blocks(Role::block_proof, synthesis::proved_block, of_blocks_);
-    drawn_.begin();
     mask_.apply(kept_, [&] { table.draw(table.program(Role::first_proof), tile); });
-    drawn_.end();
 }
 
 std::uint32_t Proofs::take_finished_off(PassTable& table, const gpu::Rectangle& tile) {
     table.bind("proof_texture", kept_.texture(0));
-    drawn_.begin();
-    mask_.remove(going_on_, [&] { table.draw(table.program(Role::proof_unmask), tile); });
-    drawn_.end();
-    return drawn_.passed();
+    finished_.begin();
+    mask_.remove(going_on_, [&] { table.draw(table.program(Role::proof_unmask), tile, open_); });
+    finished_.end();
+    return finished_.passed();
 }
 
-void Proofs::prove_rays(PassTable& table, const Pieces& by, Start start, std::uint32_t rays,
+void Proofs::prove_rays(PassTable& table, const Pieces& by, Start start, const OpenSquares& open,
                         const gpu::Rectangle& tile) {
+    if (open.pixels == 0) return;
+    open_.set(open.areas);
     const gpu::Program& program = table.program(by.role);
+    const gpu::Program& gate = table.program(Role::proof_open);
+    gate.set("start", int(start));
+    table.bind("proof_texture", kept_.texture(0));
+    mask_.set(going_on_, [&] { table.draw(gate, tile, open_); });
     // A ray that had all its pieces has nothing to prove. Where elements are found by place a pass
     // may end after any piece.
     const bool by_place = synthesis::array_with_grid(passes_).has_value();
-    for (int left = most_pieces; left > 0 && rays > 0; start = Start::go_on) {
-        const std::uint32_t finished = take_finished_off(table, tile);
-        // Those that are tried again are counted without them.
-        if (start == Start::go_on) rays -= std::min(finished, rays);
-        if (rays == 0) break;
+    auto rays = std::uint32_t(open.pixels);
+    for (int left = most_pieces; rays > 0; start = Start::go_on) {
         const int pieces = pieces_of_draw(by.cost, rays);
         program.set("pieces_per_pass", pieces);
         program.set("start", int(start));
         draw_and_keep(table, program, tile);
         left -= by_place ? 1 : pieces;
-        // Those that went on.
-        if (left > 0) rays = drawn_.passed();
+        if (left <= 0) return;
+        rays -= std::min(take_finished_off(table, tile), rays);
     }
 }
 
@@ -223,17 +214,22 @@ void Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Target& p
         mask_.set(kept_, [&] { table.draw(table.program(Role::proof_mask), tile); });
     }
     begin(table, tile);
-    prove_rays(table, natural_, Start::go_on, drawn_.passed(), tile);
-    const auto read = [&] { kept_.read(0, 0, 0, tile.width, tile.height, record); };
-    read();
-    const std::uint32_t open = count_open(record);
-    if (open == 0) return;
+    // What of the tile is open, by the first number of each pixel.
+    const auto read_where = [&](const auto& is_open) {
+        kept_.read(0, 0, 0, tile.width, tile.height, record);
+        return open_squares(record, tile.width, tile.height, is_open);
+    };
+    const OpenSquares unfinished = read_where([](float outcome) { return outcome < 0; });
+    prove_rays(table, natural_, Start::go_on, unfinished, tile);
+    const OpenSquares undecided =
+        read_where([](float outcome) { return outcome >= float(Proof::hidden); });
+    if (undecided.pixels == 0) return;
     const bool is_first = !closer_;
     const std::optional<Pieces>& again = closer(table);
     if (!again) return;
     if (is_first) upload(table, rays);
-    prove_rays(table, *again, Start::again, open, tile);
-    read();
+    prove_rays(table, *again, Start::again, undecided, tile);
+    kept_.read(0, 0, 0, tile.width, tile.height, record);
 }
 
 } // namespace isomotion::render

@@ -19,8 +19,10 @@
 #include "gpu/buffer.h"
 #include "gpu/depth_mask.h"
 #include "gpu/query.h"
+#include "gpu/rectangles.h"
 #include "gpu/target.h"
 #include "render/march_plan.h"
+#include "render/open_squares.h"
 #include "render/pass_table.h"
 #include "render/proof_rays.h"
 
@@ -74,14 +76,14 @@ private:
     void upload(PassTable& table, const ProofRays& rays);
     // The pass that tries undecided rays again; none if its sums are too long for a shader.
     const std::optional<Pieces>& closer(const PassTable& table);
-    // Continues the kept proofs of rays in the mask, and counts these rays in `drawn_`.
+    // Continues the kept proofs of rays in the mask.
     void draw_and_keep(PassTable& table, const gpu::Program& program, const gpu::Rectangle& tile);
-    // Begins with blocks of rays, then with single rays in the mask.
+    // Begins with blocks of rays, then with the single rays in the mask.
     void begin(PassTable& table, const gpu::Rectangle& tile);
-    // Removes rays with nothing left to prove from the mask; returns their number.
+    // Removes rays whose proofs have ended from the mask; returns their number.
     std::uint32_t take_finished_off(PassTable& table, const gpu::Rectangle& tile);
-    // Draws passes until the proofs that wait for them are finished, for so many rays at most.
-    void prove_rays(PassTable& table, const Pieces& by, Start start, std::uint32_t rays,
+    // Draws passes until the proofs that are open are finished.
+    void prove_rays(PassTable& table, const Pieces& by, Start start, const OpenSquares& open,
                     const gpu::Rectangle& tile);
 
     const synthesis::Passes& passes_;
@@ -95,7 +97,8 @@ private:
     std::optional<gpu::DepthMask> own_mask_;
     const gpu::DepthMask& mask_; // for the last two targets
     gpu::UniformBuffer frame_;
-    gpu::SamplesQuery drawn_; // counts rays
+    gpu::Rectangles open_;       // what passes of single rays are drawn over
+    gpu::SamplesQuery finished_; // counts rays
 };
 
 } // namespace isomotion::render

@@ -41,6 +41,7 @@ enum class Role {
     coarse_block_proof, // proves, for larger blocks of rays, the part before all roots
     block_proof,        // proves blocks of rays together
     first_proof,        // begins the proofs of single rays
+    proof_open,         // sets depth so that proofs run only for rays that are not decided
     proof,              // continues them by some pieces
     proof_copy,         // copies continued proofs to the target that holds all
     proof_unmask,       // sets depth so that finished ones don't run

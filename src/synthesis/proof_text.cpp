@@ -182,11 +182,13 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
     case ProofBounds::natural:
         break;
     case ProofBounds::by_gradient:
-        return std::move(text).pass(Role::sharp_proof, "sharp proof", When::where_proof_is_open);
+        return std::move(text).pass(Role::sharp_proof, "sharp proof", When::where_proof_is_open,
+                                    Cover::rectangles);
     case ProofBounds::in_doubles:
-        return std::move(text).pass(Role::double_proof, "double proof", When::where_proof_is_open);
+        return std::move(text).pass(Role::double_proof, "double proof", When::where_proof_is_open,
+                                    Cover::rectangles);
     }
-    return std::move(text).pass(Role::proof, "proof", When::until_proved);
+    return std::move(text).pass(Role::proof, "proof", When::until_proved, Cover::rectangles);
 }
 
 Pass proof_mask(const scene::Scene& scene, const Passes& passes) {
@@ -198,18 +200,12 @@ Pass proof_mask(const scene::Scene& scene, const Passes& passes) {
     return std::move(text).pass(Role::proof_mask, "proof mask", When::once_a_tile);
 }
 
-Pass proof_unmask() {
+// A pass over what proofs keep.
+Pass of_outcomes(Role role, std::string name, const std::string& file) {
     ShaderText text;
     text.file("proof/outcome.glsl");
-    text.file("proof/unmask.frag");
-    return std::move(text).pass(Role::proof_unmask, "proof unmask", When::until_proved);
-}
-
-Pass proof_copy() {
-    ShaderText text;
-    text.file("proof/outcome.glsl");
-    text.file("proof/copy.frag");
-    return std::move(text).pass(Role::proof_copy, "proof copy", When::until_proved);
+    text.file(file);
+    return std::move(text).pass(role, std::move(name), When::until_proved, Cover::rectangles);
 }
 
 } // namespace
@@ -238,9 +234,10 @@ std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes) 
         list.push_back(block_proof(scene, passes, Role::coarse_block_proof));
     list.push_back(block_proof(scene, passes, Role::block_proof));
     list.push_back(first_proof(scene, passes));
+    list.push_back(of_outcomes(Role::proof_open, "proof open", "proof/open.frag"));
     list.push_back(proof(scene, passes, ProofBounds::natural));
-    list.push_back(proof_copy());
-    list.push_back(proof_unmask());
+    list.push_back(of_outcomes(Role::proof_copy, "proof copy", "proof/copy.frag"));
+    list.push_back(of_outcomes(Role::proof_unmask, "proof unmask", "proof/unmask.frag"));
     list.push_back(proof(scene, passes, ProofBounds::by_gradient));
     list.push_back(proof(scene, passes, ProofBounds::in_doubles));
     return list;

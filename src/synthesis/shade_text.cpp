@@ -79,6 +79,10 @@ bool has_flat_shading(const scene::Scene& scene, Draws draws) {
     return scene.lights.size() == 1 && !keeps;
 }
 
+Cover cover(const scene::Scene& scene, Draws draws) {
+    return has_flat_shading(scene, draws) ? Cover::shaded_flat : Cover::whole;
+}
+
 void add_gradient(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
     add_gradient_of_rest(text, scene,
                          passes.march_takes_gradient ? "shade/gradient_from_state.glsl"
@@ -165,8 +169,7 @@ Pass fused_pass(const scene::Scene& scene, const Passes& passes) {
     } else {
         text.file("shade/fused.frag");
     }
-    return std::move(text).pass(Role::fused, "fused", When::once_a_tile,
-                                has_flat_shading(scene, Draws::one));
+    return std::move(text).pass(Role::fused, "fused", When::once_a_tile, cover(scene, Draws::one));
 }
 
 Pass mask_pass(const scene::Scene& scene, const Passes& passes) {
@@ -304,8 +307,7 @@ Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
               : has_glass(scene) ? "glass/shade.frag"
               : from_surface     ? "effects/shade.frag"
                                  : "shade/shade.frag");
-    return std::move(text).pass(Role::shade, "shade", when,
-                                has_flat_shading(scene, Draws::several));
+    return std::move(text).pass(Role::shade, "shade", when, cover(scene, Draws::several));
 }
 
 Pass motion_pass(const scene::Scene& scene, const Passes& passes) {

@@ -45,7 +45,7 @@ void ShaderText::generated(std::string_view what, const std::string& text) {
     text_ += fmt::format("\n// {}\n{}", what, text);
 }
 
-Pass ShaderText::pass(Role role, std::string name, When when, bool shades_flat) && {
+Pass ShaderText::pass(Role role, std::string name, When when, Cover cover) && {
     Pass pass;
     pass.role = role;
     pass.name = std::move(name);
@@ -55,9 +55,11 @@ Pass ShaderText::pass(Role role, std::string name, When when, bool shades_flat) 
     pass.text = std::move(text_);
     if (stage_ == Stage::fragment) {
         pass.vertex = "#version 330 core\n";
-        if (shades_flat) pass.vertex += "#define FLAT_SHADING\n";
-        pass.vertex += read_shader("fullscreen.vert");
-        pass.files.insert(pass.files.begin(), "fullscreen.vert");
+        if (cover == Cover::shaded_flat) pass.vertex += "#define FLAT_SHADING\n";
+        std::vector<std::string> files{"fullscreen.vert"};
+        if (cover == Cover::rectangles) files.insert(files.begin(), "rectangles.glsl");
+        for (const std::string& file : files) pass.vertex += read_shader(file);
+        pass.files.insert(pass.files.begin(), files.begin(), files.end());
     }
     note_declarations(pass);
     return pass;

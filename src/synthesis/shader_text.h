@@ -11,6 +11,10 @@
 
 namespace isomotion::synthesis {
 
+// What a pass in fragments is drawn over. `shaded_flat`: the whole picture, and fragments get their
+// shading inputs from the vertex shader.
+enum class Cover { whole, shaded_flat, rectangles };
+
 class ShaderText {
 public:
     // Begins with the prelude.
@@ -30,9 +34,8 @@ public:
     const std::string& text() const { return text_; }
     const std::vector<std::string>& files() const { return files_; }
 
-    // The pass with this text, over the whole picture. With `shades_flat`, fragments get their
-    // shading inputs from the vertex shader.
-    Pass pass(Role role, std::string name, When when, bool shades_flat = false) &&;
+    // The pass with this text.
+    Pass pass(Role role, std::string name, When when, Cover cover = Cover::whole) &&;
 
 private:
     std::vector<std::string> files_;

@@ -4,12 +4,15 @@
 #include "gpu/compute.h"
 #include "gpu/depth_mask.h"
 #include "gpu/query.h"
+#include "gpu/rectangles.h"
 #include "gpu/transfer.h"
 
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 namespace isomotion::gpu {
@@ -250,6 +253,50 @@ TEST_P(DrawingTest, ASamplesQuerySeesWhetherAnythingWasWritten) {
         EXPECT_EQ(query.passed() > 0, drop == 0);
         EXPECT_TRUE(query.ready());
     }
+}
+
+// Each pixel of a rectangle is drawn once, also on the diagonal of its two triangles.
+TEST_P(DrawingTest, RectanglesHoldTheirPixelsOnce) {
+    std::ifstream file(ISOMOTION_SOURCE_DIR "/shaders/rectangles.glsl");
+    const std::string vertex = "#version 330 core\n" +
+                               std::string(std::istreambuf_iterator<char>(file), {}) +
+                               "void main() { gl_Position = vec4(corner(), 0.0, 1.0); }";
+    const Program program(vertex,
+                          "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(1.0); }",
+                          "rectangles");
+    const Target target(37, 23);
+    const std::vector<Rectangle> areas{
+        {0, 0, 1, 1}, {3, 2, 16, 16}, {36, 22, 1, 1}, {20, 5, 17, 3}};
+    Rectangles rectangles;
+    rectangles.set(areas);
+    target.clear(0);
+    target.bind();
+    program.bind_sampler("rectangles", 0);
+    rectangles.words().bind(0);
+    program.set("pixel_of_viewport", glm::vec2(2.0f / 37, 2.0f / 23));
+    program.use();
+    SamplesQuery query;
+    query.begin();
+    rectangles.draw();
+    query.end();
+    int pixels = 0;
+    std::vector<int> expected(37 * 23);
+    for (const Rectangle& area : areas) {
+        pixels += area.width * area.height;
+        for (int y = area.y; y < area.y + area.height; ++y)
+            for (int x = area.x; x < area.x + area.width; ++x)
+                expected[std::size_t(y * 37 + x)] = 1;
+    }
+    EXPECT_EQ(query.passed(), std::uint32_t(pixels));
+    const auto drawn = target.read(0, 0, 0, 37, 23);
+    for (std::size_t k = 0; k < expected.size(); ++k)
+        EXPECT_EQ(int(drawn[4 * k]), expected[k]) << k;
+
+    rectangles.set({});
+    query.begin();
+    rectangles.draw();
+    query.end();
+    EXPECT_EQ(query.passed(), 0u);
 }
 
 TEST_P(DrawingTest, ATimerAgreesWithTheClock) {

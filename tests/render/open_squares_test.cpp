@@ -1,0 +1,70 @@
+#include "render/open_squares.h"
+
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace isomotion::render {
+namespace {
+
+constexpr auto is_negative = [](float first) { return first < 0; };
+
+TEST(OpenSquares, OfNothingAreNone) {
+    const std::vector<float> record(4 * 40 * 30, 1.0f);
+    const OpenSquares found = open_squares(record, 40, 30, is_negative);
+    EXPECT_EQ(found.pixels, 0);
+    EXPECT_TRUE(found.areas.empty());
+}
+
+TEST(OpenSquares, JoinNeighboursOfARow) {
+    std::vector<float> record(4 * 100 * 33, 1.0f);
+    for (const int x : {20, 40, 99}) record[std::size_t(4 * (17 * 100 + x))] = -1;
+    const OpenSquares found = open_squares(record, 100, 33, is_negative);
+    EXPECT_EQ(found.pixels, 3);
+    ASSERT_EQ(found.areas.size(), 2u);
+    EXPECT_EQ(found.areas[0].x, 16);
+    EXPECT_EQ(found.areas[0].width, 32);
+    EXPECT_EQ(found.areas[1].x, 96);
+    EXPECT_EQ(found.areas[1].width, 4) << "the picture ends there";
+    EXPECT_EQ(found.areas[1].y, 16);
+    EXPECT_EQ(found.areas[1].height, 16);
+}
+
+// Every open pixel lies in one area, no pixel in two, and no area outside the picture.
+TEST(OpenSquares, HoldEveryOpenPixelOnce) {
+    constexpr unsigned seed = 20261126;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    for (const auto& [width, height] : {std::pair(1, 1), {16, 16}, {17, 15}, {64, 33}, {5, 90}}) {
+        for (const unsigned one_in : {1u, 3u, 40u, 1000u}) {
+            std::vector<float> record(std::size_t(4 * width * height), -7.0f); // others don't count
+            int open = 0;
+            for (std::size_t k = 0; k < record.size(); k += 4) {
+                const bool is_open = random() % one_in == 0;
+                record[k] = is_open ? -1.0f : 2.0f;
+                open += is_open;
+            }
+            const OpenSquares found = open_squares(record, width, height, is_negative);
+            EXPECT_EQ(found.pixels, open);
+            std::vector<int> covered(std::size_t(width * height));
+            for (const gpu::Rectangle& area : found.areas) {
+                ASSERT_GE(area.x, 0);
+                ASSERT_LE(area.x + area.width, width);
+                ASSERT_LE(area.y + area.height, height);
+                for (int y = area.y; y < area.y + area.height; ++y)
+                    for (int x = area.x; x < area.x + area.width; ++x)
+                        ++covered[std::size_t(y * width + x)];
+            }
+            for (std::size_t k = 0; k < covered.size(); ++k) {
+                EXPECT_LE(covered[k], 1);
+                if (record[4 * k] < 0) {
+                    EXPECT_EQ(covered[k], 1) << width << " x " << height;
+                }
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace isomotion::render
