@@ -31,7 +31,16 @@ OpenSquares open_squares(std::span<const float> record, int width, int height,
         std::ranges::fill(open, 0);
         for (int y = low; y < top; ++y) {
             const float* row = record.data() + std::size_t(y) * std::size_t(width) * 4;
-            for (int x = 0; x < width; ++x) open[std::size_t(x / side)] += is_open(row[4 * x]);
+            for (int square = 0; square < int(open.size()); ++square) {
+                const int left = square * side;
+                int count = 0;
+                if (left + side <= width) { // of a constant number, which compilers vectorise
+                    for (int k = 0; k < side; ++k) count += is_open(row[4 * (left + k)]);
+                } else {
+                    for (int x = left; x < width; ++x) count += is_open(row[4 * x]);
+                }
+                open[std::size_t(square)] += count;
+            }
         }
         for (int square = 0; square < int(open.size()); ++square) {
             if (open[std::size_t(square)] == 0) continue;

@@ -315,9 +315,8 @@ struct Renderer::Parts {
     void prove_tile(const PictureInputs& inputs, const gpu::Rectangle& tile, Picture& picture) {
         proved.resize(std::size_t(tile.width) * std::size_t(tile.height) * 4);
         proofs->prove(table, *inputs.proofs, result, one_draw, tile, proved);
-        for (std::size_t k = 0; k < proved.size(); k += 4) {
-            ++picture.proofs[std::size_t(proved[k])];
-        }
+        const ProofCounts counts = count_proofs(proved);
+        for (std::size_t k = 0; k < counts.size(); ++k) picture.proofs[k] += counts[k];
         if (layers.wants(Channel::proof)) {
             planes.copy(proved.data(), tile, 0, tile.height,
                         Layers::of(picture.frame, Channel::proof));
