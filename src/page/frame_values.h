@@ -16,9 +16,11 @@ struct Place {
     int count = 1;
 };
 
-struct FrameValues {
+// Of one surface.
+struct SurfaceValues {
     // One row for each moment of each frame:
-    ValueTable view{"view"};             // doubles, in the order of `view_places`
+    // Doubles, in the order of `view_places`: the camera is in the first surface's alone.
+    ValueTable view{"view"};
     ValueTable parameters{"parameters"}; // block Parameters, std140
     ValueTable shading{"shading"};       // block Shading, std140
     ValueTable effects{"effects"};       // floats, in the order of `effect_places`
@@ -32,6 +34,11 @@ struct FrameValues {
 
     // All tables in a fixed order.
     std::vector<const ValueTable*> tables() const;
+};
+
+// As in scene::Scene, the first surface stands for all.
+struct FrameValues : SurfaceValues {
+    std::vector<SurfaceValues> others;
 };
 
 // The fractions of a frame's duration at its moments: 0 first, and only 0 without motion blur.

@@ -63,59 +63,30 @@ function named(numbers, places) {
     return all;
 }
 
-class SceneData {
-    static async read(letters) {
-        const reader = new Reader(await inflated(letters));
-        const length = reader.word();
-        const about = JSON.parse(new TextDecoder().decode(reader.take(length)));
-        const rows = about.frames * about.moments.length;
-        const tables = new Map();
-        for (const { name, width } of about.tables) tables.set(name, new Table(reader, width, rows));
-        const data = new SceneData(about, tables);
-        if (about.grid) data.grids = Array.from({ length: rows }, () => reader.take(reader.word()));
-        // Halves begin at whole words of two bytes.
-        const halves = ([width, height]) =>
-            new Uint16Array(reader.take(width * height * 6).slice().buffer);
-        if (about.environment) data.environment = halves(about.environment);
-        if (about.environmentLevels) data.environmentLevels = halves(about.environmentLevels);
-        return data;
-    }
-
-    constructor(about, tables) {
+// The values of one surface. Frames have moments, of which the first one, 0, is the frame's time.
+class SurfaceData {
+    constructor(reader, about, frames, moments) {
         this.about = about;
-        this.tables = tables;
-        for (const pass of about.passes) {
-            pass.text = this.text(pass.text);
-            pass.vertex = this.text(pass.vertex);
-        }
+        this.moments = moments;
+        const rows = frames * moments;
+        this.tables = new Map();
+        for (const { name, width } of about.tables)
+            this.tables.set(name, new Table(reader, width, rows));
+        if (about.grid) this.grids = Array.from({ length: rows }, () => reader.take(reader.word()));
     }
 
-    text(numbers) {
-        return numbers.map((number) => this.about.lines[number]).join("\n") + "\n";
+    rowOf(frame, moment) {
+        return (frame - 1) * this.moments + moment;
     }
-
-    // Frames have moments, of which the first one, 0, is the frame's time.
     row(table, frame, moment) {
         return this.tables.get(table).row(this.rowOf(frame, moment));
-    }
-    rowOf(frame, moment) {
-        return (frame - 1) * this.about.moments.length + moment;
     }
     floats(table, frame, moment) {
         return new Float32Array(this.row(table, frame, moment).buffer);
     }
-    seconds(frame, moment) {
-        const { fps, moments } = this.about;
-        return ((frame - 1 + moments[moment]) * fps[1]) / fps[0];
-    }
-
-    // What rays depend on, as the scene has it.
     view(frame, moment) {
-        const view =
-            named(new Float64Array(this.row("view", frame, moment).buffer), this.about.view);
-        view.parallel = this.about.parallel;
-        view.box = this.about.box;
-        return view;
+        const numbers = new Float64Array(this.row("view", frame, moment).buffer);
+        return { ...named(numbers, this.about.view), box: this.about.box };
     }
     effects(frame, moment) {
         const { about } = this;
@@ -131,5 +102,45 @@ class SceneData {
         const across = this.floats("parameters", frame, moment).subarray(place + 8, place + 11);
         return unpackedGrid(this.grids[this.rowOf(frame, moment)], [...across],
             this.count(array, frame, moment));
+    }
+}
+
+class SceneData {
+    static async read(letters) {
+        const reader = new Reader(await inflated(letters));
+        const length = reader.word();
+        const about = JSON.parse(new TextDecoder().decode(reader.take(length)));
+        const data = new SceneData(reader, about);
+        // Halves begin at whole words of two bytes.
+        const halves = ([width, height]) =>
+            new Uint16Array(reader.take(width * height * 6).slice().buffer);
+        if (about.environment) data.environment = halves(about.environment);
+        if (about.environmentLevels) data.environmentLevels = halves(about.environmentLevels);
+        return data;
+    }
+
+    constructor(reader, about) {
+        this.about = about;
+        const text = (numbers) => numbers.map((number) => about.lines[number]).join("\n") + "\n";
+        for (const { passes } of about.surfaces) {
+            for (const pass of passes) {
+                pass.text = text(pass.text);
+                pass.vertex = text(pass.vertex);
+            }
+        }
+        this.surfaces = about.surfaces.map((surface) =>
+            new SurfaceData(reader, surface, about.frames, about.moments.length));
+    }
+
+    seconds(frame, moment) {
+        const { fps, moments } = this.about;
+        return ((frame - 1 + moments[moment]) * fps[1]) / fps[0];
+    }
+
+    // What rays to a surface depend on, as the scene has it: the first one has the camera of all.
+    view(frame, moment, surface = 0) {
+        const [first] = this.surfaces;
+        return { ...first.view(frame, moment), ...this.surfaces[surface].view(frame, moment),
+            parallel: this.about.parallel };
     }
 }

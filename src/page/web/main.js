@@ -54,7 +54,8 @@ function commandsOf(look, painter, panel, hands) {
         r: camera(() => undefined),
         f: camera(() => {
             const { clientWidth, clientHeight } = painter.canvas;
-            return fitted(hands().view(), clientWidth / clientHeight);
+            const all = ballAboutAll(look.views(look.frame(now())));
+            return fitted(hands().view(), clientWidth / clientHeight, all);
         }),
         c: () => {
             const hash = look.address();

@@ -111,13 +111,12 @@ function movedBounds(view, changedNumbers) {
     return { centre, radius, min: centre.map((c) => c - radius), max: centre.map((c) => c + radius) };
 }
 
-// A moment of a frame where some parameters are held: `held` maps their places to numbers. Gives the block of
-// parameters, the arrays' elements and what changes of the view.
-function heldFrame(data, frame, moment, held) {
+// A moment of a frame of a surface where some parameters are held: `held` maps their places to
+// numbers. Gives the block of parameters, the arrays' elements and what changes of the view.
+function heldFrame(data, frame, moment, time, held) {
     const { rules, arrays } = data.about;
     const parameters = data.floats("parameters", frame, moment);
     const tracks = Array.from(parameters);
-    const time = data.seconds(frame, moment);
     const changed = new Set(held.keys());
     for (const [place, value] of held) tracks[place] = value;
     for (const [place, program] of rules.tracks) {
