@@ -148,12 +148,15 @@ Json tables_of(const SurfaceValues& values) {
     return all;
 }
 
-Json arrays_of(const synthesis::Passes& passes) {
+Json arrays_of(const WebSurface& web, const SurfaceValues& values) {
     Json all = Json::array();
-    for (const auto& array : passes.arrays) {
+    for (const auto& array : web.passes.arrays) {
         const bool in_block = array.kind == synthesis::ArrayStorage::Kind::uniform_block;
+        const auto& computed = values.computed[all.size()];
         all.push_back(
-            {{"name", in_block ? array.name + "_block" : array.name}, {"texture", !in_block}});
+            {{"name", in_block ? array.name + "_block" : array.name},
+             {"texture", !in_block},
+             {"computed", computed ? json_of(*computed, web.scene, all.size()) : Json()}});
     }
     return all;
 }
@@ -303,7 +306,7 @@ Json surface_of(const WebSurface& web, const SurfaceValues& values, Texts& texts
     all["stateTextures"] = passes.state_textures;
     all["beams"] = beams_of(web);
     all["parameterVectors"] = passes.parameter_vectors;
-    all["arrays"] = arrays_of(passes);
+    all["arrays"] = arrays_of(web, values);
     all["grid"] = grid_of(web);
     all["elementBudget"] = web.plan.element_budget;
     all["passes"] = passes_of(web, texts);

@@ -12,6 +12,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "elements/grid_maker.h"
+#include "page/html.h"
 #include "page/packed_grid.h"
 #include "render/element_radius.h"
 #include "render/sample_pattern.h"
@@ -213,6 +214,30 @@ void expect_little_data(const scene::Scene& scene, const FrameValues& values, st
         scene.file.string(), scene.timeline.frames, bytes / 1e6, most_value_bytes / 1'000'000));
 }
 
+// Takes expressions in place of values where that is shorter.
+void leave_out(const WebSurface& web, std::span<const double> times, SurfaceValues& values) {
+    const auto counts_at = std::size_t(4 * web.passes.parameter_vectors);
+    for (std::size_t a = 0; a < values.arrays.size(); ++a) {
+        std::vector<int> counts;
+        for (std::size_t row = 0; row < times.size(); ++row)
+            counts.push_back(int(values.parameters.word(row, counts_at + a)));
+        ValueTable& table = values.arrays[a];
+        auto computed = computed_elements(web.scene, a, table, times, counts);
+        if (computed) {
+            ValueTable rest = without(*computed, web.scene, a, table);
+            std::vector<std::byte> shorter, whole;
+            rest.pack(shorter);
+            pack(*computed, shorter);
+            table.pack(whole);
+            if (deflated_text(shorter).size() < deflated_text(whole).size())
+                table = std::move(rest);
+            else
+                computed.reset();
+        }
+        values.computed.push_back(std::move(computed));
+    }
+}
+
 } // namespace
 
 std::vector<double> moments(const scene::Scene& scene) {
@@ -243,10 +268,17 @@ FrameValues frame_values(const WebScene& web) {
             rows[k].add(now.others[k - 1], false, values.others[k - 1]);
     };
     const std::vector<double> parts = moments(scene);
+    std::vector<double> times;
     for (int frame = 1; frame <= scene.timeline.frames; ++frame) {
-        for (const double part : parts) add(scene::at(scene, scene.timeline.values(frame, part)));
+        for (const double part : parts) {
+            add(scene::at(scene, scene.timeline.values(frame, part)));
+            times.push_back(scene.timeline.time(frame, part));
+        }
         expect_little_data(scene, values, std::size_t(scene.timeline.frames) * parts.size());
     }
+    leave_out(web, times, values);
+    for (std::size_t k = 0; k < web.others.size(); ++k)
+        leave_out(web.others[k], times, values.others[k]);
     return values;
 }
 

@@ -2,9 +2,11 @@
 // a frame has as many moments as samples.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "page/computed_elements.h"
 #include "page/value_table.h"
 #include "page/web_scene.h"
 
@@ -25,6 +27,8 @@ struct SurfaceValues {
     ValueTable shading{"shading"};       // block Shading, std140
     ValueTable effects{"effects"};       // floats, in the order of `effect_places`
     std::vector<ValueTable> arrays;      // elements, packed as the shaders read them
+    // For each array, what is left out of its table; none if it has all.
+    std::vector<std::optional<ComputedElements>> computed;
     // For each frame and moment, the grid of the array whose elements are found by place
     // (packed_grid.h): its length in bytes as a little-endian word, then the grid. Empty if there
     // is none.

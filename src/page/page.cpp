@@ -27,8 +27,8 @@ void append_word(std::vector<std::byte>& to, std::size_t word) {
     for (int place = 0; place < 4; ++place) to.push_back(std::byte(word >> (8 * place) & 0xff));
 }
 
-// The length of the description, the description, the tables and grids of each surface, the
-// environment map and its levels.
+// The length of the description, the description, the tables, exceptions and grids of each surface,
+// the environment map and its levels.
 std::vector<std::byte> data_of(const WebScene& web, const PageOptions& options) {
     const FrameValues values = frame_values(web);
     std::optional<Environment> around;
@@ -39,6 +39,9 @@ std::vector<std::byte> data_of(const WebScene& web, const PageOptions& options) 
     append(data, described);
     const auto append_values = [&](const SurfaceValues& of) {
         for (const ValueTable* table : of.tables()) table->pack(data);
+        for (const auto& computed : of.computed) {
+            if (computed) pack(*computed, data);
+        }
         data.insert(data.end(), of.grids.begin(), of.grids.end());
     };
     append_values(values);

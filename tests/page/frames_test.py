@@ -54,6 +54,7 @@ ALL = QUICK + [
     ("cut.toml", 3, [CAMERA]),
     ("sliced_gyroid", 20, []),
     ("soft.toml", 1, []),
+    ("wide.toml", 1, []),
     ("over.toml", 3, [CAMERA], {"balls/c": 0.4, "ring/a": 0.2}),
     ("over.toml", 2, [], {}, 5),
     ("several.toml", 3, [CAMERA]),
@@ -223,6 +224,18 @@ offset = 0.4
 value = "mean_curvature"
 range = [-6, 6]
 """,
+    # Elements of so many fields that their lists would fit into no texture.
+    "wide.toml": """[surface]
+formula = "sum(b, exp(-30*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))*%s) - 0.5"
+bounds = { sphere = 2 }
+[arrays.b]
+count = 300
+cx = "1.3*sin(i)"
+cy = "1.3*sin(2*i)"
+cz = "1.3*sin(3*i)"
+%s
+""" % ("*".join(f"f{k}" for k in range(40)),
+       "\n".join(f'f{k} = "1 + 0.01*random(i, {k})"' for k in range(40))),
     # Motion blur, of elements found by place as well, and of the camera.
     "blur.toml": """[time]
 frames = 4

@@ -63,26 +63,55 @@ function named(numbers, places) {
     return all;
 }
 
+// As src/animation/timeline.h has it.
+const secondsOf = ({ fps, moments }, frame, moment) =>
+    ((frame - 1) * fps[1]) / fps[0] + (moments[moment] * fps[1]) / fps[0];
+
+// By rows, the columns and words that expressions may miss: src/page/computed_elements.h.
+function exceptionsOf(reader) {
+    const rows = new Map();
+    for (let left = reader.word(); left > 0; --left) {
+        const row = reader.word();
+        if (!rows.has(row)) rows.set(row, []);
+        rows.get(row).push([reader.word(), reader.word()]);
+    }
+    return rows;
+}
+
 // The values of one surface. Frames have moments, of which the first one, 0, is the frame's time.
 class SurfaceData {
-    constructor(reader, about, frames, moments) {
+    // `about`: the surface, of this scene.
+    constructor(reader, about, scene) {
         this.about = about;
-        this.moments = moments;
-        const rows = frames * moments;
+        this.scene = scene;
+        const rows = scene.frames * scene.moments.length;
         this.tables = new Map();
         for (const { name, width } of about.tables)
             this.tables.set(name, new Table(reader, width, rows));
+        this.exceptions = about.arrays.map(({ computed }) => computed && exceptionsOf(reader));
         if (about.grid) this.grids = Array.from({ length: rows }, () => reader.take(reader.word()));
     }
 
     rowOf(frame, moment) {
-        return (frame - 1) * this.moments + moment;
+        return (frame - 1) * this.scene.moments.length + moment;
     }
     row(table, frame, moment) {
         return this.tables.get(table).row(this.rowOf(frame, moment));
     }
     floats(table, frame, moment) {
         return new Float32Array(this.row(table, frame, moment).buffer);
+    }
+    // Of an array, as the shaders read them: some fields by their expressions.
+    elements(array, frame, moment) {
+        const texels = this.floats(`array${array}`, frame, moment);
+        const { rules, arrays } = this.about, { computed } = arrays[array];
+        if (!computed) return texels;
+        fillElements(texels, rules.arrays[array], computed, this.count(array, frame, moment),
+            rules.seed, secondsOf(this.scene, frame, moment));
+        const words = new Uint32Array(texels.buffer);
+        for (const [column, word] of this.exceptions[array].get(this.rowOf(frame, moment)) ?? [])
+            words[column] = word;
+        return texels;
     }
     view(frame, moment) {
         const numbers = new Float64Array(this.row("view", frame, moment).buffer);
@@ -129,12 +158,11 @@ class SceneData {
             }
         }
         this.surfaces = about.surfaces.map((surface) =>
-            new SurfaceData(reader, surface, about.frames, about.moments.length));
+            new SurfaceData(reader, surface, about));
     }
 
     seconds(frame, moment) {
-        const { fps, moments } = this.about;
-        return ((frame - 1 + moments[moment]) * fps[1]) / fps[0];
+        return secondsOf(this.about, frame, moment);
     }
 
     // What rays to a surface depend on, as the scene has it: the first one has the camera of all.

@@ -83,6 +83,11 @@ class Program {
 // Of several layers where they are told.
 function textureOf(gl, internal, width, height, layers = 0) {
     const kind = layers ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
+    const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+    if (Math.max(width, height) > most && !gl.isContextLost()) {
+        throw new NotPossible(`This browser or its graphics card has textures of at most ${most} x ` +
+            `${most} pixels, and this scene needs one of ${width} x ${height}.`);
+    }
     const texture = gl.createTexture();
     gl.activeTexture(gl.TEXTURE0 + editingUnit);
     gl.bindTexture(kind, texture);

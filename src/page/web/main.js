@@ -33,6 +33,7 @@ function commandsOf(look, painter, panel, hands) {
     const playback = (change) => () => {
         look.playback = change(look.playback, now());
         painter.change();
+        panel().update();
     };
     const camera = (change) => () => {
         look.camera = change();

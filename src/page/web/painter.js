@@ -130,7 +130,7 @@ class Painter {
             if (this.uploaded === key) return;
             table.setEffects(values.effects(frame, moment));
             elements.upload(its?.arrays ??
-                values.about.arrays.map((_, a) => values.floats(`array${a}`, frame, moment)));
+                values.about.arrays.map((_, a) => values.elements(a, frame, moment)));
         });
         this.uploaded = key;
     }

@@ -233,6 +233,20 @@ TEST(WebScene, ListsFitIntoTheTexturesThatEveryBrowserHas) {
     }
 }
 
+// And where they don't, rays find elements by place, which needs no such texture.
+TEST(WebScene, ListsThatWouldNotFitAreNotMade) {
+    using synthesis::Role;
+    for (const auto& [count, texels] : {std::pair{100, 8}, std::pair{384, 6}, std::pair{128, 12}}) {
+        SCOPED_TRACE(fmt::format("{} elements of {} texels", count, texels));
+        const synthesis::Passes passes = web_scene(scene_of(balls_of_texels(count, texels))).passes;
+        EXPECT_TRUE(synthesis::array_with_grid(passes) || synthesis::copies_fit(passes));
+        EXPECT_EQ(passes.has(Role::beam_copies), synthesis::has_copies(passes));
+        for (const synthesis::BeamLevel& level : passes.beams)
+            EXPECT_EQ(level.lists != synthesis::BeamLists::none, synthesis::has_copies(passes));
+    }
+    EXPECT_FALSE(synthesis::has_copies(web_scene(scene_of(balls_of_texels(384, 12))).passes));
+}
+
 TEST(FrameValues, RefuseTooMuchOfThem) {
     const WebScene web = web_scene(scene_of(balls(90) + "[time]\nframes = 250000\n"));
     try {
