@@ -51,7 +51,8 @@ public:
             slots_.push_back(slot_of(scene, array, order_[k]));
             can_be_computed_.push_back(can(k));
         }
-        const int slots = 1 + *std::max_element(slots_.begin(), slots_.end());
+        // Fields that all elements share may be no elements' fields to the shaders.
+        const int slots = slots_.empty() ? 0 : 1 + std::ranges::max(slots_);
         stride_ = std::size_t(4 * std::max(1, (slots + 3) / 4));
     }
 
