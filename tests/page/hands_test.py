@@ -199,8 +199,8 @@ def is_dark(driven, file, checks):
                 isomotion.painter.canvas.getBoundingClientRect();
                 return [left, top, width, height].map(Math.round); })()""")
             left, top, width, height = place
-            pictures.append([shown.at(x, y) for y in range(top, top + height, 7)
-                             for x in range(left, left + width, 7)])
+            pictures.append([shown.at(x, y) for y in range(top, top + height, 3)
+                             for x in range(left, left + width, 3)])
             page.press("d")
         checks.equal(page.console, [], "the console")
         page.close()
