@@ -53,8 +53,26 @@ std::string name_of(Role role) {
         return "mirror";
     case Role::mirror_surface:
         return "mirrorSurface";
+    case Role::glass_first:
+        return "glassFirst";
+    case Role::glass:
+        return "glass";
+    case Role::glass_next:
+        return "glassNext";
+    case Role::glass_copy:
+        return "glassCopy";
+    case Role::glass_mask:
+        return "glassMask";
+    case Role::glass_active:
+        return "glassActive";
+    case Role::glass_ground:
+        return "glassGround";
+    case Role::seen:
+        return "seen";
     case Role::shadow:
         return "shadow";
+    case Role::occlusion:
+        return "occlusion";
     case Role::shade:
         return "shade";
     default:
@@ -87,7 +105,7 @@ private:
     Json all_ = Json::array();
 };
 
-Json passes_of(const WebScene& web, Texts& texts) {
+Json passes_of(const WebSurface& web, Texts& texts) {
     Json all = Json::array();
     for (const synthesis::Pass& pass : web.passes.list) {
         all.push_back({{"role", name_of(pass.role)},
@@ -102,7 +120,7 @@ Json passes_of(const WebScene& web, Texts& texts) {
     return all;
 }
 
-Json beams_of(const WebScene& web) {
+Json beams_of(const WebSurface& web) {
     Json all = Json::array();
     const bool copied = synthesis::has_copies(web.passes);
     for (const synthesis::BeamLevel& level : web.passes.beams) {
@@ -123,25 +141,28 @@ Json places_of(const std::vector<Place>& places) {
     return all;
 }
 
-Json tables_of(const FrameValues& values) {
+Json tables_of(const SurfaceValues& values) {
     Json all = Json::array();
     for (const ValueTable* table : values.tables())
         all.push_back({{"name", table->name()}, {"width", table->width()}});
     return all;
 }
 
-Json arrays_of(const synthesis::Passes& passes) {
+Json arrays_of(const WebSurface& web, const SurfaceValues& values) {
     Json all = Json::array();
-    for (const auto& array : passes.arrays) {
+    for (const auto& array : web.passes.arrays) {
         const bool in_block = array.kind == synthesis::ArrayStorage::Kind::uniform_block;
+        const auto& computed = values.computed[all.size()];
         all.push_back(
-            {{"name", in_block ? array.name + "_block" : array.name}, {"texture", !in_block}});
+            {{"name", in_block ? array.name + "_block" : array.name},
+             {"texture", !in_block},
+             {"computed", computed ? json_of(*computed, web.scene, all.size()) : Json()}});
     }
     return all;
 }
 
 // Where the elements are that a page finds by place; null where it goes through all.
-Json grid_of(const WebScene& web) {
+Json grid_of(const WebSurface& web) {
     const auto array = synthesis::array_with_grid(web.passes);
     if (!array) return nullptr;
     return {{"array", *array},
@@ -151,21 +172,28 @@ Json grid_of(const WebScene& web) {
 }
 
 // What a slider makes of elements may matter in other cells: then the shaders go through all.
-bool can_go_through_all(const WebScene& web) {
+bool can_go_through_all(const WebSurface& web) {
     const auto array = synthesis::array_with_grid(web.passes);
     return !array || web.passes.arrays[std::size_t(*array)].capacity <= most_elements;
 }
 
+// Named as in the player where there are several surfaces.
 Json sliders_of(const WebScene& web) {
-    const scene::Scene& scene = web.scene;
     Json all = Json::array();
-    if (!can_go_through_all(web)) return all;
-    for (const player::SliderRange& range : player::slider_ranges(scene)) {
-        if (!(range.least < range.most) || !can_be_held(scene, range.track)) continue;
-        all.push_back({{"name", range.name},
-                       {"place", range.track},
-                       {"least", range.least},
-                       {"most", range.most}});
+    int index = -1;
+    for (const WebSurface* surface : web.surfaces()) {
+        ++index;
+        if (!can_go_through_all(*surface)) continue;
+        const scene::Scene& scene = surface->scene;
+        const std::string prefix = web.others.empty() ? "" : scene.surface.label + "/";
+        for (const player::SliderRange& range : player::slider_ranges(scene)) {
+            if (!(range.least < range.most) || !can_be_held(scene, range.track)) continue;
+            all.push_back({{"name", prefix + range.name},
+                           {"surface", index},
+                           {"place", range.track},
+                           {"least", range.least},
+                           {"most", range.most}});
+        }
     }
     return all;
 }
@@ -264,17 +292,50 @@ Json viewers_lights_of(const scene::Scene& scene) {
     return all;
 }
 
+// How one surface is drawn.
+Json surface_of(const WebSurface& web, const SurfaceValues& values, Texts& texts) {
+    const scene::Scene& scene = web.scene;
+    const synthesis::Passes& passes = web.passes;
+    Json all;
+    all["box"] = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+    all["settings"] = settings_of(scene);
+    all["rules"] = rules_of(scene);
+    all["evaluations"] = web.plan.march.evaluations_per_pass;
+    all["shadowLights"] = std::popcount(unsigned(synthesis::shadow_mask(scene)));
+    all["degree"] = passes.degree;
+    all["stateTextures"] = passes.state_textures;
+    all["beams"] = beams_of(web);
+    all["parameterVectors"] = passes.parameter_vectors;
+    all["arrays"] = arrays_of(web, values);
+    all["grid"] = grid_of(web);
+    all["elementBudget"] = web.plan.element_budget;
+    all["passes"] = passes_of(web, texts);
+    all["view"] = places_of(values.view_places);
+    all["effects"] = places_of(values.effect_places);
+    all["tables"] = tables_of(values);
+    return all;
+}
+
 } // namespace
+
+std::string formulas_of(const WebScene& web) {
+    if (web.others.empty()) return web.scene.surface.field->text;
+    std::string all;
+    for (const WebSurface* surface : web.surfaces()) {
+        const scene::Surface& its = surface->scene.surface;
+        all += fmt::format("{}{}: {}", all.empty() ? "" : "\n", its.label, its.field->text);
+    }
+    return all;
+}
 
 std::string description(const WebScene& web, const FrameValues& values,
                         const Environment* environment, const PageOptions& options) {
-    const scene::Scene& scene = web.scene;
-    const synthesis::Passes& passes = web.passes;
+    const scene::Scene& scene = web.whole;
     const animation::Timeline& timeline = scene.timeline;
     Texts texts;
     Json all;
     all["title"] = scene.title;
-    all["formula"] = scene.surface.field->text;
+    all["formula"] = formulas_of(web);
     all["source"] = source_of(scene);
     all["frames"] = timeline.frames;
     all["fps"] = {timeline.fps.numerator, timeline.fps.denominator};
@@ -287,30 +348,18 @@ std::string description(const WebScene& web, const FrameValues& values,
     all["pattern"] = pattern_of(std::max(scene.output.samples, fewest_samples));
     const bool is_few = scene.output.samples > 1 && scene.output.samples < fewest_samples;
     if (is_few || moments(scene).size() > 1) all["pattern"] = pattern_of(scene.output.samples);
-    all["box"] = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     all["parallel"] = scene.camera.projection == scene::Camera::Projection::orthographic;
     all["lights"] = scene.lights.size();
     all["viewersLights"] = viewers_lights_of(scene);
-    all["settings"] = settings_of(scene);
+    all["glassDepth"] = scene.material.glass ? scene.material.glass->depth : 0;
     all["sliders"] = sliders_of(web);
-    all["rules"] = rules_of(scene);
     all["markers"] = markers_of(scene, options);
     if (options.report) all["accuracy"] = accuracy_of(scene, *options.report);
     all["tile"] = web.plan.march.tile_width;
-    all["evaluations"] = web.plan.march.evaluations_per_pass;
-    all["shadowLights"] = std::popcount(unsigned(synthesis::shadow_mask(scene)));
-    all["degree"] = passes.degree;
-    all["stateTextures"] = passes.state_textures;
-    all["beams"] = beams_of(web);
-    all["parameterVectors"] = passes.parameter_vectors;
-    all["arrays"] = arrays_of(passes);
-    all["grid"] = grid_of(web);
-    all["elementBudget"] = web.plan.element_budget;
-    all["passes"] = passes_of(web, texts);
+    all["surfaces"] = Json::array({surface_of(web, values, texts)});
+    for (std::size_t k = 0; k < web.others.size(); ++k)
+        all["surfaces"].push_back(surface_of(web.others[k], values.others[k], texts));
     all["lines"] = texts.all();
-    all["view"] = places_of(values.view_places);
-    all["effects"] = places_of(values.effect_places);
-    all["tables"] = tables_of(values);
     if (environment) all["environment"] = {environment->map.width, environment->map.height};
     if (environment && environment->levels)
         all["environmentLevels"] = {environment->levels->width, environment->levels->height};

@@ -11,6 +11,9 @@
 
 namespace isomotion::page {
 
+// The formula, or those of all surfaces with their names, a line each.
+std::string formulas_of(const WebScene& web);
+
 // `environment` is null if the scene has none. Throws InputError for a report that is broken or of
 // another scene. For such a timeline beside the scene it calls the options' `warn`.
 std::string description(const WebScene& web, const FrameValues& values,

@@ -12,6 +12,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "elements/grid_maker.h"
+#include "page/html.h"
 #include "page/packed_grid.h"
 #include "render/element_radius.h"
 #include "render/sample_pattern.h"
@@ -43,8 +44,8 @@ public:
 };
 
 // What rays depend on: web/rays.js makes the block Frame of it, for the camera of whoever looks.
-Row view_of(const scene::SceneAt& now, double element_radius) {
-    Row row;
+// What all surfaces share:
+void add_camera(Row& row, const scene::SceneAt& now) {
     row.add("position", now.camera.position);
     row.add("target", now.camera.target);
     row.add("up", now.camera.up);
@@ -53,6 +54,13 @@ Row view_of(const scene::SceneAt& now, double element_radius) {
     row.add("zoom", now.camera.zoom);
     row.add("aperture", now.camera.aperture);
     row.add("focus", now.camera.focus);
+    std::vector<double> radii;
+    for (const scene::LightAt& light : now.lights) radii.push_back(light.radius);
+    row.add("lightRadius", std::span<const double>(radii));
+}
+
+// And what is of one.
+void add_surface(Row& row, const scene::SceneAt& now, double element_radius) {
     row.add("translate", now.placement.translate);
     row.add("rotate", now.placement.rotate);
     row.add("scale", now.placement.scale);
@@ -61,10 +69,6 @@ Row view_of(const scene::SceneAt& now, double element_radius) {
     row.add("centre", now.bounds.centre);
     row.add("radius", now.bounds.radius);
     row.add("elementRadius", element_radius);
-    std::vector<double> radii;
-    for (const scene::LightAt& light : now.lights) radii.push_back(light.radius);
-    row.add("lightRadius", std::span<const double>(radii));
-    return row;
 }
 
 std::vector<std::uint32_t> words_of_bytes(std::span<const std::byte> bytes) {
@@ -111,7 +115,7 @@ std::vector<Place> add_effects(const synthesis::Uniforms& uniforms, std::vector<
 // Makes and packs the grids of the array whose elements are found by place, if there is one.
 class Grids {
 public:
-    explicit Grids(const WebScene& web)
+    explicit Grids(const WebSurface& web)
         : web_(web) {
         if (const auto array = synthesis::array_with_grid(web.passes))
             maker_ = elements::GridMaker::of(*web.scene.surface.field, *array);
@@ -143,54 +147,34 @@ public:
     }
 
 private:
-    const WebScene& web_;
+    const WebSurface& web_;
     std::optional<elements::GridMaker> maker_;
     elements::GridLimits limits_;
 };
 
-// Columns that move go on moving: what is too much is so after few rows.
-void expect_little_data(const scene::Scene& scene, const FrameValues& values, std::size_t rows) {
-    std::size_t columns = 0;
-    for (const ValueTable* table : values.tables()) columns += table->moving();
-    const double bytes = 4.0 * double(columns) * double(rows) + double(values.grids.size());
-    if (bytes <= double(most_value_bytes)) return;
-    throw scene::SceneError(fmt::format(
-        "{}: the values of {} frames are {:.0f} MB or more; a page holds at most {}: take fewer "
-        "frames (time.frames), samples (output.samples) or elements",
-        scene.file.string(), scene.timeline.frames, bytes / 1e6, most_value_bytes / 1'000'000));
-}
+// Makes the rows of one surface.
+class SurfaceRows {
+public:
+    explicit SurfaceRows(const WebSurface& web)
+        : web_(web)
+        , by_cubics_(scene::traits(web.scene.isolation.method).steps == scene::Steps::cubics)
+        , grids_(web) {}
 
-} // namespace
+    void prepare(SurfaceValues& values) const {
+        for (std::size_t a = 0; a < web_.passes.arrays.size(); ++a)
+            values.arrays.emplace_back(fmt::format("array{}", a));
+    }
 
-std::vector<double> moments(const scene::Scene& scene) {
-    if (scene.camera.shutter == 0) return {0.0};
-    std::vector<double> parts;
-    for (const render::Sample& sample : render::sample_pattern(scene.output.samples))
-        parts.push_back(scene.camera.shutter * sample.part);
-    return parts;
-}
-
-std::vector<const ValueTable*> FrameValues::tables() const {
-    std::vector<const ValueTable*> all{&view, &parameters, &shading, &effects};
-    for (const ValueTable& array : arrays) all.push_back(&array);
-    return all;
-}
-
-FrameValues frame_values(const WebScene& web) {
-    const scene::Scene& scene = web.scene;
-    const synthesis::Passes& passes = web.passes;
-    FrameValues values;
-    for (std::size_t a = 0; a < passes.arrays.size(); ++a)
-        values.arrays.emplace_back(fmt::format("array{}", a));
-    const bool by_cubics = scene::traits(scene.isolation.method).steps == scene::Steps::cubics;
-    render::ElementRadius element_radius;
-    const Grids grids(web);
-    const auto add = [&](const scene::SceneAt& now) {
-        Row view = view_of(now, by_cubics ? element_radius.least(scene, now) : HUGE_VAL);
+    void add(const scene::SceneAt& now, bool is_first, SurfaceValues& values) {
+        const scene::Scene& scene = web_.scene;
+        const synthesis::Passes& passes = web_.passes;
+        Row view;
+        if (is_first) add_camera(view, now);
+        add_surface(view, now, by_cubics_ ? element_radius_.least(scene, now) : HUGE_VAL);
         values.view.add(words_of(std::span<const double>(view.numbers)));
         values.view_places = std::move(view.places);
-        const auto grid = grids.at(now);
-        if (grid) grids.add(*grid, now, values.grids);
+        const auto grid = grids_.at(now);
+        if (grid) grids_.add(*grid, now, values.grids);
         values.parameters.add(
             words_of_bytes(render::parameter_block(passes, now, grid ? &*grid : nullptr)));
         const auto shading = render::shading_block(scene, now, largest_tile, largest_tile);
@@ -204,12 +188,97 @@ FrameValues frame_values(const WebScene& web) {
             texels.resize(std::size_t(storage.capacity) * std::size_t(storage.texels));
             values.arrays[a].add(words_of(std::span<const float>(numbers_of(texels))));
         }
+    }
+
+private:
+    const WebSurface& web_;
+    bool by_cubics_;
+    render::ElementRadius element_radius_;
+    Grids grids_;
+};
+
+double bytes_of(const SurfaceValues& values, std::size_t rows) {
+    std::size_t columns = 0;
+    for (const ValueTable* table : values.tables()) columns += table->moving();
+    return 4.0 * double(columns) * double(rows) + double(values.grids.size());
+}
+
+// Columns that move go on moving: what is too much is so after few rows.
+void expect_little_data(const scene::Scene& scene, const FrameValues& values, std::size_t rows) {
+    double bytes = bytes_of(values, rows);
+    for (const SurfaceValues& other : values.others) bytes += bytes_of(other, rows);
+    if (bytes <= double(most_value_bytes)) return;
+    throw scene::SceneError(fmt::format(
+        "{}: the values of {} frames are {:.0f} MB or more; a page holds at most {}: take fewer "
+        "frames (time.frames), samples (output.samples) or elements",
+        scene.file.string(), scene.timeline.frames, bytes / 1e6, most_value_bytes / 1'000'000));
+}
+
+// Takes expressions in place of values where that is shorter.
+void leave_out(const WebSurface& web, std::span<const double> times, SurfaceValues& values) {
+    const auto counts_at = std::size_t(4 * web.passes.parameter_vectors);
+    for (std::size_t a = 0; a < values.arrays.size(); ++a) {
+        std::vector<int> counts;
+        for (std::size_t row = 0; row < times.size(); ++row)
+            counts.push_back(int(values.parameters.word(row, counts_at + a)));
+        ValueTable& table = values.arrays[a];
+        auto computed = computed_elements(web.scene, a, table, times, counts);
+        if (computed) {
+            ValueTable rest = without(*computed, web.scene, a, table);
+            std::vector<std::byte> shorter, whole;
+            rest.pack(shorter);
+            pack(*computed, shorter);
+            table.pack(whole);
+            if (deflated_text(shorter).size() < deflated_text(whole).size())
+                table = std::move(rest);
+            else
+                computed.reset();
+        }
+        values.computed.push_back(std::move(computed));
+    }
+}
+
+} // namespace
+
+std::vector<double> moments(const scene::Scene& scene) {
+    if (scene.camera.shutter == 0) return {0.0};
+    std::vector<double> parts;
+    for (const render::Sample& sample : render::sample_pattern(scene.output.samples))
+        parts.push_back(scene.camera.shutter * sample.part);
+    return parts;
+}
+
+std::vector<const ValueTable*> SurfaceValues::tables() const {
+    std::vector<const ValueTable*> all{&view, &parameters, &shading, &effects};
+    for (const ValueTable& array : arrays) all.push_back(&array);
+    return all;
+}
+
+FrameValues frame_values(const WebScene& web) {
+    const scene::Scene& scene = web.whole;
+    FrameValues values;
+    values.others.resize(web.others.size());
+    std::vector<SurfaceRows> rows;
+    for (const WebSurface* surface : web.surfaces()) rows.emplace_back(*surface);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        rows[k].prepare(k == 0 ? values : values.others[k - 1]);
+    const auto add = [&](const scene::SceneAt& now) {
+        rows[0].add(now, true, values);
+        for (std::size_t k = 1; k < rows.size(); ++k)
+            rows[k].add(now.others[k - 1], false, values.others[k - 1]);
     };
     const std::vector<double> parts = moments(scene);
+    std::vector<double> times;
     for (int frame = 1; frame <= scene.timeline.frames; ++frame) {
-        for (const double part : parts) add(scene::at(scene, scene.timeline.values(frame, part)));
+        for (const double part : parts) {
+            add(scene::at(scene, scene.timeline.values(frame, part)));
+            times.push_back(scene.timeline.time(frame, part));
+        }
         expect_little_data(scene, values, std::size_t(scene.timeline.frames) * parts.size());
     }
+    leave_out(web, times, values);
+    for (std::size_t k = 0; k < web.others.size(); ++k)
+        leave_out(web.others[k], times, values.others[k]);
     return values;
 }
 

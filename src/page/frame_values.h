@@ -2,9 +2,11 @@
 // a frame has as many moments as samples.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "page/computed_elements.h"
 #include "page/value_table.h"
 #include "page/web_scene.h"
 
@@ -16,13 +18,17 @@ struct Place {
     int count = 1;
 };
 
-struct FrameValues {
+// Of one surface.
+struct SurfaceValues {
     // One row for each moment of each frame:
-    ValueTable view{"view"};             // doubles, in the order of `view_places`
+    // Doubles, in the order of `view_places`: the camera is in the first surface's alone.
+    ValueTable view{"view"};
     ValueTable parameters{"parameters"}; // block Parameters, std140
     ValueTable shading{"shading"};       // block Shading, std140
     ValueTable effects{"effects"};       // floats, in the order of `effect_places`
     std::vector<ValueTable> arrays;      // elements, packed as the shaders read them
+    // For each array, what is left out of its table; none if it has all.
+    std::vector<std::optional<ComputedElements>> computed;
     // For each frame and moment, the grid of the array whose elements are found by place
     // (packed_grid.h): its length in bytes as a little-endian word, then the grid. Empty if there
     // is none.
@@ -32,6 +38,11 @@ struct FrameValues {
 
     // All tables in a fixed order.
     std::vector<const ValueTable*> tables() const;
+};
+
+// As in scene::Scene, the first surface stands for all.
+struct FrameValues : SurfaceValues {
+    std::vector<SurfaceValues> others;
 };
 
 // The fractions of a frame's duration at its moments: 0 first, and only 0 without motion blur.

@@ -13,11 +13,11 @@ namespace isomotion::page {
 namespace {
 
 // In an order in which what runs at once comes last.
-constexpr const char* scripts[] = {"vectors.js", "grid.js",   "data.js",     "rays.js",
-                                   "orbit.js",   "lights.js", "playback.js", "rules.js",
-                                   "address.js", "look.js",   "gl.js",       "passes.js",
-                                   "tile.js",    "screen.js", "elements.js", "resolution.js",
-                                   "painter.js", "hands.js",  "panel.js",    "main.js"};
+constexpr const char* scripts[] = {
+    "vectors.js",  "grid.js",         "data.js",    "rays.js",  "orbit.js", "lights.js",
+    "playback.js", "rules.js",        "address.js", "look.js",  "gl.js",    "passes.js",
+    "surface.js",  "further_rays.js", "several.js", "glass.js", "tile.js",  "screen.js",
+    "elements.js", "resolution.js",   "painter.js", "hands.js", "panel.js", "main.js"};
 
 void append(std::vector<std::byte>& to, std::string_view text) {
     for (const char c : text) to.push_back(std::byte(c));
@@ -27,18 +27,25 @@ void append_word(std::vector<std::byte>& to, std::size_t word) {
     for (int place = 0; place < 4; ++place) to.push_back(std::byte(word >> (8 * place) & 0xff));
 }
 
-// The length of the description, the description, the tables, the grids, the environment map and
-// its levels.
+// The length of the description, the description, the tables, exceptions and grids of each surface,
+// the environment map and its levels.
 std::vector<std::byte> data_of(const WebScene& web, const PageOptions& options) {
     const FrameValues values = frame_values(web);
     std::optional<Environment> around;
-    if (web.scene.environment) around = environment(web.scene, options.warn);
+    if (web.whole.environment) around = environment(web.whole, options.warn);
     const std::string described = description(web, values, around ? &*around : nullptr, options);
     std::vector<std::byte> data;
     append_word(data, described.size());
     append(data, described);
-    for (const ValueTable* table : values.tables()) table->pack(data);
-    data.insert(data.end(), values.grids.begin(), values.grids.end());
+    const auto append_values = [&](const SurfaceValues& of) {
+        for (const ValueTable* table : of.tables()) table->pack(data);
+        for (const auto& computed : of.computed) {
+            if (computed) pack(*computed, data);
+        }
+        data.insert(data.end(), of.grids.begin(), of.grids.end());
+    };
+    append_values(values);
+    for (const SurfaceValues& other : values.others) append_values(other);
     const auto append_texels = [&](const EnvironmentMap& map) {
         data.insert(data.end(), map.texels.begin(), map.texels.end());
     };
@@ -63,7 +70,7 @@ std::string page(const scene::Scene& scene, const PageOptions& options) {
     for (const char* name : scripts) script.append(files.at(name)).append("\n");
     return filled(files.at("page.html"),
                   {{"title", html_text(scene.title)},
-                   {"formula", html_text(scene.surface.field->text)},
+                   {"formula", html_text(formulas_of(web))},
                    {"movie", movie_element(options.movie)},
                    {"style", std::string(files.at("page.css"))},
                    {"script", script},

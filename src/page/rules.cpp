@@ -13,15 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using formula::Instruction, formula::Op, formula::Program;
 
-// The parameters that a program names.
-std::set<int> named_by(const Program& program) {
-    std::set<int> named;
-    for (const Instruction& now : program.instructions) {
-        if (now.op == Op::parameter) named.insert(now.index);
-    }
-    return named;
-}
-
 // The sibling that a parameter of a field's program stands for, if it is none of the tracks.
 std::optional<std::size_t> sibling_of(const animation::Animation& animation, int parameter) {
     const int tracks = int(animation.nameable());
@@ -60,20 +51,6 @@ void add_in_order(const animation::Animation& animation, std::size_t array, std:
         }
     }
     order.push_back(field);
-}
-
-// What the shaders read, and what that is made of.
-std::vector<std::size_t> fields_in_order(const scene::Scene& scene, std::size_t array) {
-    std::vector<std::size_t> order;
-    for (const int field : scene.surface.field->packing[array])
-        add_in_order(scene.timeline.animation, array, std::size_t(field), order);
-    return order;
-}
-
-int slot_of(const scene::Scene& scene, std::size_t array, std::size_t field) {
-    const auto& packing = scene.surface.field->packing[array];
-    const auto at = std::ranges::find(packing, int(field));
-    return at == packing.end() ? -1 : int(at - packing.begin());
 }
 
 bool is_column(const animation::Animation& animation, std::size_t array, std::size_t field) {
@@ -144,6 +121,31 @@ std::vector<int> bounds_tracks(const scene::Bounds& bounds) {
 
 } // namespace
 
+std::set<int> named_by(const Program& program) {
+    std::set<int> named;
+    for (const Instruction& now : program.instructions) {
+        if (now.op == Op::parameter) named.insert(now.index);
+    }
+    return named;
+}
+
+std::vector<std::size_t> fields_in_order(const scene::Scene& scene, std::size_t array) {
+    std::vector<std::size_t> order;
+    for (const int field : scene.surface.field->packing[array])
+        add_in_order(scene.timeline.animation, array, std::size_t(field), order);
+    return order;
+}
+
+int slot_of(const scene::Scene& scene, std::size_t array, std::size_t field) {
+    const auto& packing = scene.surface.field->packing[array];
+    const auto at = std::ranges::find(packing, int(field));
+    return at == packing.end() ? -1 : int(at - packing.begin());
+}
+
+Json program_of_track(const animation::Animation& animation, int track) {
+    return json_of(*animation.program(track), int(animation.nameable()), {});
+}
+
 bool can_be_held(const scene::Scene& scene, int track) {
     const animation::Animation& animation = scene.timeline.animation;
     for (std::size_t a = 0; a < animation.arrays().size(); ++a) {
@@ -161,9 +163,8 @@ bool can_be_held(const scene::Scene& scene, int track) {
 
 Json rules_of(const scene::Scene& scene) {
     const animation::Animation& animation = scene.timeline.animation;
-    const int tracks = int(animation.nameable());
     const auto rule = [&](int key, int track) {
-        return Json{key, json_of(*animation.program(track), tracks, {})};
+        return Json{key, program_of_track(animation, track)};
     };
     Json rules{{"seed", std::to_string(animation.seed())}};
     std::vector<int> order;

@@ -5,6 +5,10 @@
 // them.
 #pragma once
 
+#include <cstddef>
+#include <set>
+#include <vector>
+
 #include <nlohmann/json_fwd.hpp>
 
 #include "scene/scene.h"
@@ -14,6 +18,16 @@ namespace isomotion::page {
 // Whether a page can evaluate what depends on the parameter. It can't if an element's field depends
 // on a column of a file that the shaders do not read.
 bool can_be_held(const scene::Scene& scene, int track);
+
+// The parameters that a program names: tracks, and for a field's program fields of its array.
+std::set<int> named_by(const formula::Program& program);
+// The fields of an array that the shaders read and those they are made of, each after the latter.
+std::vector<std::size_t> fields_in_order(const scene::Scene& scene, std::size_t array);
+// A field's place among those that the shaders read, or -1.
+int slot_of(const scene::Scene& scene, std::size_t array, std::size_t field);
+
+// Of a track that is an expression, as below.
+nlohmann::ordered_json program_of_track(const animation::Animation& animation, int track);
 
 // {"seed": decimal text, "tracks": [[place, program]], "bounds": [[number of the bounds, program]],
 //  "arrays": [[field]]}, with each entry after those it depends on. The numbers of bounds are a

@@ -28,6 +28,12 @@ void ValueTable::add(std::span<const std::uint32_t> row) {
     ++rows_;
 }
 
+void ValueTable::clear(std::size_t column) {
+    moving_ -= std::size_t(moves(column));
+    columns_[column].clear();
+    first_[column] = 0;
+}
+
 void ValueTable::pack(std::vector<std::byte>& into) const {
     std::vector<std::uint32_t> differences; // of the columns that move
     for (const std::vector<std::uint32_t>& column : columns_) {

@@ -32,6 +32,12 @@ public:
     std::size_t width() const { return first_.size(); } // words per row
     std::size_t rows() const { return rows_; }
     std::size_t moving() const { return moving_; } // columns
+    bool moves(std::size_t column) const { return !columns_[column].empty(); }
+    std::uint32_t word(std::size_t row, std::size_t column) const {
+        return moves(column) ? columns_[column][row] : first_[column];
+    }
+    // Makes a column 0 in all rows.
+    void clear(std::size_t column);
 
     void pack(std::vector<std::byte>& into) const;
 

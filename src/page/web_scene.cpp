@@ -1,6 +1,8 @@
 #include "page/web_scene.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -8,6 +10,7 @@
 #include "scene/surfaces.h"
 #include "synthesis/assemble.h"
 #include "synthesis/inlined_size.h"
+#include "synthesis/surfaces_text.h"
 
 namespace isomotion::page {
 namespace {
@@ -34,20 +37,17 @@ void expect_few_elements(const scene::Scene& scene, const synthesis::Passes& pas
     }
 }
 
-} // namespace
+void expect_known(const scene::Scene& scene) {
+    bool has_glass = scene.material.glass.has_value();
+    for (const scene::Scene& other : scene.others) has_glass |= other.material.glass.has_value();
+    if (!has_glass || scene.others.empty()) return;
+    refuse(scene,
+           "material.transmission: a page shows glass of one surface alone; leave it out, or "
+           "share a movie (isomotion render --movie)");
+}
 
-WebScene web_scene(scene::Scene scene) {
-    if (!scene.others.empty()) {
-        refuse(scene, fmt::format("surfaces: there are {}, and a page shows one; leave the others "
-                                  "out, or share a movie (isomotion render --movie)",
-                                  scene.among.count));
-    }
-    if (scene.material.glass) {
-        refuse(scene,
-               "material.transmission: a page shows no glass; leave it out, or share a movie "
-               "(isomotion render --movie)");
-    }
-    WebScene web;
+WebSurface web_surface(scene::Scene scene) {
+    WebSurface web;
     scene.isolation.certify = false;
     web.passes = synthesis::assemble(scene, {}, synthesis::Stage::fragment, false,
                                      synthesis::usual_beam, false, synthesis::Platform::webgl);
@@ -57,6 +57,36 @@ WebScene web_scene(scene::Scene scene) {
     if (web.plan.march.evaluations_per_pass <= 1)
         web.passes = synthesis::without_fused_pass(std::move(web.passes));
     web.scene = std::move(scene);
+    return web;
+}
+
+// What render::plan_surfaces() does.
+void agree(WebScene& web) {
+    std::vector<synthesis::Passes*> passes{&web.passes};
+    render::MarchPlan& plan = web.plan.march;
+    for (WebSurface& other : web.others) {
+        passes.push_back(&other.passes);
+        plan.tile_width = std::min(plan.tile_width, other.plan.march.tile_width);
+        plan.tile_height = std::min(plan.tile_height, other.plan.march.tile_height);
+    }
+    synthesis::agree_on_draws(passes);
+}
+
+} // namespace
+
+std::vector<const WebSurface*> WebScene::surfaces() const {
+    std::vector<const WebSurface*> all{this};
+    for (const WebSurface& other : others) all.push_back(&other);
+    return all;
+}
+
+WebScene web_scene(scene::Scene scene) {
+    expect_known(scene);
+    WebScene web{web_surface(scene::of_surface(scene, 0)), {}, {}};
+    for (int k = 1; k <= int(scene.others.size()); ++k)
+        web.others.push_back(web_surface(scene::of_surface(scene, k)));
+    if (!web.others.empty()) agree(web);
+    web.whole = std::move(scene);
     return web;
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "render/scene_plan.h"
 #include "scene/scene.h"
+#include "synthesis/beam_copies_text.h"
 #include "synthesis/pass.h"
 
 namespace isomotion::page {
@@ -15,12 +17,21 @@ inline constexpr int most_elements = 1000, most_elements_by_place = 20'000;
 inline constexpr std::size_t most_value_bytes = 32'000'000;
 // Pixels along the sides of a tile, which one draw fills; this limits the time for which a browser
 // is blocked.
-inline constexpr int largest_tile = 512;
+inline constexpr int largest_tile = synthesis::tile_of_copies;
 
-struct WebScene {
+// One surface of a scene, whose passes begin where those of the ones before have ended.
+struct WebSurface {
     scene::Scene scene; // without proofs, for which GLSL ES lacks `precise`
     synthesis::Passes passes;
     render::ScenePlan plan; // of a tile
+};
+
+// As in scene::Scene, the first surface stands for all.
+struct WebScene : WebSurface {
+    std::vector<WebSurface> others;
+    scene::Scene whole; // all surfaces, of which `scene` is the first alone
+
+    std::vector<const WebSurface*> surfaces() const;
 };
 
 // Throws SceneError ("file: what is wrong, what would be right") for a scene that a page cannot

@@ -67,7 +67,9 @@ std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<c
     return array;
 }
 
-FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers, Platform platform) {
+// `keeps_copies`: where shaders can write no lists, these may be copies.
+FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers, bool keeps_copies,
+                        Platform platform) {
     const std::vector<int> counts = scene.timeline.animation.counts();
     // With more elements than most the loops of a beam's shader might end too soon (beam_text.cpp).
     constexpr int fewest = 9, most = 15'000;
@@ -76,7 +78,7 @@ FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers, Platform
         by_place && counts[std::size_t(*by_place)] > most_by_lists && scene.isolation.beam != true;
     Finding finding;
     // Rays that begin on a surface have no beams there, and find elements faster by place.
-    finding.by_copies = platform == Platform::webgl && !keeps_surfaces(scene) &&
+    finding.by_copies = keeps_copies && platform == Platform::webgl && !keeps_surfaces(scene) &&
                         by_place.value_or(0) == 0 && !counts.empty() && counts[0] <= most_in_copies;
     const bool keeps_lists = writes_buffers || finding.by_copies;
     finding.by_lists = !is_large && keeps_lists && uses_beams(scene) && !counts.empty() &&
@@ -115,7 +117,6 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
     const bool on_web = platform == Platform::webgl;
     Passes passes;
-    static_cast<FieldStorage&>(passes) = storage_of(scene, writes_buffers && !on_web, platform);
     passes.stage = stage;
     // A wall's normal is no slope along a ray.
     passes.march_takes_gradient =
@@ -124,14 +125,21 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     const bool solves = method.steps == scene::Steps::polynomial;
     if (solves) passes.degree = scene::solved_degree(*scene.surface.field);
     passes.state_textures = method.state_textures;
-    // A page's beams that keep no bits find elements by place as its rays do.
-    const bool by_beams = uses_beams(scene) && (on_web || !array_with_grid(passes)) &&
-                          pays_in(stage, scene, has_lists(passes));
-    if (by_beams) passes.beams = beam_levels(passes, finest_beam);
+    const auto find_elements = [&](bool keeps_copies) {
+        static_cast<FieldStorage&>(passes) =
+            storage_of(scene, writes_buffers && !on_web, keeps_copies, platform);
+        // A page's beams that keep no bits find elements by place as its rays do.
+        const bool by_beams = uses_beams(scene) && (on_web || !array_with_grid(passes)) &&
+                              pays_in(stage, scene, has_lists(passes));
+        passes.beams = by_beams ? beam_levels(passes, finest_beam) : std::vector<BeamLevel>{};
+    };
+    find_elements(true);
+    if (has_copies(passes) && !copies_fit(passes)) find_elements(false);
     if (on_web) lay_side_by_side(passes.beams);
     // A polynomial is solved from where the eye's rays begin, off the surface: shadow rays from the
     // light end on it.
-    if (by_beams && !solves && !on_web) passes.light_beams = shadow_mask(scene) & far_lights(scene);
+    if (!passes.beams.empty() && !solves && !on_web)
+        passes.light_beams = shadow_mask(scene) & far_lights(scene);
     std::vector<Channel> wanted = channels;
     if (scene.isolation.certify || tells_endings) wanted.push_back(Channel::ending);
     passes.attachments = written_channels(wanted);

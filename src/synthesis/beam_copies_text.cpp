@@ -70,6 +70,15 @@ int rows_of_copies(const Passes& passes, int level) {
     return slots(passes, level) / columns * passes.arrays[0].texels;
 }
 
+bool copies_fit(const Passes& passes) {
+    int rows = 0;
+    for (std::size_t level = 0; level < passes.beams.size(); ++level) {
+        const int block = passes.beams[level].block;
+        rows += rows_of_copies(passes, int(level)) * ((tile_of_copies + block - 1) / block);
+    }
+    return rows <= most_rows_of_copies;
+}
+
 FieldStorage through_copies(const FieldStorage& storage) {
     FieldStorage reading = storage;
     if (has_copies(storage)) reading.arrays[0].reads_copies = true;

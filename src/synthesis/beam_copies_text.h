@@ -14,6 +14,12 @@ int masks_of_level(const FieldStorage& storage, const BeamLevel& level);
 // Rows of the texture of copies that the lists of a row of blocks take, 16 columns a list.
 int rows_of_copies(const Passes& passes, int level);
 
+// Whether the lists of a tile fit into a texture of which WebGL2 promises so many rows: where
+// elements have many fields they don't.
+inline constexpr int most_rows_of_copies = 2048;
+inline constexpr int tile_of_copies = 512; // pixels along the largest
+bool copies_fit(const Passes& passes);
+
 // The storage for shaders that go through copies: where there are none, the same.
 FieldStorage through_copies(const FieldStorage& storage);
 // The storage for the beams of a level and their lists: those of the first go through all elements.

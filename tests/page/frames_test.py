@@ -23,6 +23,9 @@ QUICK = [
     ("blur.toml", 2, []),
     ("lists.toml", 2, []),
     ("blobby75", 30, [], {}, 5),
+    ("over.toml", 2, []),
+    ("several.toml", 2, []),
+    ("glass.toml", 2, []),
 ]
 ALL = QUICK + [
     ("barth_decic", 40, []),
@@ -51,9 +54,18 @@ ALL = QUICK + [
     ("cut.toml", 3, [CAMERA]),
     ("sliced_gyroid", 20, []),
     ("soft.toml", 1, []),
+    ("wide.toml", 1, []),
+    ("over.toml", 3, [CAMERA], {"balls/c": 0.4, "ring/a": 0.2}),
+    ("over.toml", 2, [], {}, 5),
+    ("several.toml", 3, [CAMERA]),
+    ("passing_through", 40, []),
+    ("passing_through", 110, [CAMERA]),
+    ("glass.toml", 3, [CAMERA]),
+    ("glass_within.toml", 1, []),
+    ("glass_drops", 30, []),
 ]
 # Pictures whose mean a frame is.
-SAMPLES = {"lens.toml": 4, "look.toml": 4, "blur.toml": 4, "soft.toml": 16}
+SAMPLES = {"lens.toml": 4, "look.toml": 4, "blur.toml": 4, "soft.toml": 16, "several.toml": 4}
 SCENES = {
     # A cube without a ball, cut by a plane: kinks, two sides.
     "csg.toml": """[time]
@@ -212,6 +224,18 @@ offset = 0.4
 value = "mean_curvature"
 range = [-6, 6]
 """,
+    # Elements of so many fields that their lists would fit into no texture.
+    "wide.toml": """[surface]
+formula = "sum(b, exp(-30*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))*%s) - 0.5"
+bounds = { sphere = 2 }
+[arrays.b]
+count = 300
+cx = "1.3*sin(i)"
+cy = "1.3*sin(2*i)"
+cz = "1.3*sin(3*i)"
+%s
+""" % ("*".join(f"f{k}" for k in range(40)),
+       "\n".join(f'f{k} = "1 + 0.01*random(i, {k})"' for k in range(40))),
     # Motion blur, of elements found by place as well, and of the camera.
     "blur.toml": """[time]
 frames = 4
@@ -266,6 +290,112 @@ direction = [1, 1, 2]
 shadow = true
 radius = 10
 """,
+    # Plain surfaces that meet, by three methods, one of many elements, one turned and scaled.
+    "over.toml": """[time]
+frames = 4
+[[surfaces]]
+name = "balls"
+formula = "sum(b, exp(-9*((x-cx)^2 + (y-cy)^2 + (z-cz)^2))) - 0.5 - 0.1*c"
+bounds = { sphere = 2 }
+parameters = { c = "0.2*t" }
+[surfaces.arrays.b]
+count = 40
+cx = "1.2*sin(i + c)"
+cy = "1.2*sin(2*i + t)"
+cz = "1.2*sin(3*i)"
+[surfaces.material]
+color = [0.8, 0.3, 0.1]
+[[surfaces]]
+name = "ring"
+formula = "(sqrt(x^2 + y^2) - 1)^2 + z^2 - a^2"
+parameters = { a = 0.3 }
+bounds = { box = [[-1.3, -1.3, -0.3], [1.3, 1.3, 0.3]] }
+transform = { rotate = [20, "40*t", 60], scale = 1.4, translate = [0.2, 0.1, "0.3*t"] }
+[[surfaces]]
+name = "cube"
+formula = "max(abs(x), abs(y), abs(z)) - 0.8"
+bounds = { sphere = 1.5 }
+transform = { rotate = [10, 20, 30] }
+isolation = { method = "interval" }
+material = { color = [0.1, 0.3, 0.8] }
+""",
+    # Surfaces that mirror, shadow and darken each other over ground, in a map; with a light that has
+    # a size, a section and the mean of pictures.
+    "several.toml": """[time]
+frames = 4
+[[surfaces]]
+name = "mirror"
+formula = "x^2 + y^2 + z^2 - 1"
+bounds = { sphere = 1.2 }
+transform = { translate = ["-0.9 + 0.2*t", 0, 0.2], scale = 0.8 }
+[surfaces.material]
+model = "ggx"
+metallic = 0.8
+roughness = 0.2
+reflection = "self"
+[[surfaces]]
+name = "ring"
+formula = "(sqrt(x^2 + y^2) - 1)^2 + z^2 - 0.1"
+bounds = { box = [[-1.4, -1.4, -0.4], [1.4, 1.4, 0.4]] }
+transform = { rotate = [80, "30*t", 0], translate = [0.6, 0, 0] }
+material = { model = "blinn-phong", color = [0.8, 0.3, 0.1] }
+[[sections]]
+normal = [0.2, 1, 0.3]
+offset = 0.5
+[[lights]]
+direction = [1, -0.5, 1.2]
+shadow = true
+radius = 8
+[[lights]]
+position = [-3, -2, 4]
+falloff = 5
+shadow = true
+[ground]
+height = -1.2
+[occlusion]
+[environment]
+map = "studio.exr"
+[output]
+samples = 4
+""",
+    # Glass with a highlight, cut open, over ground that shadows fall on.
+    "glass.toml": """[time]
+frames = 4
+[surface]
+formula = "(sqrt(x^2 + y^2) - 1)^2 + z^2 - a"
+bounds = { sphere = 1.6 }
+transform = { rotate = [70, "40*t", 0] }
+[parameters]
+a = "0.15 + 0.02*t"
+[material]
+transmission = 0.9
+ior = 1.4
+absorption = [0.6, 0.1, 0.3]
+model = "ggx"
+roughness = 0.2
+[[sections]]
+normal = [1, 0.3, 0.2]
+offset = 0.9
+[ground]
+height = -1.6
+[[lights]]
+direction = [1, -1, 2]
+shadow = true
+[environment]
+map = "studio.exr"
+""",
+    # From within glass, and before a plain background.
+    "glass_within.toml": """[surface]
+formula = "x^2 + y^2 + z^2 - 1 + 0.2*sin(5*x)*sin(5*y)"
+bounds = { sphere = 1.4 }
+[material]
+transmission = 1
+depth = 3
+[camera]
+position = [0.2, -0.3, 0.1]
+target = [1, 0.4, 0.2]
+fov = 90
+""",
     # A placement far away, parallel rays, no light of its own.
     "moved.toml": """[time]
 frames = 3
@@ -296,6 +426,12 @@ def tally_of(rendered):
     return [int(part.split()[0]) for part in line.removeprefix("rays: ").split(", ")]
 
 
+def key_of(name):
+    """Of a parameter, of one surface or (SURFACE/NAME) of one of several."""
+    surface, _, own = name.rpartition("/")
+    return f"surfaces.{surface}.parameters.{own}" if surface else name
+
+
 def compare(given, folder, driven, checks, name, frame, changes, held={}, evaluations=None):
     # One picture a frame shows where a pixel differs.
     if not name.endswith(".toml"):
@@ -306,7 +442,7 @@ def compare(given, folder, driven, checks, name, frame, changes, held={}, evalua
     ending = pages.run(given.program, "render", scene, "--frames", str(frame), "--size",
                        f"{SIDE}x{SIDE}", "--audit", "off", "-o", os.path.join(folder, "r.####.png"),
                        *settings, *[word for name, value in held.items()
-                                    for word in ("--set", f"{name}={value}")])
+                                    for word in ("--set", f"{key_of(name)}={value}")])
     checks.equal(ending.returncode, 0, f"render {name}: {ending.stderr}")
     with open(os.path.join(folder, f"r.{frame:04}.png"), "rb") as rendered:
         wanted = png.read(rendered.read())
@@ -317,7 +453,7 @@ def compare(given, folder, driven, checks, name, frame, changes, held={}, evalua
     page.until_at_rest()
     if evaluations:
         checks.expect(page.evaluate("isomotion.painter.tile.isFused"), f"{name}: one draw is enough")
-        page.evaluate(f"isomotion.painter.data.about.evaluations = {evaluations};"
+        page.evaluate(f"isomotion.painter.data.about.surfaces.forEach((one) => one.evaluations = {evaluations});"
                       "isomotion.painter.change(false)")
         page.until_at_rest()
         checks.expect(not page.evaluate("isomotion.painter.tile.isFused"), f"{name}: falls back")

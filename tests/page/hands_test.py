@@ -95,6 +95,119 @@ def turns(page, checks):
     checks.equal(look(page)["held"], False, "held after R")
 
 
+def changes_speed(page, checks):
+    told = lambda: (page.evaluate("isomotion.look.playback.doublings"),
+                    page.evaluate("document.getElementById('speed').textContent"))
+    checks.equal(told(), (0, ""), "the speed at first")
+    steps = []
+    for key in "[" * 4 + "]" * 8 + "[" * 3:
+        page.press(key)
+        steps.append(told())
+    slow, fast = [(-1, "1/2 ×"), (-2, "1/4 ×"), (-3, "1/8 ×")], [(1, "2 ×"), (2, "4 ×"), (3, "8 ×")]
+    wanted = (slow + slow[-1:] + slow[1::-1] + [(0, "")] + fast + fast[-1:] * 2 + fast[1::-1] +
+              [(0, "")])
+    checks.equal(steps, wanted, "speeds by [ and ]")
+    # Twice as fast, the same frame is on.
+    page.evaluate("""isomotion.look.playback = { ...isomotion.look.playback, anchor: 30,
+        playing: true, moment: performance.now() / 1000 }""")
+    before = look(page)["frame"]
+    page.press("]")
+    checks.expect(look(page)["frame"] >= before, "another speed does not go back")
+    page.press("[")
+    page.press(" ", "Space")
+    checks.equal(look(page)["playing"], False, "playing after Space")
+
+
+def loops(page, checks):
+    said = lambda: page.evaluate("document.getElementById('said').textContent")
+    checks.equal(page.evaluate("isomotion.look.playback.loop"), False, "looping at first")
+    page.press("End")
+    page.press("ArrowLeft")
+    page.press(" ", "Space")
+    page.until("!isomotion.look.playing", 30)
+    checks.equal(look(page)["frame"], 90, "where it ends")
+    page.press("l")
+    checks.equal((said(), page.evaluate("isomotion.look.playback.loop")),
+                 ("plays over and over", True), "after L")
+    page.press(" ", "Space")
+    page.until("isomotion.look.frame(performance.now() / 1000) < 45", 30)
+    checks.equal(look(page)["playing"], True, "playing after the last frame")
+    page.press(" ", "Space")
+    page.press("L")
+    checks.equal((said(), page.evaluate("isomotion.look.playback.loop")), ("plays once", False),
+                 "after another L")
+
+
+def opens(page, checks):
+    is_open = lambda: page.evaluate("document.getElementById('about').classList.contains('open')")
+    keys = lambda: page.evaluate("document.getElementById('keys').open")
+    shows = lambda: page.evaluate(
+        "document.getElementById('formula').getBoundingClientRect().height > 0")
+    checks.equal((is_open(), shows()), (False, False), "what stands beside the picture")
+    page.press("p")
+    checks.equal((is_open(), shows(), keys()), (True, True, False), "after P")
+    page.press("p")
+    checks.equal((is_open(), shows()), (False, False), "after another P")
+    page.press("?")
+    checks.equal((is_open(), keys()), (True, True), "after ?")
+    told = page.evaluate("document.getElementById('keys').textContent")
+    for key in "[", "]", "L", "D", "P", "?", "F", "R", "C":
+        checks.expect(key in told, f"{key} in {told}")
+    page.press("Escape")
+    checks.equal((is_open(), shows()), (False, False), "after Escape")
+
+
+def brightness(color):
+    """Relative luminance (WCAG 2), of red, green and blue up to 255."""
+    linear = [c / 255 / 12.92 if c <= 10 else ((c / 255 + 0.055) / 1.055) ** 2.4 for c in color]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(a, b):
+    low, high = sorted((brightness(a), brightness(b)))
+    return (high + 0.05) / (low + 0.05)
+
+
+COLORS = """["h1", "#frame-number", "#formula", ".slider span", "#keys"].map((name) => {
+    const color = (text) => text.match(/[0-9.]+/g).slice(0, 3).map(Number);
+    const of = document.querySelector(name);
+    let behind = of, paper;
+    do {
+        paper = getComputedStyle(behind).backgroundColor;
+        behind = behind.parentElement;
+    } while (paper === "rgba(0, 0, 0, 0)" && behind);
+    return [name, color(getComputedStyle(of).color), color(paper)];
+})"""
+
+
+def is_dark(driven, file, checks):
+    """Light or dark as the system has it, and by D the other; the picture stays."""
+    pictures = []
+    for dark in (False, True):
+        page = driven.page(500, 400, dark=dark)
+        page.open(file, "?play=0", "#f=40")
+        page.press("p")
+        for is_dark_now in (dark, not dark):
+            shown = picture(page)
+            corner = shown.at(3, 3)
+            checks.equal(brightness(corner) < 0.2, is_dark_now, f"dark paper: {corner}")
+            for name, ink, paper in page.evaluate(COLORS):
+                ratio = contrast(ink, paper)
+                checks.equal(brightness(paper) < 0.2, is_dark_now, f"dark paper of {name}: {paper}")
+                checks.expect(ratio >= 4.5, f"{name}, dark {is_dark_now}: contrast {ratio:.1f}")
+            place = page.evaluate("""(() => { const { left, top, width, height } =
+                isomotion.painter.canvas.getBoundingClientRect();
+                return [left, top, width, height].map(Math.round); })()""")
+            left, top, width, height = place
+            pictures.append([shown.at(x, y) for y in range(top, top + height, 3)
+                             for x in range(left, left + width, 3)])
+            page.press("d")
+        checks.equal(page.console, [], "the console")
+        page.close()
+    checks.expect(all(one == pictures[0] for one in pictures), "pictures do not follow the theme")
+    checks.expect(len(set(pictures[0])) > 20, "pictures show something")
+
+
 def pinches(driven, file, checks):
     page = driven.page(360, 640, touch=True)
     page.open(file, "?play=0", "#f=1")
@@ -153,6 +266,12 @@ def links(driven, page, file, checks):
 
 
 def hides(page, checks):
+    # Closing a tab may bring another one to the front, on a busy machine late.
+    for _ in range(20):
+        page.to_front()
+        if not page.evaluate("document.hidden"):
+            break
+        time.sleep(0.5)
     page.evaluate("document.getElementById('play').click()")
     page.until("isomotion.look.playing")
     page.evaluate("""(() => { Object.defineProperty(document, 'hidden',
@@ -246,6 +365,24 @@ def needs_textures(driven, folder, given, checks):
         page.close()
 
 
+SMALL_TEXTURES = FOUR_TEXTURES.replace("DRAW_BUFFERS ? 4", "TEXTURE_SIZE ? 600")
+
+
+def needs_large_textures(driven, folder, given, checks):
+    """Where textures are too small for lists of elements the page says so, not that memory is."""
+    file = pages.made(given.program, "blobby75", os.path.join(folder, "small.html"),
+                      "--set", "look=none")
+    page = driven.page(64, 64)
+    page.call("Page.addScriptToEvaluateOnNewDocument", source=SMALL_TEXTURES)
+    page.open(file, "?ui=0&play=0&samples=1")
+    page.until("isomotion?.painter.drawn > 0 || !document.getElementById('failure').hidden", 60)
+    said = page.evaluate("document.getElementById('failure').textContent").strip()
+    checks.expect("at most 600 x 600 pixels, and this scene needs one of 1024 x" in said,
+                  f"blobby75 with small textures: {said}")
+    checks.expect("memory" not in said, said)
+    page.close()
+
+
 def has_a_movie(driven, folder, scene, given, checks):
     """`--video`: where nothing can be drawn, the movie plays; elsewhere it is not seen."""
     file = pages.made(given.program, scene, os.path.join(folder, "movie.html"), "--video",
@@ -288,7 +425,7 @@ def test(given, folder, driven, checks):
     file = pages.made(given.program, scene, os.path.join(folder, "balls.html"))
     page = driven.page(500, 400)
     page.open(file, "?play=0", "#f=1")
-    for part in (plays, scrubs, goes_to_events, turns, slides):
+    for part in (plays, scrubs, goes_to_events, turns, changes_speed, loops, opens, slides):
         part(page, checks)
     links(driven, page, file, checks)
     keeps_pace(page, checks)
@@ -296,9 +433,11 @@ def test(given, folder, driven, checks):
     is_reset(page, checks)
     checks.equal([line for line in page.console if "CONTEXT_LOST" not in line], [], "the console")
     page.close()
+    is_dark(driven, file, checks)
     pinches(driven, file, checks)
     needs_floats(driven, file, checks)
     needs_textures(driven, folder, given, checks)
+    needs_large_textures(driven, folder, given, checks)
     has_a_movie(driven, folder, scene, given, checks)
     is_embedded(driven, folder, file, checks)
 

@@ -84,16 +84,6 @@ def refusals(given, folder, checks):
                "glow.toml:", "glow: unknown key")
     is_refused(given, folder, checks, scene(folder, "quotes.toml", formula="x^2 - '1'"),
                "quotes.toml:6: surface.formula")
-    is_refused(given, folder, checks, scene(folder, "glass.toml", more=
-               "[material]\ntransmission = 0.5"), "glass.toml: ", "material.transmission",
-               "shows no glass", "render --movie")
-    several = os.path.join(folder, "several.toml")
-    with open(several, "w") as file:
-        for radius in (1, 2):
-            file.write(f"[[surfaces]]\nformula = 'x^2 + y^2 + z^2 - {radius}'\n"
-                       "bounds = { sphere = 3 }\n")
-    is_refused(given, folder, checks, several, "several.toml: surfaces: there are 2",
-               "a page shows one", "render --movie")
     is_refused(given, folder, checks, os.path.join(folder, "none.toml"), "none.toml")
     both = pages.run(given.program, "page", "torus", "--gallery", folder=folder)
     checks.equal(both.returncode, 2, "a scene and the gallery")

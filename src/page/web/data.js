@@ -63,59 +63,59 @@ function named(numbers, places) {
     return all;
 }
 
-class SceneData {
-    static async read(letters) {
-        const reader = new Reader(await inflated(letters));
-        const length = reader.word();
-        const about = JSON.parse(new TextDecoder().decode(reader.take(length)));
-        const rows = about.frames * about.moments.length;
-        const tables = new Map();
-        for (const { name, width } of about.tables) tables.set(name, new Table(reader, width, rows));
-        const data = new SceneData(about, tables);
-        if (about.grid) data.grids = Array.from({ length: rows }, () => reader.take(reader.word()));
-        // Halves begin at whole words of two bytes.
-        const halves = ([width, height]) =>
-            new Uint16Array(reader.take(width * height * 6).slice().buffer);
-        if (about.environment) data.environment = halves(about.environment);
-        if (about.environmentLevels) data.environmentLevels = halves(about.environmentLevels);
-        return data;
-    }
+// As src/animation/timeline.h has it.
+const secondsOf = ({ fps, moments }, frame, moment) =>
+    ((frame - 1) * fps[1]) / fps[0] + (moments[moment] * fps[1]) / fps[0];
 
-    constructor(about, tables) {
+// By rows, the columns and words that expressions may miss: src/page/computed_elements.h.
+function exceptionsOf(reader) {
+    const rows = new Map();
+    for (let left = reader.word(); left > 0; --left) {
+        const row = reader.word();
+        if (!rows.has(row)) rows.set(row, []);
+        rows.get(row).push([reader.word(), reader.word()]);
+    }
+    return rows;
+}
+
+// The values of one surface. Frames have moments, of which the first one, 0, is the frame's time.
+class SurfaceData {
+    // `about`: the surface, of this scene.
+    constructor(reader, about, scene) {
         this.about = about;
-        this.tables = tables;
-        for (const pass of about.passes) {
-            pass.text = this.text(pass.text);
-            pass.vertex = this.text(pass.vertex);
-        }
+        this.scene = scene;
+        const rows = scene.frames * scene.moments.length;
+        this.tables = new Map();
+        for (const { name, width } of about.tables)
+            this.tables.set(name, new Table(reader, width, rows));
+        this.exceptions = about.arrays.map(({ computed }) => computed && exceptionsOf(reader));
+        if (about.grid) this.grids = Array.from({ length: rows }, () => reader.take(reader.word()));
     }
 
-    text(numbers) {
-        return numbers.map((number) => this.about.lines[number]).join("\n") + "\n";
+    rowOf(frame, moment) {
+        return (frame - 1) * this.scene.moments.length + moment;
     }
-
-    // Frames have moments, of which the first one, 0, is the frame's time.
     row(table, frame, moment) {
         return this.tables.get(table).row(this.rowOf(frame, moment));
-    }
-    rowOf(frame, moment) {
-        return (frame - 1) * this.about.moments.length + moment;
     }
     floats(table, frame, moment) {
         return new Float32Array(this.row(table, frame, moment).buffer);
     }
-    seconds(frame, moment) {
-        const { fps, moments } = this.about;
-        return ((frame - 1 + moments[moment]) * fps[1]) / fps[0];
+    // Of an array, as the shaders read them: some fields by their expressions.
+    elements(array, frame, moment) {
+        const texels = this.floats(`array${array}`, frame, moment);
+        const { rules, arrays } = this.about, { computed } = arrays[array];
+        if (!computed) return texels;
+        fillElements(texels, rules.arrays[array], computed, this.count(array, frame, moment),
+            rules.seed, secondsOf(this.scene, frame, moment));
+        const words = new Uint32Array(texels.buffer);
+        for (const [column, word] of this.exceptions[array].get(this.rowOf(frame, moment)) ?? [])
+            words[column] = word;
+        return texels;
     }
-
-    // What rays depend on, as the scene has it.
     view(frame, moment) {
-        const view =
-            named(new Float64Array(this.row("view", frame, moment).buffer), this.about.view);
-        view.parallel = this.about.parallel;
-        view.box = this.about.box;
-        return view;
+        const numbers = new Float64Array(this.row("view", frame, moment).buffer);
+        return { ...named(numbers, this.about.view), box: this.about.box };
     }
     effects(frame, moment) {
         const { about } = this;
@@ -131,5 +131,44 @@ class SceneData {
         const across = this.floats("parameters", frame, moment).subarray(place + 8, place + 11);
         return unpackedGrid(this.grids[this.rowOf(frame, moment)], [...across],
             this.count(array, frame, moment));
+    }
+}
+
+class SceneData {
+    static async read(letters) {
+        const reader = new Reader(await inflated(letters));
+        const length = reader.word();
+        const about = JSON.parse(new TextDecoder().decode(reader.take(length)));
+        const data = new SceneData(reader, about);
+        // Halves begin at whole words of two bytes.
+        const halves = ([width, height]) =>
+            new Uint16Array(reader.take(width * height * 6).slice().buffer);
+        if (about.environment) data.environment = halves(about.environment);
+        if (about.environmentLevels) data.environmentLevels = halves(about.environmentLevels);
+        return data;
+    }
+
+    constructor(reader, about) {
+        this.about = about;
+        const text = (numbers) => numbers.map((number) => about.lines[number]).join("\n") + "\n";
+        for (const { passes } of about.surfaces) {
+            for (const pass of passes) {
+                pass.text = text(pass.text);
+                pass.vertex = text(pass.vertex);
+            }
+        }
+        this.surfaces = about.surfaces.map((surface) =>
+            new SurfaceData(reader, surface, about));
+    }
+
+    seconds(frame, moment) {
+        return secondsOf(this.about, frame, moment);
+    }
+
+    // What rays to a surface depend on, as the scene has it: the first one has the camera of all.
+    view(frame, moment, surface = 0) {
+        const [first] = this.surfaces;
+        return { ...first.view(frame, moment), ...this.surfaces[surface].view(frame, moment),
+            parallel: this.about.parallel };
     }
 }

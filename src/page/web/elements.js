@@ -22,6 +22,7 @@ class LongTexture {
     }
 }
 
+// Of one surface.
 class ElementTextures {
     constructor(gl, table, data) {
         this.table = table;

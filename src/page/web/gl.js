@@ -83,6 +83,11 @@ class Program {
 // Of several layers where they are told.
 function textureOf(gl, internal, width, height, layers = 0) {
     const kind = layers ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
+    const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+    if (Math.max(width, height) > most && !gl.isContextLost()) {
+        throw new NotPossible(`This browser or its graphics card has textures of at most ${most} x ` +
+            `${most} pixels, and this scene needs one of ${width} x ${height}.`);
+    }
     const texture = gl.createTexture();
     gl.activeTexture(gl.TEXTURE0 + editingUnit);
     gl.bindTexture(kind, texture);
@@ -98,32 +103,35 @@ const editingUnit = 31; // every WebGL2 has 32, and no pass reads this one
 
 // Textures of one size that passes draw into.
 class Target {
+    // `formats`: of textures to make, or textures.
     constructor(gl, width, height, formats) {
         this.gl = gl;
         this.width = width;
         this.height = height;
         this.layerCount = 0;
-        this.textures = formats.map((format) => textureOf(gl, format, width, height));
+        this.textures = formats.map((format) => format instanceof WebGLTexture ? format
+            : textureOf(gl, format, width, height));
         this.framebuffer = gl.createFramebuffer();
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
         this.textures.forEach((texture, k) => gl.framebufferTexture2D(gl.FRAMEBUFFER,
             gl.COLOR_ATTACHMENT0 + k, gl.TEXTURE_2D, texture, 0));
         gl.drawBuffers(this.textures.map((_, k) => gl.COLOR_ATTACHMENT0 + k));
     }
-    // With a depth buffer; a second framebuffer draws into that alone.
-    withDepth() {
+    // A target of the same textures and one more.
+    with(format) {
+        return new Target(this.gl, this.width, this.height, [...this.textures, format]);
+    }
+    // Copies these pixels of another target with the same formats.
+    copy({ framebuffer }, { width, height }) {
         const { gl } = this;
-        this.depth = gl.createRenderbuffer();
-        gl.bindRenderbuffer(gl.RENDERBUFFER, this.depth);
-        gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT16, this.width, this.height);
-        this.depthAlone = gl.createFramebuffer();
-        for (const framebuffer of [this.framebuffer, this.depthAlone]) {
-            gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-            gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER,
-                this.depth);
-        }
-        gl.drawBuffers([gl.NONE]); // of the latter
-        return this;
+        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+        gl.activeTexture(gl.TEXTURE0 + editingUnit);
+        this.textures.forEach((texture, k) => {
+            gl.readBuffer(gl.COLOR_ATTACHMENT0 + k);
+            gl.bindTexture(gl.TEXTURE_2D, texture);
+            gl.copyTexSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 0, 0, width, height);
+        });
+        gl.readBuffer(gl.COLOR_ATTACHMENT0);
     }
     // So many more textures, the layers of one.
     withLayers(format, count) {
@@ -160,6 +168,50 @@ class Target {
         const { gl } = this;
         [...this.textures, this.layers ?? null].forEach((texture) => gl.deleteTexture(texture));
         gl.deleteFramebuffer(this.framebuffer);
+    }
+}
+
+// Depth that lets draws run for some pixels alone, shared by targets of one size. As
+// src/gpu/depth_mask.h has it: pixels of depth 0 are left out.
+class DepthMask {
+    constructor(gl, targets) {
+        this.gl = gl;
+        const [{ width, height }] = targets, depth = gl.createRenderbuffer();
+        gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
+        gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT16, width, height);
+        this.alone = gl.createFramebuffer();
+        for (const framebuffer of [...targets.map((target) => target.framebuffer), this.alone]) {
+            gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+            gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, depth);
+        }
+        gl.drawBuffers([gl.NONE]); // of the last
+    }
+    // Draws depth.
+    set(draw) {
+        const { gl } = this;
+        this.testing(gl.ALWAYS, true);
+        draw({ bind: () => gl.bindFramebuffer(gl.FRAMEBUFFER, this.alone) });
+        gl.disable(gl.DEPTH_TEST);
+    }
+    apply(draw) {
+        this.testing(this.gl.LESS, false);
+        draw();
+        this.gl.disable(this.gl.DEPTH_TEST);
+    }
+    // The same for what waits for the card.
+    async applyTo(draw) {
+        this.testing(this.gl.LESS, false);
+        try {
+            return await draw();
+        } finally {
+            this.gl.disable(this.gl.DEPTH_TEST);
+        }
+    }
+    testing(passes, writes) {
+        const { gl } = this;
+        gl.enable(gl.DEPTH_TEST);
+        gl.depthFunc(passes);
+        gl.depthMask(writes);
     }
 }
 

@@ -15,8 +15,8 @@ function goneAlong(direction, from, to) {
 }
 
 // A direction to a light far away, or (`isNear`) the place of one, as the disc's point [x, y] has it.
-function onDisc(light, isNear, radius, view, [x, y]) {
-    const middle = add(view.translate, times(view.scale, turned(view.rotate, view.centre)));
+// The disc faces `middle`, of the bounds in the world.
+function onDisc(light, isNear, radius, view, middle, [x, y]) {
     const toWorld = (v) => turned(view.rotate, v);
     const from = isNear ? add(view.translate, times(view.scale, toWorld(light))) : toWorld(light);
     const way = isNear ? sub(from, middle) : from;
@@ -31,7 +31,7 @@ function onDisc(light, isNear, radius, view, [x, y]) {
 }
 
 // Changes `shading`, which has lights as they are at `own`, the scene's view of the frame.
-function moveLights(shading, about, own, view, [, , x, y]) {
+function moveLights(shading, about, own, view, middle, [, , x, y]) {
     const place = (k) => 4 * (2 + k);
     const lightAt = (k) => Array.from(shading.subarray(place(k), place(k) + 3));
     if (!isSameCamera(own, view)) {
@@ -42,6 +42,6 @@ function moveLights(shading, about, own, view, [, , x, y]) {
     [view.lightRadius].flat().forEach((radius, k) => {
         if (radius === 0) return;
         const isNear = shading[place(k) + 3] !== 0;
-        shading.set(onDisc(lightAt(k), isNear, radius, view, [x, y]), place(k));
+        shading.set(onDisc(lightAt(k), isNear, radius, view, middle, [x, y]), place(k));
     });
 }

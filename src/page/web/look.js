@@ -17,30 +17,37 @@ class Look {
         return frameAt(this.playback, moment);
     }
     // `moment`: of the frame's, while the shutter is open.
-    view(frame, fit = 1, moment = 0) {
-        const own = this.data.view(frame, moment);
-        const view = { ...own, ...this.held(frame, moment)?.view, ...this.camera, fit };
+    view(frame, fit = 1, moment = 0, surface = 0) {
+        const own = this.data.view(frame, moment, surface);
+        const held = this.held(frame, moment)?.surfaces[surface].view;
+        const view = { ...own, ...held, ...this.camera, fit };
         // What was in focus at the target stays so.
         const wasAtTarget = Math.abs(own.focus - distanceOf(own)) <= 1e-9 * own.focus;
         if (wasAtTarget) view.focus = distanceOf(view);
         return view;
+    }
+    // Of all surfaces.
+    views(frame, fit, moment) {
+        return this.data.surfaces.map((_, k) => this.view(frame, fit, moment, k));
     }
     // The frame with the values that sliders hold and what follows them; none if nothing is held.
     held(frame, moment = 0) {
         if (this.values.size === 0) return undefined;
         const key = JSON.stringify([frame, moment, ...this.values]);
         if (this.known?.key === key) return this.known;
-        const places = new Map();
-        for (const { name, place } of this.data.about.sliders) {
-            if (this.values.has(name)) places.set(place, this.values.get(name));
+        const places = this.data.surfaces.map(() => new Map());
+        for (const { name, surface, place } of this.data.about.sliders) {
+            if (this.values.has(name)) places[surface].set(place, this.values.get(name));
         }
-        this.known = { key, ...heldFrame(this.data, frame, moment, places) };
+        const time = this.data.seconds(frame, moment);
+        this.known = { key, surfaces: this.data.surfaces.map((of, k) =>
+            heldFrame(of, frame, moment, time, places[k])) };
         return this.known;
     }
     // The value of a parameter, held or not.
-    value({ name, place }, frame) {
-        const { parameters } =
-            this.held(frame) ?? { parameters: this.data.floats("parameters", frame, 0) };
+    value({ name, surface, place }, frame) {
+        const parameters = this.held(frame)?.surfaces[surface].parameters ??
+            this.data.surfaces[surface].floats("parameters", frame, 0);
         return this.values.get(name) ?? parameters[place];
     }
 

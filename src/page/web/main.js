@@ -33,6 +33,7 @@ function commandsOf(look, painter, panel, hands) {
     const playback = (change) => () => {
         look.playback = change(look.playback, now());
         painter.change();
+        panel().update();
     };
     const camera = (change) => () => {
         look.camera = change();
@@ -54,7 +55,8 @@ function commandsOf(look, painter, panel, hands) {
         r: camera(() => undefined),
         f: camera(() => {
             const { clientWidth, clientHeight } = painter.canvas;
-            return fitted(hands().view(), clientWidth / clientHeight);
+            const all = ballAboutAll(look.views(look.frame(now())));
+            return fitted(hands().view(), clientWidth / clientHeight, all);
         }),
         c: () => {
             const hash = look.address();

@@ -84,11 +84,26 @@ function dollied(view, amount, at = [0, 0]) {
         height: view.height * factor }, view);
 }
 
-// A sphere about the bounds touches the nearer edges of the picture.
-function fitted(view, aspect) {
-    const radius = view.radius * view.scale;
+// About the bounds of a surface, in the world.
+const ballAbout = (view) => ({
+    centre: add(view.translate, times(view.scale, turned(view.rotate, view.centre))),
+    radius: view.radius * view.scale,
+});
+
+// About those of all, as src/scene/scene_at.cpp has it.
+function ballAboutAll(views) {
+    const balls = views.map(ballAbout);
+    if (balls.length === 1) return balls[0];
+    const end = (k, sign) =>
+        sign * Math.max(...balls.map(({ centre, radius }) => sign * centre[k] + radius));
+    const centre = [0, 1, 2].map((k) => 0.5 * (end(k, -1) + end(k, 1)));
+    const radius = Math.max(...balls.map((ball) => ball.radius + length(sub(ball.centre, centre))));
+    return { centre, radius };
+}
+
+// The ball touches the nearer edges of the picture.
+function fitted(view, aspect, { centre: target, radius }) {
     const narrow = Math.atan(slopeOf(view) * Math.min(aspect, 1));
-    const target = add(view.translate, times(view.scale, turned(view.rotate, view.centre)));
     const position = sub(target, times(radius / Math.sin(narrow), pictureAxes(view).forward));
     const height = (2 * radius * view.zoom) / (view.fit ?? 1) / Math.min(aspect, 1);
     return usable({ position, target, height }, view);

@@ -81,16 +81,20 @@ class Painter {
         if (gl.isContextLost()) return;
         const { about } = this.data;
         this.listeners.waits("Compiling the shaders.");
-        const table = new PassTable(gl, about, this.pageShaders);
-        await table.compile();
+        gl.bindVertexArray(gl.createVertexArray());
+        const current = {};
+        const tables = about.surfaces.map((surface, k) => new PassTable(gl, surface, about.tile,
+            current, k === 0 ? this.pageShaders : undefined));
+        for (const table of tables) await table.compile();
         if (gl.isContextLost()) return;
-        this.table = table;
-        this.tile = new TileDrawer(gl, about, table);
-        if (!this.tile.isFused) await table.compile(true);
-        this.screen = new Screen(gl, table, this.tile);
+        this.tables = tables;
+        this.tile = new TileDrawer(gl, about, tables);
+        if (!this.tile.isFused) for (const table of tables) await table.compile(true);
+        this.screen = new Screen(gl, tables[0], this.tile);
         this.uploadEnvironment(gl);
         this.uploaded = undefined;
-        this.elements = new ElementTextures(gl, table, this.data);
+        this.elements = tables.map((table, k) =>
+            new ElementTextures(gl, table, this.data.surfaces[k]));
         this.gl = gl;
         this.listeners.waits("");
     }
@@ -101,7 +105,7 @@ class Painter {
             const texture = textureOf(gl, gl.RGB16F, width, height);
             gl.pixelStorei(gl.UNPACK_ALIGNMENT, 2);
             gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGB, gl.HALF_FLOAT, halves);
-            this.table.bind(name, texture);
+            for (const table of this.tables) table.bind(name, texture);
         };
         if (environment) upload("environment_map", environment, about.environment);
         if (environmentLevels)
@@ -109,22 +113,36 @@ class Painter {
     }
 
     // What does not depend on the camera, and the lights.
-    upload({ frame, moment, aim }, view) {
-        const { data, table, elements } = this;
+    upload({ frame, moment, aim }, views) {
         const held = this.look.held(frame, moment);
-        const parameters = held?.parameters ?? data.floats("parameters", frame, moment);
-        elements.uploadGrid(frame, moment, Boolean(held), parameters);
-        table.setBlock("Parameters", parameters);
-        const shading = data.floats("shading", frame, moment);
-        moveLights(shading, data.about, data.view(frame, moment), view, aim);
-        table.setBlock("Shading", shading);
-        this.background = Array.from(shading.subarray(4, 8));
+        const middle = ballAbout(views[0]).centre;
         const key = held?.key ?? `${frame} ${moment}`;
-        if (this.uploaded === key) return;
-        table.setEffects(data.effects(frame, moment));
-        elements.upload(held?.arrays ??
-            data.about.arrays.map((_, k) => data.floats(`array${k}`, frame, moment)));
+        this.data.surfaces.forEach((values, k) => {
+            const table = this.tables[k], elements = this.elements[k], its = held?.surfaces[k];
+            const parameters = its?.parameters ?? values.floats("parameters", frame, moment);
+            elements.uploadGrid(frame, moment, Boolean(its), parameters);
+            table.setBlock("Parameters", parameters);
+            const shading = values.floats("shading", frame, moment);
+            const own = this.data.view(frame, moment, k);
+            moveLights(shading, this.data.about, own, views[k], middle, aim);
+            table.setBlock("Shading", shading);
+            if (k === 0) this.background = Array.from(shading.subarray(4, 8));
+            if (this.uploaded === key) return;
+            table.setEffects(values.effects(frame, moment));
+            elements.upload(its?.arrays ??
+                values.about.arrays.map((_, a) => values.elements(a, frame, moment)));
+        });
         this.uploaded = key;
+    }
+
+    // How rays see the surfaces; gives the ranges of their beams.
+    aimAt(views, { width, height, aim }) {
+        return this.data.about.surfaces.map(({ settings, beams }, k) => {
+            const table = this.tables[k], view = views[k];
+            table.setBlock("Frame", frameBlock(view, settings, width, height, aim));
+            if (views.length > 1) table.setEffects(uniformsAmong(views, k, width, height, aim));
+            return beams.map(({ block }) => beamRange(view, width, height, aim, block));
+        });
     }
 
     // The screen's pixels, as many as are drawn at rest.
@@ -143,16 +161,11 @@ class Painter {
 
     // One picture of all tiles. `go` is asked between them.
     async drawPicture(picture, go) {
-        const { data, tile, screen, table } = this;
-        const { settings, beams } = data.about;
-        const { frame, moment, width, height, aim } = picture;
-        const view = this.look.view(frame, this.fitOf(width, height), moment);
-        this.upload(picture, view);
-        table.setBlock("Frame", frameBlock(view, settings, width, height, aim));
-        const inputs = {
-            background: this.background,
-            beams: beams.map(({ block }) => beamRange(view, width, height, aim, block)),
-        };
+        const { data, tile, screen } = this;
+        const { frame, moment, width, height } = picture;
+        const views = this.look.views(frame, this.fitOf(width, height), moment);
+        this.upload(picture, views);
+        const inputs = { background: this.background, beams: this.aimAt(views, picture) };
         const side = data.about.tile;
         for (let y = 0; y < height; y += side) {
             for (let x = 0; x < width; x += side) {

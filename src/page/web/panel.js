@@ -67,7 +67,7 @@ class Panel {
         const free = made("button", { type: "button", textContent: "×",
             title: `Give ${name} back to the animation` });
         const row = made("label", { className: "slider" },
-            made("span", { textContent: name }), input, output, free);
+            made("span", { textContent: name, title: name }), input, output, free);
         input.setAttribute("aria-label", name);
         input.addEventListener("input", () => {
             this.look.values.set(name, Number(input.value));

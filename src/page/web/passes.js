@@ -1,8 +1,8 @@
-// The scene's passes as programs: compiled, connected to their textures and blocks, ready to run, as
+// A surface's passes as programs: compiled, connected to their textures and blocks, ready to run, as
 // src/render/pass_table.h has them.
 
 // Where each level's lists of elements begin in their texture: shaders/march/copies.glsl.
-function rowsOfLists({ beams, tile }) {
+function rowsOfLists(beams, tile) {
     let next = 0;
     return Array.from({ length: 3 }, (_, level) => {
         const row = next, { block, listRows } = beams[level] ?? { block: 1, listRows: 0 };
@@ -12,16 +12,20 @@ function rowsOfLists({ beams, tile }) {
 }
 
 class PassTable {
-    constructor(gl, about, pageShaders) {
+    // `about`: a surface. `current.table` is the one whose textures and blocks are bound: each has
+    // numbers of its own for them. `pageShaders`: what the page has of its own, of one table.
+    constructor(gl, about, tile, current, pageShaders = { fragments: {} }) {
         this.gl = gl;
+        this.current = current;
         this.passes = about.passes;
         this.elementBudget = about.elementBudget;
         this.units = new Map();
         this.bindings = new Map();
         this.programs = new Map(); // compiling or ready
         this.buffers = new Map();
+        this.bound = new Map(); // textures
         this.effects = {};
-        this.listRows = rowsOfLists(about);
+        this.listRows = rowsOfLists(about.beams, tile);
         for (const { samplers, blocks } of this.passes) {
             for (const name of samplers) this.number(this.units, name);
             for (const name of blocks) this.number(this.bindings, name);
@@ -32,7 +36,6 @@ class PassTable {
         this.own = new Map();
         for (const [name, text] of Object.entries(pageShaders.fragments))
             this.own.set(name, { name, vertex: pageShaders.vertex, text, samplers: [], blocks: [] });
-        gl.bindVertexArray(gl.createVertexArray());
     }
 
     number(names, name) {
@@ -78,7 +81,7 @@ class PassTable {
     }
 
     setEffects(values) {
-        this.effects = values;
+        Object.assign(this.effects, values);
         for (const program of this.programs.values()) {
             if (!program.uniforms) continue;
             for (const [name, value] of Object.entries(values)) program.set(name, value);
@@ -92,13 +95,27 @@ class PassTable {
         gl.bindBuffer(gl.UNIFORM_BUFFER, this.buffers.get(name));
         gl.bufferData(gl.UNIFORM_BUFFER, numbers, gl.DYNAMIC_DRAW);
         gl.bindBufferBase(gl.UNIFORM_BUFFER, this.bindings.get(name), this.buffers.get(name));
+        if (this.current.table !== this) this.current.table = undefined;
     }
 
     bind(sampler, texture, kind = this.gl.TEXTURE_2D) {
-        const { gl } = this;
         if (!this.units.has(sampler)) return;
+        this.bound.set(sampler, { texture, kind });
+        if (this.current.table === this) this.bindNow(sampler);
+    }
+    bindNow(sampler) {
+        const { gl } = this;
+        const { texture, kind } = this.bound.get(sampler) ?? { texture: null, kind: gl.TEXTURE_2D };
         gl.activeTexture(gl.TEXTURE0 + this.units.get(sampler));
         gl.bindTexture(kind, texture);
+    }
+    bindAll() {
+        const { gl } = this;
+        if (this.current.table === this) return;
+        this.current.table = this;
+        for (const sampler of this.units.keys()) this.bindNow(sampler);
+        for (const [block, buffer] of this.buffers)
+            gl.bindBufferBase(gl.UNIFORM_BUFFER, this.bindings.get(block), buffer);
     }
     bindNumbered(sampler, target) {
         target.textures.forEach((texture, k) => this.bind(`${sampler}_${k}`, texture));
@@ -111,6 +128,7 @@ class PassTable {
     // Draws over these pixels of what is bound.
     draw(program, { x = 0, y = 0, width, height }) {
         const { gl } = this;
+        this.bindAll();
         gl.useProgram(program.program);
         gl.viewport(x, y, width, height);
         gl.drawArrays(gl.TRIANGLES, 0, 3);

@@ -97,3 +97,26 @@ function beamRange(view, width, height, aim, block) {
         4 * rounding,
     ];
 }
+
+// Uniforms of a surface among several, of which there are these views, that relate its rays and places
+// to those of the others: uniforms_among() of src/render/several_surfaces.cpp.
+function uniformsAmong(views, index, width, height, aim) {
+    const depthOf = (view) => {
+        const rays = raysOf(view, width, height, aim);
+        return dot(rays.axis, normalized(cross(rays.up, rays.right)));
+    };
+    const own = views[index], depth = depthOf(own);
+    const unit = own.scale / views[0].scale;
+    const moves = views.flatMap((view, k) => k === index
+        ? [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] : changeOfPlace(view, own).flat());
+    return { surface_way: [unit, (unit * depth - depthOf(views[0])) / depth, 0, 0],
+        surface_moves: moves };
+}
+
+// Three rows, from the formula coordinates of one surface to those of another.
+function changeOfPlace(from, to) {
+    const origin = turnedBack(to.rotate, sub(from.translate, to.translate));
+    const axes = [0, 3, 6].map((k) => times(from.scale / to.scale,
+        turnedBack(to.rotate, from.rotate.slice(k, k + 3))));
+    return [0, 1, 2].map((k) => [...axes.map((axis) => axis[k]), origin[k] / to.scale]);
+}

@@ -39,7 +39,13 @@ const operations = {
 };
 
 // A hash of the seed and both arguments, in [0, 1): random_unit() of src/formula/evaluate.
+const knownRandom = new Map();
 function randomUnit(seed, ...words) {
+    const key = `${seed} ${words}`;
+    if (!knownRandom.has(key)) knownRandom.set(key, newRandom(seed, words));
+    return knownRandom.get(key);
+}
+function newRandom(seed, words) {
     const wrapped = (x) => BigInt.asUintN(64, x);
     const view = new DataView(new ArrayBuffer(8));
     let h = BigInt(seed);
@@ -70,11 +76,37 @@ function valueOf({ code, out }, seed, inputs, tracks, siblings) {
     return registers[out];
 }
 
+const strideOf = (fields) =>
+    4 * Math.max(1, Math.ceil((Math.max(...fields.map(({ slot }) => slot)) + 1) / 4));
+
+// Puts the fields that are worked out by expressions into `texels`: src/page/computed_elements.h.
+function fillElements(texels, fields, computed, count, seed, time) {
+    const stride = strideOf(fields);
+    const tracks = [];
+    for (const [place, given] of computed.tracks)
+        tracks[place] = typeof given === "number" ? given : valueOf(given, seed, [time], tracks);
+    const isNeeded = fields.map((_, k) => computed.fields.includes(k));
+    for (let k = fields.length; k-- > 0;) {
+        if (!isNeeded[k]) continue;
+        for (const [, operation, at] of fields[k].program?.code ?? [])
+            if (operation === "sibling") isNeeded[at] = true;
+    }
+    for (let i = 0; i < count; ++i) {
+        const siblings = [], inputs = [time, i, count];
+        fields.forEach(({ slot, program, values }, k) => {
+            if (!isNeeded[k]) return;
+            siblings[k] = program ? valueOf(program, seed, inputs, tracks, siblings)
+                : values ? (values.length === 1 ? values[0] : values[i] ?? 0)
+                : texels[i * stride + slot];
+            if (computed.fields.includes(k)) texels[i * stride + slot] = siblings[k];
+        });
+    }
+}
+
 // The elements of an array, `texels` as the shaders read them, where tracks have other values.
 function movedElements(fields, texels, count, seed, time, tracks, changed) {
     const moved = texels.slice();
-    const slots = Math.max(...fields.map(({ slot }) => slot)) + 1;
-    const stride = 4 * Math.max(1, Math.ceil(slots / 4));
+    const stride = strideOf(fields);
     const follows = fields.map(() => false);
     fields.forEach(({ program }, k) => {
         follows[k] = Boolean(program) && (program.tracks.some((track) => changed.has(track)) ||
@@ -111,13 +143,12 @@ function movedBounds(view, changedNumbers) {
     return { centre, radius, min: centre.map((c) => c - radius), max: centre.map((c) => c + radius) };
 }
 
-// A moment of a frame where some parameters are held: `held` maps their places to numbers. Gives the block of
-// parameters, the arrays' elements and what changes of the view.
-function heldFrame(data, frame, moment, held) {
+// A moment of a frame of a surface where some parameters are held: `held` maps their places to
+// numbers. Gives the block of parameters, the arrays' elements and what changes of the view.
+function heldFrame(data, frame, moment, time, held) {
     const { rules, arrays } = data.about;
     const parameters = data.floats("parameters", frame, moment);
     const tracks = Array.from(parameters);
-    const time = data.seconds(frame, moment);
     const changed = new Set(held.keys());
     for (const [place, value] of held) tracks[place] = value;
     for (const [place, program] of rules.tracks) {
@@ -133,7 +164,7 @@ function heldFrame(data, frame, moment, held) {
     return {
         parameters,
         arrays: arrays.map((_, a) => movedElements(rules.arrays[a],
-            data.floats(`array${a}`, frame, moment), data.count(a, frame, moment), rules.seed, time,
+            data.elements(a, frame, moment), data.count(a, frame, moment), rules.seed, time,
             tracks, changed)),
         // Elements may have become smaller than the animation has them: steps have to.
         view: { ...movedBounds(view, bounds), elementRadius: 0.25 * view.elementRadius },

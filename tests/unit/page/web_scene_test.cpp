@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
+#include "page/description.h"
 #include "page/frame_values.h"
 #include "scene/error.h"
 #include "scene/reading/load.h"
@@ -63,6 +65,92 @@ TEST(WebScene, IsOfGlslEsWithoutListsProofsOrBuffers) {
         EXPECT_THAT(pass.text, Not(HasSubstr("uniform samplerBuffer")));
         EXPECT_THAT(pass.text, Not(HasSubstr("std430")));
     }
+}
+
+constexpr const char* two_surfaces =
+    "[[surfaces]]\nname = 'ball'\nformula = 'x^2 + y^2 + z^2 - r^2'\nbounds = { sphere = 2 }\n"
+    "parameters = { r = '1 + 0.1*t' }\n"
+    "[[surfaces]]\nname = 'box'\nformula = 'max(abs(x), abs(y), abs(z)) - r'\n"
+    "parameters = { r = 0.8 }\nbounds = { sphere = 1.5 }\n"
+    "transform = { translate = ['t', 0, 0] }\n[time]\nframes = 5\n";
+
+scene::Scene several(const std::string& more = "") {
+    return scene::load_text(two_surfaces + more, "page.toml");
+}
+
+TEST(WebScene, OfSeveralSurfacesHasThePassesOfEach) {
+    using synthesis::Role;
+    const WebScene plain = web_scene(several());
+    ASSERT_EQ(plain.others.size(), 1u);
+    EXPECT_EQ(plain.whole.others.size(), 1u);
+    for (const WebSurface* surface : plain.surfaces()) {
+        EXPECT_TRUE(surface->passes.has(Role::fused));
+        EXPECT_TRUE(surface->scene.others.empty());
+        EXPECT_THAT(surface->passes.at(Role::fused).text, HasSubstr("surface_way"));
+    }
+    EXPECT_NE(plain.passes.fingerprint(), plain.others[0].passes.fingerprint());
+    const WebScene lit = web_scene(several("[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n"));
+    for (const WebSurface* surface : lit.surfaces()) {
+        EXPECT_FALSE(surface->passes.has(Role::fused));
+        EXPECT_TRUE(surface->passes.has(Role::shadow));
+    }
+}
+
+// One that takes more than a draw has others drawn in passes, too.
+TEST(WebScene, SurfacesAreAllDrawnInOneDrawEachOrNone) {
+    using synthesis::Role;
+    scene::Scene scene = several();
+    scene.others[0].material.model = scene::Material::Model::ggx;
+    const WebScene web = web_scene(std::move(scene));
+    for (const WebSurface* surface : web.surfaces()) EXPECT_FALSE(surface->passes.has(Role::fused));
+}
+
+TEST(WebScene, RefusesGlassAmongSeveralSurfaces) {
+    scene::Scene scene = several();
+    scene.others[0].material.glass.emplace();
+    try {
+        web_scene(std::move(scene));
+        FAIL() << "nothing was thrown";
+    } catch (const scene::SceneError& error) {
+        EXPECT_THAT(error.what(), AllOf(StartsWith("page.toml: material.transmission"),
+                                        HasSubstr("one surface alone")));
+    }
+    const WebScene alone = web_scene(scene_of("formula = 'x^2 + y^2 + z^2 - 1'\nbounds = { sphere "
+                                              "= 2 }\n[material]\ntransmission = 1\n"));
+    EXPECT_TRUE(alone.passes.has(synthesis::Role::glass));
+}
+
+TEST(FrameValues, OfSeveralSurfacesHaveTheirRowsAndOneCamera) {
+    const WebScene web = web_scene(several());
+    const FrameValues values = frame_values(web);
+    ASSERT_EQ(values.others.size(), 1u);
+    for (const ValueTable* table : values.others[0].tables()) EXPECT_EQ(table->rows(), 5u);
+    const auto has = [](const SurfaceValues& of, const std::string& name) {
+        return std::ranges::count(of.view_places, name, &Place::name) == 1;
+    };
+    EXPECT_TRUE(has(values, "position") && has(values, "translate"));
+    EXPECT_TRUE(!has(values.others[0], "position") && has(values.others[0], "translate"));
+    EXPECT_EQ(values.parameters.moving(), 1u) << "r of the ball";
+    EXPECT_EQ(values.others[0].parameters.moving(), 0u);
+    EXPECT_EQ(values.view.moving(), 0u);
+    EXPECT_EQ(values.others[0].view.moving(), 2u) << "the two words of a double";
+}
+
+TEST(Description, NamesSlidersBySurfaceWhereThereAreSeveral) {
+    const auto names_of = [](scene::Scene scene) {
+        const WebScene web = web_scene(std::move(scene));
+        const auto all = nlohmann::json::parse(description(web, frame_values(web), nullptr, {}));
+        std::vector<std::string> names;
+        for (const auto& slider : all["sliders"]) {
+            names.push_back(slider["name"].get<std::string>() + " of " +
+                            std::to_string(slider["surface"].get<int>()));
+        }
+        return names;
+    };
+    EXPECT_THAT(names_of(several()), testing::ElementsAre("ball/r of 0", "box/r of 1"));
+    EXPECT_THAT(names_of(scene_of("formula = 'x^2 + y^2 + z^2 - r'\nbounds = { sphere = 2 }\n"
+                                  "[parameters]\nr = 1\n")),
+                testing::ElementsAre("r of 0"));
 }
 
 // Beams tell which elements matter, and a pass copies those, where all rays begin at the eye.
@@ -143,6 +231,20 @@ TEST(WebScene, ListsFitIntoTheTexturesThatEveryBrowserHas) {
         }
         EXPECT_LE(rows, 2048);
     }
+}
+
+// And where they don't, rays find elements by place, which needs no such texture.
+TEST(WebScene, ListsThatWouldNotFitAreNotMade) {
+    using synthesis::Role;
+    for (const auto& [count, texels] : {std::pair{100, 8}, std::pair{384, 6}, std::pair{128, 12}}) {
+        SCOPED_TRACE(fmt::format("{} elements of {} texels", count, texels));
+        const synthesis::Passes passes = web_scene(scene_of(balls_of_texels(count, texels))).passes;
+        EXPECT_TRUE(synthesis::array_with_grid(passes) || synthesis::copies_fit(passes));
+        EXPECT_EQ(passes.has(Role::beam_copies), synthesis::has_copies(passes));
+        for (const synthesis::BeamLevel& level : passes.beams)
+            EXPECT_EQ(level.lists != synthesis::BeamLists::none, synthesis::has_copies(passes));
+    }
+    EXPECT_FALSE(synthesis::has_copies(web_scene(scene_of(balls_of_texels(384, 12))).passes));
 }
 
 TEST(FrameValues, RefuseTooMuchOfThem) {
