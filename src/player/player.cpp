@@ -19,6 +19,7 @@
 #include "player/ui/notices.h"
 #include "player/ui/picture_area.h"
 #include "player/ui/picture_log.h"
+#include "player/ui/ring_overlay.h"
 #include "player/ui/sections.h"
 #include "player/ui/shortcuts.h"
 #include "player/ui/topology_section.h"
@@ -292,6 +293,9 @@ private:
         case Command::panel:
             panel_ = !panel_;
             return;
+        case Command::rings:
+            rings_ = !rings_;
+            return;
         case Command::dismiss:
             if (!std::exchange(notices_.help, false) && scene_) gallery_.close();
             return;
@@ -465,7 +469,21 @@ private:
             if (const auto camera = area_.steer(at->camera)) hold_camera(*camera);
         }
         area_.show(size_, scene_->session.look().map);
+        show_rings();
         ImGui::End();
+    }
+
+    // Of the frame in the picture. With other parameters the events would be others.
+    void show_rings() {
+        const Session& session = scene_->session;
+        if (!rings_ || !area_.shown() || !session.look().overrides.empty()) return;
+        const std::int64_t shown = area_.shown()->frame;
+        try {
+            const auto found = rings(scene_->events(), session.at(shown), double(shown),
+                                     double(size_.x) / double(std::max(size_.y, 1)));
+            draw_rings(found, scene_->events(), area_.corner(), area_.size());
+        } catch (const scene::SceneError&) { // which ask() tells
+        }
     }
 
     void show_panel(ImVec2 corner, ImVec2 size) {
@@ -482,7 +500,7 @@ private:
         parameter_section(look, session, session.overridden().timeline.values(frame()));
         method_section(look, session.scene());
         reading_section(area_.shown(), size_, audited_);
-        topology_.show(*scene_);
+        topology_.show(*scene_, rings_);
         ImGui::End();
         if (look != session.look() && revision == session.revision()) session.set(look);
         if (wish) obey_in_scene(*wish);
@@ -518,6 +536,7 @@ private:
     std::uint64_t failed_number_ = 0; // of the request that draw_error is of
     double next_look_ = now() + files_every;
     bool panel_ = true;
+    bool rings_ = true;    // where the topology changes
     bool touched_ = false; // a widget is held: what it changes has not come to rest
     bool new_picture_ = false;
     double last_frame_ = 0;      // when the widgets were drawn last

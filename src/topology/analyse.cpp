@@ -13,6 +13,8 @@
 #include "topology/sampling.h"
 #include "topology/search/arb_verifier.h"
 #include "topology/search/critical.h"
+#include "topology/timeline/advice.h"
+#include "topology/timeline/unresolved_groups.h"
 
 namespace isomotion::topology {
 namespace {
@@ -123,19 +125,23 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
                 Interval range, const SerialCallbacks& callbacks) {
     const MovingScene frames(motions);
     const FrameLimits limits{.stopped = [&] { return callbacks.stopped(); }};
-    const auto prove_end = [&](double time, std::optional<Betti>& betti, bool& is_proved) {
+    const auto prove_end = [&](double time, const char* not_known, std::optional<Betti>& betti,
+                               bool& is_proved) {
         std::string why;
         if (callbacks.stopped()) return why;
         const CertifiedFrame frame = frames.certify(time, limits);
         betti = frame.betti;
         is_proved = betti.has_value();
-        if (!is_proved) why = fmt::format("the frame at {:g} s is not proved: {}", time, frame.why);
+        if (!is_proved)
+            why = fmt::format("{}: {}, near {}", not_known, frame.why, place_text(frame.where));
         return why;
     };
     callbacks.show("first and last frame", 0);
-    const std::string no_start = prove_end(range.lo, timeline.start, timeline.start_is_proved);
+    const std::string no_start =
+        prove_end(range.lo, start_not_known, timeline.start, timeline.start_is_proved);
     callbacks.show("first and last frame", 0.5);
-    const std::string no_end = prove_end(range.hi, timeline.end, timeline.end_is_proved);
+    const std::string no_end =
+        prove_end(range.hi, end_not_known, timeline.end, timeline.end_is_proved);
 
     PathOptions seeking;
     seeking.threads = threads_of(how);

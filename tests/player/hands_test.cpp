@@ -7,6 +7,7 @@
 
 #include "image/decode.h"
 #include "player/draw/views.h"
+#include "player/model/event_rings.h"
 
 namespace isomotion::player {
 namespace {
@@ -43,6 +44,49 @@ TEST_F(Hands, EveryViewShowsAPictureOfItsOwn) {
         pictures.insert(picture(line));
     }
     EXPECT_EQ(pictures.size(), views.size());
+    quit();
+}
+
+// A ball is born at (0, 0.4, -0.2), halfway between frames 32 and 33. Before it there is nothing in
+// the picture but its ring.
+TEST_F(Hands, ARingIsWhereAnEventIs) {
+    write("sphere.toml", growing_sphere("x^2 + (y - 0.4)^2 + (z + 0.2)^2 - (r - 0.7)"));
+    const cli::Ending found = run({"topology", "sphere.toml", "-o", "sphere.timeline.json"});
+    ASSERT_EQ(found.code, 0) << found;
+    play({"--paused", "--frames", "32-64", "sphere.toml"});
+    const Json line = await_rest("frame 32", [](const Json& l) { return l["frame"] == 32; });
+    const int width = line["size"][0], height = line["size"][1];
+    scene::CameraAt camera;
+    camera.position = {4, 1, 0.5};
+    camera.up = {0, 0, 1};
+    camera.fov = 40;
+    const auto place = projected(camera, {0, 0.4, -0.2});
+    ASSERT_TRUE(place);
+    const glm::dvec2 middle(width / 2.0 + place->x * height, height / 2.0 - place->y * height);
+    int inside = 0, outside = 0;
+    const auto count = [&] {
+        inside = outside = 0;
+        const auto pixels = picture(line);
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                const auto& rgb = pixels[std::size_t(y * width + x)];
+                const bool is_green = rgb[1] > rgb[0] + 50 && rgb[1] > rgb[2] + 15;
+                if (!is_green) continue;
+                ++(glm::distance(middle, {x + 0.5, y + 0.5}) < 20 ? inside : outside);
+            }
+        }
+    };
+    const auto has_ring = [&] {
+        count();
+        return inside > 40;
+    };
+    EXPECT_TRUE(screen_comes_to(has_ring))
+        << inside << " pixels at " << middle.x << ' ' << middle.y;
+    EXPECT_EQ(outside, 0);
+    key("e");
+    EXPECT_TRUE(screen_comes_to([&] { return !has_ring() && inside + outside == 0; }));
+    key("e");
+    EXPECT_TRUE(screen_comes_to(has_ring));
     quit();
 }
 

@@ -4,6 +4,7 @@
 
 #include "player/model/memory.h"
 #include "scene/data_folder.h"
+#include "scene/surfaces.h"
 #include "topology/timeline/timeline_header.h"
 
 namespace isomotion::player {
@@ -26,7 +27,7 @@ LiveScene::LiveScene(const std::string& scene, std::vector<scene::Override> over
     , overrides_(std::move(overrides))
     , reach_(reach)
     , shader_files_(shader_files())
-    , timeline_({timeline_file()}) {
+    , timeline_(timeline_files()) {
     scene_files_.watch(files_of(session.scene()));
     read_markers();
 }
@@ -38,16 +39,27 @@ fs::path LiveScene::timeline_file() const {
     return cache / "timelines" / (topology::fingerprint(session.scene()) + ".timeline.json");
 }
 
+std::vector<fs::path> LiveScene::timeline_files() const {
+    const scene::Scene& scene = session.scene();
+    if (scene.others.empty()) return {timeline_file()};
+    std::vector<fs::path> files;
+    for (const std::string& name : scene::surface_names(scene))
+        files.push_back(timeline_path(scene, name));
+    return files;
+}
+
 void LiveScene::read_markers() {
     markers_ = session.key_markers();
-    refusal_.clear();
-    if (!session.scene().others.empty()) return; // a timeline is of one surface
     // Settings may leave the topology as it is: then what lies beside the scene is right, too.
     const fs::path own = timeline_file();
     std::error_code ignored;
-    TopologyMarkers topology = read_topology_markers(
-        session.scene(), fs::exists(own, ignored) ? own : timeline_path(session.scene()));
+    TopologyMarkers topology =
+        session.scene().others.empty()
+            ? read_topology_markers(session.scene(),
+                                    fs::exists(own, ignored) ? own : timeline_path(session.scene()))
+            : read_topology_markers_of_each(session.scene());
     markers_.insert(markers_.end(), topology.markers.begin(), topology.markers.end());
+    events_ = std::move(topology.events);
     refusal_ = std::move(topology.refusal);
 }
 
@@ -61,7 +73,7 @@ LiveScene::News LiveScene::look(double now) {
             session.reload(scene::load(scene::word_of(session.scene()), overrides_, reach_), now);
             news.scene = true;
             scene_files_.watch(files_of(session.scene()));
-            timeline_.watch({timeline_file()});
+            timeline_.watch(timeline_files());
         } catch (const std::exception& error) {
             news.error = error.what();
         }

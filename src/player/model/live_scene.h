@@ -28,6 +28,8 @@ public:
     std::filesystem::path timeline_file() const;
     // Keys, and topology events.
     const std::vector<TimelineMarker>& markers() const { return markers_; }
+    // The topology events among them, with their places.
+    const std::vector<PlacedEvent>& events() const { return events_; }
     // Why the timeline file was refused; otherwise empty.
     const std::string& refusal() const { return refusal_; }
     const std::vector<scene::Override>& overrides() const { return overrides_; }
@@ -48,10 +50,12 @@ public:
 
 private:
     void read_markers();
+    std::vector<std::filesystem::path> timeline_files() const;
 
     std::vector<scene::Override> overrides_;
     scene::Reach reach_;
     std::vector<TimelineMarker> markers_;
+    std::vector<PlacedEvent> events_;
     std::string refusal_;
     FileWatch shader_files_, timeline_;
 };

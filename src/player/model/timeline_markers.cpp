@@ -1,6 +1,7 @@
 #include "player/model/timeline_markers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -8,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/input_error.h"
+#include "scene/surfaces.h"
 #include "topology/timeline/timeline_file.h"
 #include "topology/timeline/words.h"
 
@@ -35,6 +37,18 @@ double middle(formula::Interval time, formula::Interval range) {
     return mid(
         formula::Interval(std::max(time.lo, range.lo),
                           std::max(std::min(time.hi, range.hi), std::max(time.lo, range.lo))));
+}
+
+glm::dvec3 middle_of(const std::array<formula::Interval, 3>& where) {
+    return {mid(where[0]), mid(where[1]), mid(where[2])};
+}
+
+// What makes a timeline anew.
+std::string command_for(const scene::Scene& scene, const std::string& timeline) {
+    const bool is_alone = timeline != timeline_path(scene).string() && !scene.surface.label.empty();
+    return fmt::format("isomotion topology {}{} -o {}", scene.file.string(),
+                       is_alone ? " --surface " + scene.surface.label : "",
+                       is_alone ? timeline : timeline_path(scene).string());
 }
 
 std::string what(const topology::Event& event) {
@@ -70,27 +84,41 @@ TopologyMarkers topology_markers(const scene::Scene& scene, const topology::Time
                                  const std::string& file) {
     if (record.header.fingerprint != topology::fingerprint(scene)) {
         return {{},
+                {},
                 fmt::format("{}: is of another scene than is shown: its formula, parameters or "
-                            "bounds differ; isomotion topology {} -o {} makes it anew",
-                            file, scene.file.string(), timeline_path(scene).string())};
+                            "bounds differ; {} makes it anew",
+                            file, command_for(scene, file))};
     }
     const animation::FrameRate fps = scene.timeline.fps;
     const topology::Timeline& timeline = record.timeline;
     TopologyMarkers found;
+    // Whether it is within the scene's frames.
     const auto marker = [&](TimelineMarker::Kind kind, formula::Interval time,
                             const std::string& text) {
         const double frame = topology::frame_at(fps, middle(time, timeline.range));
-        if (frame < 1 || frame > scene.timeline.frames) return;
+        if (frame < 1 || frame > scene.timeline.frames) return false;
         found.markers.push_back(
             {kind, frame, fmt::format("{} at frame {}", text, topology::frame_text(frame))});
+        return true;
     };
     for (const topology::Event& event : timeline.events) {
-        if (event.kind != topology::Kind::none)
-            marker(TimelineMarker::Kind::event, event.time, what(event));
+        if (event.kind == topology::Kind::none) continue;
+        if (!marker(TimelineMarker::Kind::event, event.time, what(event))) continue;
+        const double frame = found.markers.back().frame;
+        found.events.push_back(
+            {frame, frame, event.kind, true, event.is_proved, middle_of(event.where), 0});
     }
     for (const topology::Unresolved& place : timeline.unresolved) {
-        marker(TimelineMarker::Kind::unresolved, place.time,
-               fmt::format("unresolved ({})", place.why));
+        if (!marker(TimelineMarker::Kind::unresolved, place.time,
+                    fmt::format("unresolved ({})", place.why)))
+            continue;
+        const auto is_bounded = [](formula::Interval i) {
+            return std::isfinite(i.lo) && std::isfinite(i.hi);
+        };
+        if (!std::ranges::all_of(place.where, is_bounded)) continue;
+        found.events.push_back({std::max(1.0, topology::frame_at(fps, place.time.lo)),
+                                topology::frame_at(fps, place.time.hi), topology::Kind::unknown,
+                                false, false, middle_of(place.where), 0});
     }
     std::ranges::stable_sort(found.markers, {}, &TimelineMarker::frame);
     return found;
@@ -102,13 +130,39 @@ TopologyMarkers read_topology_markers(const scene::Scene& scene, const fs::path&
     try {
         return topology_markers(scene, topology::read_timeline(file), file.string());
     } catch (const base::InputError& error) {
-        return {{}, error.what()};
+        return {{}, {}, error.what()};
     }
 }
 
 fs::path timeline_path(const scene::Scene& scene) {
     fs::path file = scene.file;
     return file.replace_extension(".timeline.json");
+}
+
+fs::path timeline_path(const scene::Scene& scene, const std::string& surface) {
+    fs::path file = scene.file;
+    return file.replace_extension("." + surface + ".timeline.json");
+}
+
+TopologyMarkers read_topology_markers_of_each(const scene::Scene& scene) {
+    TopologyMarkers all;
+    const std::vector<std::string> names = scene::surface_names(scene);
+    for (int k = 0; k < int(names.size()); ++k) {
+        const std::string& name = names[std::size_t(k)];
+        TopologyMarkers one =
+            read_topology_markers(scene::alone(scene, k), timeline_path(scene, name));
+        for (TimelineMarker& marker : one.markers) {
+            marker.label = name + ": " + marker.label;
+            all.markers.push_back(std::move(marker));
+        }
+        for (PlacedEvent& event : one.events) {
+            event.surface = k;
+            all.events.push_back(event);
+        }
+        if (all.refusal.empty()) all.refusal = std::move(one.refusal);
+    }
+    std::ranges::stable_sort(all.markers, {}, &TimelineMarker::frame);
+    return all;
 }
 
 } // namespace isomotion::player

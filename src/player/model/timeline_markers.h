@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "player/model/event_rings.h"
 #include "scene/scene.h"
 #include "topology/timeline/timeline_header.h"
 
@@ -24,14 +25,19 @@ std::vector<TimelineMarker> key_markers(const scene::Scene& scene);
 // Leaves out events on the bounds that change nothing.
 struct TopologyMarkers {
     std::vector<TimelineMarker> markers;
+    std::vector<PlacedEvent> events; // the same, with their places
     std::string refusal; // why a timeline was refused: of another scene, or broken; otherwise empty
 };
-// Refuses the timeline of another scene, by its fingerprint.
+// Refuses the timeline of another scene, by its fingerprint. `scene` has one surface.
 TopologyMarkers topology_markers(const scene::Scene& scene, const topology::TimelineRecord& record,
                                  const std::string& file);
 // No markers and no refusal if there is no such file.
 TopologyMarkers read_topology_markers(const scene::Scene& scene, const std::filesystem::path& file);
 // NAME.timeline.json beside NAME.toml.
 std::filesystem::path timeline_path(const scene::Scene& scene);
+// Of one of several surfaces, by its name: NAME.SURFACE.timeline.json.
+std::filesystem::path timeline_path(const scene::Scene& scene, const std::string& surface);
+// What such files of each surface hold, together; labels begin with the surface's name.
+TopologyMarkers read_topology_markers_of_each(const scene::Scene& scene);
 
 } // namespace isomotion::player

@@ -27,13 +27,21 @@ struct Letter {
 };
 
 constexpr Letter letters[] = {
-    {U'[', Command::slower},        {U']', Command::faster},
-    {U'l', Command::loop},          {U'r', Command::reset_camera},
-    {U'f', Command::fit_camera},    {U'o', Command::open},
-    {U'q', Command::quit},          {U'?', Command::help},
-    {U'1', Command::view_shaded},   {U'2', Command::view_depth},
-    {U'3', Command::view_normal},   {U'4', Command::view_evaluations},
-    {U'5', Command::view_verdicts}, {U'6', Command::view_difference},
+    {U'[', Command::slower},
+    {U']', Command::faster},
+    {U'l', Command::loop},
+    {U'r', Command::reset_camera},
+    {U'f', Command::fit_camera},
+    {U'o', Command::open},
+    {U'e', Command::rings},
+    {U'q', Command::quit},
+    {U'?', Command::help},
+    {U'1', Command::view_shaded},
+    {U'2', Command::view_depth},
+    {U'3', Command::view_normal},
+    {U'4', Command::view_evaluations},
+    {U'5', Command::view_verdicts},
+    {U'6', Command::view_difference},
 };
 
 constexpr Shortcut all_shortcuts[] = {
@@ -51,6 +59,7 @@ constexpr Shortcut all_shortcuts[] = {
     {"", ""},
     {"1 - 5", "shaded, depth, normal, evaluations, verdicts"},
     {"6", "two methods, side by side"},
+    {"E", "rings where the topology changes"},
     {"", ""},
     {"O", "open: the gallery (or drop a file here)"},
     {"F12", "save the picture, shaded"},

@@ -29,6 +29,7 @@ enum class Command {
     fit_camera,
     copy_camera,
     panel,
+    rings,
     open,
     save,
     full_screen,

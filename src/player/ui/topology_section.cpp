@@ -7,6 +7,7 @@
 
 #include "player/ui/sections.h"
 #include "player/ui/theme.h"
+#include "scene/surfaces.h"
 
 namespace isomotion::player {
 
@@ -40,7 +41,7 @@ void TopologySection::attend() {
     process_.reset();
 }
 
-void TopologySection::show(const LiveScene& scene) {
+void TopologySection::show(const LiveScene& scene, bool& rings) {
     if (!heading("Topology")) return;
     const auto& markers = scene.markers();
     const auto count = [&](TimelineMarker::Kind kind) {
@@ -52,6 +53,7 @@ void TopologySection::show(const LiveScene& scene) {
     if (events + unresolved > 0) {
         ImGui::Text("%td events on the timeline", events);
         if (unresolved > 0) ImGui::Text("%td places where something is not told", unresolved);
+        ImGui::Checkbox("rings where they are (E)", &rings);
     }
     if (!scene.refusal().empty()) ImGui::TextDisabled("%s", scene.refusal().c_str());
     if (!failure_.empty()) {
@@ -71,7 +73,12 @@ void TopologySection::show(const LiveScene& scene) {
         return;
     }
     if (!scene.session.scene().others.empty()) {
-        ImGui::TextDisabled("isomotion topology --surface NAME");
+        ImGui::PushTextWrapPos(0);
+        for (const std::string& name : scene::surface_names(scene.session.scene())) {
+            ImGui::TextDisabled("isomotion topology %s --surface %s -o %s", scene.file().c_str(),
+                                name.c_str(), timeline_path(scene.session.scene(), name).c_str());
+        }
+        ImGui::PopTextWrapPos();
         return;
     }
     if (ImGui::Button("find events", {-1, 0})) {

@@ -12,7 +12,8 @@ namespace isomotion::player {
 
 class TopologySection {
 public:
-    void show(const LiveScene& scene);
+    // `rings`: whether places of events are to be in the picture; a person may change it.
+    void show(const LiveScene& scene, bool& rings);
     // Whether `isomotion topology` runs. LiveScene watches the file that it writes.
     bool running() const { return process_.has_value(); }
     void attend();

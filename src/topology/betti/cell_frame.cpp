@@ -210,8 +210,8 @@ CertifiedFrame certify_by_cells(const SpaceFormula& formula, const scene::Bounds
     frame.boxes = int(complex.asked());
     if (frame.betti) return frame;
     frame.why = limits.stopped && limits.stopped() ? "interrupted"
-                : complex.asked() > most           ? "too many boxes"
-                                                   : "not settled at the greatest depth";
+                : complex.asked() > most           ? too_many_boxes
+                                                   : not_settled;
     frame.where = solid.box(complex.failed());
     return frame;
 }

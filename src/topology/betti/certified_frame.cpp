@@ -17,6 +17,7 @@ using formula::Interval;
 
 constexpr int most_vertices = 1025; // of a grid along each axis
 constexpr const char interrupted[] = "interrupted";
+constexpr const char reaches_bounds[] = "the solid reaches the bounds";
 // Boxes are evaluated with a rim of this part of their side, so that gradients beside a wall
 // between two boxes are in the enclosures of both.
 constexpr double rim = 0x1p-30;
@@ -175,7 +176,7 @@ CertifiedFrame Octree::certify() {
         planes.number();
         side = std::max(side, planes.count());
     }
-    if (!failure_ && side > most_vertices) failure_ = Failure{"too many boxes", Cell{}};
+    if (!failure_ && side > most_vertices) failure_ = Failure{too_many_boxes, Cell{}};
     if (!failure_) {
         SignGrid grid(side);
         for (const Cell& cell : solid_) fill(cell, grid);
@@ -201,9 +202,8 @@ bool Octree::is_interrupted(const Cell& cell) {
 
 bool Octree::may_go_on(const Cell& cell) {
     if (is_interrupted(cell)) return false;
-    if (!failure_ && cell.depth >= limits_.depth)
-        failure_ = Failure{"not settled at the greatest depth", cell};
-    if (!failure_ && boxes_ >= limits_.boxes) failure_ = Failure{"too many boxes", cell};
+    if (!failure_ && cell.depth >= limits_.depth) failure_ = Failure{not_settled, cell};
+    if (!failure_ && boxes_ >= limits_.boxes) failure_ = Failure{too_many_boxes, cell};
     return !failure_;
 }
 
@@ -248,7 +248,7 @@ bool Octree::settle(const Cell& cell, const SpaceBox& box, const ValueAndGradien
                     const Near& near) {
     if (g.value.lo > 0 || places_.is_outside(box)) return true;
     if (!places_.is_inside(box)) {
-        if (g.value.hi < 0) failure_ = Failure{"the solid reaches the bounds", cell};
+        if (g.value.hi < 0) failure_ = Failure{reaches_bounds, cell};
         return false;
     }
     if (g.value.hi < 0) {
@@ -395,7 +395,8 @@ CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt&
     CertifiedFrame frame = Octree(all, one, places, within).certify();
     if (frame.betti || frame.why == interrupted) return frame;
     const CertifiedFrame by_cells = certify_by_cells(formula, bounds, limits);
-    return by_cells.betti ? by_cells : frame;
+    // The other proof only takes a solid that does not reach the bounds.
+    return by_cells.betti || frame.why == reaches_bounds ? by_cells : frame;
 }
 
 } // namespace isomotion::topology

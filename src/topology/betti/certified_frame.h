@@ -20,6 +20,12 @@
 
 namespace isomotion::topology {
 
+// Why a frame is not proved: CertifiedFrame::why.
+inline constexpr const char not_settled[] =
+    "the surface is singular, or finer than the smallest box of the proof";
+inline constexpr const char too_many_boxes[] =
+    "the proof takes too many boxes, as where the surface is close to singular along a curve";
+
 struct CertifiedFrame {
     std::optional<Betti> betti;
     int depth = 0; // of the smallest part: its sides are those of the box, divided by 2^depth

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "animation/timeline.h"
 #include "topology/timeline/event.h"
 
 namespace isomotion::topology {
@@ -15,8 +16,8 @@ inline constexpr const char degenerate[] =
 inline constexpr const char kink[] =
     "the formula has a kink (min, max, abs, sqrt at 0 or the like) where the surface may change";
 inline constexpr const char kinks_meet[] =
-    "kinks of the formula (min, max, abs, sqrt at 0) may not be in general position where the "
-    "surface changes";
+    "kinks of the formula (min, max, abs, sqrt at 0, division by 0) may not be in general position "
+    "where the surface changes";
 inline constexpr const char on_edge[] = "a critical point is on the edge of the bounds";
 inline constexpr const char index[] = "the index of a critical point is not certain";
 inline constexpr const char touches_edge[] =
@@ -30,8 +31,13 @@ inline constexpr const char jumps[] = "the surface jumps from one shape to anoth
 inline constexpr const char no_bounds[] = "the bounds may be empty or turned inside out";
 } // namespace unresolved
 
-// One sentence for each kind of reason that the timeline has, the most frequent causes first. Empty
-// for a complete timeline.
-std::vector<std::string> advice(const Timeline& timeline);
+// How a timeline's doubts begin that say why an end is not known.
+inline constexpr const char start_not_known[] = "the topology at the start is not known",
+                            end_not_known[] = "the topology at the end is not known";
+
+// One sentence for each kind of reason that the timeline has, the most frequent causes first, and
+// last the spans of --frames beside all moments that are not resolved. Empty for a complete
+// timeline.
+std::vector<std::string> advice(const Timeline& timeline, animation::FrameRate fps);
 
 } // namespace isomotion::topology

@@ -59,7 +59,7 @@ std::string contact_text(const NamedPair& pair, const Timeline& timeline,
     if (reasons.empty()) return text + names + ": complete, all proved\n";
     text += names + ": INCOMPLETE\n";
     for (const std::string& reason : reasons) text += fmt::format("    {}\n", reason);
-    for (const std::string& words : advice(timeline)) text += fmt::format("try: {}\n", words);
+    for (const std::string& words : advice(timeline, fps)) text += fmt::format("try: {}\n", words);
     return text;
 }
 

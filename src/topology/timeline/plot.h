@@ -1,8 +1,6 @@
-// Plots Betti numbers over time: an SVG of steps, with a lane of markers for each kind of event and
-// a row of pictures of the surface above.
-//
-// Colours are those of Okabe and Ito (2008) and Tol's muted scheme, which colour-blind people can
-// distinguish. Colour is never the only difference between markers.
+// Plots Betti numbers over time: an SVG of steps, with a lane for each kind of event and a row of
+// pictures of the surface above. It can be read from three events to thousands: plot_lanes.h says
+// how lanes show many, kind_mark.h which marks they have.
 #pragma once
 
 #include <string>

@@ -19,7 +19,22 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
-// "40+-2" is three words, and "1.28s" two.
+// As a sentence may have them: "No merges." is "no merges", "the end" is "end", "2 seconds" "2 s".
+void simplify(std::vector<std::string>& words) {
+    std::string* last = words.empty() ? nullptr : &words.back();
+    if (last && last->size() > 1 && last->ends_with('.') && !last->ends_with(".."))
+        last->pop_back();
+    for (std::size_t k = 1; k < words.size(); ++k) {
+        const bool is_seconds = words[k] == "seconds" || words[k] == "second" || words[k] == "sec";
+        if (is_seconds && std::isdigit(static_cast<unsigned char>(words[k - 1][0]))) words[k] = "s";
+    }
+    for (std::size_t k = 0; k + 1 < words.size(); ++k) {
+        if (words[k] == "the" && (words[k + 1] == "end" || words[k + 1] == "start"))
+            words.erase(words.begin() + std::ptrdiff_t(k));
+    }
+}
+
+// "40+-2" is three words, and "1.28s" two. Capitals are as small letters.
 std::vector<std::string> words_of(std::string_view text) {
     std::vector<std::string> words;
     std::string word;
@@ -34,9 +49,10 @@ std::vector<std::string> words_of(std::string_view text) {
     };
     for (std::size_t k = 0; k < text.size(); ++k) {
         const std::string_view rest = text.substr(k);
-        const std::string_view sign = rest.starts_with("+-")  ? "+-"
-                                      : rest.starts_with("±") ? "±"
-                                                              : "";
+        const std::string_view sign = rest.starts_with("+-")    ? "+-"
+                                      : rest.starts_with("+/-") ? "+/-"
+                                      : rest.starts_with("±")   ? "±"
+                                                                : "";
         if (!sign.empty()) {
             end_word();
             words.emplace_back("+-");
@@ -44,10 +60,11 @@ std::vector<std::string> words_of(std::string_view text) {
         } else if (text[k] == ' ' || text[k] == '\t') {
             end_word();
         } else {
-            word += text[k];
+            word += text[k] >= 'A' && text[k] <= 'Z' ? char(text[k] - 'A' + 'a') : text[k];
         }
     }
     end_word();
+    simplify(words);
     return words;
 }
 
@@ -146,6 +163,9 @@ private:
         return *number;
     }
     void number() {
+        const bool is_exact = take("exactly");
+        if (is_exact && !whole(peek()))
+            refuse(fmt::format("'exactly' needs a whole number: exactly 3 merges"));
         if (take("a") || take("an")) return;
         if (take("no")) {
             result_.least = result_.most = 0;
@@ -214,13 +234,13 @@ private:
     // "frame", or "time": what numbers count. A number alone counts what is said after it.
     enum class Unit { frames, seconds, told_after };
     Unit unit(bool is_between) {
-        if (take(is_between ? "frames" : "frame")) return Unit::frames;
-        if (take(is_between ? "times" : "time")) return Unit::seconds;
+        if (take("frame") || (is_between && take("frames"))) return Unit::frames;
+        if (take("time") || (is_between && take("times"))) return Unit::seconds;
         const bool is_number =
             !peek().empty() && std::isdigit(static_cast<unsigned char>(peek()[0]));
-        if (is_number) return Unit::told_after;
+        if (is_number || peek() == "start" || peek() == "end") return Unit::told_after;
         refuse(fmt::format("'{}' is not what a time begins with; write \"{}\"", peek(),
-                           is_between ? "between frames 5 and 9" : "at frame 12"));
+                           is_between ? "between frames 5 and 9" : "at frame 12\" or \"at 1.28 s"));
     }
 
     std::optional<Moment> moment(std::string_view word, Unit unit) const {
@@ -265,10 +285,9 @@ private:
         if (take("at")) {
             at();
         } else if (take("between")) {
-            const Unit what = unit(true);
-            const double from = take_moment(what).frame;
-            if (!take("and")) refuse("write \"between frames 5 and 9\"");
-            span(from, take_moment(what).frame);
+            both_ends("and", "write \"between frames 5 and 9\"");
+        } else if (take("from")) {
+            both_ends("to", "write \"from frame 5 to 9\"");
         } else if (take("before")) {
             result_.frames = result_.asked = {-formula::infinity, take_moment(unit(false)).frame};
         } else if (take("after")) {
@@ -282,6 +301,14 @@ private:
         if (result_.asked.lo == formula::infinity || result_.asked.hi == -formula::infinity) {
             refuse("no time is after the end or before the start");
         }
+    }
+    void both_ends(std::string_view middle, const char* rule) {
+        const Unit what = unit(true);
+        const double from = take_moment(what).frame;
+        if (!take(middle)) refuse(rule);
+        const bool says_what =
+            peek() == "frame" || peek() == "frames" || peek() == "time" || peek() == "times";
+        span(from, take_moment(says_what ? unit(true) : what).frame);
     }
     void at() {
         if (take("frames")) {

@@ -75,7 +75,7 @@ std::string summary(const TimelineRecord& record) {
     if (reasons.empty()) return text + "\ncomplete, all proved\n";
     text += "\nINCOMPLETE\n";
     for (const std::string& reason : reasons) text += fmt::format("    {}\n", reason);
-    for (const std::string& words : advice(timeline)) text += fmt::format("try: {}\n", words);
+    for (const std::string& words : advice(timeline, fps)) text += fmt::format("try: {}\n", words);
     return text;
 }
 

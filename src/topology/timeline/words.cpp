@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "topology/timeline/advice.h"
+#include "topology/timeline/unresolved_groups.h"
+
 namespace isomotion::topology {
 namespace {
 
@@ -70,26 +73,31 @@ std::vector<std::string> gaps(const Timeline& timeline, animation::FrameRate fps
             count(timeline.events, [](const Event& e) { return e.kind == Kind::unknown; })) {
         reasons.push_back(fmt::format("{} event{} of unknown kind", n, n == 1 ? " is" : "s are"));
     }
-    for (const Unresolved& place : timeline.unresolved) {
-        reasons.push_back(fmt::format("unresolved at frame {}, near ({:.4g}, {:.4g}, {:.4g}): {}",
-                                      frame_text(frames_at(fps, place.time)), mid(place.where[0]),
-                                      mid(place.where[1]), mid(place.where[2]), place.why));
-        if (place.before && place.after && *place.before == *place.after) {
-            reasons.back() += fmt::format("; {} before and after", in_words(*place.before));
-        } else if (place.before && place.after) {
-            reasons.back() += fmt::format("; {} before, {} after", in_words(*place.before),
-                                          in_words(*place.after));
+    for (const UnresolvedGroup& group : unresolved_groups(timeline)) {
+        const Unresolved& first = *group.places.front();
+        const std::string moment = when(group, timeline) == When::always
+                                       ? "at all times"
+                                       : "at frame " + frame_text(frames_at(fps, group.time));
+        reasons.push_back(
+            fmt::format("unresolved {}, {}: {}", moment, places_text(group), first.why));
+        if (first.before && first.after && *first.before == *first.after) {
+            reasons.back() += fmt::format("; {} before and after", in_words(*first.before));
+        } else if (first.before && first.after) {
+            reasons.back() += fmt::format("; {} before, {} after", in_words(*first.before),
+                                          in_words(*first.after));
         }
     }
-    const auto end = [&](const char* which, const std::optional<Betti>& solid, bool is_proved) {
+    const auto end = [&](const char* which, const char* not_known,
+                         const std::optional<Betti>& solid, bool is_proved) {
+        const auto says_so = [&](const std::string& doubt) { return doubt.starts_with(not_known); };
         if (!solid) {
-            reasons.push_back(fmt::format("the topology at the {} is not known", which));
+            if (std::ranges::none_of(timeline.doubts, says_so)) reasons.emplace_back(not_known);
         } else if (!is_proved) {
             reasons.push_back(fmt::format("the topology at the {} is not proved", which));
         }
     };
-    end("start", timeline.start, timeline.start_is_proved);
-    end("end", timeline.end, timeline.end_is_proved);
+    end("start", start_not_known, timeline.start, timeline.start_is_proved);
+    end("end", end_not_known, timeline.end, timeline.end_is_proved);
     return reasons;
 }
 

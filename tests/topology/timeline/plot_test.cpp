@@ -1,11 +1,13 @@
 // The picture of a timeline as text: well formed, with everything in it and nothing outside.
 #include "topology/timeline/plot.h"
 
+#include <map>
 #include <regex>
 
 #include <gmock/gmock.h>
 
 #include "topology/timeline/representative_frames.h"
+#include "topology/timeline/svg.h"
 #include "topology/timelines.h"
 
 namespace isomotion::topology {
@@ -44,18 +46,155 @@ std::size_t count(const std::string& text, const std::string& part) {
     return found;
 }
 
+// What DejaVu Sans takes for a character, of the font's size (its advance widths).
+double advance(char c) {
+    static const std::map<char, double> widths{
+        {' ', .318}, {'(', .39},  {')', .39},  {',', .318}, {'-', .361}, {'.', .318}, {':', .337},
+        {'>', .838}, {'<', .838}, {'&', .78},  {'"', .46},  {'a', .613}, {'b', .635}, {'c', .55},
+        {'d', .635}, {'e', .615}, {'f', .352}, {'g', .635}, {'h', .634}, {'i', .278}, {'j', .278},
+        {'k', .579}, {'l', .278}, {'m', .974}, {'n', .634}, {'o', .612}, {'p', .635}, {'q', .635},
+        {'r', .411}, {'s', .521}, {'t', .392}, {'u', .634}, {'v', .592}, {'w', .818}, {'x', .592},
+        {'y', .592}, {'z', .525}, {'A', .684}, {'W', .989}, {'M', .863}};
+    const auto found = widths.find(c);
+    return found == widths.end() ? 0.636 : found->second; // digits
+}
+
+struct Text {
+    Rect box;
+    std::string words;
+};
+
+// All texts of a picture, each with at least the space that its letters take.
+std::vector<Text> texts(const std::string& svg) {
+    std::vector<Text> all;
+    const std::regex element(
+        R"re(<text x="([^"]+)" y="([^"]+)" font-size="([^"]+)" fill="[^"]*"([^>]*)>([^<]*)</text>)re");
+    for (std::sregex_iterator it(svg.begin(), svg.end(), element), end; it != end; ++it) {
+        const std::string words = std::regex_replace((*it)[5].str(), std::regex("&[a-z]+;"), "&");
+        const std::string attributes = (*it)[4];
+        const double x = std::stod((*it)[1]), y = std::stod((*it)[2]), size = std::stod((*it)[3]);
+        double width = 0;
+        for (const char c : words)
+            width += (c & 0x80) ? 0.5 * size : advance(c) * size; // an ellipsis has three bytes
+        if (attributes.find("bold") != attributes.npos) width *= 1.09;
+        const double left = attributes.find("\"end\"") != attributes.npos      ? x - width
+                            : attributes.find("\"middle\"") != attributes.npos ? x - width / 2
+                                                                               : x;
+        all.push_back({{left, y - 0.73 * size, left + width, y + 0.2 * size}, words});
+    }
+    EXPECT_EQ(all.size(), count(svg, "<text"));
+    return all;
+}
+
+void expect_readable(const std::string& svg) {
+    std::smatch size;
+    ASSERT_TRUE(std::regex_search(svg, size, std::regex(R"re(viewBox="0 0 (\S+) (\S+)")re")));
+    const double width = std::stod(size[1]), height = std::stod(size[2]);
+    const std::vector<Text> all = texts(svg);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const Rect& box = all[k].box;
+        EXPECT_TRUE(box.left >= 0 && box.right <= width && box.top >= 0 && box.bottom <= height)
+            << all[k].words << " ends outside";
+        for (std::size_t j = 0; j < k; ++j)
+            EXPECT_FALSE(box.meets(all[j].box)) << all[j].words << " and " << all[k].words;
+    }
+    // 8 pixels at least where the picture is 800 wide.
+    const std::regex font(R"re(font-size="([^"]+)")re");
+    for (std::sregex_iterator it(svg.begin(), svg.end(), font), end; it != end; ++it)
+        EXPECT_GE(std::stod((*it)[1]) * 800 / width, 8);
+}
+
+// x of each mark of an event: a sign has one, a path of ticks has many.
+std::vector<double> marks_of_events(const std::string& svg) {
+    std::vector<double> found;
+    const std::regex path("<path class=\"(event|events)\" d=\"([^\"]*)\""), move(R"(M(\S+) )");
+    for (std::sregex_iterator it(svg.begin(), svg.end(), path), end; it != end; ++it) {
+        const std::string d = (*it)[2];
+        for (std::sregex_iterator m(d.begin(), d.end(), move); m != end; ++m)
+            found.push_back(std::stod((*m)[1]));
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+// Each event is marked once, where its time is.
+void expect_marks(const std::string& svg, const TimelineRecord& record) {
+    const std::regex line("d=\"M(\\S+) \\S+H(\\S+)\" stroke=\"#222\"");
+    std::smatch axis;
+    ASSERT_TRUE(std::regex_search(svg, axis, line));
+    const double left = std::stod(axis[1]), right = std::stod(axis[2]);
+    std::vector<double> wanted;
+    for (const Event& event : record.timeline.events)
+        wanted.push_back(left + (right - left) * mid(event.time) / 10); // they last 10 s
+    std::ranges::sort(wanted);
+    EXPECT_THAT(marks_of_events(svg), testing::Pointwise(testing::DoubleNear(0.006), wanted));
+}
+
 TEST(Plot, HasAMarkForEachEvent) {
-    const std::string svg = plot_svg(story());
+    const TimelineRecord record = story();
+    const std::string svg = plot_svg(record);
     expect_well_formed(svg);
+    expect_readable(svg);
+    expect_marks(svg, record);
     EXPECT_THAT(svg, HasSubstr("A &lt;made&gt; &amp; timed &quot;scene&quot;"));
     EXPECT_THAT(svg, HasSubstr("complete, all proved"));
-    EXPECT_EQ(count(svg, "fill-opacity=\"0.8\""), 4u);
-    for (const char* label : {">components<", ">tunnels<", ">merge<", ">tunnel closes<"}) {
+    EXPECT_EQ(count(svg, "class=\"event\""), 4u);
+    for (const char* label : {">components<", ">tunnels<", ">merge<", ">tunnel closes<", ">10.5<",
+                              ">40.2<", ">90.7<", ">adds one<", ">takes one away<"}) {
         EXPECT_THAT(svg, HasSubstr(label));
     }
-    for (const char* label : {">voids<", ">split<", ">unresolved<"}) {
+    for (const char* label :
+         {">voids<", ">split<", ">unresolved<", ">not proved<", ">unknown<", ">one event<"}) {
         EXPECT_THAT(svg, Not(HasSubstr(label))) << "nothing of it happens";
     }
+}
+
+// From few to more than there are pixels: each event is marked, and no label is on another.
+TEST(Plot, IsReadableHoweverManyEventsThereAre) {
+    std::mt19937_64 random(17);
+    std::size_t longest = 0;
+    for (const int events : {1, 2, 3, 12, 40, 100, 400, 800, 2000}) {
+        SCOPED_TRACE(events);
+        TimelineRecord record = random_complete(random, events);
+        record.header.title = std::string(std::size_t(events), 'W') + " of a long name";
+        // Many at once, as symmetry has them.
+        for (Event& event : record.timeline.events)
+            if (event.time.lo > 6) event.time = near(7.123);
+        std::vector<Thumbnail> thumbnails;
+        for (const double frame : representative_frames(record, 8))
+            thumbnails.push_back({frame, "a.png"});
+        const std::string svg = plot_svg(record, thumbnails);
+        expect_well_formed(svg);
+        expect_readable(svg);
+        expect_marks(svg, record);
+        EXPECT_EQ(count(svg, "<image"), thumbnails.size());
+        longest = std::max(longest, svg.size());
+    }
+    EXPECT_LT(longest, 200'000u) << "some ten bytes for a tick and for a step of a curve";
+}
+
+// The bars of a crowded lane count its events, and the number above the highest is what it counts.
+TEST(Plot, BarsCountEvents) {
+    std::vector<Event> events;
+    for (int k = 0; k < 7; ++k) events.push_back(event_at(30.1 + 0.1 * k, Kind::birth));
+    events.push_back(event_at(60.5, Kind::birth));
+    events.push_back(event_at(80.5, Kind::birth));
+    const std::string svg = plot_svg(complete({1, 0, 0}, events));
+    const std::regex bars("<path d=\"((?:M\\S+ \\S+h\\S+V\\S+h\\S+z)+)\" fill=\"#009e73\"/>");
+    std::smatch path;
+    ASSERT_TRUE(std::regex_search(svg, path, bars));
+    const std::string d = path[1];
+    const std::regex bar(R"(M(\S+) (\S+)h(\S+)V(\S+)h)");
+    std::vector<double> heights;
+    for (std::sregex_iterator it(d.begin(), d.end(), bar), end; it != end; ++it)
+        heights.push_back(std::stod((*it)[2]) - std::stod((*it)[4]));
+    ASSERT_EQ(heights.size(), 3u);
+    EXPECT_NEAR(heights[0], 7 * heights[1], 0.5);
+    EXPECT_NEAR(heights[1], heights[2], 1e-9);
+    std::size_t sevens = 0;
+    for (const Text& text : texts(svg)) sevens += text.words == "7";
+    EXPECT_EQ(sevens, 1u);
+    EXPECT_THAT(svg, HasSubstr(">events in a frame<"));
 }
 
 TEST(Plot, IsWellFormedWhateverIsKnown) {
@@ -63,10 +202,12 @@ TEST(Plot, IsWellFormedWhateverIsKnown) {
     for (int trial = 0; trial < 20; ++trial) {
         TimelineRecord record = random_complete(random, int(random() % 40));
         expect_well_formed(plot_svg(record));
+        const auto all = std::size_t(record.timeline.events.size());
         for (Event& event : record.timeline.events) {
             if (random() % 2) event.before.reset();
             if (random() % 2) event.after.reset();
             if (random() % 2) event.kind = Kind::unknown;
+            if (random() % 5 == 0) event.kind = Kind::none;
             event.is_proved = random() % 2;
         }
         record.timeline.start.reset();
@@ -74,9 +215,11 @@ TEST(Plot, IsWellFormedWhateverIsKnown) {
         record.timeline.unresolved.push_back({formula::Interval::entire(), {}, "all", {}, {}});
         const std::string svg = plot_svg(record, {{12, "a&b.png"}, {1e9, "c.png"}});
         expect_well_formed(svg);
+        expect_readable(svg);
+        EXPECT_EQ(marks_of_events(svg).size(), all) << "those that change nothing, too";
         EXPECT_THAT(svg, HasSubstr(">unresolved<"));
         EXPECT_THAT(svg, HasSubstr("xlink:href=\"a&amp;b.png\""));
-        EXPECT_THAT(svg, HasSubstr("incomplete: "));
+        EXPECT_EQ(count(svg, "incomplete, "), 1u);
     }
     TimelineRecord empty{ten_a_second(), {}};
     expect_well_formed(plot_svg(empty));

@@ -55,6 +55,16 @@ TEST(Statement, SaysHowManyOfWhatAndWhen) {
         {"merge at 0.5 s +- 0.1", 1, 1, Kind::merge, 5, 7},
         {"merge at 0.5 s +- 2 frames", 1, 1, Kind::merge, 4, 8},
         {"merge on the bounds at frame 12..13", 1, 1, Kind::merge, 12, 13},
+        {"No merges.", 0, 0, Kind::merge, -HUGE_VAL, HUGE_VAL},
+        {"Exactly three splits", 3, 3, Kind::split, -HUGE_VAL, HUGE_VAL},
+        {"One merge at 0.50 seconds.", 1, 1, Kind::merge, 5.95, 6.05},
+        {"merge at 0.5 sec +/- 0.1", 1, 1, Kind::merge, 5, 7},
+        {"merge before the end", 1, 1, Kind::merge, -HUGE_VAL, HUGE_VAL},
+        {"merge between frame 5 and frame 9", 1, 1, Kind::merge, 5, 9},
+        {"merge between frame 5 and 9", 1, 1, Kind::merge, 5, 9},
+        {"merge from frame 90 to the end", 1, 1, Kind::merge, 90, HUGE_VAL},
+        {"merge from 0.5 s to 1 s", 1, 1, Kind::merge, 6, 11},
+        {"merge between the start and frame 9.", 1, 1, Kind::merge, -HUGE_VAL, 9},
     };
     for (const auto& c : cases) {
         SCOPED_TRACE(c.text);
@@ -122,7 +132,9 @@ TEST(Statement, MistakesSayWhatWouldBeRight) {
         {"merge at frame 12...13", "'12...13' is no range: write 12..13"},
         {"merge at frame 13..12", "ends before it begins: 13 to 12"},
         {"merge between frames 5 to 9", "write \"between frames 5 and 9\""},
-        {"merge between frame 5 and 9", "write \"between frames 5 and 9\""},
+        {"merge from frame 5 and 9", "write \"from frame 5 to 9\""},
+        {"exactly merges", "'exactly' needs a whole number"},
+        {"exactly at least 2 merges", "'exactly' needs a whole number"},
         {"merge at frame 12 or so", "goes on after its end, at 'or'"},
         {"nothing", "did you mean \"nothing else\"?"},
         {"nothing else happens", "did you mean \"nothing else\"?"},

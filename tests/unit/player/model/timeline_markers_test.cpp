@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 
+#include "scene/surfaces.h"
 #include "topology/timeline/timeline_file.h"
 #include "topology/timelines.h"
 #include "unit/scene/testing.h"
@@ -62,6 +64,11 @@ TEST_F(Marks, EventsAreMarkedWithTheirKindAndFrame) {
                                    {Kind::event, 20.25, "merge at frame 20.25"},
                                    {Kind::event, 40.2, "tunnel forms at frame 40.2"},
                                    {Kind::event, 90.7, "tunnel closes at frame 90.7"}});
+    ASSERT_EQ(found.events.size(), 4u);
+    for (std::size_t k = 0; k < 4; ++k)
+        EXPECT_NEAR(found.events[k].first, found.markers[k].frame, 1e-9);
+    EXPECT_EQ(found.events[3].kind, topology::Kind::tunnel_closes);
+    EXPECT_NEAR(glm::distance(found.events[3].where, {0, 0.5, 0.1}), 0, 1e-12);
 }
 
 TEST_F(Marks, WhatIsNotKnownSaysSo) {
@@ -79,6 +86,52 @@ TEST_F(Marks, WhatIsNotKnownSaysSo) {
                     {Kind::unresolved, 16, "unresolved (a singular curve) at frame 16"},
                     {Kind::event, 20.25, "event of unknown kind at frame 20.25"},
                     {Kind::unresolved, 91, "unresolved (no end is known) at frame 91"}});
+    const auto& events = topology_markers(scene, record, "a.json").events;
+    ASSERT_EQ(events.size(), 4u) << "two events and two places that are not resolved";
+    EXPECT_FALSE(events[0].is_proved);
+    EXPECT_TRUE(events[1].is_resolved);
+    EXPECT_FALSE(events[2].is_resolved);
+    EXPECT_NEAR(events[2].first, 15, 1e-9);
+    EXPECT_NEAR(events[2].last, 17, 1e-9);
+    // What may be anywhere has no place.
+    record.timeline.unresolved[0].where[1] = formula::Interval::entire();
+    EXPECT_EQ(topology_markers(scene, record, "a.json").events.size(), 3u);
+}
+
+// Each of several surfaces has a file of its own.
+TEST_F(Marks, SeveralSurfacesHaveTheirEvents) {
+    const scene::Scene scene = loaded(R"([time]
+fps = 10
+frames = 101
+[[surfaces]]
+name = "ball"
+formula = "x^2 + y^2 + z^2 - 1"
+bounds = { sphere = 1.5 }
+[[surfaces]]
+name = "pea"
+formula = "x^2 + y^2 + z^2 - 0.1"
+bounds = { sphere = 1 }
+)");
+    EXPECT_TRUE(read_topology_markers_of_each(scene).markers.empty());
+    const auto write = [&](int surface, const std::string& name) {
+        std::ofstream(timeline_path(scene, name))
+            << topology::to_json(of(scene::alone(scene, surface), topology::story()));
+    };
+    write(1, "pea");
+    TopologyMarkers found = read_topology_markers_of_each(scene);
+    ASSERT_EQ(found.markers.size(), 4u);
+    EXPECT_EQ(found.markers[0].label, "pea: merge at frame 10.5");
+    EXPECT_EQ(found.events.at(0).surface, 1);
+    EXPECT_EQ(found.refusal, "");
+    write(0, "ball");
+    found = read_topology_markers_of_each(scene);
+    EXPECT_EQ(found.events.size(), 8u);
+    EXPECT_TRUE(std::ranges::is_sorted(found.markers, {}, &TimelineMarker::frame));
+    // The files in each other's place.
+    write(0, "pea");
+    found = read_topology_markers_of_each(scene);
+    EXPECT_EQ(found.events.size(), 4u);
+    EXPECT_THAT(found.refusal, HasSubstr("--surface pea -o "));
 }
 
 // Events are moments: another frame rate shows the same ones at other frames.
