@@ -134,7 +134,8 @@ struct Renderer::Parts {
         }
         for (std::size_t k = 0; surfaces.size() > 1 && k < surfaces.size(); ++k) {
             synthesis::Uniforms& effects = k == 0 ? inputs.effects : inputs.others[k - 1].effects;
-            for (auto& uniform : uniforms_among(now, int(k), width, height, aim))
+            const scene::Among& among = surfaces[k]->scene.among;
+            for (auto& uniform : uniforms_among(now, among, width, height, aim))
                 effects.push_back(std::move(uniform));
         }
         inputs.preparing = std::chrono::steady_clock::now() - begin;
