@@ -196,10 +196,8 @@ Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin
         text.define("LISTS", 1);
         add_entrance(text, passes, true);
     }
-    if (origin == Origin::eye) {
-        text.file("effects/eye_begin.glsl");
-        text.file("effects/surface_point.glsl");
-    }
+    if (origin == Origin::eye) text.file("effects/eye_begin.glsl");
+    if (origin != Origin::mirror) text.file("effects/surface_point.glsl"); // it has that already
     add_gradient(text, scene, passes);
     if (!scene.sections.empty()) text.file("section/distance.glsl");
     text.file("effects/end_of_ray.glsl");
