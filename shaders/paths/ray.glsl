@@ -19,7 +19,12 @@ Ray pixel_ray() {
     ray.anchor = path.position;
     ray.direction = path.direction;
     vec2 inside = clip_to_bounds(ray.anchor, ray.direction);
+#ifdef GLASS
     ray.t_near = max(inside.x, path.off);
+#else
+    // What lies on the glass that the ray has come through, or nearer to it than rays begin.
+    ray.t_near = max(inside.x, -2.0 * path.off);
+#endif
     ray.t_far = may_meet(path) ? inside.y : -1.0;
     ray.to_eye = 0.0;
     return ray;

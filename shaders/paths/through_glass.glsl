@@ -14,6 +14,11 @@ Path meet(Path path, SurfacePoint p, float way, bool is_first) {
         if (!p.inside) path.light += path.weight * beside * lit_again(p, hit_of(p), -path.direction);
     }
     path = through(path, p, way, p.inside ? 1.0 : transmission());
-    if (dot(path.direction, p.normal) < 0.0) path.matter = beyond;
+    if (dot(path.direction, p.normal) < 0.0) {
+        path.matter = beyond;
+    } else { // back: what lies on the other side of the glass is not before it
+        path.position += path.off * path.direction;
+        path.off = 0.0;
+    }
     return unless_faint(path, path.rays_left);
 }

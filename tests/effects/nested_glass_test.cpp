@@ -110,7 +110,7 @@ TEST(NestedGlass, ABallInABallOfTheSameIndexIsInvisible) {
 
 // Straight on, air in water is seen by its edge: total reflection beyond the critical angle.
 TEST(NestedGlass, ABubbleInWaterReflectsTotally) {
-    constexpr int side = 65;
+    constexpr int side = 129;
     const double n = 1.33, radius = 0.5;
     // In a tank with flat walls, rays reach the bubble straight on.
     const Picture picture = drawn(slab(-1, 1, material(fmt::format("ior = {}, depth = 6", n))) +
@@ -194,7 +194,7 @@ TEST(NestedGlass, PriorityTellsWhoseBeersLawHoldsWhereSlabsOverlap) {
         EXPECT_NEAR(drawn_with(1, 0, turned).y, 1, 1e-4); // clear there
     }
     // The tolerance is less than what tells them apart by far.
-    EXPECT_LT(tolerance, 0.1 * std::abs(with_glass - with_water));
+    EXPECT_LT(tolerance, 0.2 * std::abs(with_glass - with_water));
 }
 
 // Exact, with one index everywhere: nothing is reflected.
@@ -272,6 +272,24 @@ TEST(NestedGlass, AnOpaqueBallBehindAPlateIsShifted) {
     EXPECT_GT(shift, 0.3);
 }
 
+// A body within glass that ends where the body ends is seen through it; of both the earlier in the
+// file is met.
+TEST(NestedGlass, ACoatThatCoincidesWithItsBodyHidesNothing) {
+    const std::string red = ball(0.6, "material = { color = [1, 0, 0] }\n");
+    const std::string view =
+        "[ambient]\ntop = [1, 1, 1]\nbottom = [1, 1, 1]\n" + seen_by(along_y(1.6), 48, white);
+    const auto with = [&](const std::string& coat, bool first) {
+        return drawn((first ? coat + red : red + coat) + view);
+    };
+    const Picture alone = with(ball(0.1, material("ior = 1"), "[0, 9, 0]"), true);
+    for (const bool first : {false, true}) {
+        const Picture coated = with(ball(0.6, material("ior = 1")), first);
+        EXPECT_LT(largest_difference(alone, coated), 1e-3) << first;
+        EXPECT_EQ(surface_at(coated, 24 * 48 + 24), 1);
+        EXPECT_LT(largest_difference(alone, with(ball(0.61, material("ior = 1")), first)), 1e-3);
+    }
+}
+
 // In a white room clear matter is white, whatever lies in what.
 TEST(NestedGlass, IsWhiteInAWhiteRoom) {
     const std::string torus = "[[surfaces]]\nformula = \"(sqrt(x^2 + y^2) - 0.6)^2 + z^2 - 0.08\"\n"
@@ -338,7 +356,7 @@ TEST(NestedGlass, AMirrorAndGlassMayPassThroughEachOther) {
                ball(0.6, chrome, "[0, 0, 0]") + seen_by(along_y(2.4), 48, sky_by_height);
     };
     // Of the index of what is around nothing of the glass is seen.
-    const Picture alone = drawn(scene("[0, 0, 9]", 1.5));
+    const Picture alone = drawn(scene("[0, 0, 9]", 1));
     EXPECT_LT(largest_difference(alone, drawn(scene("[0.5, -0.2, 0.1]", 1))), 5e-3);
     const Picture both = drawn(scene("[0.5, -0.2, 0.1]", 1.5));
     EXPECT_GT(largest_difference(alone, both), 0.2);
@@ -409,7 +427,7 @@ TEST(NestedGlass, WithoutAnotherIndexIsInvisible) {
         ball(0.4, "material = { color = [0.8, 0.2, 0.1] }\n", "[0.2, 0.5, 0]") +
         ball(0.3, "material = { color = [0.1, 0.2, 0.9], model = \"blinn-phong\" }\n",
              "[-0.4, 0.2, 0.3]") +
-        "[ground]\nheight = -0.6\n[[lights]]\ndirection = [0.2, -0.4, 1]\nshadow = true\n[camera]\n"
+        "[ground]\nheight = -0.6\n[[lights]]\ndirection = [0.2, 0.4, 1]\nshadow = true\n[camera]\n"
         "position = [0, -5, 1]\ntarget = [0, 0, 0]\nfov = 30\n[output]\nsize = [48, 48]\n";
     const auto scene = [&](const char* place) {
         return slab(-0.02, 0.02,
@@ -417,7 +435,7 @@ TEST(NestedGlass, WithoutAnotherIndexIsInvisible) {
                         material("ior = 1, depth = 3")) +
                rest;
     };
-    // The slab casts a shadow: before the bodies, seen from the light, it is not.
+    // The slab's shadow falls towards the eye, where no ground is seen.
     const Picture before = drawn(scene("[0, -3, -0.2]")), behind = drawn(scene("[0, 60, 0]"));
     int other = 0;
     for (std::size_t pixel = 0; pixel < 48 * 48; ++pixel)
