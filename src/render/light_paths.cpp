@@ -7,8 +7,8 @@ namespace {
 
 using synthesis::Role;
 
-constexpr int textures_of_paths = 5; // shaders/paths/path.glsl
-constexpr int textures_of_path_ends = 4;  // shaders/surfaces/nearest.glsl
+constexpr int textures_of_paths = 5;     // shaders/paths/path.glsl
+constexpr int textures_of_path_ends = 4; // shaders/surfaces/nearest.glsl
 // Crossings of bounds are no ray of a path's depth; next.frag ends paths with more of them.
 constexpr int most_crossings = 33;
 

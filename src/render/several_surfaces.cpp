@@ -146,6 +146,13 @@ void SeveralSurfaces::follow_paths(const gpu::Rectangle& tile, const gpu::Target
     }
 }
 
+std::vector<int> SeveralSurfaces::seen(const gpu::Rectangle& tile) const {
+    const std::vector<float> ends = ends_.last().read(3, 0, 0, tile.width, tile.height);
+    std::vector<int> indices(ends.size() / 4);
+    for (std::size_t k = 0; k < indices.size(); ++k) indices[k] = int(ends[4 * k + 2]);
+    return indices;
+}
+
 void SeveralSurfaces::draw(const PictureInputs& inputs, const gpu::Rectangle& tile,
                            const gpu::Target& result, const gpu::Texture* environment, int& draws) {
     find_ends(inputs, tile, result, draws);

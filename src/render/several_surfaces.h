@@ -28,6 +28,11 @@ public:
     void draw(const PictureInputs& inputs, const gpu::Rectangle& tile, const gpu::Target& result,
               const gpu::Texture* environment, int& draws);
 
+    // Where the eye's rays ended on one surface, and the index of the surface that is seen at each
+    // pixel of the tile drawn last, row by row from the lower left.
+    const gpu::Target& rays(std::size_t surface) const { return *rays_[surface]; }
+    std::vector<int> seen(const gpu::Rectangle& tile) const;
+
 private:
     void find_ends(const PictureInputs& inputs, const gpu::Rectangle& tile,
                    const gpu::Target& result, int& draws);
