@@ -129,12 +129,16 @@ struct Renderer::Parts {
         const int width = options.width, height = options.height;
         PictureInputs inputs = own.prepare(now, aim, motion, width, height, fields[0]);
         for (std::size_t k = 1; k < surfaces.size(); ++k) {
-            inputs.others.push_back(
-                surfaces[k]->prepare(now.others[k - 1], aim, nullptr, width, height, fields[k]));
+            std::optional<Motion> its;
+            if (motion)
+                its = {motion->before.others[k - 1], motion->after.others[k - 1], motion->seconds};
+            inputs.others.push_back(surfaces[k]->prepare(
+                now.others[k - 1], aim, its ? &*its : nullptr, width, height, fields[k]));
         }
         for (std::size_t k = 0; surfaces.size() > 1 && k < surfaces.size(); ++k) {
             synthesis::Uniforms& effects = k == 0 ? inputs.effects : inputs.others[k - 1].effects;
-            for (auto& uniform : uniforms_among(now, int(k), width, height, aim))
+            const scene::Among& among = surfaces[k]->scene.among;
+            for (auto& uniform : uniforms_among(now, among, width, height, aim))
                 effects.push_back(std::move(uniform));
         }
         inputs.preparing = std::chrono::steady_clock::now() - begin;
@@ -210,8 +214,10 @@ struct Renderer::Parts {
                                  result.read(*at, 0, 0, tile.width, tile.height).data(), picture);
                 }
                 if (proofs) prove_tile(inputs, tile, picture);
-                if (moved && inputs.motion) {
-                    draw_velocity(*inputs.motion, *inputs.field, *rays, tile, picture.frame);
+                if (moved && inputs.motion && several) {
+                    draw_velocities(inputs, tile, picture.frame);
+                } else if (moved && inputs.motion) {
+                    write_velocity(velocity_of(own, inputs, *rays, tile), tile, picture.frame);
                 }
                 layers.for_each_attachment(picture.frame, [&](int k, const auto& channels) {
                     planes.read(result, k, tile, channels);
@@ -323,25 +329,45 @@ struct Renderer::Parts {
         }
     }
 
-    // Draws the channel velocity of a tile whose rays and record are there.
-    void draw_velocity(const MotionInputs& motion, const FieldInputs& here, const gpu::Target& rays,
-                       const gpu::Rectangle& tile, image::Frame& drawn) {
-        table.bind_numbered("state_texture", rays);
+    // The velocity of one surface in a tile whose rays and record are there.
+    std::vector<glm::dvec3> velocity_of(SurfacePasses& surface, const PictureInputs& of_surface,
+                                        const gpu::Target& rays, const gpu::Rectangle& tile) {
+        const MotionInputs& motion = *of_surface.motion;
+        surface.table.bind_numbered("state_texture", rays);
         const auto field_at = [&](const FieldInputs& then, const scene::SceneAt& there) {
-            own.field->upload(table, then);
-            return moved->field_there(table, tile, motion.now.placement, there);
+            surface.field->upload(surface.table, then);
+            return moved->field_there(surface.table, tile, motion.now.placement, there);
         };
         const std::vector<float> before = field_at(motion.before, motion.motion.before);
         const std::vector<float> after = field_at(motion.after, motion.motion.after);
-        own.field->upload(table, here);
-        const std::vector<glm::dvec3> found =
-            velocities(motion.motion, motion.now, options.width, options.height, tile, record,
-                       rays.read(0, 0, 0, tile.width, tile.height), before, after);
+        surface.field->upload(surface.table, *of_surface.field);
+        return velocities(motion.motion, motion.now, options.width, options.height, tile, record,
+                          rays.read(0, 0, 0, tile.width, tile.height), before, after);
+    }
+
+    void write_velocity(const std::vector<glm::dvec3>& found, const gpu::Rectangle& tile,
+                        image::Frame& drawn) {
         int k = 0;
         for (image::Channel* channel : Layers::of(drawn, Channel::velocity)) {
             planes.fill(tile, *channel, [&](std::size_t at) { return float(found[at][k]); });
             ++k;
         }
+    }
+
+    // Of several surfaces each pixel has the velocity of the one that is seen there.
+    void draw_velocities(const PictureInputs& inputs, const gpu::Rectangle& tile,
+                         image::Frame& drawn) {
+        const std::vector<int> seen = several->seen(tile);
+        std::vector<glm::dvec3> found(seen.size(), glm::dvec3(0));
+        for (std::size_t k = 0; k < surfaces.size(); ++k) {
+            surfaces[k]->bind();
+            const std::vector<glm::dvec3> its = velocity_of(
+                *surfaces[k], k == 0 ? inputs : inputs.others[k - 1], several->rays(k), tile);
+            for (std::size_t at = 0; at < seen.size(); ++at) {
+                if (seen[at] == int(k)) found[at] = its[at];
+            }
+        }
+        write_velocity(found, tile, drawn);
     }
 
     // ----- pictures on their way

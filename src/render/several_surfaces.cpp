@@ -1,6 +1,7 @@
 #include "render/several_surfaces.h"
 
 #include "render/motion.h"
+#include "synthesis/paths_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -9,8 +10,9 @@ using synthesis::Role;
 
 constexpr int kept_textures = 4; // of what is kept of an end, see shaders/surfaces/nearest.glsl
 
-const scene::SceneAt& surface_of(const scene::SceneAt& now, int index) {
-    return index == 0 ? now : now.others[std::size_t(index - 1)];
+// One more where paths may begin before it: shaders/paths/begin.glsl.
+int textures_of_ends(const scene::Scene& scene) {
+    return kept_textures + int(synthesis::follows_paths(scene));
 }
 
 // From the eye along the camera's axis to the plane where t is 0, in formula coordinates.
@@ -20,8 +22,9 @@ double depth_of(const scene::Rays& rays) {
 
 } // namespace
 
-synthesis::Uniforms uniforms_among(const scene::SceneAt& now, int index, int width, int height,
-                                   const scene::Aim& aim) {
+synthesis::Uniforms uniforms_among(const scene::SceneAt& now, const scene::Among& among, int width,
+                                   int height, const scene::Aim& aim) {
+    const int index = among.index;
     const scene::SceneAt& own = surface_of(now, index);
     // Differences in double: the planes may be near each other and far from the eye.
     const double own_depth = depth_of(scene::rays(own, width, height, aim));
@@ -37,17 +40,17 @@ synthesis::Uniforms uniforms_among(const scene::SceneAt& now, int index, int wid
                                      : change_of_place(surface_of(now, k).placement, own.placement);
         moves.insert(moves.end(), rows.begin(), rows.end());
     }
-    return {{"surface_way", glm::vec4(way)}, {"surface_moves", std::move(moves)}};
+    synthesis::Uniforms uniforms{{"surface_way", glm::vec4(way)}, {"surface_moves", moves}};
+    if (among.matters.empty()) return uniforms;
+    uniforms.push_back({"path_moves", std::move(moves)});
+    uniforms.push_back({"matters", matters_at(now, among, own.placement.scale)});
+    return uniforms;
 }
-
-SeveralSurfaces::Relay::Relay(const MarchPlan& tile, int attachments)
-    : targets{gpu::Target(tile.tile_width, tile.tile_height, attachments),
-              gpu::Target(tile.tile_width, tile.tile_height, attachments)} {}
 
 SeveralSurfaces::SeveralSurfaces(std::vector<SurfacePasses*> all)
     : all_(std::move(all))
     , rays_(all_.size())
-    , ends_(all_.front()->plan.march, kept_textures) {
+    , ends_(all_.front()->plan.march, textures_of_ends(all_.front()->scene)) {
     const MarchPlan& tile = all_.front()->plan.march;
     for (const SurfacePasses* one : all_) {
         eye_.emplace_back(one->passes, tile);
@@ -56,6 +59,10 @@ SeveralSurfaces::SeveralSurfaces(std::vector<SurfacePasses*> all)
     }
     if (!mirror_.empty()) {
         mirrored_.emplace(tile, kept_textures);
+        seen_.emplace(tile.tile_width, tile.tile_height);
+    }
+    if (all_.front()->passes.has(Role::glass)) {
+        paths_.emplace(all_);
         seen_.emplace(tile.tile_width, tile.tile_height);
     }
     if (all_.front()->passes.has(Role::occlusion)) open_.emplace(tile, 1);
@@ -95,14 +102,16 @@ void SeveralSurfaces::see_in_mirrors(const gpu::Rectangle& tile, const gpu::Targ
     }
 }
 
-// Returns the states of the last surface's shadow rays, which tell all that is hidden.
-const gpu::Target* SeveralSurfaces::cast_shadows(const gpu::Rectangle& tile,
+// Returns the states of the last surface's shadow rays, which tell all that is hidden from the
+// ends.
+const gpu::Target* SeveralSurfaces::cast_shadows(const gpu::Target& ends,
+                                                 const gpu::Rectangle& tile,
                                                  const gpu::Target& result, int& draws) {
     const gpu::Target* ended = nullptr;
     for (std::size_t k = 0; k < shadow_.size(); ++k) {
         SurfacePasses& one = *all_[k];
         one.bind();
-        one.table.bind_numbered("surface_texture", ends_.last());
+        one.table.bind_numbered("surface_texture", ends);
         if (ended) one.table.bind("shadow_texture", ended->texture(1));
         ended = &one.marcher.march(one.table, Role::shadow, tile, shadow_[k], result, draws);
     }
@@ -118,11 +127,38 @@ void SeveralSurfaces::look_around(const gpu::Rectangle& tile) {
     }
 }
 
+// Follows paths to their ends, and shades these.
+void SeveralSurfaces::follow_paths(const gpu::Rectangle& tile, const gpu::Target& result,
+                                   const gpu::Texture* environment, int& draws) {
+    paths_->trace(ends_.last(), tile, environment, draws);
+    const gpu::Target& ends = paths_->draw_ends(tile);
+    const gpu::Target* hidden = cast_shadows(ends, tile, result, draws);
+    seen_->clear(0);
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+        SurfacePasses& one = *all_[k];
+        one.bind();
+        if (environment) one.table.bind("environment_map", *environment);
+        if (hidden) one.table.bind("shadow_texture", hidden->texture(1));
+        one.table.bind_numbered("state_texture", *rays_[k]);
+        one.table.bind_numbered("glass_texture", paths_->light());
+        one.table.bind_numbered("mirrored_texture", ends);
+        one.table.draw(one.table.program(Role::seen), tile, *seen_);
+    }
+}
+
+std::vector<int> SeveralSurfaces::seen(const gpu::Rectangle& tile) const {
+    const std::vector<float> ends = ends_.last().read(3, 0, 0, tile.width, tile.height);
+    std::vector<int> indices(ends.size() / 4);
+    for (std::size_t k = 0; k < indices.size(); ++k) indices[k] = int(ends[4 * k + 2]);
+    return indices;
+}
+
 void SeveralSurfaces::draw(const PictureInputs& inputs, const gpu::Rectangle& tile,
                            const gpu::Target& result, const gpu::Texture* environment, int& draws) {
     find_ends(inputs, tile, result, draws);
     if (mirrored_) see_in_mirrors(tile, result, environment, draws);
-    const gpu::Target* hidden = cast_shadows(tile, result, draws);
+    if (paths_) follow_paths(tile, result, environment, draws);
+    const gpu::Target* hidden = cast_shadows(ends_.last(), tile, result, draws);
     if (open_) look_around(tile);
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
@@ -133,6 +169,7 @@ void SeveralSurfaces::draw(const PictureInputs& inputs, const gpu::Rectangle& ti
         if (seen_) one.table.bind("seen_texture", seen_->texture(0));
         if (hidden) one.table.bind("shadow_texture", hidden->texture(1));
         if (open_) one.table.bind("occlusion_texture", open_->last().texture(0));
+        if (paths_) one.table.bind_numbered("glass_texture", paths_->light());
         one.table.draw(one.table.program(Role::shade), tile, result);
     }
 }

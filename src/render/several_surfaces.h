@@ -3,21 +3,21 @@
 // shaders/surfaces/.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "gpu/target.h"
+#include "render/light_paths.h"
 #include "render/ray_marcher.h"
 #include "render/surface_passes.h"
 
 namespace isomotion::render {
 
 // Uniforms of one surface among several, which relate its rays and places to those of the others.
-// `now` is the first surface's.
-synthesis::Uniforms uniforms_among(const scene::SceneAt& now, int index, int width, int height,
-                                   const scene::Aim& aim);
+// `now` is the first surface's; `among` is the surface's own.
+synthesis::Uniforms uniforms_among(const scene::SceneAt& now, const scene::Among& among, int width,
+                                   int height, const scene::Aim& aim);
 
 class SeveralSurfaces {
 public:
@@ -28,24 +28,21 @@ public:
     void draw(const PictureInputs& inputs, const gpu::Rectangle& tile, const gpu::Target& result,
               const gpu::Texture* environment, int& draws);
 
+    // Where the eye's rays ended on one surface, and the index of the surface that is seen at each
+    // pixel of the tile drawn last, row by row from the lower left.
+    const gpu::Target& rays(std::size_t surface) const { return *rays_[surface]; }
+    std::vector<int> seen(const gpu::Rectangle& tile) const;
+
 private:
-    // Two alternating targets: the pass of each surface reads what the passes before it drew.
-    struct Relay {
-        explicit Relay(const MarchPlan& tile, int attachments);
-        const gpu::Target& last() const { return targets[std::size_t(at)]; }
-        const gpu::Target& next() { return targets[std::size_t(at = 1 - at)]; }
-
-        std::array<gpu::Target, 2> targets;
-        int at = 1;
-    };
-
     void find_ends(const PictureInputs& inputs, const gpu::Rectangle& tile,
                    const gpu::Target& result, int& draws);
     void see_in_mirrors(const gpu::Rectangle& tile, const gpu::Target& result,
                         const gpu::Texture* environment, int& draws);
-    const gpu::Target* cast_shadows(const gpu::Rectangle& tile, const gpu::Target& result,
-                                    int& draws);
+    const gpu::Target* cast_shadows(const gpu::Target& ends, const gpu::Rectangle& tile,
+                                    const gpu::Target& result, int& draws);
     void look_around(const gpu::Rectangle& tile);
+    void follow_paths(const gpu::Rectangle& tile, const gpu::Target& result,
+                      const gpu::Texture* environment, int& draws);
 
     std::vector<SurfacePasses*> all_;
     std::vector<RayTargets> eye_, shadow_, mirror_;
@@ -53,6 +50,7 @@ private:
     Relay ends_;
     std::optional<Relay> mirrored_, open_;
     std::optional<gpu::Target> seen_;
+    std::optional<LightPaths> paths_;
 };
 
 } // namespace isomotion::render

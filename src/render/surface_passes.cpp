@@ -13,8 +13,6 @@
 namespace isomotion::render {
 namespace {
 
-using synthesis::Channel;
-
 // Texels that the buffer of an array with lists may have: beams write lists into it as a storage
 // block and others read them as a texture. Elements are told by floats, too.
 int texels_for_lists(const gpu::ContextInfo& info) {
@@ -31,9 +29,7 @@ const synthesis::Passes& checked(const synthesis::Passes& passes, const gpu::Con
 // Each surface keeps the states of its rays: smaller tiles keep that in bounds.
 constexpr int largest_tile_of_several = 512;
 
-void expect_known_to_several(const scene::Scene& scene, const RenderOptions& options) {
-    const bool wants_velocity = std::ranges::count(options.channels, Channel::velocity) > 0;
-    if (wants_velocity) scene::expect_one_surface(scene, "the channel velocity");
+void expect_known_to_several(const scene::Scene& scene) {
     const bool certifies =
         scene.isolation.certify || std::ranges::any_of(scene.others, [](const auto& other) {
             return other.isolation.certify;
@@ -61,7 +57,7 @@ PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& option
 
 std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const RenderOptions& options,
                                           const gpu::ContextInfo& info) {
-    expect_known_to_several(scene, options);
+    expect_known_to_several(scene);
     std::vector<PlannedSurface> all;
     for (int k = 0; k <= int(scene.others.size()); ++k)
         all.emplace_back(scene::of_surface(scene, k), options, info);

@@ -33,6 +33,7 @@ inline constexpr double operations_of_a_frame = 2e8;
 inline constexpr int lights = 8;
 inline constexpr int sections = 8;
 inline constexpr int glass_depth = 16; // rays of a pixel after the primary ray
+inline constexpr int priority = 1000;  // of matter, above or below 0
 // Limit of a colour's components and of an environment's intensity, so that products of them stay
 // floats.
 inline constexpr double brightness = 1e6;

@@ -178,6 +178,9 @@ struct Glass {
     TrackId ior = 0;          // index of refraction relative to the surroundings, above 0
     Vec3Track absorption{};   // per world unit: light fades by exp(-absorption * length)
     int depth = 4;            // rays followed after the primary ray, 0 to limits::glass_depth
+    // Among several surfaces: at a place that lies in several, only the matter with the highest
+    // priority is there; of equal ones the first in the file.
+    int priority = 0;
 };
 
 // `color` is seen from the side F > 0. Only a surface with `inside` has two colours.
@@ -265,6 +268,10 @@ struct NamedLook {
 struct Among {
     int index = 0, count = 1;
     int mirrors = 0; // a bit for each surface that reflects all others: see of_surface()
+    // The surfaces of glass, the one whose matter counts before all others first; and the largest
+    // of their depths.
+    std::vector<int> matters;
+    int depth = 0;
 };
 
 struct Scene {

@@ -397,6 +397,7 @@ SceneAt in_formula_coordinates(SceneAt scene) {
         other.placement.translate = first.to_local(other.placement.translate);
         other.placement.rotate = to_local * other.placement.rotate;
         other.placement.scale /= first.scale;
+        other.glass.absorption *= first.scale; // per unit of the first one's formula from now on
         share(scene, other);
     }
     return scene;

@@ -1,6 +1,7 @@
 #include "scene/surfaces.h"
 
 #include <algorithm>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -15,16 +16,36 @@ bool mirrors_all(const Scene& surface) {
     return surface.material.reflection == Material::Reflection::self;
 }
 
+// All surfaces of a scene, in the file's order.
+std::vector<const Scene*> all_of(const Scene& scene) {
+    std::vector<const Scene*> all{&scene};
+    for (const Scene& other : scene.others) all.push_back(&other);
+    return all;
+}
+
+Among among_all(const Scene& scene, Among one) {
+    const std::vector<const Scene*> all = all_of(scene);
+    one.mirrors = 0;
+    one.matters.clear();
+    one.depth = 0;
+    for (int k = 0; k < int(all.size()); ++k) {
+        const Material& material = all[std::size_t(k)]->material;
+        one.mirrors |= int(mirrors_all(*all[std::size_t(k)])) << k;
+        if (!material.glass) continue;
+        one.matters.push_back(k);
+        one.depth = std::max(one.depth, material.glass->depth);
+    }
+    std::ranges::stable_sort(one.matters, std::greater{},
+                             [&](int k) { return all[std::size_t(k)]->material.glass->priority; });
+    return one;
+}
+
 } // namespace
 
 Scene of_surface(const Scene& scene, int index) {
     Scene one = index == 0 ? scene : scene.others[std::size_t(index - 1)];
     one.others.clear();
-    if (scene.among.count > 1) {
-        one.among.mirrors = int(mirrors_all(scene));
-        for (std::size_t k = 0; k < scene.others.size(); ++k)
-            one.among.mirrors |= int(mirrors_all(scene.others[k])) << (k + 1);
-    }
+    if (scene.among.count > 1) one.among = among_all(scene, one.among);
     if (index == 0) return one;
     share_surroundings(scene, one);
     one.output = scene.output;

@@ -57,7 +57,10 @@ std::string scene_fingerprint(const scene::Scene& scene) {
     }
     if (const auto& color = scene.material.color_by_place) print.add(color->text);
     if (const auto& contours = scene.material.contours) print.add(contours->value->text);
-    if (const auto& glass = scene.material.glass) add_numbers(print, {double(glass->depth)});
+    if (const auto& glass = scene.material.glass) {
+        add_numbers(print, {double(glass->depth)});
+        if (glass->priority != 0) add_numbers(print, {double(glass->priority)});
+    }
     if (scene.environment) {
         print.add(scene.environment->map.filename().string());
         add_numbers(print, {double(scene.environment->background)});

@@ -15,6 +15,7 @@
 #include "synthesis/effect_text.h"
 #include "synthesis/glass_text.h"
 #include "synthesis/march_text.h"
+#include "synthesis/paths_text.h"
 #include "synthesis/proof_text.h"
 #include "synthesis/shade_text.h"
 #include "synthesis/surfaces_text.h"
@@ -165,7 +166,9 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
         add(surface_pass(scene, passes, Origin::mirror, When::once_a_tile));
         if (is_among(scene)) add(seen_pass(scene, passes));
     }
-    if (has_glass(scene)) {
+    if (follows_paths(scene)) {
+        for (Pass& pass : path_passes(scene, passes)) add(std::move(pass));
+    } else if (has_glass(scene)) {
         for (Pass& pass : glass_passes(scene, passes)) add(std::move(pass));
     }
     if (shadow_mask(scene) != 0) add(shadow_pass(scene, passes));

@@ -208,9 +208,11 @@ Scene without(Effect effect, Scene scene) {
 }
 
 bool calls_for_ends(const Scene& scene) {
-    return std::any_of(table.begin(), table.end(), [&](const EffectTraits& row) {
-        return row.keeps_surfaces && row.is_called(scene);
-    });
+    // Beside glass, every surface is seen by rays that begin where others ended.
+    return !scene.among.matters.empty() ||
+           std::any_of(table.begin(), table.end(), [&](const EffectTraits& row) {
+               return row.keeps_surfaces && row.is_called(scene);
+           });
 }
 
 bool keeps_surfaces(const Scene& scene) { return scene.among.count > 1 || calls_for_ends(scene); }

@@ -7,6 +7,7 @@
 #include "formula/hessian.h"
 #include "synthesis/effect.h"
 #include "synthesis/glass_text.h"
+#include "synthesis/paths_text.h"
 #include "synthesis/shader_files.h"
 #include "synthesis/surfaces_text.h"
 
@@ -72,6 +73,13 @@ std::string with_mirror(const scene::Scene& scene) {
 
 // vec3 mirrored(...): with what the surface mirrors; a mirror in a mirror shows what is around.
 std::string mirrored(const scene::Scene& scene) {
+    if (follows_paths(scene) && scene.material.reflection == Reflection::self) {
+        // The path's light is added to that of the surface.
+        return fmt::format("vec3 mirrored(vec3 color, Ray ray, SurfacePoint p, Hit hit) {{\n{}"
+                           "    return color * beside_mirror(mirror_weight(surface_color(hit), "
+                           "hit.normal, -ray.direction));\n}}\n",
+                           scene.ground ? "    if (p.on_ground) return color;\n" : "");
+    }
     std::string text = with_mirror(scene);
     const bool is_ggx = scene.material.model == scene::Material::Model::ggx;
     const bool is_blurred = mirrors_environment(scene);
@@ -114,7 +122,7 @@ std::string_view file_among(Effect effect) {
     switch (effect) {
     case Effect::occlusion:
         return "surfaces/openness.glsl";
-    case Effect::self_reflection:
+    case Effect::self_reflection: // also of paths
         return "surfaces/seen.glsl";
     default:
         return {};
@@ -127,7 +135,8 @@ void add_effects(ShaderText& text, const scene::Scene& scene, bool in_mirror) {
     for (const Effect effect : effects(scene)) {
         const EffectTraits& row = traits(effect);
         const std::string_view among = is_among(scene) ? file_among(effect) : std::string_view{};
-        if (in_mirror && (effect == Effect::shadows || !among.empty())) continue;
+        const bool is_skipped = effect == Effect::shadows ? !follows_paths(scene) : !among.empty();
+        if (in_mirror && is_skipped) continue;
         if (!row.kernel.empty()) {
             for (const auto& file : kernel_files({std::string(row.kernel)})) text.file(file);
         }
@@ -202,12 +211,16 @@ void add_shading(ShaderText& text, const scene::Scene& scene) {
     if (mirrors_environment(scene)) text.file("effects/rough_environment.glsl");
     if (mirrors_shadows(scene)) text.file("effects/mirrored_shadow_mask.glsl");
 
-    if (has_glass(scene)) {
+    if (follows_paths(scene)) {
+        add_matter_of_surface(text, scene);
+        add_seen_by_path(text, scene);
+    } else if (has_glass(scene)) {
         add_matter(text, scene);
         add_seen_through_glass(text, scene);
     }
     // Glass has declared it.
-    std::string glue = scene.ground && !has_glass(scene) ? "uniform vec4 ground_color;\n" : "";
+    const bool has_glass_alone = has_glass(scene) && !is_among(scene);
+    std::string glue = scene.ground && !has_glass_alone ? "uniform vec4 ground_color;\n" : "";
     glue += lit(scene, "lit", has_shadows ? "visibility" : nullptr, true);
     if (reflection == Reflection::self && !is_among(scene))
         glue += lit(scene, "lit_again", mirrors_shadows(scene) ? "mirrored_visibility" : nullptr,
@@ -220,27 +233,41 @@ void add_shading(ShaderText& text, const scene::Scene& scene) {
     }
     glue += "    vec3 color = lit(p, hit, -ray.direction);\n";
     if (reflection != Reflection::none) glue += "    color = mirrored(color, ray, p, hit);\n";
-    if (has_glass(scene)) glue += "    color = with_glass(color, ray, p);\n";
+    if (follows_paths(scene)) glue += "    color = with_path(color);\n";
+    if (has_glass_alone) glue += "    color = with_glass(color, ray, p);\n";
     if (scene.fog) glue += "    color = in_fog(color, p.t - ray_begin(ray));\n";
     glue += "    return color;\n}\n";
     std::string evaluations =
         has_shadows ? "texelFetch(shadow_texture, ivec2(gl_FragCoord.xy), 0).z" : "0.0";
     if (mirrors_shadows(scene))
         evaluations += " + texelFetch(mirrored_shadow_texture, ivec2(gl_FragCoord.xy), 0).z";
-    if (has_glass(scene)) evaluations += " + float(load_path().evaluations)";
-    if (shows_shadows_through_glass(scene))
+    if (has_glass_alone) evaluations += " + float(load_path().evaluations)";
+    if (follows_paths(scene))
+        evaluations += " + float(load_path().evaluations) + seen_in_mirror().a";
+    if (!is_among(scene) && shows_shadows_through_glass(scene))
         evaluations += " + texelFetch(glass_shadow_texture, ivec2(gl_FragCoord.xy), 0).z";
     glue += fmt::format("float further_evaluations() {{\n    return {};\n}}\n", evaluations);
     text.generated("generated: what shines and what it passes through", glue);
+}
+
+void add_lit_again(ShaderText& text, const scene::Scene& scene) {
+    add_lights(text, scene);
+    text.file("effects/hit_of.glsl");
+    add_effects(text, scene, true);
+    add_matter_of_surface(text, scene);
+    text.generated("generated: what shines on a surface in the middle of a path",
+                   lit(scene, "lit_again", nullptr, false));
 }
 
 void add_seen_shading(ShaderText& text, const scene::Scene& scene) {
     add_lights(text, scene);
     text.file("effects/hit_of.glsl");
     add_effects(text, scene, true);
+    if (follows_paths(scene)) add_matter_of_surface(text, scene);
     const bool mirrors = scene.material.reflection != Reflection::none;
     std::string glue = scene.ground ? "uniform vec4 ground_color;\n" : "";
-    glue += lit(scene, "lit_again", nullptr, false);
+    const bool in_shadow = follows_paths(scene) && shadow_mask(scene) != 0;
+    glue += lit(scene, "lit_again", in_shadow ? "visibility" : nullptr, false);
     if (mirrors) glue += with_mirror(scene);
     // A mirror in a mirror shows what is around.
     glue += "vec3 seen_again(SurfacePoint q, Hit hit, vec3 direction) {\n"

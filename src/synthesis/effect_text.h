@@ -30,6 +30,8 @@ const char* sky_file(const scene::Scene& scene);
 void add_shading(ShaderText& text, const scene::Scene& scene);
 // The same for what is seen in a mirror of one surface among several: seen_again().
 void add_seen_shading(ShaderText& text, const scene::Scene& scene);
+// lit_again() alone, in the middle of a path; where add_surroundings() has declared the ground.
+void add_lit_again(ShaderText& text, const scene::Scene& scene);
 // Adds light_at().
 void add_lights(ShaderText& text, const scene::Scene& scene);
 

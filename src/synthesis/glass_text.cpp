@@ -39,39 +39,12 @@ void add_ground_light(ShaderText& text, const scene::Scene& scene) {
 
 constexpr const char* all_arrives = "float arrives(int k) {\n    return 1.0;\n}\n";
 
-// seen_around(), see_behind().
-void add_surroundings(ShaderText& text, const scene::Scene& scene) {
-    add_far_away(text, scene);
-    if (!scene.ground) {
-        text.file("glass/no_ground.glsl");
-        text.generated("generated: what is around a place",
-                       "vec3 seen_around(vec3 position, vec3 direction) {\n"
-                       "    return around(direction);\n}\n");
-        return;
-    }
-    text.file("glass/ground_ahead.glsl");
-    text.generated("generated: no shadow rays go from what is mirrored", all_arrives);
-    add_ground_light(text, scene);
-    text.generated("generated: what is around a place",
-                   "vec3 seen_around(vec3 position, vec3 direction) {\n"
-                   "    float way = ground_ahead(position, direction);\n"
-                   "    if (way > 0.0) return ground_light(position + way * direction, "
-                   "ground_normal(direction));\n"
-                   "    return around(direction);\n}\n");
-}
-
-// transmission(), of all that meets the surface: metal lets no light in.
-std::string transmission_of(const scene::Scene& scene) {
-    const bool is_ggx = scene.material.model == Model::ggx;
-    return fmt::format("float transmission() {{\n    return glass.x{};\n}}\n",
-                       is_ggx ? " * (1.0 - gloss.y)" : "");
-}
-
 // through(), of places that end_of_ray() tells of.
 void add_way_through(ShaderText& text, const scene::Scene& scene) {
     if (!scene.sections.empty()) text.file("section/distance.glsl");
     text.file("effects/end_of_ray.glsl");
     text.file("glass/matter.glsl");
+    text.file("glass/refraction.glsl");
     add_surroundings(text, scene);
     text.file("glass/behind.glsl");
     text.file("glass/through.glsl");
@@ -93,7 +66,7 @@ Pass first_pass(const scene::Scene& scene, const Passes& passes) {
     add_way_through(text, scene);
     const bool is_ggx = scene.material.model == Model::ggx;
     text.generated("generated: how much goes in",
-                   (is_ggx ? "uniform vec4 gloss;\n" : "") + transmission_of(scene));
+                   (is_ggx ? "uniform vec4 gloss;\n" : "") + transmission(scene));
     text.file("glass/first.frag");
     return std::move(text).pass(Role::glass_first, "glass first", When::once_a_tile);
 }
@@ -139,6 +112,41 @@ Pass ground_pass(const scene::Scene& scene) {
 
 } // namespace
 
+std::string beside_reflection(const scene::Scene& scene) {
+    const bool matt = scene.material.model == Model::lambert;
+    return fmt::format("float beside_reflection(float reflected) {{\n    return {};\n}}\n",
+                       matt ? "1.0 - reflected" : "1.0");
+}
+
+std::string transmission(const scene::Scene& scene) {
+    // Metal lets no light in.
+    const bool is_ggx = scene.material.model == Model::ggx;
+    return fmt::format("float transmission() {{\n    return glass.x{};\n}}\n",
+                       is_ggx ? " * (1.0 - gloss.y)" : "");
+}
+
+std::string opaque_part() { return "float opaque_part() {\n    return 1.0 - glass.x;\n}\n"; }
+
+void add_surroundings(ShaderText& text, const scene::Scene& scene) {
+    add_far_away(text, scene);
+    if (!scene.ground) {
+        text.file("glass/no_ground.glsl");
+        text.generated("generated: what is around a place",
+                       "vec3 seen_around(vec3 position, vec3 direction) {\n"
+                       "    return around(direction);\n}\n");
+        return;
+    }
+    text.file("glass/ground_ahead.glsl");
+    text.generated("generated: no shadow rays go from what is mirrored", all_arrives);
+    add_ground_light(text, scene);
+    text.generated("generated: what is around a place",
+                   "vec3 seen_around(vec3 position, vec3 direction) {\n"
+                   "    float way = ground_ahead(position, direction);\n"
+                   "    if (way > 0.0) return ground_light(position + way * direction, "
+                   "ground_normal(direction));\n"
+                   "    return around(direction);\n}\n");
+}
+
 bool shows_shadows_through_glass(const scene::Scene& scene) {
     return has_glass(scene) && scene.ground && shadow_mask(scene) != 0;
 }
@@ -151,8 +159,8 @@ void add_glass_ray(ShaderText& text) {
 void add_matter(ShaderText& text, const scene::Scene& scene) {
     text.file("glass/path.glsl");
     text.file("glass/matter.glsl");
-    text.generated("generated: the part of what is matt that is as without glass",
-                   "float opaque_part() {\n    return 1.0 - glass.x;\n}\n");
+    text.file("glass/refraction.glsl");
+    text.generated("generated: the part of what is matt that is as without glass", opaque_part());
     if (scene.material.model == Model::ggx) text.file("glass/matt_ggx.glsl");
 }
 
@@ -166,15 +174,12 @@ void add_seen_through_glass(ShaderText& text, const scene::Scene& scene) {
         text.file("glass/ground_ahead.glsl");
         add_ground_light(text, scene);
     }
-    // What a matt surface gives back entered it; highlights leave the rest in their models.
-    const bool matt = scene.material.model == Model::lambert;
-    text.generated("generated: what is seen through glass",
-                   fmt::format("float beside_reflection(float reflected) {{\n    return {};\n}}\n"
-                               "vec3 ground_through_glass(Path path) {{\n    return {};\n}}\n",
-                               matt ? "1.0 - reflected" : "1.0",
-                               scene.ground
-                                   ? "ground_light(path.position, ground_normal(path.direction))"
-                                   : "vec3(0.0)"));
+    text.generated(
+        "generated: what is seen through glass",
+        beside_reflection(scene) +
+            fmt::format("vec3 ground_through_glass(Path path) {{\n    return {};\n}}\n",
+                        scene.ground ? "ground_light(path.position, ground_normal(path.direction))"
+                                     : "vec3(0.0)"));
     text.file("glass/seen.glsl");
 }
 

@@ -6,6 +6,8 @@
 // totally reflected. Partially reflected light sees the surroundings, as in mirrors.
 #pragma once
 
+#include <string>
+
 #include "scene/scene.h"
 #include "synthesis/pass.h"
 #include "synthesis/shader_text.h"
@@ -13,6 +15,15 @@
 namespace isomotion::synthesis {
 
 inline bool has_glass(const scene::Scene& scene) { return scene.material.glass.has_value(); }
+// float beside_reflection(float): the weight of the surface's own colour. Light that it gives back
+// entered it if it is matt; the highlights of other models are of what is reflected.
+std::string beside_reflection(const scene::Scene& scene);
+// float transmission(): the part of all light that meets the surface which may enter it.
+std::string transmission(const scene::Scene& scene);
+// float opaque_part(): the part of what is matt that is as without glass.
+std::string opaque_part();
+// Adds seen_around() and see_behind(): what surrounds the surfaces.
+void add_surroundings(ShaderText& text, const scene::Scene& scene);
 // Whether shadows on the ground are visible through it.
 bool shows_shadows_through_glass(const scene::Scene& scene);
 

@@ -8,6 +8,7 @@
 #include "synthesis/cells_text.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/glass_text.h"
+#include "synthesis/paths_text.h"
 #include "synthesis/section_text.h"
 #include "synthesis/surfaces_text.h"
 
@@ -113,7 +114,11 @@ void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin) {
                                                 : "and the path's by its",
                        "#undef pixel_ray\n");
     }
-    if (origin == Origin::glass) add_glass_ray(text);
+    if (origin == Origin::glass && follows_paths(scene)) {
+        add_path_ray(text, scene);
+    } else if (origin == Origin::glass) {
+        add_glass_ray(text);
+    }
     if (origin == Origin::mirror) {
         text.file("effects/surface_point.glsl");
         add_load_surface(text, scene);

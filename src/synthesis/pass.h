@@ -26,12 +26,14 @@ enum class Role {
     mirror_surface, // keeps the ends of those
     glass_first,    // begins rays through glass where the eye's rays met it
     glass,          // marches those
+    glass_end,      // keeps their ends, of one surface among several
+    glass_beyond,   // tells whether the matter of one among several is behind those
     glass_next,     // continues at their ends: collects their light and sets the next ray
     glass_copy,     // copies the continued paths to the target that holds all
     glass_mask,     // sets depth so that the next passes run only where paths continue
     glass_active,   // counts those
-    glass_ground,   // the points where they met the ground, for shadow rays
-    seen,           // shades what the mirrored rays see of one surface among several
+    glass_ground,   // the points where they met the ground, or other surfaces, for shadow rays
+    seen,           // shades what further rays see of one surface among several
     shadow,         // marches the shadow rays
     occlusion,      // the part of ambient light that one surface among several lets through
     shade,          // makes the picture from finished rays

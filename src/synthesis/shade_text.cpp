@@ -11,6 +11,7 @@
 #include "synthesis/effect_text.h"
 #include "synthesis/glass_text.h"
 #include "synthesis/paint_text.h"
+#include "synthesis/paths_text.h"
 #include "synthesis/section_text.h"
 #include "synthesis/surfaces_text.h"
 
@@ -83,12 +84,6 @@ Cover cover(const scene::Scene& scene, Draws draws) {
     return has_flat_shading(scene, draws) ? Cover::shaded_flat : Cover::whole;
 }
 
-void add_gradient(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
-    add_gradient_of_rest(text, scene,
-                         passes.march_takes_gradient ? "shade/gradient_from_state.glsl"
-                                                     : "shade/gradient_from_field.glsl");
-}
-
 void add_matter_color(ShaderText& text, const scene::Scene& scene) {
     if (painting(scene)) {
         add_painting(text, scene);
@@ -97,7 +92,20 @@ void add_matter_color(ShaderText& text, const scene::Scene& scene) {
     }
 }
 
-// surface_color(): that of the matter, and over it, each by what is below, what else there is.
+// Whether rays or samples begin where others ended.
+bool sees_from_surfaces(const scene::Scene& scene) {
+    return shadow_mask(scene) != 0 || has_mirrored_rays(scene) || follows_paths(scene) ||
+           scene.occlusion;
+}
+
+} // namespace
+
+void add_gradient(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
+    add_gradient_of_rest(text, scene,
+                         passes.march_takes_gradient ? "shade/gradient_from_state.glsl"
+                                                     : "shade/gradient_from_field.glsl");
+}
+
 void add_color(ShaderText& text, const scene::Scene& scene) {
     std::vector<std::string> over;
     if (has_cap_color(scene)) over.emplace_back("section/color.glsl");
@@ -118,19 +126,11 @@ void add_color(ShaderText& text, const scene::Scene& scene) {
     }
 }
 
-// Whether rays or samples begin where others ended.
-bool sees_from_surfaces(const scene::Scene& scene) {
-    return shadow_mask(scene) != 0 || has_mirrored_rays(scene) || scene.occlusion;
-}
-
-// Shading, Hit and the record of a pixel.
-void add_picture(ShaderText& text, const scene::Scene& scene, Draws draws = Draws::several) {
+void add_picture(ShaderText& text, const scene::Scene& scene, Draws draws) {
     text.file(has_flat_shading(scene, draws) ? "shade/shading_flat.glsl" : "shade/shading.glsl");
     text.file("shade/hit.glsl");
     text.file("shade/record.glsl");
 }
-
-} // namespace
 
 std::vector<Channel> written_channels(const std::vector<Channel>& channels) {
     std::vector<Channel> written;
@@ -199,15 +199,17 @@ Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin
         text.define("LISTS", 1);
         add_entrance(text, passes, true);
     }
-    if (origin == Origin::eye) {
-        text.file("effects/eye_begin.glsl");
-        text.file("effects/surface_point.glsl");
-    }
+    if (origin == Origin::eye) text.file("effects/eye_begin.glsl");
+    if (origin != Origin::mirror) text.file("effects/surface_point.glsl"); // it has that already
     add_gradient(text, scene, passes);
     if (!scene.sections.empty()) text.file("section/distance.glsl");
     text.file("effects/end_of_ray.glsl");
     text.file("effects/store_surface.glsl");
     if (is_among(scene)) add_store_nearest(text, scene, origin);
+    const bool begins_paths = follows_paths(scene) && origin == Origin::eye;
+    if (begins_paths) add_begin_of_path(text, scene);
+    const bool ends_at_bounds = origin == Origin::glass && is_among(scene) && has_glass(scene);
+    if (ends_at_bounds) add_end_at_bounds(text);
     // Among several surfaces the first one's rays meet the ground for all.
     const bool meets_ground = scene.ground && is_first(scene);
     if (meets_ground) text.file("effects/ground.glsl");
@@ -215,16 +217,24 @@ Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin
         "generated: the first of what there is",
         fmt::format("void main() {{\n    Ray ray = pixel_ray();\n"
                     "    RayState s = load_state();\n{}"
-                    "    SurfacePoint p = end_of_ray(ray, s);\n{}"
-                    "    {};\n}}\n",
+                    "    SurfacePoint p = end_of_ray(ray, s);\n{}{}"
+                    "    {};\n{}}}\n",
                     by_lists ? "    Ray in_beam = ray;\n    enter_beam(in_beam);\n"
                                "    choose_list(s.low);\n"
                              : "",
                     meets_ground ? "    p = before_ground(ray, p);\n" : "",
-                    is_among(scene) ? "store_nearest(ray, p, s.evaluations)" : "store_surface(p)"));
-    const bool of_eye = origin == Origin::eye;
-    return std::move(text).pass(of_eye ? Role::surface : Role::mirror_surface,
-                                of_eye ? "surface" : "mirror surface", when);
+                    ends_at_bounds ? "    p = or_at_bounds(ray, p);\n" : "",
+                    is_among(scene) ? "store_nearest(ray, p, s.evaluations)" : "store_surface(p)",
+                    begins_paths ? "    store_begin(ray, begin_before());\n" : ""));
+    switch (origin) {
+    case Origin::mirror:
+        return std::move(text).pass(Role::mirror_surface, "mirror surface", when);
+    case Origin::glass:
+        return std::move(text).pass(Role::glass_end, "glass end", when);
+    case Origin::eye:
+        break;
+    }
+    return std::move(text).pass(Role::surface, "surface", when);
 }
 
 Pass seen_pass(const scene::Scene& scene, const Passes& passes) {
@@ -303,10 +313,11 @@ Pass shade_pass(const scene::Scene& scene, const Passes& passes, When when) {
     }
     add_channels(text, scene, passes.attachments);
     if (!from_surface) text.file("shade/shade.glsl");
-    text.file(is_among(scene)    ? "surfaces/shade.frag"
-              : has_glass(scene) ? "glass/shade.frag"
-              : from_surface     ? "effects/shade.frag"
-                                 : "shade/shade.frag");
+    text.file(follows_paths(scene) ? "paths/shade.frag"
+              : is_among(scene)    ? "surfaces/shade.frag"
+              : has_glass(scene)   ? "glass/shade.frag"
+              : from_surface       ? "effects/shade.frag"
+                                   : "shade/shade.frag");
     return std::move(text).pass(Role::shade, "shade", when, cover(scene, Draws::several));
 }
 

@@ -7,6 +7,13 @@
 
 namespace isomotion::synthesis {
 
+// Shading, Hit and the record of a pixel.
+void add_picture(ShaderText& text, const scene::Scene& scene, Draws draws = Draws::several);
+// surface_color(): that of the matter, and over it, each by what is below, what else there is.
+void add_color(ShaderText& text, const scene::Scene& scene);
+// surface_gradient().
+void add_gradient(ShaderText& text, const scene::Scene& scene, const Passes& passes);
+
 // The channels that the shade pass writes, in the order of its attachments, whatever the order of
 // the request.
 std::vector<Channel> written_channels(const std::vector<Channel>& channels);
@@ -17,6 +24,7 @@ bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels, i
 Pass fused_pass(const scene::Scene& scene, const Passes& passes);
 Pass mask_pass(const scene::Scene& scene, const Passes& passes);
 
+// Keeps where rays ended: Role::surface, mirror_surface or glass_end, by their origin.
 Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when);
 // What mirrored rays see of this surface among several.
 Pass seen_pass(const scene::Scene& scene, const Passes& passes);

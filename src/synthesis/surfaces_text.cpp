@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "synthesis/paths_text.h"
+
 namespace isomotion::synthesis {
 
 bool has_mirrored_rays(const scene::Scene& scene) {
+    if (follows_paths(scene)) return false; // they are rays of paths
     return scene.material.reflection == scene::Material::Reflection::self ||
            scene.among.mirrors != 0;
 }
@@ -39,7 +42,7 @@ void add_mirror_ray(ShaderText& text, const scene::Scene& scene) {
 namespace {
 
 bool ends_before(const scene::Scene& scene, Origin origin) {
-    return is_among(scene) && !is_first(scene) && origin == Origin::eye;
+    return is_among(scene) && !is_first(scene) && origin != Origin::mirror;
 }
 
 } // namespace
@@ -67,7 +70,7 @@ void add_store_nearest(ShaderText& text, const scene::Scene& scene, Origin origi
         text.file("surfaces/first.glsl");
         return;
     }
-    const char* kind = of_eye ? "surface" : "mirrored";
+    const char* kind = origin == Origin::mirror ? "mirrored" : "surface";
     std::string samplers, reads;
     for (int k = 0; k < 4; ++k) {
         samplers += fmt::format("uniform sampler2D {}_texture_{};\n", kind, k);

@@ -138,5 +138,48 @@ TEST_P(Velocity, AtTheEndsOfAnAnimation) {
     EXPECT_EQ(value(drawn(scene_of(ball("x^2 + y^2 + z^2 - 1")), 1), "velocity.N", middle), 0);
 }
 
+// One that grows beside one that moves, before one that turns in its place, in either order.
+TEST_P(Velocity, OfSeveralIsThatOfTheSurfaceThatIsSeen) {
+    const std::string grows =
+        "[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - r^2\"\nbounds = { sphere = 2 "
+        "}\nparameters = { r = \"0.5 + 0.3*t\" }\ntransform = { translate = [0, -1, "
+        "0] }\n";
+    const std::string moves =
+        "[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - 4\"\nbounds = { sphere = 3 }\n"
+        "transform = { translate = [0, \"0.6 + 0.5*t\", 0], scale = 0.3 }\n";
+    const std::string turns =
+        "[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - 1\"\nbounds = { sphere = 2 }\n"
+        "transform = { translate = [-3, 0, 0], rotate = [\"90*t\", 0, 0], scale = "
+        "1.9 }\n";
+    const std::string view = "[time]\nfps = 25\nframes = 50\n[camera]\nposition = [8, 0, 0]\n"
+                             "target = [0, 0, 0]\nup = [0, 0, 1]\nprojection = \"orthographic\"\n"
+                             "height = 4\n[output]\nsize = [65, 65]\n";
+    for (const bool first : {true, false}) {
+        const scene::Scene scene = scene_of((first ? grows + moves : moves + grows) + turns + view);
+        Renderer renderer(*context, scene,
+                          {65,
+                           65,
+                           {synthesis::Channel::normal, synthesis::Channel::surface,
+                            synthesis::Channel::velocity},
+                           {}});
+        const Motion motion = motion_about(scene, 20);
+        const Picture picture =
+            renderer.draw(scene::at(scene, scene.timeline.values(20)), {}, &motion);
+        int seen[4]{};
+        for (std::size_t pixel = 0; pixel < 65 * 65; ++pixel) {
+            const int surface = int(value(picture, "surface", pixel));
+            ++seen[surface];
+            const double y = value(picture, "N.Y", pixel);
+            const double expected = surface == (first ? 1 : 2)   ? 0.3
+                                    : surface == (first ? 2 : 1) ? 0.5 * y
+                                                                 : 0;
+            ASSERT_NEAR(value(picture, "velocity.N", pixel), expected, 2e-3) << surface;
+            if (surface == 0 || surface == 3) continue;
+            ASSERT_NEAR(value(picture, "velocity.X", pixel), expected * y * 65 / 4, 0.03);
+        }
+        for (const int count : seen) EXPECT_GT(count, 100);
+    }
+}
+
 } // namespace
 } // namespace isomotion::render

@@ -393,10 +393,6 @@ void refuse_among_several(const toml::table& root, const std::vector<Scene>& sce
             *root.get("surfaces"), "isolation.certify",
             "the GPU's proofs know one surface; leave it out (audits and `accuracy` know several)");
     }
-    if (any([](const Scene& scene) { return scene.material.glass.has_value(); })) {
-        fail(*root.get("surfaces"), "material.transmission",
-             "glass is of a scene with one surface; leave it out, or give each surface a scene");
-    }
 }
 
 using Parse = std::function<toml::table()>;

@@ -95,7 +95,7 @@ void read_gloss(Section& section, Material& material, TrackTable& tracks) {
 // Light goes in where `transmission` says so; the other keys are of what it goes through.
 void read_glass(Section& section, Material& material, TrackTable& tracks) {
     const toml::node* transmission = section.find("transmission");
-    for (const char* name : {"ior", "absorption", "depth"}) {
+    for (const char* name : {"ior", "absorption", "depth", "priority"}) {
         const toml::node* node = section.find(name);
         if (!node || transmission) continue;
         fail(*node, section.dotted(name),
@@ -115,6 +115,8 @@ void read_glass(Section& section, Material& material, TrackTable& tracks) {
                                                *section.vector("absorption"), absorption)
                                   : tracks.add(section.dotted("absorption"), 0, 0, 0);
     glass.depth = section.integer("depth", 0, limits::glass_depth).value_or(glass.depth);
+    glass.priority =
+        section.integer("priority", -limits::priority, limits::priority).value_or(glass.priority);
     if (material.reflection == Material::Reflection::none) return;
     fail(*section.find("reflection"), section.dotted("reflection"),
          "what light goes through mirrors what is around by its ior; leave reflection out, or "

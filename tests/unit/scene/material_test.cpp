@@ -108,7 +108,7 @@ TEST_F(Materials, WhatLightGoesThrough) {
 }
 
 TEST_F(Materials, WhatLightCannotGoThrough) {
-    for (const char* key : {"ior = 1.5", "absorption = [0, 0, 0]", "depth = 3"}) {
+    for (const char* key : {"ior = 1.5", "absorption = [0, 0, 0]", "depth = 3", "priority = 1"}) {
         const std::string name = std::string(key).substr(0, std::string(key).find(' '));
         EXPECT_EQ(mistake(with(key)), "scene.toml:16: material." + name + ": " + name +
                                           " is of matter that light goes through; give "
@@ -129,11 +129,10 @@ TEST_F(Materials, WhatLightCannotGoThrough) {
               "material.ior at t = 0: the index of refraction must be from 0.01 to 100, not 0");
     EXPECT_EQ(at_once("transmission = 1\nabsorption = [0, -1, 0]"),
               "material.absorption.y at t = 0: must be from 0 to 1000000, not -1");
-    EXPECT_EQ(mistake("[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - 1\"\n[[surfaces]]\n"
-                      "formula = \"x\"\nbounds = { sphere = 1 }\n"
-                      "material = { transmission = 1 }\n"),
-              "scene.toml:1: material.transmission: glass is of a scene with one surface; leave it "
-              "out, or give each surface a scene");
+    EXPECT_EQ(mistake(with("transmission = 1\npriority = 1001")),
+              "scene.toml:17: material.priority: must be from -1000 to 1000, not 1001");
+    EXPECT_EQ(mistake(with("transmission = 1\npriority = 0.5")),
+              "scene.toml:17: material.priority: must be an integer");
 }
 
 // A surface of the catalogue has colours only.

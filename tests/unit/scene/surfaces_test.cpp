@@ -167,5 +167,40 @@ TEST(Surfaces, AreWhereTheFirstOneHasThem) {
     EXPECT_EQ(there.others[0].camera, there.camera);
 }
 
+// The matter with the highest priority counts before all others, of equal ones the first in the
+// file.
+TEST(Surfaces, MattersAreInTheOrderOfTheirPriority) {
+    std::string text;
+    const std::string materials[] = {"transmission = 1", "color = [1, 0, 0]",
+                                     "transmission = 1, priority = 3, depth = 7",
+                                     "transmission = 0, priority = -2", "transmission = 1"};
+    for (const std::string& material : materials)
+        text += "[[surfaces]]\nformula = \"x\"\nbounds = { sphere = 1 }\nmaterial = { " + material +
+                " }\n";
+    const Scene scene = read(text);
+    for (int k = 0; k < 5; ++k) {
+        const Among among = of_surface(scene, k).among;
+        EXPECT_THAT(among.matters, ElementsAre(2, 0, 4, 3)) << k;
+        EXPECT_EQ(among.depth, 7) << k;
+        EXPECT_EQ(among.index, k);
+    }
+    EXPECT_TRUE(of_surface(read(two), 1).among.matters.empty());
+    // Alone there is no other to count before.
+    EXPECT_TRUE(alone(scene, 2).among.matters.empty());
+}
+
+// Absorption is per world unit, and in the first one's coordinates per unit of these.
+TEST(Surfaces, AbsorptionOfAllIsPerUnitOfTheCoordinates) {
+    const std::string one =
+        "[[surfaces]]\nformula = \"x\"\nbounds = { sphere = 1 }\ntransform = { "
+        "scale = 4 }\nmaterial = { transmission = 1, absorption = [0.5, 0, 1] }\n";
+    const Scene scene = read(one + one);
+    const SceneAt world = at(scene, scene.timeline.animation.at(0));
+    const SceneAt now = in_formula_coordinates(world);
+    EXPECT_EQ(world.others[0].glass.absorption, glm::dvec3(0.5, 0, 1));
+    EXPECT_EQ(now.glass.absorption, glm::dvec3(2, 0, 4));
+    EXPECT_EQ(now.others[0].glass.absorption, glm::dvec3(2, 0, 4));
+}
+
 } // namespace
 } // namespace isomotion::scene

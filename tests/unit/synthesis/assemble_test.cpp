@@ -148,10 +148,14 @@ scene::Scene two_plain_surfaces(const std::string& value) {
     return scene_of(one + one);
 }
 
+scene::Scene with_glass(const std::string& value) { return scene_of(glass_among_others(value)); }
+
 std::vector<Passes> passes_of_surfaces(const scene::Scene& scene) {
     const std::vector<Channel> channels{Channel::surface, Channel::ending};
-    return {assemble(scene::of_surface(scene, 0), channels),
-            assemble(scene::of_surface(scene, 1), channels)};
+    std::vector<Passes> all;
+    for (int k = 0; k < scene.among.count; ++k)
+        all.push_back(assemble(scene::of_surface(scene, k), channels));
+    return all;
 }
 
 TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
@@ -171,7 +175,7 @@ TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
     }
     const Passes polynomial = assemble(scene_of(surface_text("x") + "certify = true\n"));
     for (const Pass& pass : polynomial.list) roles.insert(pass.role);
-    for (const auto& described : {two_surfaces, two_plain_surfaces}) {
+    for (const auto& described : {two_surfaces, two_plain_surfaces, with_glass}) {
         const std::vector<Passes> one = passes_of_surfaces(described("0.25"));
         const std::vector<Passes> other = passes_of_surfaces(described("0.5"));
         for (std::size_t k = 0; k < one.size(); ++k) {
@@ -460,6 +464,8 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     for (const Passes& passes : of_surfaces) add(passes);
     const std::vector<Passes> of_plain_surfaces = passes_of_surfaces(two_plain_surfaces("0.5"));
     for (const Passes& passes : of_plain_surfaces) add(passes);
+    const std::vector<Passes> of_glass = passes_of_surfaces(with_glass("0.5"));
+    for (const Passes& passes : of_glass) add(passes);
     const Passes of_long_mirror =
         assemble(scene_of(surface_text(long_formula()) + "[material]\nreflection = 'sky'\n"
                                                          "[environment]\nmap = 'studio.exr'\n"));

@@ -83,6 +83,27 @@ inline const std::vector<std::string> every_glass{
     "'t', 0]\n[environment]\n"
     "map = 'studio.exr'\n"};
 
+// A mirror, glass, plain matter and water, among each other; `value` is in all numbers.
+inline std::string glass_among_others(const std::string& value) {
+    const auto surface = [&](const std::string& formula, const std::string& material) {
+        return fmt::format(
+            "[[surfaces]]\nformula = '{0}'\nbounds = {{ sphere = 2 }}\nparameters = {{ r "
+            "= {1} }}\nmaterial = {{ {2}, color = [{1}, 1, 0] }}\n",
+            formula, value, material);
+    };
+    const auto glass = [&](const std::string& more) {
+        return fmt::format("transmission = {0}, ior = {0}, absorption = [{0}, 0, 0]{1}", value,
+                           more);
+    };
+    return surface("x^2 + y^2 + z^2 - r", "reflection = 'self'") +
+           surface("x*y*z - r", glass(", model = 'ggx', metallic = " + value)) +
+           surface("x + y + z - r", "back_color = [1, 1, 1]") +
+           surface("x + y*r", glass(", priority = 2")) +
+           fmt::format("[[lights]]\ndirection = [{0}, 1, 1]\nshadow = true\n[ground]\nheight = "
+                       "-{0}\n[[sections]]\nnormal = [{0}, 1, 0]\n",
+                       value);
+}
+
 inline std::string surface_text(const std::string& formula,
                                 const std::string& bounds = every_bounds[0],
                                 const std::string& method = "amp-sign") {

@@ -1,0 +1,67 @@
+// The path of a pixel's light among several surfaces, traced from the eye: the light found so far, and
+// the ray that looks for the rest. Kept in the coordinates of the surface where its ray began, and
+// loaded in those of this one. SURFACES is their number, SURFACE this one's.
+const int PATH_ENDED = 0;
+const int PATH_IN_GLASS = 1;   // its ray goes on,
+const int PATH_OUTSIDE = 2;    // as well
+const int PATH_ON_GROUND = 3;  // it ended there,
+const int PATH_ON_SURFACE = 4; // or on a surface that it does not go on from: the light is that of seen.frag
+const int NO_MATTER = -1;      // what is around
+
+struct Path {
+    vec3 position;  // where its ray begins, or where it ended
+    int state;
+    vec3 direction; // unit length
+    int evaluations; // so far
+    float off;      // distance along its ray from which that is on the right side of the surface; of an
+                    // end, along the normal
+    vec3 weight;    // of what its ray sees, in the pixel's colour
+    vec3 light;     // in the pixel's colour so far
+    int rays_left;
+    int crossings;  // of bounds where matter ends without a surface
+    int matter;     // the surface in whose glass its ray goes on
+    vec3 normal;    // of its end, towards its ray
+    bool inside;    // of its end: seen from where F < 0
+    int cap;        // of its end
+    float own;      // weight of the colour of what the eye's ray met, in the pixel's
+};
+
+uniform sampler2D glass_texture_0;
+uniform sampler2D glass_texture_1;
+uniform sampler2D glass_texture_2;
+uniform sampler2D glass_texture_3;
+uniform sampler2D glass_texture_4;
+uniform vec4 path_moves[3 * SURFACES]; // as surface_moves of surfaces/load_moved.glsl
+
+int owner_of_path() {
+    return (int(texelFetch(glass_texture_0, ivec2(pixel_centre), 0).w) >> 4) & 7;
+}
+
+// In the coordinates in which it is kept: those of owner_of_path().
+Path load_path_as_it_is() {
+    ivec2 at = ivec2(pixel_centre);
+    vec4 a = texelFetch(glass_texture_0, at, 0), b = texelFetch(glass_texture_1, at, 0);
+    vec4 c = texelFetch(glass_texture_2, at, 0), d = texelFetch(glass_texture_3, at, 0);
+    vec4 e = texelFetch(glass_texture_4, at, 0);
+    int code = int(a.w), rays = int(d.w);
+    return Path(a.xyz, code & 7, b.xyz, int(b.w), c.w, c.xyz, d.xyz, rays & 31, rays >> 5,
+                ((code >> 7) & 15) - 1, e.xyz, (code & 8) != 0, ((code >> 11) & 15) - 1, e.w);
+}
+
+Path load_path() {
+    Path path = load_path_as_it_is();
+    int k = 3 * owner_of_path();
+    vec4 x = path_moves[k], y = path_moves[k + 1], z = path_moves[k + 2];
+    float scale = length(x.xyz);
+    vec4 at = vec4(path.position, 1.0);
+    vec3 along = path.direction, up = path.normal;
+    path.position = vec3(dot(x, at), dot(y, at), dot(z, at));
+    path.direction = vec3(dot(x.xyz, along), dot(y.xyz, along), dot(z.xyz, along)) / scale;
+    path.normal = vec3(dot(x.xyz, up), dot(y.xyz, up), dot(z.xyz, up)) / scale;
+    path.off *= scale;
+    return path;
+}
+
+bool goes_on(Path path) {
+    return path.state == PATH_IN_GLASS || path.state == PATH_OUTSIDE;
+}

@@ -1,0 +1,24 @@
+// surfaces/shade.frag with the light of paths, also where the eye is in glass and no surface before it.
+
+layout(location = 0) out vec4 color;
+layout(location = 1) out uvec2 record; // and evaluations of further rays
+
+void main() {
+    vec4 end = texelFetch(surface_texture_3, ivec2(pixel_centre), 0);
+    if (int(end.z) != SURFACE) discard;
+    Ray ray = pixel_ray();
+    SurfacePoint p = load_surface();
+    Hit hit = hit_of(p);
+    if (is_on_surface(p) || p.on_ground) {
+        color = vec4(shade(ray, p, hit), 1.0);
+    } else if (p.verdict == VERDICT_NAN) {
+        color = vec4(1.0, 0.0, 1.0, 1.0); // no pixel lies silently: magenta,
+    } else if (p.verdict == VERDICT_STEP_LIMIT) {
+        color = vec4(1.0, 0.8, 0.0, 1.0); // amber
+    } else {
+        vec4 far = sky(ray.direction);
+        color = vec4(with_path(far.rgb), load_path().own > 0.0 ? far.a : 1.0);
+    }
+    record = uvec2(packed_record(p.verdict, int(end.y)), uint(further_evaluations()));
+    write_channels(ray, hit, p.verdict);
+}
