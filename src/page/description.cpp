@@ -213,7 +213,8 @@ std::string kind_of(player::TimelineMarker::Kind kind) {
 // Keys are the author's business, events everybody's.
 Json markers_of(const scene::Scene& scene, const PageOptions& options) {
     Json all = Json::array();
-    if (!scene.formula.empty()) return all;
+    // A timeline is of one surface.
+    if (!scene.formula.empty() || !scene.others.empty()) return all;
     const auto found = player::read_topology_markers(scene, player::timeline_path(scene));
     if (!found.refusal.empty() && options.warn) options.warn(found.refusal);
     for (const player::TimelineMarker& marker : found.markers) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -151,6 +153,24 @@ TEST(Description, NamesSlidersBySurfaceWhereThereAreSeveral) {
     EXPECT_THAT(names_of(scene_of("formula = 'x^2 + y^2 + z^2 - r'\nbounds = { sphere = 2 }\n"
                                   "[parameters]\nr = 1\n")),
                 testing::ElementsAre("r of 0"));
+}
+
+// What lies beside a scene with several surfaces is of one of them.
+TEST(Description, ReadsNoTimelineOfSeveralSurfaces) {
+    const auto folder = std::filesystem::path(testing::TempDir());
+    std::ofstream(folder / "beside.timeline.json") << "{}";
+    const auto warnings_of = [&](const std::string& text) {
+        const WebScene web = web_scene(scene::load_text(text, (folder / "beside.toml").string()));
+        std::vector<std::string> warnings;
+        PageOptions options;
+        options.warn = [&](const std::string& warning) { warnings.push_back(warning); };
+        description(web, frame_values(web), nullptr, options);
+        return warnings;
+    };
+    EXPECT_THAT(
+        warnings_of("[surface]\nformula = 'x^2 + y^2 + z^2 - 1'\nbounds = { sphere = 2 }\n"),
+        testing::SizeIs(1));
+    EXPECT_THAT(warnings_of(two_surfaces), testing::IsEmpty());
 }
 
 // Beams tell which elements matter, and a pass copies those, where all rays begin at the eye.
