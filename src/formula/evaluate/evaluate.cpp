@@ -97,6 +97,8 @@ void Evaluator<T>::points(const Bindings<T>& bindings, std::span<const std::span
             together<1>(bindings, inputs, outputs, first, count);
         } else if (count <= few) {
             together<few>(bindings, inputs, outputs, first, count);
+        } else if (count <= half) {
+            together<half>(bindings, inputs, outputs, first, count);
         } else {
             together<block>(bindings, inputs, outputs, first, count);
         }

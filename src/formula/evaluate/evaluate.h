@@ -56,7 +56,7 @@ template<class T> class Evaluator {
 public:
     static constexpr int block = 32; // points evaluated together
     // Points in a block if there are no more; a single point is evaluated alone.
-    static constexpr int few = 8;
+    static constexpr int half = 16, few = 8;
 
     explicit Evaluator(const Program& program);
 

@@ -141,8 +141,10 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Com
     Graph lowered = g;
     numbers_ = formula::schedule(lowered, formula::lower(lowered, jet));
 
-    if (!frame.rests()) jet = between_ends(g, jet);
-    over_boxes_ = BoxField(g, jet, {n, !frame.rests()}, n - 1);
+    std::vector<SumSlopes> slopes;
+    if (multipliers.empty()) slopes = slopes_of_sums(g, std::span(jet).first(1 + n), n - 1);
+    if (!frame.rests()) between_ends(g, jet, slopes);
+    over_boxes_ = BoxField(g, jet, {n, !frame.rests()}, n - 1, slopes);
 
     std::vector<NodeId> conditions;
     for (std::size_t k = 0; k < d; ++k) {
@@ -209,11 +211,25 @@ Interval MovingField::x(const Box& box, std::size_t k) const {
 // A function that is linear in the clock takes values between those at the clock's ends, whatever
 // else it depends on. So x - c of an x that moves along and a c that moves is known as well as if
 // neither moved: no enclosure by parts would know.
-std::vector<NodeId> MovingField::between_ends(Graph& graph, std::span<const NodeId> roots) const {
+void MovingField::between_ends(Graph& graph, std::vector<NodeId>& jet,
+                               std::vector<SumSlopes>& slopes) const {
+    std::vector<NodeId*> all;
+    for (NodeId& root : jet) all.push_back(&root);
+    for (SumSlopes& of : slopes) {
+        for (NodeId& root : of.first) all.push_back(&root);
+        for (NodeId& root : of.second) all.push_back(&root);
+        all.push_back(&of.unless_smooth);
+    }
+    const auto as_roots = [&] {
+        std::vector<NodeId> roots;
+        roots.reserve(all.size());
+        for (const NodeId* root : all) roots.push_back(*root);
+        return roots;
+    };
     const int clock = variables_ - 1;
     const NodeId low = graph.input(variables_), high = graph.input(variables_ + 1);
     const NodeId either = graph.input(variables_ + 2);
-    const std::vector<NodeId> linear = linear_in_clock(graph, roots, clock);
+    const std::vector<NodeId> linear = linear_in_clock(graph, as_roots(), clock);
     const auto at = [&](NodeId end) {
         return formula::substitute(
             graph, graph, linear, [&](Graph&, const Node& node, NodeId rebuilt) {
@@ -225,13 +241,15 @@ std::vector<NodeId> MovingField::between_ends(Graph& graph, std::span<const Node
     std::vector<Node> nodes;
     nodes.reserve(linear.size());
     for (const NodeId id : linear) nodes.push_back(graph[id]);
-    return formula::substitute(
-        graph, graph, roots, [&](Graph& g, const Node& node, NodeId rebuilt) {
+    for (SumSlopes& of : slopes) all.push_back(&of.sum); // as the jet has it
+    const std::vector<NodeId> rewritten = formula::substitute(
+        graph, graph, as_roots(), [&](Graph& g, const Node& node, NodeId rebuilt) {
             const auto found = std::find(nodes.begin(), nodes.end(), node);
             if (found == nodes.end()) return rebuilt;
             const auto which = std::size_t(found - nodes.begin());
             return g.select(either, g.constant(0), at_low[which], at_high[which]);
         });
+    for (std::size_t k = 0; k < all.size(); ++k) *all[k] = rewritten[k];
 }
 
 Enclosures::Enclosures(const MovingField& field)

@@ -52,9 +52,9 @@ private:
     friend class Enclosures;
     friend class Numbers;
 
-    // Rewrites the roots: expressions linear in the clock by their values at the clock's ends.
-    std::vector<formula::NodeId> between_ends(formula::Graph& graph,
-                                              std::span<const formula::NodeId> roots) const;
+    // Rewrites all of them: expressions linear in the clock by their values at the clock's ends.
+    void between_ends(formula::Graph& graph, std::vector<formula::NodeId>& jet,
+                      std::vector<SumSlopes>& slopes) const;
 
     Stratum stratum_;
     ComovingFrame comoving_;

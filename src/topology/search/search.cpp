@@ -15,15 +15,14 @@ using IntervalJet = Jet<Interval>;
 
 // A box is divided into this many tasks, whatever the number of threads.
 constexpr std::size_t tasks_at_least = 64;
-// Boxes this much smaller than the one whose elements they share get elements of their own, so
-// many together at most.
-constexpr double family = 0.4;
-constexpr std::size_t family_size = 64;
-// Smaller boxes than this part of the domain keep what they have.
-constexpr double last_family = 1e-3;
-// What no box below may miss, as a part of the largest term; and with the square of the box's size
-// what the box itself won't notice.
-constexpr double negligible = 1e-12, coarse = 5e-2;
+// So many boxes near each other share their elements at most.
+constexpr std::size_t family_size = 96;
+// A family that takes up no more than this part of the place that its elements were chosen for gets
+// elements of its own; and when it has become so small, they are chosen from fewer.
+constexpr double shrunk = 0.25, much_shrunk = 1.0 / 64;
+// What no box below may miss, as a part of the largest term; and how much terms that are left out
+// may blur a sum in a family, as a part of what intervals of all its terms blur it.
+constexpr double negligible = 1e-12, blur = 0.03;
 // Boxes evaluated together.
 constexpr std::size_t together = 64;
 // Where second derivatives end fewer boxes than this part they cost more than they save. After so
@@ -62,22 +61,15 @@ public:
         , numbers_(numbers) {}
 
     SearchResult run(const Box& box) {
-        std::vector<Family> families{{{box}, std::make_shared<Elements>(enclosures_.all())}};
+        const auto all = std::make_shared<const Elements>(enclosures_.all());
+        std::vector<Family> families{{{box}, {all, formula::infinity}, {all, formula::infinity}}};
         std::vector<Box> batch, smaller;
         while (!families.empty()) {
             Family now = std::move(families.back());
             families.pop_back();
             const Box around = hull_of(now.boxes);
-            const double size = spatial_size(around);
-            const bool narrows = size > last_family;
-            Elements own;
-            if (narrows) {
-                now.elements =
-                    std::make_shared<Elements>(enclosures_.near(around, *now.elements, negligible));
-                own = enclosures_.near(around, *now.elements, coarse * size * size);
-            } else {
-                own = *now.elements;
-            }
+            narrow(now, around);
+            const Elements& own = *now.own.elements;
             smaller.clear();
             const bool inside = enclosures_.place(around) == Enclosures::Place::inside;
             while (!now.boxes.empty() || !waiting_.empty()) {
@@ -91,12 +83,9 @@ public:
                 } else {
                     settle(own);
                 }
-                for (const Box& child : next_) {
-                    const bool leaves = narrows && spatial_size(child) <= family * size;
-                    (leaves ? smaller : now.boxes).push_back(child);
-                }
+                smaller.insert(smaller.end(), next_.begin(), next_.end());
             }
-            split_family(smaller, now.elements, families);
+            split_family(smaller, now, families);
         }
         return std::move(found_);
     }
@@ -104,11 +93,39 @@ public:
 private:
     bool is_stopped() const { return searching_.stopped && searching_.stopped(); }
 
+    // Elements for a box of such a volume.
+    struct Chosen {
+        std::shared_ptr<const Elements> elements;
+        double volume;
+    };
     // Boxes near each other that share the elements that matter there.
     struct Family {
         std::vector<Box> boxes;
-        std::shared_ptr<const Elements> elements;
+        Chosen kept; // without those that matter nowhere in the family
+        Chosen own;  // with the sum of the others by Taylor's formula
     };
+
+    void narrow(Family& family, const Box& around) {
+        const double extent = volume(around);
+        if (!(extent <= shrunk * family.own.volume)) return;
+        if (extent <= much_shrunk * family.kept.volume) {
+            family.kept = {std::make_shared<const Elements>(
+                               enclosures_.near(around, *family.kept.elements, negligible)),
+                           extent};
+        }
+        family.own = {std::make_shared<const Elements>(
+                          enclosures_.expanded(around, *family.kept.elements, blur)),
+                      extent};
+    }
+    // As a part of the domain's.
+    double volume(const Box& box) const {
+        double product = 1;
+        for (std::size_t k = 0; k < n_; ++k) {
+            const double side = part(box, k);
+            if (side > 0) product *= side;
+        }
+        return product;
+    }
 
     Box hull_of(const std::vector<Box>& boxes) const {
         Box all = boxes[0];
@@ -119,28 +136,39 @@ private:
     }
 
     // By halves of the longest side, until each family is small or few.
-    void split_family(std::vector<Box> boxes, const std::shared_ptr<const Elements>& elements,
+    void split_family(std::vector<Box> boxes, const Family& of,
                       std::vector<Family>& families) const {
         if (boxes.size() <= family_size) {
-            if (!boxes.empty()) families.push_back({std::move(boxes), elements});
+            if (!boxes.empty()) families.push_back({std::move(boxes), of.kept, of.own});
             return;
         }
-        const Box around = hull_of(boxes);
+        // Along the side on which the most boxes fit side by side.
         std::size_t side = 0;
-        for (std::size_t k = 1; k < n_; ++k) {
-            if (part(around, k) > part(around, side)) side = k;
+        double most = 0, at = 0;
+        for (std::size_t k = 0; k < n_; ++k) {
+            double low = formula::infinity, high = -formula::infinity, all = 0;
+            for (const Box& box : boxes) {
+                low = std::min(low, mid(box[k]));
+                high = std::max(high, mid(box[k]));
+                all += box[k].hi - box[k].lo;
+            }
+            const double spread = (high - low) * double(boxes.size());
+            if (!(spread > most * all)) continue;
+            most = spread / all;
+            side = k;
+            at = low + (high - low) / 2;
         }
-        const double at = mid(around[side]);
         const auto upper = std::partition(boxes.begin(), boxes.end(),
                                           [&](const Box& box) { return mid(box[side]) <= at; });
         std::vector<Box> rest(upper, boxes.end());
         boxes.erase(upper, boxes.end());
-        if (boxes.empty() || rest.empty()) {
-            families.push_back({boxes.empty() ? std::move(rest) : std::move(boxes), elements});
+        if (boxes.empty() || rest.empty()) { // by rounding
+            std::vector<Box>& all = boxes.empty() ? rest : boxes;
+            families.push_back({std::move(all), of.kept, of.own});
             return;
         }
-        split_family(std::move(boxes), elements, families);
-        split_family(std::move(rest), elements, families);
+        split_family(std::move(boxes), of, families);
+        split_family(std::move(rest), of, families);
     }
 
     // The largest side in space, as a part of the domain's; on corners the clock's.
@@ -232,12 +260,7 @@ private:
 
     // Halvings of the domain's sides that lead to the box.
     std::size_t size_class(const Box& box) const {
-        double volume = 1;
-        for (std::size_t k = 0; k < n_; ++k) {
-            const double side = part(box, k);
-            if (side > 0) volume *= side;
-        }
-        return std::min(std::size_t(std::max(-std::log2(volume), 0.0)), hessians_.size() - 1);
+        return std::min(std::size_t(std::max(-std::log2(volume(box)), 0.0)), hessians_.size() - 1);
     }
 
     bool is_done(Test test) {
