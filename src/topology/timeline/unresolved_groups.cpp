@@ -61,10 +61,8 @@ std::string place_text(const std::array<Interval, 3>& where) {
     double size = 0;
     for (const Interval& x : where) size = std::max(size, std::abs(mid(x)));
     const auto text = [&](const Interval& x) {
-        return (x.lo <= 0 && x.hi >= 0 && x.hi - x.lo < 1e-3 * size) ||
-                       std::abs(mid(x)) < 1e-12 * size
-                   ? 0.0
-                   : mid(x);
+        const bool may_be_0 = x.lo <= 0 && x.hi >= 0 && x.hi - x.lo < 1e-3 * std::max(size, 1.0);
+        return may_be_0 || std::abs(mid(x)) < 1e-12 * size ? 0.0 : mid(x);
     };
     return fmt::format("({:.4g}, {:.4g}, {:.4g})", text(where[0]), text(where[1]), text(where[2]));
 }

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "topology/timeline/unresolved_groups.h"
 #include "topology/timeline/words.h"
 #include "topology/timelines.h"
 
@@ -110,6 +111,13 @@ TEST(Advice, PlacesOfOneReasonAndMomentAreOneLine) {
         << reasons[1];
     EXPECT_EQ(count("unresolved at frame 60, near (0.5, 0, 0): the motion turns"), 1);
     EXPECT_EQ(count("unresolved at all times, near (0.75, 0, 0): a critical"), 1);
+}
+
+TEST(Advice, WhatMayBe0IsWritten0) {
+    using formula::Interval;
+    EXPECT_EQ(place_text({Interval(-4e-7, 1e-9), Interval(0), near(1e-250)}), "(0, 0, 0)");
+    EXPECT_EQ(place_text({near(1e-7), near(-0.25), near(3)}), "(1e-07, -0.25, 3)");
+    EXPECT_EQ(place_text({Interval(-1, 3), near(1e-250), near(-1e6)}), "(1, 0, -1e+06)");
 }
 
 TEST(Advice, EventsAtOnceAreToBeParted) {
