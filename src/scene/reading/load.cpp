@@ -421,7 +421,8 @@ Scene read_listed(const toml::table& root, const Parse& parse, const fs::path& f
             if (!for_others.contains(name)) unused.erase(name);
         }
         scene.surface.label = names[k];
-        scene.among = {int(k), int(names.size())};
+        scene.among.index = int(k);
+        scene.among.count = int(names.size());
         scenes.push_back(std::move(scene));
     }
     if (mistakes) throw Mistakes(*mistakes);
