@@ -24,14 +24,14 @@ prepare_packages() {
     if [ "$as_root" = none ] || ! command -v apt-get >/dev/null; then
         echo "These Debian packages are missing, and installing them needs apt-get and root:" >&2
         # shellcheck disable=SC2046,SC2086 # lists of words
-        echo "    apt-get install --no-install-recommends$(missing_of "$@" $(packages_of ${later:-formulas}))" >&2
+        echo "    apt-get install --no-install-recommends$missing${later:+$(missing_of $(packages_of $later))}" >&2
         exit 3
     fi
     echo "installing:$missing"
     mkdir -p build
     rm -f build/installed
     # shellcheck disable=SC2086 # a list of packages
-    { $as_root apt-get -qq update &&
+    { ${are_lists_new:+:} $as_root apt-get -qq update &&
           $as_root env DEBIAN_FRONTEND=noninteractive \
               apt-get -qq -y --no-install-recommends -o APT::Status-Fd=3 install $missing \
               3>&1 >/dev/null && : >build/installed; } | show_packages
@@ -40,6 +40,7 @@ prepare_packages() {
         echo "    apt-get update && apt-get install --no-install-recommends$missing" >&2
         exit 3
     fi
+    are_lists_new=yes
 }
 
 # Reads apt-get's status lines, "pmstatus:libfmt-dev:42.5:Unpacking ...", and shows how far it is: on a
@@ -59,24 +60,33 @@ show_packages() {
     [ ! -t 1 ] || echo
 }
 
-# install_behind <section>...: installs their packages while the commands that follow run;
-# wait_for_packages ends when they are there. Where root's password would be asked for again, they are
-# installed first.
+# install_behind <section>...: installs their packages, one section after the other, while the commands that
+# follow run; wait_for_packages <section> ends when they are there. Where root's password would be asked for
+# again, they are installed first. The shell does not end before apt-get does, which would go on without it.
 install_behind() {
+    mkdir -p build
     behind=
-    # shellcheck disable=SC2046 # a list of packages
+    for section in "$@"; do rm -f "build/packages.$section"; done
     if [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; then
-        mkdir -p build
-        prepare_packages $(packages_of "$@") >build/packages.log 2>&1 &
+        install_sections "$@" >build/packages.log 2>&1 &
         behind=$!
+        trap 'exit 130' INT TERM
+        trap 'wait "$behind" || true' EXIT
     else
-        prepare_packages $(packages_of "$@")
+        install_sections "$@"
     fi
 }
+install_sections() {
+    for section in "$@"; do
+        # shellcheck disable=SC2046 # a list of packages
+        prepare_packages $(packages_of "$section")
+        : >"build/packages.$section"
+    done
+}
 wait_for_packages() {
-    [ -n "$behind" ] || return 0
-    ! kill -0 "$behind" 2>/dev/null || echo "waiting for packages (log in build/packages.log)"
-    if ! wait "$behind"; then
+    [ -e "build/packages.$1" ] || echo "waiting for packages (log in build/packages.log)"
+    while [ ! -e "build/packages.$1" ] && kill -0 "$behind" 2>/dev/null; do sleep 0.2; done
+    if [ ! -e "build/packages.$1" ]; then
         cat build/packages.log >&2
         exit 3
     fi
@@ -123,8 +133,8 @@ build_in() {
     fi
 }
 
-# build <cmake options>: all of build/release, whatever parts were built before.
-build() { build_in release "" -DISOMOTION_GL=ON -DISOMOTION_PROGRAM=ON "$@"; }
+# build <cmake options>: all of build/release.
+build() { build_in release "" "$@"; }
 
 # packages_of <section>...: their packages; without a section, all.
 packages_of() {

@@ -473,17 +473,14 @@ private:
         ImGui::End();
     }
 
-    // Of the frame in the picture. With other parameters the events would be others.
+    // Of the picture shown, and as its camera saw it. With other parameters the events would be
+    // others.
     void show_rings() {
-        const Session& session = scene_->session;
-        if (!rings_ || !area_.shown() || !session.look().overrides.empty()) return;
-        const std::int64_t shown = area_.shown()->frame;
-        try {
-            const auto found = rings(scene_->events(), session.at(shown), double(shown),
-                                     double(size_.x) / double(std::max(size_.y, 1)));
-            draw_rings(found, scene_->events(), area_.corner(), area_.size());
-        } catch (const scene::SceneError&) { // which ask() tells
-        }
+        const std::optional<Shown>& shown = area_.shown();
+        if (!rings_ || !shown || !shown->now || !scene_->session.look().overrides.empty()) return;
+        const auto found = rings(scene_->events(), *shown->now, double(shown->frame),
+                                 double(size_.x) / double(std::max(size_.y, 1)));
+        draw_rings(found, scene_->events(), area_.corner(), area_.size());
     }
 
     void show_panel(ImVec2 corner, ImVec2 size) {

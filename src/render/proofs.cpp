@@ -78,6 +78,9 @@ ProofCounts count_proofs(std::span<const float> record) {
         }
         for (std::size_t proof = 0; proof < counts.size(); ++proof) counts[proof] += of_part[proof];
     }
+    // What is no outcome proves nothing.
+    const auto counted = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+    counts[std::size_t(Proof::none)] += std::int64_t(record.size() / 4) - counted;
     return counts;
 }
 

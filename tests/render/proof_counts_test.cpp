@@ -1,5 +1,6 @@
 #include "render/proofs.h"
 
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -22,6 +23,14 @@ TEST(ProofCounts, CountFirstNumbersAlone) {
         }
         EXPECT_EQ(count_proofs(record), expected) << pixels;
     }
+}
+
+TEST(ProofCounts, TakeWhatIsNoOutcomeForNotLookedAt) {
+    const std::vector<float> record{1, 0, 0, 0, -3, 0, 0, 0, NAN, 0, 0, 0, 2.5f, 0, 0, 0};
+    const ProofCounts counts = count_proofs(record);
+    EXPECT_EQ(counts[std::size_t(Proof::hit)], 1);
+    EXPECT_EQ(counts[std::size_t(Proof::none)], 3);
+    EXPECT_EQ(proved_part(counts), 0.25);
 }
 
 } // namespace

@@ -105,6 +105,7 @@ private:
         shown.number = request.number;
         shown.asked_at = request.asked_at;
         shown.frame = request.frame;
+        shown.now = request.samples.front().now;
         shown.scale = request.scale;
         shown.view = request.view;
         shown.asked = int(request.samples.size());

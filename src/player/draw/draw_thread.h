@@ -61,6 +61,7 @@ struct RayCounts {
 struct Shown {
     std::uint64_t number = 0; // of the request
     std::int64_t frame = 1;
+    std::shared_ptr<const scene::SceneAt> now; // at the frame, and its camera
     double scale = 1;
     View view = View::shaded;
     int samples = 0;                      // number of pictures averaged

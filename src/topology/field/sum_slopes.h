@@ -19,7 +19,7 @@ struct SumSlopes {
     formula::NodeId unless_smooth{};
 };
 
-// Those of the sums in `jet`: F and its derivatives by the unknowns, all of which are inputs of the
+// Those of the sums in `jet`, but for decorations: F and its derivatives by the unknowns, all of which are inputs of the
 // graph. Second ones are by the first `rows` unknowns.
 std::vector<SumSlopes> slopes_of_sums(formula::Graph& graph, std::span<const formula::NodeId> jet,
                                       std::size_t rows);

@@ -54,7 +54,7 @@ bool is_interrupted(const Timeline& timeline) {
     });
 }
 
-// What the first event of unknown kind needs.
+// What the first event of unknown kind needs; empty if nothing is known to help.
 std::string for_unknown_kinds(const Timeline& timeline, animation::FrameRate fps) {
     const auto first = std::ranges::find(timeline.events, Kind::unknown, &Event::kind);
     const double frame = mid(frames_at(fps, first->time));
@@ -68,9 +68,17 @@ std::string for_unknown_kinds(const Timeline& timeline, animation::FrameRate fps
                            "them",
                            at_once, frame_text(frame));
     }
+    // The frames beside it, which are not its own: there the surface is singular.
+    constexpr double least_apart = 1e-3;
+    const formula::Interval at = frames_at(fps, first->time);
+    const double from = std::ceil(at.lo - least_apart) - 1,
+                 to = std::floor(at.hi + least_apart) + 1;
+    const formula::Interval all(std::round(frame_at(fps, timeline.range.lo)),
+                                std::round(frame_at(fps, timeline.range.hi)));
+    if (from < all.lo || to > all.hi || (from == all.lo && to == all.hi)) return "";
     return fmt::format("a short span around an event of unknown kind may tell its kind, such as "
                        "--frames {:.0f}-{:.0f}",
-                       std::max(1.0, std::floor(frame)), std::floor(frame) + 1);
+                       from, to);
 }
 
 } // namespace
@@ -108,7 +116,9 @@ std::vector<std::string> advice(const Timeline& timeline, animation::FrameRate f
         return found;
     }
     const auto unknown = std::ranges::find(timeline.events, Kind::unknown, &Event::kind);
-    if (unknown != timeline.events.end()) add(for_unknown_kinds(timeline, fps));
+    if (unknown != timeline.events.end()) {
+        if (const std::string words = for_unknown_kinds(timeline, fps); !words.empty()) add(words);
+    }
     if (!timeline.start || !timeline.end) {
         add("begin or end at another frame, --frames A-B: the first and the last are proved where "
             "the surface has no singular point, and nothing too thin for the boxes of the proof; a "
