@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "formula/graph/continuity.h"
-#include "formula/graph/decoration.h"
 #include "formula/graph/derivative.h"
 #include "formula/graph/substitute.h"
 
@@ -24,6 +24,25 @@ NodeId of_one_element(Graph& graph, NodeId decoration, int array) {
     return formula::substitute(graph, graph, std::array{decoration}, without_loop).front();
 }
 
+// Whether the expression is 0 or the entire line everywhere.
+bool is_decoration(const Graph& graph, NodeId id) {
+    const formula::Node& node = graph[id];
+    const auto child = [&](std::size_t k) { return is_decoration(graph, node.children[k]); };
+    switch (node.op) {
+    case formula::Op::constant:
+        return node.value == 0 || std::isnan(node.value);
+    case formula::Op::select:
+        return child(2) && child(3);
+    case formula::Op::add:
+        return child(0) && child(1);
+    case formula::Op::negate:
+    case formula::Op::sum:
+        return child(0);
+    default:
+        return false;
+    }
+}
+
 } // namespace
 
 std::vector<SumSlopes> slopes_of_sums(Graph& graph, std::span<const NodeId> jet, std::size_t rows) {
@@ -35,13 +54,10 @@ std::vector<SumSlopes> slopes_of_sums(Graph& graph, std::span<const NodeId> jet,
     };
     const std::vector<NodeId> in_value = formula::nodes_below(graph, jet.first(1));
     std::vector<SumSlopes> all;
-    const NodeId entire = formula::entire(graph);
     for (const NodeId id : formula::nodes_below(graph, jet)) {
         if (graph[id].op != formula::Op::sum) continue;
         const NodeId body = graph[id].children[0];
-        // Decorations are 0 or the entire line, and Taylor's formula would blur their 0.
-        if (std::ranges::binary_search(formula::nodes_below(graph, std::array{body}), entire))
-            continue;
+        if (is_decoration(graph, body)) continue; // Taylor's formula would blur its 0
         SumSlopes& slopes = all.emplace_back();
         slopes.sum = id;
         for (std::size_t k = 0; k < unknowns; ++k) slopes.first.push_back(derivative(body, k));
