@@ -214,6 +214,7 @@ Interval MovingField::x(const Box& box, std::size_t k) const {
 void MovingField::between_ends(Graph& graph, std::vector<NodeId>& jet,
                                std::vector<SumSlopes>& slopes) const {
     std::vector<NodeId*> all;
+    all.reserve(jet.size());
     for (NodeId& root : jet) all.push_back(&root);
     for (SumSlopes& of : slopes) {
         for (NodeId& root : of.first) all.push_back(&root);
