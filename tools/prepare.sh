@@ -97,7 +97,8 @@ prepare_check() {
     prepare_packages $(sed -n "s/^$1 //p" tools/check-packages.txt)
 }
 
-# Reads what ninja says and shows how far it is: on a terminal in one line, else every tenth part.
+# Reads what ninja says and shows how far it is, and which folder is compiled: on a terminal in one line, else
+# every tenth part.
 show_steps() {
     shown=0 of=0
     while IFS= read -r line; do
@@ -105,12 +106,15 @@ show_steps() {
         step=${line#"["}
         total=${step#*/} step=${step%%/*}
         total=${total%%"]"*}
+        what=${line##*" object "} # "[3/24] Building CXX object src/base/CMakeFiles/..."
+        [ "$what" != "$line" ] || what=${line#*"] "}
+        what=${what%%/CMakeFiles*}
         [ "$total" = "$of" ] || { shown=0 of=$total; }
         if [ -t 1 ]; then
-            printf '\r  step %s of %s  ' "$step" "$total"
+            printf '\r  step %s of %s  %-48.48s' "$step" "$total" "$what"
         elif [ $((10 * step / total)) -gt $shown ]; then
             shown=$((10 * step / total))
-            echo "  step $step of $total"
+            echo "  step $step of $total  $what"
         fi
     done
     [ ! -t 1 ] || [ "$of" = 0 ] || echo
