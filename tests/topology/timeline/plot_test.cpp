@@ -2,12 +2,12 @@
 #include "topology/timeline/plot.h"
 
 #include <map>
-#include <regex>
 
 #include <gmock/gmock.h>
 
 #include "topology/timeline/representative_frames.h"
 #include "topology/timeline/svg.h"
+#include "topology/timeline/svg_elements.h"
 #include "topology/timelines.h"
 
 namespace isomotion::topology {
@@ -16,26 +16,14 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// Every element closed, in order, and no stray < or &.
 void expect_well_formed(const std::string& svg) {
-    std::vector<std::string> open;
-    const std::regex tag(R"(<(/?)([a-z]+)((?:\s+[a-zA-Z:-]+="[^"<]*")*)\s*(/?)>)");
-    std::size_t covered = 0;
-    for (std::sregex_iterator it(svg.begin(), svg.end(), tag), end; it != end; ++it) {
-        const std::string between = svg.substr(covered, std::size_t(it->position()) - covered);
-        EXPECT_EQ(between.find_first_of("<>"), between.npos) << between;
-        covered = std::size_t(it->position() + it->length());
-        if ((*it)[1] == "/") {
-            ASSERT_FALSE(open.empty());
-            EXPECT_EQ(open.back(), (*it)[2]);
-            open.pop_back();
-        } else if ((*it)[4] != "/") {
-            open.push_back((*it)[2]);
-        }
+    EXPECT_FALSE(elements_of(svg).empty());
+    for (std::size_t at = svg.find('&'); at != svg.npos; at = svg.find('&', at + 1)) {
+        const std::string_view rest = std::string_view(svg).substr(at);
+        EXPECT_TRUE(rest.starts_with("&amp;") || rest.starts_with("&lt;") ||
+                    rest.starts_with("&gt;") || rest.starts_with("&quot;"))
+            << rest.substr(0, 20);
     }
-    EXPECT_TRUE(open.empty());
-    EXPECT_EQ(svg.substr(covered), "\n");
-    EXPECT_FALSE(std::regex_search(svg, std::regex("&(?!amp;|lt;|gt;|quot;)")));
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
     EXPECT_THAT(svg, Not(HasSubstr("inf")));
 }
@@ -64,22 +52,28 @@ struct Text {
     std::string words;
 };
 
+// What is read: one letter for each that is written as `&name;`.
+std::string without_entities(std::string words) {
+    for (std::size_t at = words.find('&'); at != words.npos; at = words.find('&', at + 1))
+        words.erase(at + 1, words.find(';', at) - at);
+    return words;
+}
+
 // All texts of a picture, each with at least the space that its letters take.
 std::vector<Text> texts(const std::string& svg) {
     std::vector<Text> all;
-    const std::regex element(
-        R"re(<text x="([^"]+)" y="([^"]+)" font-size="([^"]+)" fill="[^"]*"([^>]*)>([^<]*)</text>)re");
-    for (std::sregex_iterator it(svg.begin(), svg.end(), element), end; it != end; ++it) {
-        const std::string words = std::regex_replace((*it)[5].str(), std::regex("&[a-z]+;"), "&");
-        const std::string attributes = (*it)[4];
-        const double x = std::stod((*it)[1]), y = std::stod((*it)[2]), size = std::stod((*it)[3]);
+    for (const SvgElement& element : elements_of(svg)) {
+        if (element.name != "text") continue;
+        const std::string words = without_entities(element.words);
+        const double x = element.number("x"), y = element.number("y"),
+                     size = element.number("font-size");
         double width = 0;
         for (const char c : words)
             width += (c & 0x80) ? 0.5 * size : advance(c) * size; // an ellipsis has three bytes
-        if (attributes.find("bold") != attributes.npos) width *= 1.09;
-        const double left = attributes.find("\"end\"") != attributes.npos      ? x - width
-                            : attributes.find("\"middle\"") != attributes.npos ? x - width / 2
-                                                                               : x;
+        if (element.attributes.contains("font-weight")) width *= 1.09;
+        const double left = element.is("text", "text-anchor", "end")      ? x - width
+                            : element.is("text", "text-anchor", "middle") ? x - width / 2
+                                                                          : x;
         all.push_back({{left, y - 0.73 * size, left + width, y + 0.2 * size}, words});
     }
     EXPECT_EQ(all.size(), count(svg, "<text"));
@@ -87,9 +81,10 @@ std::vector<Text> texts(const std::string& svg) {
 }
 
 void expect_readable(const std::string& svg) {
-    std::smatch size;
-    ASSERT_TRUE(std::regex_search(svg, size, std::regex(R"re(viewBox="0 0 (\S+) (\S+)")re")));
-    const double width = std::stod(size[1]), height = std::stod(size[2]);
+    const std::vector<SvgElement> elements = elements_of(svg);
+    double x, y, width, height;
+    ASSERT_TRUE(std::istringstream(elements.at(0)["viewBox"]) >> x >> y >> width >> height);
+    EXPECT_TRUE(x == 0 && y == 0);
     const std::vector<Text> all = texts(svg);
     for (std::size_t k = 0; k < all.size(); ++k) {
         const Rect& box = all[k].box;
@@ -99,19 +94,19 @@ void expect_readable(const std::string& svg) {
             EXPECT_FALSE(box.meets(all[j].box)) << all[j].words << " and " << all[k].words;
     }
     // 8 pixels at least where the picture is 800 wide.
-    const std::regex font(R"re(font-size="([^"]+)")re");
-    for (std::sregex_iterator it(svg.begin(), svg.end(), font), end; it != end; ++it)
-        EXPECT_GE(std::stod((*it)[1]) * 800 / width, 8);
+    for (const SvgElement& element : elements)
+        if (element.attributes.contains("font-size"))
+            EXPECT_GE(element.number("font-size") * 800 / width, 8);
 }
 
 // x of each mark of an event: a sign has one, a path of ticks has many.
 std::vector<double> marks_of_events(const std::string& svg) {
     std::vector<double> found;
-    const std::regex path("<path class=\"(event|events)\" d=\"([^\"]*)\""), move(R"(M(\S+) )");
-    for (std::sregex_iterator it(svg.begin(), svg.end(), path), end; it != end; ++it) {
-        const std::string d = (*it)[2];
-        for (std::sregex_iterator m(d.begin(), d.end(), move); m != end; ++m)
-            found.push_back(std::stod((*m)[1]));
+    for (const SvgElement& element : elements_of(svg)) {
+        if (!element.is("path", "class", "event") && !element.is("path", "class", "events"))
+            continue;
+        for (const PathStep& step : steps_of(element["d"]))
+            if (step.letter == 'M') found.push_back(step.numbers.at(0));
     }
     std::ranges::sort(found);
     return found;
@@ -119,10 +114,16 @@ std::vector<double> marks_of_events(const std::string& svg) {
 
 // Each event is marked once, where its time is.
 void expect_marks(const std::string& svg, const TimelineRecord& record) {
-    const std::regex line("d=\"M(\\S+) \\S+H(\\S+)\" stroke=\"#222\"");
-    std::smatch axis;
-    ASSERT_TRUE(std::regex_search(svg, axis, line));
-    const double left = std::stod(axis[1]), right = std::stod(axis[2]);
+    // The axis is the dark path along the picture.
+    double left = 0, right = 0;
+    for (const SvgElement& element : elements_of(svg)) {
+        if (!element.is("path", "stroke", "#222")) continue;
+        const std::vector<PathStep> steps = steps_of(element["d"]);
+        if (steps.size() != 2 || steps[1].letter != 'H') continue;
+        left = steps[0].numbers.at(0);
+        right = steps[1].numbers.at(0);
+    }
+    ASSERT_LT(left, right);
     std::vector<double> wanted;
     for (const Event& event : record.timeline.events)
         wanted.push_back(left + (right - left) * mid(event.time) / 10); // they last 10 s
@@ -180,14 +181,17 @@ TEST(Plot, BarsCountEvents) {
     events.push_back(event_at(60.5, Kind::birth));
     events.push_back(event_at(80.5, Kind::birth));
     const std::string svg = plot_svg(complete({1, 0, 0}, events));
-    const std::regex bars("<path d=\"((?:M\\S+ \\S+h\\S+V\\S+h\\S+z)+)\" fill=\"#009e73\"/>");
-    std::smatch path;
-    ASSERT_TRUE(std::regex_search(svg, path, bars));
-    const std::string d = path[1];
-    const std::regex bar(R"(M(\S+) (\S+)h(\S+)V(\S+)h)");
     std::vector<double> heights;
-    for (std::sregex_iterator it(d.begin(), d.end(), bar), end; it != end; ++it)
-        heights.push_back(std::stod((*it)[2]) - std::stod((*it)[4]));
+    for (const SvgElement& element : elements_of(svg)) {
+        if (!element.is("path", "fill", "#009e73")) continue;
+        std::string letters;
+        const std::vector<PathStep> steps = steps_of(element["d"]);
+        for (const PathStep& step : steps) letters += step.letter;
+        if (!letters.starts_with("MhVhz")) continue; // a sign in the legend
+        ASSERT_EQ(letters, "MhVhzMhVhzMhVhz");
+        for (std::size_t k = 0; k < steps.size(); k += 5)
+            heights.push_back(steps[k].numbers.at(1) - steps[k + 2].numbers.at(0));
+    }
     ASSERT_EQ(heights.size(), 3u);
     EXPECT_NEAR(heights[0], 7 * heights[1], 0.5);
     EXPECT_NEAR(heights[1], heights[2], 1e-9);
