@@ -6,6 +6,8 @@
 # suite of which some tests are ("Suite.Test*"), and the other back ends of suites that are not in
 # BACKENDS, have entries with the label `exhaustive`.
 #
+# THOROUGH suites have a further entry of that label, in which each of their tests tries more (thorough.h).
+#
 # All share the driver's cache of shaders but those that are UNCACHED; so tests on the back end glfw
 # have an entry of their own, which begins once EGL's, with the same driver, has ended.
 #
@@ -14,7 +16,7 @@
 #
 #   cmake -D BINARY=... -D FOLDER=<where it runs> -D LSAN=<suppressions> -D CACHE=<folder>
 #         -D "SHARDS=Suite=3;..." -D "UNCACHED=Suite;..." -D "EXHAUSTIVE=Suite;Suite.Test*;..."
-#         -D "QUICK=Suite.Test*;..." -D "BACKENDS=Suite;..." -D "OPTIMIZED=Suite;..." -D LABEL=...
+#         -D "QUICK=Suite.Test*;..." -D "THOROUGH=Suite;..." -D "BACKENDS=Suite;..." -D "OPTIMIZED=Suite;..." -D LABEL=...
 #         -D TO=<the file to write> -P discover_suites.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -62,8 +64,8 @@ function(expect_suite option suite)
   endif()
 endfunction()
 
-foreach(suite IN LISTS UNCACHED BACKENDS OPTIMIZED)
-  expect_suite("UNCACHED, BACKENDS or OPTIMIZED" ${suite})
+foreach(suite IN LISTS UNCACHED BACKENDS OPTIMIZED THOROUGH)
+  expect_suite("UNCACHED, BACKENDS, OPTIMIZED or THOROUGH" ${suite})
 endforeach()
 foreach(given IN LISTS SHARDS)
   string(REGEX MATCH "^(.*)=([0-9]+)$" whole "${given}")
@@ -96,6 +98,7 @@ function(add_entry name suite filter labels environment)
   set(limit 600)
   if(labels MATCHES "exhaustive")
     set(limit 1800)
+    list(APPEND environment "ISOMOTION_THOROUGH=1")
   endif()
   if(suite IN_LIST UNCACHED)
     list(APPEND environment "MESA_SHADER_CACHE_DISABLE=true")
@@ -140,11 +143,13 @@ foreach(suite IN LISTS suites)
   select(long ${suite} ${EXHAUSTIVE_of_${suite}})
   list(REMOVE_ITEM quick "" ${long})
   set(long ${all})
-  list(REMOVE_ITEM long "" ${quick})
+  if(NOT suite IN_LIST THOROUGH)
+    list(REMOVE_ITEM long "" ${quick})
+  endif()
 
   if(quick)
     set(filter "${suite}.*-*/osmesa:*/glfw")
-    if(long)
+    if(NOT quick STREQUAL all)
       filter_of(filter ${suite} ${quick})
     endif()
     set(shards 1)

@@ -9,6 +9,7 @@
 #include "accuracy/compare.h"
 #include "render/doubles.h"
 #include "render/drawing.h"
+#include "thorough.h"
 #include "truth/certify.h"
 #include "unit/formula/stranger_formula.h"
 
@@ -204,8 +205,11 @@ certify = true
                                                      size, 1.5 * size, 5 * size)));
         return count(picture, Proof::hit) + count(picture, Proof::miss);
     };
-    for (const double size : {1e-12, 1e-3, 1e3, 1e12}) EXPECT_GT(proved(size), 1000) << size;
-    for (const double size : {1e-30, 1e-20, 1e-17, 1e19, 1e25}) EXPECT_EQ(proved(size), 0) << size;
+    for (const double size : {1e-12, 1e12}) EXPECT_GT(proved(size), 1000) << size;
+    for (const double size : {1e-17, 1e19}) EXPECT_EQ(proved(size), 0) << size;
+    if (!is_thorough()) return;
+    for (const double size : {1e-3, 1e3}) EXPECT_GT(proved(size), 1000) << size;
+    for (const double size : {1e-30, 1e-20, 1e25}) EXPECT_EQ(proved(size), 0) << size;
 }
 
 TEST_P(Certify, EveryPixelHasAnOutcome) {

@@ -303,17 +303,18 @@ TEST(Surfaces, ComputeShadersAndBeamsSeeTheSame) {
     const std::string text = ball("left", "[-0.6, 0, 0]", 1) +
                              ball("right", "[0.6, -0.3, 0.1]", 0.9) +
                              "[[lights]]\ndirection = [1, -1, 1]\nshadow = true\n" + view;
-    const scene::Scene scene = scene_of(text);
-    const Picture by_fragments = drawn(scene);
-    EXPECT_EQ(wrong(scene_of(text + "[isolation]\nbeam = false\n"),
-                    drawn(scene_of(text + "[isolation]\nbeam = false\n"))),
-              0);
-    if (!context_of_surfaces().info().has(4, 3)) GTEST_SKIP() << "no compute shaders here";
-    const Picture by_compute = drawn(scene, StageChoice::compute);
-    for (std::size_t c = 0; c < by_fragments.frame.channels.size(); ++c) {
-        if (by_fragments.frame.channels[c].name == "evaluations") continue;
-        EXPECT_EQ(by_fragments.frame.channels[c].samples, by_compute.frame.channels[c].samples)
-            << by_fragments.frame.channels[c].name;
+    for (const char* beam : {"false", "true"}) {
+        SCOPED_TRACE(beam);
+        const scene::Scene scene = scene_of(text + fmt::format("[isolation]\nbeam = {}\n", beam));
+        const Picture by_fragments = drawn(scene);
+        EXPECT_EQ(wrong(scene, by_fragments), 0);
+        if (!context_of_surfaces().info().has(4, 3)) continue; // no compute shaders
+        const Picture by_compute = drawn(scene, StageChoice::compute);
+        for (std::size_t c = 0; c < by_fragments.frame.channels.size(); ++c) {
+            if (by_fragments.frame.channels[c].name == "evaluations") continue;
+            EXPECT_EQ(by_fragments.frame.channels[c].samples, by_compute.frame.channels[c].samples)
+                << by_fragments.frame.channels[c].name;
+        }
     }
 }
 

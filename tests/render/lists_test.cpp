@@ -7,6 +7,7 @@
 
 #include "scene/reading/load.h"
 #include "synthesis/assemble.h"
+#include "thorough.h"
 
 namespace isomotion::render {
 namespace {
@@ -85,15 +86,14 @@ std::string gaussian(double sharpness, double threshold) {
 }
 
 TEST_P(Lists, OfTheMovingBlobs) {
-    for (const char* name : {"blobby75", "wyvill_soft_objects", "blinn_inverse_square"}) {
-        const scene::Scene scene = scene::load(name, {"look=none", "output.size=[97,61]"});
-        for (const int frame : {1, 38, 61, 90}) {
-            SCOPED_TRACE(fmt::format("{} frame {}", name, frame));
-            const Difference found = compare(scene, frame);
-            EXPECT_GT(found.hits, 300);
-            EXPECT_LE(found.lost, 1);
-            EXPECT_LT(found.behind, 1e-5);
-        }
+    const std::vector<std::string> names{"blobby75", "wyvill_soft_objects", "blinn_inverse_square"};
+    for (const auto& [name, frame] : pairs_of(names, std::vector{1, 38, 61, 90})) {
+        SCOPED_TRACE(fmt::format("{} frame {}", name, frame));
+        const Difference found =
+            compare(scene::load(name, {"look=none", "output.size=[97,61]"}), frame);
+        EXPECT_GT(found.hits, 300);
+        EXPECT_LE(found.lost, 1);
+        EXPECT_LT(found.behind, 1e-5);
     }
 }
 

@@ -32,8 +32,8 @@ void are_drawn_right_by_default(const bench::Family& family, std::uint64_t from,
     }
 }
 
-TEST_P(RandomFormulas, AreDrawnRightByDefault) { are_drawn_right_by_default(GetParam(), 0, 2); }
-TEST_P(RandomFormulas, MoreAreDrawnRightByDefault) { are_drawn_right_by_default(GetParam(), 2, 8); }
+TEST_P(RandomFormulas, AreDrawnRightByDefault) { are_drawn_right_by_default(GetParam(), 0, 1); }
+TEST_P(RandomFormulas, MoreAreDrawnRightByDefault) { are_drawn_right_by_default(GetParam(), 1, 8); }
 
 INSTANTIATE_TEST_SUITE_P(Stability, RandomFormulas,
                          testing::ValuesIn(bench::families().begin(), bench::families().end()),

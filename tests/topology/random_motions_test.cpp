@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "thorough.h"
 #include "topology/analyse.h"
 #include "topology/betti/certified_frame.h"
 #include "topology/scenes.h"
@@ -115,7 +116,7 @@ bool expect_frames_of(const Timeline& timeline, const scene::Scene& scene, Rando
 }
 
 TEST(RandomMotions, AreProvedAsTheyAreDrawn) {
-    constexpr unsigned first_seed = 1, motions = 60;
+    const unsigned first_seed = 1, motions = unsigned(trials(24, 60));
     int compared = 0, complete = 0;
     for (unsigned seed = first_seed; seed < first_seed + motions; ++seed) {
         RandomMotion random(seed);

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "thorough.h"
 #include "unit/gpu/every_backend.h"
 
 namespace isomotion::effects {
@@ -104,11 +105,19 @@ const double angles[] = {0, 15, 30, 45, 60, 70, 75, 80, 85};
 const float roughnesses[] = {0.05f, 0.07f, 0.1f, 0.15f, 0.2f, 0.3f, 0.4f,
                              0.5f,  0.6f,  0.7f, 0.8f,  0.9f, 1.0f};
 
+// The ends and every third between them, or all.
+template<typename T, std::size_t n> std::vector<T> some_of(const T (&values)[n]) {
+    std::vector<T> some;
+    for (std::size_t k = 0; k < n; ++k)
+        if (is_thorough() || k % 3 == 0 || k + 1 == n) some.push_back(values[k]);
+    return some;
+}
+
 Extremes ggx_furnace(const glm::vec3& albedo, float metallic, float specular) {
     const BrdfOnGpu reflected("brdf_ggx.glsl");
     Extremes all;
-    for (const float roughness : roughnesses) {
-        for (const double degrees : angles) {
+    for (const float roughness : some_of(roughnesses)) {
+        for (const double degrees : some_of(angles)) {
             all.add(furnace(reflected, {albedo, {roughness, metallic, specular, 0}}, degrees,
                             double(roughness) * double(roughness)));
         }
