@@ -9,6 +9,7 @@ on the machine makes longer.
 """
 import json
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -49,13 +50,22 @@ def cost(entry):
 
 
 def main():
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     costs = []
-    for entry in entries(sys.argv[1:] or ["-LE", "exhaustive"]):
-        if "command" not in entry:
-            raise SystemExit(f"{entry['name']} is not built")
-        seconds, passed = cost(entry)
-        costs.append((seconds, entry["name"] + ("" if passed else " FAILED")))
-        print(f"{len(costs)} {entry['name']}", end="\033[K\r", file=sys.stderr, flush=True)
+    try:
+        for entry in entries(sys.argv[1:] or ["-LE", "exhaustive"]):
+            if "command" not in entry:
+                raise SystemExit(f"{entry['name']} is not built")
+            seconds, passed = cost(entry)
+            costs.append((seconds, entry["name"] + ("" if passed else " FAILED")))
+            print(f"{len(costs)} {entry['name']}", end="\033[K\r", file=sys.stderr, flush=True)
+    except KeyboardInterrupt:
+        print("interrupted: the entries so far", file=sys.stderr)
+    finally:
+        tell(costs)
+
+
+def tell(costs):
     for seconds, name in sorted(costs, reverse=True):
         print(f"{seconds:7.1f} {name}")
     print(f"{sum(seconds for seconds, _ in costs):7.1f} all {len(costs)}")
