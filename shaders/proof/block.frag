@@ -8,7 +8,7 @@
 
 // The tau from which on F may be 0: .x + (.y u + .z v), with u and v from -1 to 1 across the block.
 // .w is the least slope of F in tau if F is monotone from there to behind the last root, by the
-// margin that begin.frag assumes; otherwise 0. It is -1 if proved that no ray hits.
+// margin that begin.frag assumes; otherwise 0; or an outcome: block_outcome.glsl.
 layout(location = 0) out vec4 block_proof;
 
 uniform int block_pieces; // limit on the pieces
@@ -81,5 +81,5 @@ void main() {
         open = open && HAS_ELEMENTS_LEFT;
     }
     bool missed = all_miss && settled >= high;
-    block_proof = vec4(settled, 0.0, 0.0, missed ? -1.0 : monotone ? slope : 0.0);
+    block_proof = vec4(settled, 0.0, 0.0, missed ? BLOCK_MISSES : monotone ? slope : 0.0);
 }

@@ -1,7 +1,7 @@
 // Proves a block of BLOCK x BLOCK rays of a polynomial F at once, as far as possible, by models of
 // F over pieces of their beam. It differs from block.frag in three ways. Pieces lie between planes,
 // and the last plane leans as the surface does at the hits, so that a thin piece holds all roots.
-// That piece comes first. In any other piece the beginning is settled as far as the quadratic stays
+// That piece comes first, and may prove the roots themselves: roots_of_block.glsl. In any other piece the beginning is settled as far as the quadratic stays
 // away from 0, less the model's error.
 //
 // Larger blocks come before (COARSE); they only prove the part before all roots.
@@ -33,6 +33,7 @@ void main() {
 
     float way_length = first - low;
     float settled = 0.0, part = 1.0, slope = 0.0;
+    bool roots_proved = false;
     for (int k = 0; k < block_pieces && open; ++k) {
         float to = min(settled + part, 1.0);
         float middle = 0.5 * (settled + to), half_part = 0.500001 * (to - settled) + IM_DRIVER_ERROR;
@@ -56,6 +57,9 @@ void main() {
             float bends = 2.0 * abs(f.d.z) + abs(f.o.y) + abs(f.o.z);
             precise float least = abs(f.l.z) - 1.000001 * (bends + f.slope_error) - rounding;
             slope = least > 0.0 ? 0.999999 * least / piece.half_length : 0.0;
+#ifndef COARSE
+            roots_proved = proves_roots(boxes, ends, piece, f, slope, margin);
+#endif
             roots = false;
         } else {
             vec2 x, y, z;
@@ -69,7 +73,7 @@ void main() {
         open = settled < 1.0 && part * way_length > 0.25 * beam.z;
     }
     bool settles = settled >= 1.0 || low >= high;
-    slope = all_miss && settles ? -1.0 : settles ? slope : 0.0;
+    slope = !settles ? 0.0 : all_miss ? BLOCK_MISSES : roots_proved && settled >= 1.0 ? BLOCK_HITS : slope;
     float settled_to = low + settled * way_length - margin;
 #ifdef COARSE
     if (settles) settled_to = IM_SATURATION;
