@@ -1,6 +1,6 @@
-// The first pass of the proofs of single rays. Ends those for which the block proved all but that
-// the root is close to where it was found; Newton's step decides that, see prove.glsl. The others
-// go on at once, as most are few pieces from their end.
+// Begins the proofs of single rays. Ends those for which the block proved all but that the root is
+// close to where it was found; Newton's step decides that, see prove.glsl. Opens the depth gate for
+// the others.
 layout(location = 0) out vec4 proof;
 
 void main() {
@@ -9,7 +9,7 @@ void main() {
     Ray marched = marched_ray();
     Ray ray = ray_to_prove(marched);
     float t = ended.hit ? ended.t : ray.t_far;
-    vec2 f = VALUE_AT_ROOT(ray, t);
+    vec2 f = value_at(ray, t);
     float uncertain = max(-f.x, f.y);
 
     precise float slope = block.w / ray.to_eye * 0.999999;
@@ -27,7 +27,7 @@ void main() {
     int outcome = hits ? PROOF_HIT : misses ? PROOF_MISS : PROOF_UNFINISHED;
     if (outcome == PROOF_UNFINISHED && t < ray.t_near) outcome = ended.hit ? PROOF_SIGN : PROOF_MISS;
     if (!ended.hit && !ended.miss) outcome = PROOF_NONE;
-    ProofState s = ProofState(t, ended.hit ? uncertain : 0.0, max(t - ray.t_near, shortest_piece),
-                              outcome, ended.hit, 0);
-    proof = packed_proof(prove_pieces(s, proof_ray(ray), ended.hit));
+    proof = packed_proof(ProofState(t, ended.hit ? uncertain : 0.0,
+                                    max(t - ray.t_near, shortest_piece), outcome, ended.hit, 0));
+    gl_FragDepth = outcome == PROOF_UNFINISHED ? 1.0 : 0.0;
 }

@@ -39,7 +39,7 @@ ProofState settle(ProofState s, ProofRay ray, bool hit, REAL t, REAL value) {
 ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
     REAL low = float(max(s.settled - s.piece, ray.t_near));
     REAL high = s.at_root ? s.settled + min(s.piece, tube.w) : s.settled;
-    REAL2 there = VALUE_AT(ray, sampled_at(s, low));
+    REAL2 there = value_at(ray, sampled_at(s, low));
     REAL uncertain = uncertain_at_root(s, there);
     REAL4 f = bounds_of_piece(ray, low, high);
     s.pieces += 1;

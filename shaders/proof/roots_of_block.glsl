@@ -27,8 +27,8 @@ bool holds_within_bounds(vec2 x, vec2 y, vec2 z) {
 // `margin` from all roots.
 bool proves_roots(Beam boxes, Ends ends, Piece piece, Model f, float slope, float margin) {
     float leans = abs(piece.lean.x) + abs(piece.lean.y), reaches = piece.half_length + leans;
-    // What a root's tau is off by in s, too.
-    float rounding = 1.0e-6 * (abs(piece.middle) + reaches);
+    // How far a tau may be off: its length, its quotient and the place of its s, 60 ulps at most.
+    float rounding = 4.0e-6 * (abs(piece.middle) + reaches);
     float off = uncertain_at_ends(ends, piece, f) / slope * 1.000002 + rounding;
     vec2 x, y, z;
     box_around(boxes, piece.middle - reaches, piece.middle + reaches, x, y, z);

@@ -1,6 +1,6 @@
 // Bounds F at a point of the rays: its value on this ray, widened by its gradient for the others.
 // Near nodes, where terms cancel in the gradient, the natural bound is far wider.
-REAL2 value_by_gradient(ProofRay ray, REAL t) {
+REAL2 value_at(ProofRay ray, REAL t) {
     precise REAL3 p = ray_point(ray, t);
     Box all = box_around(ray, t, t);
     REAL2 gx, gy, gz;

@@ -6,7 +6,7 @@ PointModel coordinate_at(REAL anchor, REAL direction, REAL t, REAL3 axis) {
     return PointModel(c, tube.x * axis, md_up(2.0 * IM_ROUNDING * (abs(way) + abs(c))));
 }
 
-REAL2 value_by_model(ProofRay ray, REAL t) {
+REAL2 value_at(ProofRay ray, REAL t) {
     REAL3 a = ray.anchor, d = ray.direction;
     return md_range(field_model(coordinate_at(a.x, d.x, t, REAL3(1.0, 0.0, 0.0)),
                                 coordinate_at(a.y, d.y, t, REAL3(0.0, 1.0, 0.0)),

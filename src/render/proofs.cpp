@@ -117,7 +117,8 @@ void Proofs::upload(PassTable& table, const ProofRays& rays) {
     set_blocks(Role::block_proof, rays.beam);
     if (passes_.has(Role::coarse_block_proof))
         set_blocks(Role::coarse_block_proof, rays.coarse_beam);
-    for (const Role role : {Role::coarse_block_proof, Role::block_proof, Role::first_proof}) {
+    for (const Role role :
+         {Role::coarse_block_proof, Role::block_proof, Role::first_proof, Role::proof}) {
         if (passes_.has(role)) set_thickness(table.program(role), rays.of_floats);
     }
 }
@@ -150,10 +151,11 @@ void Proofs::prove_blocks(PassTable& table, const gpu::Rectangle& tile) {
 
 void Proofs::begin(PassTable& table, const OpenSquares& left, const gpu::Rectangle& tile) {
     open_.set(left.areas);
-    const gpu::Program& program = table.program(Role::first_proof);
+    mask_.set_and_paint(kept_, [&] { table.draw(table.program(Role::first_proof), tile, open_); });
+    const gpu::Program& program = table.program(Role::proof);
     program.set("pieces_per_pass", pieces_of_draw(natural_.cost, left.pixels));
-    kept_.bind();
-    table.draw(program, tile, open_);
+    program.set("start", int(Start::go_on));
+    draw_and_keep(table, program, tile);
 }
 
 void Proofs::read(const Areas& areas) {

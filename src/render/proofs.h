@@ -61,7 +61,8 @@ private:
     void draw_and_keep(PassTable& table, const gpu::Program& program, const gpu::Rectangle& tile);
     // Proves blocks of rays, and reads their proofs.
     void prove_blocks(PassTable& table, const gpu::Rectangle& tile);
-    // Draws the first pass of single rays over the squares that blocks left.
+    // Begins proofs of the single rays in the squares that blocks left, and draws a pass of them,
+    // in which most end.
     void begin(PassTable& table, const OpenSquares& left, const gpu::Rectangle& tile);
     // Reads the proofs of areas, area by area.
     void read(const Areas& areas);

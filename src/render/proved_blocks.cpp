@@ -51,9 +51,10 @@ ProvedBlocks proved_blocks(std::span<const float> blocks, int width, int height)
                     counts[std::size_t(outcomes.at(x, y))] += pixels;
                 }
             }
-            if (counts[std::size_t(Proof::none)] > 0) {
+            const std::int64_t open = counts[std::size_t(Proof::none)];
+            if (open > 0) {
                 found.left.add({left, low, right - left, top - low});
-                found.left.pixels += (right - left) * (top - low);
+                found.left.pixels += int(open);
                 continue;
             }
             for (std::size_t k = 0; k < counts.size(); ++k) found.outside[k] += counts[k];

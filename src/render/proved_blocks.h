@@ -14,7 +14,7 @@ namespace isomotion::render {
 inline constexpr float block_misses = -1, block_hits = -2;
 
 struct ProvedBlocks {
-    OpenSquares left;      // with a block that is not decided; all their pixels count as open
+    OpenSquares left;      // with a block that is not decided, whose pixels are open
     ProofCounts outside{}; // of the pixels elsewhere
 };
 

@@ -41,9 +41,9 @@ enum class Role {
     // Proofs, for scenes that ask for them: see render/proofs.h.
     coarse_block_proof, // proves, for larger blocks of rays, the part before all roots
     block_proof,        // proves blocks of rays together
-    first_proof,        // begins the proofs of single rays, and continues them by some pieces
+    first_proof,        // begins the proofs of single rays, and sets depth so that open ones go on
     proof_open,         // sets depth so that proofs run only for rays that are not decided
-    proof,              // continues them by more
+    proof,              // continues them by some pieces
     proof_copy,         // copies continued proofs to the target that holds all
     proof_unmask,       // sets depth so that finished ones don't run
     sharp_proof,        // tries undecided rays again, with bounds by the gradient
@@ -54,16 +54,14 @@ enum class When {
     once_a_tile,
     until_rays_end,      // repeatedly
     where_fused_ends,    // the same, if a tile's rays did not all end in the fused pass
-    where_proof_is_long, // repeatedly, for rays whose proofs their first pass does not end
-    where_proof_is_open, // the same, for rays that the first proofs leave undecided
+    where_proof_is_open, // repeatedly, for rays that the first proofs leave undecided
     at_two_times,        // around the frame's time
 };
 
 constexpr bool is_proof(Role role) { return role >= Role::coarse_block_proof; }
 // Whether most frames don't need it: such a pass is compiled when it is first needed.
 constexpr bool is_exceptional(When when) {
-    return when == When::where_fused_ends || when == When::where_proof_is_long ||
-           when == When::where_proof_is_open;
+    return when == When::where_fused_ends || when == When::where_proof_is_open;
 }
 std::string_view words(When when); // "once a tile"
 

@@ -97,20 +97,14 @@ void add_proof(ShaderText& text, const scene::Scene& scene, const Passes& passes
     add_inside_bounds(text, scene);
 }
 
-void name_function(ShaderText& text, const std::string& name, const std::string& function) {
-    text.generated("how F is bounded at a point", "#define " + name + " " + function + "\n");
-}
-
-void add_value_at(ShaderText& text, ProofBounds bounds, const std::string& name) {
-    const bool over_box = bounds == ProofBounds::natural;
-    text.file(over_box ? "proof/value_over_box.glsl" : "proof/value_by_gradient.glsl");
-    name_function(text, name, over_box ? "value_over_box" : "value_by_gradient");
+void add_value_at(ShaderText& text, ProofBounds bounds) {
+    text.file(bounds == ProofBounds::natural ? "proof/value_over_box.glsl"
+                                             : "proof/value_by_gradient.glsl");
 }
 
 // Proofs of single rays by models.
 void add_ray_models(ShaderText& text, const formula::Field& field, formula::Numbers numbers) {
     add_value_models(text, field, numbers);
-    name_function(text, "VALUE_AT", "value_by_model");
     add_piece_models(text, field, "proof/model_ray.glsl", numbers);
     text.file("proof/model_of_piece.glsl");
     text.file("proof/prove_by_models.glsl");
@@ -119,7 +113,7 @@ void add_ray_models(ShaderText& text, const formula::Field& field, formula::Numb
 // The same by bounds, of which the text must have the functions.
 void add_ray_bounds(ShaderText& text, const formula::Field& field, const Passes& passes,
                     ProofBounds bounds) {
-    add_value_at(text, bounds, "VALUE_AT");
+    add_value_at(text, bounds);
     text.file("proof/directional.glsl");
     text.file(takes_hessian(field, passes, bounds) ? "proof/bounds_by_hessian.glsl"
                                                    : "proof/bounds_over_box.glsl");
@@ -170,21 +164,17 @@ Pass first_proof(const scene::Scene& scene, const Passes& passes) {
     ShaderText text;
     if (goes_by_models(field, ProofBounds::natural)) {
         add_enclosures(text, field, passes, {});
-        add_by_place(text, passes);
         add_proof(text, scene, passes, ProofBounds::natural);
-        add_ray_models(text, field, formula::Numbers::floats);
-        name_function(text, "VALUE_AT_ROOT", "value_by_model");
+        add_value_models(text, field, formula::Numbers::floats);
     } else {
         // Terms of one sum do not cancel as a polynomial's do, so natural bounds are close.
         const auto bounds = has_lists(passes) ? ProofBounds::natural : ProofBounds::by_gradient;
-        std::vector functions = samples_of_ray(field, passes, ProofBounds::natural);
+        std::vector functions{FieldFunction::value_interval};
         if (bounds == ProofBounds::by_gradient)
             functions.push_back(FieldFunction::gradient_interval);
         add_enclosures(text, field, passes, functions);
-        add_by_place(text, passes);
         add_proof(text, scene, passes, bounds);
-        add_ray_bounds(text, field, passes, ProofBounds::natural);
-        add_value_at(text, bounds, "VALUE_AT_ROOT");
+        add_value_at(text, bounds);
     }
     text.file("proof/begin.frag");
     return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile,
@@ -219,16 +209,15 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
         return std::move(text).pass(Role::double_proof, "double proof", When::where_proof_is_open,
                                     Cover::rectangles);
     }
-    return std::move(text).pass(Role::proof, "proof", When::where_proof_is_long, Cover::rectangles);
+    return std::move(text).pass(Role::proof, "proof", When::once_a_tile, Cover::rectangles);
 }
 
 // A pass over what proofs keep.
-Pass of_outcomes(Role role, std::string name, const std::string& file) {
+Pass of_outcomes(Role role, std::string name, When when, const std::string& file) {
     ShaderText text;
     text.file("proof/outcome.glsl");
     text.file(file);
-    return std::move(text).pass(role, std::move(name), When::where_proof_is_open,
-                                Cover::rectangles);
+    return std::move(text).pass(role, std::move(name), when, Cover::rectangles);
 }
 
 } // namespace
@@ -256,10 +245,13 @@ std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes) 
         list.push_back(block_proof(scene, passes, Role::coarse_block_proof));
     list.push_back(block_proof(scene, passes, Role::block_proof));
     list.push_back(first_proof(scene, passes));
-    list.push_back(of_outcomes(Role::proof_open, "proof open", "proof/open.frag"));
+    list.push_back(
+        of_outcomes(Role::proof_open, "proof open", When::where_proof_is_open, "proof/open.frag"));
     list.push_back(proof(scene, passes, ProofBounds::natural));
-    list.push_back(of_outcomes(Role::proof_copy, "proof copy", "proof/copy.frag"));
-    list.push_back(of_outcomes(Role::proof_unmask, "proof unmask", "proof/unmask.frag"));
+    list.push_back(
+        of_outcomes(Role::proof_copy, "proof copy", When::once_a_tile, "proof/copy.frag"));
+    list.push_back(of_outcomes(Role::proof_unmask, "proof unmask", When::where_proof_is_open,
+                               "proof/unmask.frag"));
     list.push_back(proof(scene, passes, ProofBounds::by_gradient));
     list.push_back(proof(scene, passes, ProofBounds::in_doubles));
     return list;
