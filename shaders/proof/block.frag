@@ -8,7 +8,7 @@
 
 // The tau from which on F may be 0: .x + (.y u + .z v), with u and v from -1 to 1 across the block.
 // .w is the least slope of F in tau if F is monotone from there to behind the last root, by the
-// margin that begin.frag assumes; otherwise 0. It is -1 if proved that no ray hits.
+// margin that begin.frag assumes; otherwise 0; or an outcome: block_outcome.glsl.
 layout(location = 0) out vec4 block_proof;
 
 uniform int block_pieces; // limit on the pieces
@@ -17,6 +17,7 @@ void main() {
     ivec2 block = ivec2(pixel_centre);
     Beam way = beam_of(block);
     Part whole = parent_part(block);
+    bool has_way = whole.low < whole.high; // else larger beams proved that no ray hits
 
     // Finds where the rays end, in tau.
     int hits = 0, misses = 0;
@@ -52,7 +53,8 @@ void main() {
     vec2 x, y, z;
     float settled = low, piece = 0.0, longest = 0.25 * (high - low);
     float value = 0.0; // F at `settled` is at least this far from 0, with this sign; 0: unknown
-    bool below = false, open = low < high && hits + misses > 0, monotone = false, at_roots = false;
+    bool open = has_way && low < high && hits + misses > 0;
+    bool below = false, monotone = false, at_roots = false;
     float slope = 0.0;
     for (int k = 0; k < block_pieces && open; ++k) {
         float end = at_roots ? high : min(settled + piece, high);
@@ -80,6 +82,6 @@ void main() {
         }
         open = open && HAS_ELEMENTS_LEFT;
     }
-    bool missed = all_miss && settled >= high;
-    block_proof = vec4(settled, 0.0, 0.0, missed ? -1.0 : monotone ? slope : 0.0);
+    bool missed = all_miss && (!has_way || settled >= high);
+    block_proof = vec4(settled, 0.0, 0.0, missed ? BLOCK_MISSES : monotone ? slope : 0.0);
 }

@@ -1,8 +1,8 @@
 // Proves a block of BLOCK x BLOCK rays of a polynomial F at once, as far as possible, by models of
 // F over pieces of their beam. It differs from block.frag in three ways. Pieces lie between planes,
 // and the last plane leans as the surface does at the hits, so that a thin piece holds all roots.
-// That piece comes first. In any other piece the beginning is settled as far as the quadratic stays
-// away from 0, less the model's error.
+// That piece comes first, and may prove the roots themselves: roots_of_block.glsl. In any other
+// piece the beginning is settled as far as the quadratic stays away from 0, less the model's error.
 //
 // Larger blocks come before (COARSE); they only prove the part before all roots.
 
@@ -15,12 +15,13 @@ void main() {
     Beam boxes = beam_of(block);
     Across way = across_block(block);
     Part whole = parent_part(block);
+    bool has_way = whole.low < whole.high; // else larger beams proved that no ray hits
     Ends ends = ends_of(block);
     bool all_hit = ends.hits == RAYS, all_miss = ends.misses == RAYS;
     float margin = 2.0 * tube.z / ends.nearest_eye;
     float around = 2.0 * tube.w / ends.nearest_eye + margin;
     float low = settled_before(block, whole.low - margin), high = whole.high + margin;
-    bool open = low < high && ends.hits + ends.misses > 0, roots = open && all_hit;
+    bool open = has_way && low < high && ends.hits + ends.misses > 0, roots = open && all_hit;
     // The piece with the roots, above the leaning plane. Roots must keep the distance from its ends
     // that begin.frag assumes.
     float beside = around + 0.3 * beam.z + 0.05 * (ends.last - ends.first);
@@ -33,6 +34,7 @@ void main() {
 
     float way_length = first - low;
     float settled = 0.0, part = 1.0, slope = 0.0;
+    bool roots_proved = false;
     for (int k = 0; k < block_pieces && open; ++k) {
         float to = min(settled + part, 1.0);
         float middle = 0.5 * (settled + to), half_part = 0.500001 * (to - settled) + IM_DRIVER_ERROR;
@@ -56,6 +58,9 @@ void main() {
             float bends = 2.0 * abs(f.d.z) + abs(f.o.y) + abs(f.o.z);
             precise float least = abs(f.l.z) - 1.000001 * (bends + f.slope_error) - rounding;
             slope = least > 0.0 ? 0.999999 * least / piece.half_length : 0.0;
+#ifndef COARSE
+            roots_proved = proves_roots(boxes, ends, piece, f, slope, margin);
+#endif
             roots = false;
         } else {
             vec2 x, y, z;
@@ -68,8 +73,10 @@ void main() {
         }
         open = settled < 1.0 && part * way_length > 0.25 * beam.z;
     }
-    bool settles = settled >= 1.0 || low >= high;
-    slope = all_miss && settles ? -1.0 : settles ? slope : 0.0;
+    bool settles = settled >= 1.0 || low >= high || all_miss && !has_way;
+    if (!settles) slope = 0.0;
+    if (settles && all_miss) slope = BLOCK_MISSES;
+    if (roots_proved && settled >= 1.0) slope = BLOCK_HITS;
     float settled_to = low + settled * way_length - margin;
 #ifdef COARSE
     if (settles) settled_to = IM_SATURATION;

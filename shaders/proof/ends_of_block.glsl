@@ -5,7 +5,10 @@ struct Ends {
     int hits, misses;
     vec2 lean;         // of the plane through the hits
     float first, last; // of hits, above the plane
-    float nearest_eye;
+    float nearest_eye, farthest_eye;
+#ifndef COARSE
+    float taus[RAYS];
+#endif
 };
 
 vec2 place_in_block(int k) {
@@ -16,7 +19,7 @@ vec2 place_in_block(int k) {
 Ends ends_of(ivec2 block) {
     vec3 forward = normalize(cross(normalize(ray_right.xyz), normalize(ray_up.xyz)));
     float nearest_eye = abs(dot(ray_axis.xyz, forward));
-    return Ends(0, RAYS, vec2(0.0), 0.0, 0.0, 0.999 * nearest_eye);
+    return Ends(0, RAYS, vec2(0.0), 0.0, 0.0, 0.999 * nearest_eye, 0.0);
 }
 
 float settled_before(ivec2 block, float low) {
@@ -31,8 +34,12 @@ float settled_before(ivec2 block, float low) {
 }
 
 Ends ends_of(ivec2 block) {
-    Ends ends = Ends(0, 0, vec2(0.0), IM_SATURATION, -IM_SATURATION, IM_SATURATION);
-    float taus[RAYS];
+    Ends ends;
+    ends.hits = ends.misses = 0;
+    ends.lean = vec2(0.0);
+    ends.first = ends.nearest_eye = IM_SATURATION;
+    ends.last = -IM_SATURATION;
+    ends.farthest_eye = 0.0;
     float squares = 0.0;
     for (int k = 0; k < RAYS; ++k) {
         ivec2 pixel = block * BLOCK + ivec2(k % BLOCK, k / BLOCK);
@@ -41,17 +48,18 @@ Ends ends_of(ivec2 block) {
         vec3 across = at.x * ray_right.xyz + at.y * ray_up.xyz;
         float to_eye = length(ray_axis.xyz + ray_axis.w * across);
         vec2 place = place_in_block(k);
-        taus[k] = ended.t / to_eye;
+        ends.taus[k] = ended.t / to_eye;
         ends.hits += int(ended.hit);
         ends.misses += int(ended.miss);
-        ends.lean += taus[k] * place;
+        ends.lean += ends.taus[k] * place;
         squares += place.x * place.x;
         ends.nearest_eye = min(ends.nearest_eye, to_eye);
+        ends.farthest_eye = max(ends.farthest_eye, to_eye);
     }
     ends.lean = ends.hits == RAYS ? ends.lean / squares : vec2(0.0);
     if (ends.hits < RAYS) return ends;
     for (int k = 0; k < RAYS; ++k) {
-        float above = taus[k] - dot(ends.lean, place_in_block(k));
+        float above = ends.taus[k] - dot(ends.lean, place_in_block(k));
         ends.first = min(ends.first, above);
         ends.last = max(ends.last, above);
     }

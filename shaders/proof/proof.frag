@@ -1,18 +1,12 @@
-// One pass of the proofs of single rays, by bounds.
+// One pass of the proofs of single rays.
 uniform int start; // 0: continue; 1: resume proofs that were given up
 
 layout(location = 0) out vec4 proof;
 
 void main() {
     bool hit = load_ending(ivec2(pixel_centre)).hit;
-    ProofRay ray = proof_ray(ray_to_prove());
+    Ray marched = ray_to_prove(marched_ray());
     ProofState s = load_proof();
-    bool again = start == 1 && s.outcome >= PROOF_HIDDEN && s.settled > ray.t_near;
-    if (again) s = resume_proof(s);
-    int turns = pieces_per_pass;
-    while (turns > 0 && s.outcome == PROOF_UNFINISHED) {
-        s = prove_piece(s, ray, hit);
-        turns = HAS_ELEMENTS_LEFT ? turns - 1 : 0;
-    }
-    proof = packed_proof(s);
+    if (start == 1 && s.outcome >= PROOF_HIDDEN && s.settled > marched.t_near) s = resume_proof(s);
+    proof = packed_proof(prove_pieces(s, proof_ray(marched), hit));
 }

@@ -99,3 +99,13 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
     if (s.outcome == PROOF_UNFINISHED && s.pieces >= most_pieces) s = conclude(s, PROOF_BUDGET);
     return s;
 }
+
+// Continues a proof by the pieces of a pass.
+ProofState prove_pieces(ProofState s, ProofRay ray, bool hit) {
+    int turns = pieces_per_pass;
+    while (turns > 0 && s.outcome == PROOF_UNFINISHED) {
+        s = prove_piece(s, ray, hit);
+        turns = HAS_ELEMENTS_LEFT ? turns - 1 : 0;
+    }
+    return s;
+}

@@ -89,3 +89,11 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     if (s.outcome == PROOF_UNFINISHED && s.pieces >= most_pieces) s = conclude(s, PROOF_BUDGET);
     return s;
 }
+
+// Continues a proof by the pieces of a pass.
+ProofState prove_pieces(ProofState s, ProofRay ray, bool hit) {
+    REAL uncertain = uncertain_at_root(s, value_at(ray, s.settled));
+    for (int turns = pieces_per_pass; turns > 0 && s.outcome == PROOF_UNFINISHED; --turns)
+        s = prove_piece(s, ray, hit, uncertain);
+    return s;
+}

@@ -12,9 +12,13 @@ float settled_by_block(vec4 block) {
     return block.x + dot(block.yz, place);
 }
 
-Ray ray_to_prove() {
+Ray marched_ray() {
     Ray ray = pixel_ray();
     enter_beam(ray);
+    return ray;
+}
+
+Ray ray_to_prove(Ray ray) {
 #ifdef LISTS
     choose_list_of_proof(ray, load_ending(ivec2(pixel_centre)));
 #endif

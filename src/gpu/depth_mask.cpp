@@ -58,6 +58,12 @@ void DepthMask::set(const Target& bound, const std::function<void()>& draw) cons
     draw();
 }
 
+void DepthMask::set_and_paint(const Target& bound, const std::function<void()>& draw) const {
+    bound.bind();
+    const Testing always(GL_ALWAYS, true);
+    draw();
+}
+
 void DepthMask::remove(const Target& bound, const std::function<void()>& draw) const {
     bound.bind();
     const Testing masked(GL_LESS, true);

@@ -26,8 +26,6 @@ public:
     // are misses with the colour `background`.
     void draw(PassTable& table, const gpu::Rectangle& tile, const ScenePlan& plan,
               glm::vec4 background) const;
-    // After a draw: the pixels whose rays were marched.
-    const gpu::DepthMask& mask() const { return mask_; }
 
 private:
     const gpu::Target& result_;

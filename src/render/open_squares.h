@@ -16,28 +16,39 @@ struct OpenSquares {
     int pixels = 0;                    // open ones
 
     static constexpr int side = 16;
+
+    // Adds a part of a row of squares, from left to right.
+    void add(const gpu::Rectangle& part) {
+        gpu::Rectangle* last = areas.empty() ? nullptr : &areas.back();
+        if (last && last->y == part.y && last->x + last->width == part.x) {
+            last->width += part.width;
+        } else {
+            areas.push_back(part);
+        }
+    }
 };
 
-// The squares with a pixel for which `is_open` is true of the first of its four numbers. `record`
-// has these for `width` x `height` pixels, row by row.
+// Of these areas, which are whole squares but at the picture's edges, the squares with a pixel for
+// which `is_open` is true of the first of its four numbers. `texels` has these area by area, each
+// row by row.
 template<class IsOpen>
-OpenSquares open_squares(std::span<const float> record, int width, int height,
+OpenSquares open_squares(std::span<const gpu::Rectangle> areas, std::span<const float> texels,
                          const IsOpen& is_open) {
     constexpr int side = OpenSquares::side;
     OpenSquares found;
-    std::vector<int> open(std::size_t((width + side - 1) / side)); // pixels of each square of a row
-    for (int low = 0; low < height; low += side) {
-        const int top = std::min(low + side, height);
-        std::ranges::fill(open, 0);
-        for (int y = low; y < top; ++y) {
-            const float* row = record.data() + std::size_t(y) * std::size_t(width) * 4;
+    std::vector<int> open; // pixels of each square of an area
+    for (const gpu::Rectangle& area : areas) {
+        open.assign(std::size_t((area.width + side - 1) / side), 0);
+        for (int y = 0; y < area.height; ++y) {
+            const float* row = texels.data();
+            texels = texels.subspan(4 * std::size_t(area.width));
             for (int square = 0; square < int(open.size()); ++square) {
                 const int left = square * side;
                 int count = 0;
-                if (left + side <= width) { // of a constant number, which compilers vectorise
+                if (left + side <= area.width) { // of a constant number, which compilers vectorise
                     for (int k = 0; k < side; ++k) count += is_open(row[4 * (left + k)]);
                 } else {
-                    for (int x = left; x < width; ++x) count += is_open(row[4 * x]);
+                    for (int x = left; x < area.width; ++x) count += is_open(row[4 * x]);
                 }
                 open[std::size_t(square)] += count;
             }
@@ -45,13 +56,8 @@ OpenSquares open_squares(std::span<const float> record, int width, int height,
         for (int square = 0; square < int(open.size()); ++square) {
             if (open[std::size_t(square)] == 0) continue;
             found.pixels += open[std::size_t(square)];
-            const int left = square * side, right = std::min(left + side, width);
-            gpu::Rectangle* last = found.areas.empty() ? nullptr : &found.areas.back();
-            if (last && last->y == low && last->x + last->width == left) {
-                last->width = right - last->x;
-            } else {
-                found.areas.push_back({left, low, right - left, top - low});
-            }
+            const int left = square * side;
+            found.add({area.x + left, area.y, std::min(side, area.width - left), area.height});
         }
     }
     return found;

@@ -1,13 +1,12 @@
 #include "render/proofs.h"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "render/doubles.h"
-#include "render/open_squares.h"
+#include "render/proved_blocks.h"
 #include "render/scene_plan.h"
 #include "synthesis/proof_text.h"
 
@@ -63,47 +62,30 @@ int attachment_of(const synthesis::Passes& passes, synthesis::Channel channel) {
     return 2 + int(std::find(all.begin(), all.end(), channel) - all.begin());
 }
 
+// Replaces areas of a record of so many pixels a row.
+void write_areas(std::span<const gpu::Rectangle> areas, std::span<const float> texels, int width,
+                 std::span<float> record) {
+    for (const gpu::Rectangle& area : areas) {
+        for (int y = area.y; y < area.y + area.height; ++y) {
+            const auto row = texels.first(4 * std::size_t(area.width));
+            const std::size_t begin =
+                4 * (std::size_t(y) * std::size_t(width) + std::size_t(area.x));
+            std::ranges::copy(row, record.subspan(begin).begin());
+            texels = texels.subspan(row.size());
+        }
+    }
+}
+
+void set_thickness(const gpu::Program& program, const RayThickness& thickness) {
+    program.set("tube", thickness.tube);
+    program.set("shortest_piece", thickness.shortest_piece);
+    program.set("most_pieces", Proofs::most_pieces);
+}
+
 } // namespace
 
-// Lanes of ints, which loops vectorise; few enough at a time that these hold the counts.
-ProofCounts count_proofs(std::span<const float> record) {
-    constexpr std::size_t at_a_time = 4 * 4096;
-    ProofCounts counts{};
-    for (std::size_t begin = 0; begin < record.size(); begin += at_a_time) {
-        const auto part = record.subspan(begin, std::min(at_a_time, record.size() - begin));
-        std::array<int, proof_names.size()> of_part{};
-        for (std::size_t k = 0; k < part.size(); k += 4) {
-            for (std::size_t proof = 0; proof < of_part.size(); ++proof)
-                of_part[proof] += part[k] == float(proof);
-        }
-        for (std::size_t proof = 0; proof < counts.size(); ++proof) counts[proof] += of_part[proof];
-    }
-    // What is no outcome proves nothing.
-    const auto counted = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
-    counts[std::size_t(Proof::none)] += std::int64_t(record.size() / 4) - counted;
-    return counts;
-}
-
-double proved_part(const ProofCounts& counts) {
-    const auto all = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
-    const auto proved = counts[std::size_t(Proof::hit)] + counts[std::size_t(Proof::miss)];
-    return all > 0 ? double(proved) / double(all) : 0;
-}
-
-std::string summary(const ProofCounts& counts) {
-    const auto all = double(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
-    std::string text = fmt::format("proved {:.2f} %", 100 * proved_part(counts));
-    const char* before = "; not proved: ";
-    for (std::size_t k = 0; k < counts.size(); ++k) {
-        if (is_proved(Proof(k)) || counts[k] == 0) continue;
-        text += fmt::format("{}{:.2f} % {}", before, 100 * double(counts[k]) / all, proof_names[k]);
-        before = ", ";
-    }
-    return text;
-}
-
 Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const MarchPlan& plan,
-               const gpu::DepthMask* mask, bool in_doubles)
+               bool in_doubles)
     : passes_(passes)
     , scene_(scene)
     , may_take_doubles_(in_doubles)
@@ -119,9 +101,9 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
     , going_on_(plan.tile_width, plan.tile_height)
-    , mask_(mask ? *mask : own_mask_.emplace(going_on_))
+    , mask_(going_on_)
     , frame_(sizeof(FrameBlock)) {
-    for (const gpu::Target* target : {&kept_, &going_on_}) mask_.serve(*target);
+    mask_.serve(kept_);
 }
 
 void Proofs::upload(PassTable& table, const ProofRays& rays) {
@@ -135,19 +117,10 @@ void Proofs::upload(PassTable& table, const ProofRays& rays) {
     set_blocks(Role::block_proof, rays.beam);
     if (passes_.has(Role::coarse_block_proof))
         set_blocks(Role::coarse_block_proof, rays.coarse_beam);
-    const auto set = [&](Role role, const RayThickness& thickness) {
-        const gpu::Program& program = table.program(role);
-        program.set("tube", thickness.tube);
-        program.set("shortest_piece", thickness.shortest_piece);
-        program.set("most_pieces", most_pieces);
-    };
     for (const Role role :
          {Role::coarse_block_proof, Role::block_proof, Role::first_proof, Role::proof}) {
-        if (passes_.has(role)) set(role, rays.of_floats);
+        if (passes_.has(role)) set_thickness(table.program(role), rays.of_floats);
     }
-    if (!closer_ || !*closer_) return;
-    const Role role = (*closer_)->role;
-    set(role, role == Role::double_proof ? rays.of_doubles : rays.of_floats);
 }
 
 void Proofs::draw_and_keep(PassTable& table, const gpu::Program& program,
@@ -159,7 +132,7 @@ void Proofs::draw_and_keep(PassTable& table, const gpu::Program& program,
     mask_.apply(kept_, [&] { table.draw(table.program(Role::proof_copy), tile, open_); });
 }
 
-void Proofs::begin(PassTable& table, const gpu::Rectangle& tile) {
+void Proofs::prove_blocks(PassTable& table, const gpu::Rectangle& tile) {
     const auto draw_blocks = [&](Role role, int block, const gpu::Target& into) {
         table.draw(
             table.program(role),
@@ -171,7 +144,32 @@ void Proofs::begin(PassTable& table, const gpu::Rectangle& tile) {
         table.bind("coarse_block_texture", of_coarse_blocks_.texture(0));
     }
     draw_blocks(Role::block_proof, synthesis::proved_block, of_blocks_);
-    mask_.apply(kept_, [&] { table.draw(table.program(Role::first_proof), tile); });
+    const int across = blocks_across(tile.width), up = blocks_across(tile.height);
+    blocks_.resize(4 * std::size_t(across) * std::size_t(up));
+    of_blocks_.read(0, 0, 0, across, up, blocks_);
+}
+
+void Proofs::begin(PassTable& table, const OpenSquares& left, const gpu::Rectangle& tile) {
+    open_.set(left.areas);
+    mask_.set_and_paint(kept_, [&] { table.draw(table.program(Role::first_proof), tile, open_); });
+    const gpu::Program& program = table.program(Role::proof);
+    program.set("pieces_per_pass", pieces_of_draw(natural_.cost, left.pixels));
+    program.set("start", int(Start::go_on));
+    draw_and_keep(table, program, tile);
+}
+
+void Proofs::read(const Areas& areas) {
+    const auto floats_of = [](const gpu::Rectangle& area) {
+        return 4 * std::size_t(area.width) * std::size_t(area.height);
+    };
+    std::size_t floats = 0;
+    for (const gpu::Rectangle& area : areas) floats += floats_of(area);
+    texels_.resize(floats);
+    std::span<float> to(texels_);
+    for (const gpu::Rectangle& area : areas) {
+        kept_.read(0, area.x, area.y, area.width, area.height, to.first(floats_of(area)));
+        to = to.subspan(floats_of(area));
+    }
 }
 
 std::uint32_t Proofs::take_finished_off(PassTable& table, const gpu::Rectangle& tile) {
@@ -182,11 +180,11 @@ std::uint32_t Proofs::take_finished_off(PassTable& table, const gpu::Rectangle& 
     return finished_.passed();
 }
 
-void Proofs::prove_rays(PassTable& table, const Pieces& by, Start start, const OpenSquares& open,
-                        const gpu::Rectangle& tile) {
-    if (open.pixels == 0) return;
+void Proofs::prove_rays(PassTable& table, const Pieces& by, const RayThickness& thickness,
+                        Start start, const OpenSquares& open, const gpu::Rectangle& tile) {
     open_.set(open.areas);
     const gpu::Program& program = table.program(by.role);
+    set_thickness(program, thickness);
     const gpu::Program& gate = table.program(Role::proof_open);
     gate.set("start", int(start));
     table.bind("proof_texture", kept_.texture(0));
@@ -219,36 +217,46 @@ const std::optional<Proofs::Pieces>& Proofs::closer(const PassTable& table) {
     return *closer_;
 }
 
-void Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Target& picture,
-                   bool is_masked, const gpu::Rectangle& tile, std::span<float> record) {
+ProofCounts Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Target& picture,
+                          const gpu::Rectangle& tile, std::span<float> record) {
     if (!rays.in_range) {
         std::ranges::fill(record, float(Proof::none));
-        return;
+        ProofCounts counts{};
+        counts[std::size_t(Proof::none)] = std::int64_t(tile.width) * tile.height;
+        return counts;
     }
     upload(table, rays);
     table.bind("ending_texture", picture.texture(ending_));
     table.bind("block_texture", of_blocks_.texture(0));
-    kept_.clear(0, glm::vec4(float(Proof::miss), 0, 0, 0));
-    if (!is_masked) {
-        mask_.set(kept_, [&] { table.draw(table.program(Role::proof_mask), tile); });
+    prove_blocks(table, tile);
+    const ProvedBlocks blocks = proved_blocks(blocks_, tile.width, tile.height);
+    if (!record.empty()) write_proved_blocks(blocks_, tile.width, tile.height, record);
+    const Areas& areas = blocks.left.areas;
+    ProofCounts counts = blocks.outside;
+    if (areas.empty()) return counts;
+
+    begin(table, blocks.left, tile);
+    read(areas);
+    const OpenSquares unfinished =
+        open_squares(areas, texels_, [](float outcome) { return outcome < 0; });
+    if (unfinished.pixels > 0) {
+        prove_rays(table, natural_, rays.of_floats, Start::go_on, unfinished, tile);
+        read(areas);
     }
-    begin(table, tile);
-    // What of the tile is open, by the first number of each pixel.
-    const auto read_where = [&](const auto& is_open) {
-        kept_.read(0, 0, 0, tile.width, tile.height, record);
-        return open_squares(record, tile.width, tile.height, is_open);
-    };
-    const OpenSquares unfinished = read_where([](float outcome) { return outcome < 0; });
-    prove_rays(table, natural_, Start::go_on, unfinished, tile);
     const OpenSquares undecided =
-        read_where([](float outcome) { return outcome >= float(Proof::hidden); });
-    if (undecided.pixels == 0) return;
-    const bool is_first = !closer_;
-    const std::optional<Pieces>& again = closer(table);
-    if (!again) return;
-    if (is_first) upload(table, rays);
-    prove_rays(table, *again, Start::again, undecided, tile);
-    kept_.read(0, 0, 0, tile.width, tile.height, record);
+        open_squares(areas, texels_, [](float outcome) { return outcome >= float(Proof::hidden); });
+    if (undecided.pixels > 0) {
+        if (const std::optional<Pieces>& again = closer(table)) {
+            const bool in_doubles = again->role == Role::double_proof;
+            prove_rays(table, *again, in_doubles ? rays.of_doubles : rays.of_floats, Start::again,
+                       undecided, tile);
+            read(areas);
+        }
+    }
+    const ProofCounts in_areas = count_proofs(texels_);
+    for (std::size_t k = 0; k < counts.size(); ++k) counts[k] += in_areas[k];
+    if (!record.empty()) write_areas(areas, texels_, tile.width, record);
+    return counts;
 }
 
 } // namespace isomotion::render

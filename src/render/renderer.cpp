@@ -76,7 +76,7 @@ struct Renderer::Parts {
         }
         if (passes.has(Role::motion)) moved.emplace(plan.march);
         if (passes.has(Role::proof)) {
-            proofs.emplace(passes, scene, plan.march, fused ? &fused->mask() : nullptr,
+            proofs.emplace(passes, scene, plan.march,
                            options.proofs_in_doubles && context.info().has(4, 0));
         }
     }
@@ -319,11 +319,11 @@ struct Renderer::Parts {
 
     // Proves the rays of a tile that is drawn; counts and, where wanted, keeps the outcomes.
     void prove_tile(const PictureInputs& inputs, const gpu::Rectangle& tile, Picture& picture) {
-        proved.resize(std::size_t(tile.width) * std::size_t(tile.height) * 4);
-        proofs->prove(table, *inputs.proofs, result, one_draw, tile, proved);
-        const ProofCounts counts = count_proofs(proved);
+        const bool keeps = layers.wants(Channel::proof);
+        proved.resize(keeps ? std::size_t(tile.width) * std::size_t(tile.height) * 4 : 0);
+        const ProofCounts counts = proofs->prove(table, *inputs.proofs, result, tile, proved);
         for (std::size_t k = 0; k < counts.size(); ++k) picture.proofs[k] += counts[k];
-        if (layers.wants(Channel::proof)) {
+        if (keeps) {
             planes.copy(proved.data(), tile, 0, tile.height,
                         Layers::of(picture.frame, Channel::proof));
         }
@@ -472,7 +472,7 @@ struct Renderer::Parts {
     std::string environment_print;                  // of its texels
     std::optional<VelocityPass> moved;
     std::optional<Proofs> proofs;
-    std::vector<float> proved; // of the tile proved last
+    std::vector<float> proved; // of the tile proved last, if it is kept
     double done = 0;           // the part of the picture that is drawn
     image::Frame used;         // whose memory the next picture may have
     PicturesInFlight flights;

@@ -70,8 +70,6 @@ std::string_view words(When when) {
         return "until every ray has ended";
     case When::where_fused_ends:
         return "where one draw is too few for every ray";
-    case When::until_proved:
-        return "until every ray is proved or given up";
     case When::where_proof_is_open:
         return "where proofs in floats stay open";
     case When::at_two_times:

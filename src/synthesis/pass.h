@@ -39,10 +39,9 @@ enum class Role {
     shade,          // makes the picture from finished rays
     motion,         // F and its gradient at another time, at the ends of rays
     // Proofs, for scenes that ask for them: see render/proofs.h.
-    proof_mask,         // sets depth so that proofs run only for rays with something to prove
     coarse_block_proof, // proves, for larger blocks of rays, the part before all roots
     block_proof,        // proves blocks of rays together
-    first_proof,        // begins the proofs of single rays
+    first_proof,        // begins the proofs of single rays, and sets depth so that open ones go on
     proof_open,         // sets depth so that proofs run only for rays that are not decided
     proof,              // continues them by some pieces
     proof_copy,         // copies continued proofs to the target that holds all
@@ -55,12 +54,11 @@ enum class When {
     once_a_tile,
     until_rays_end,      // repeatedly
     where_fused_ends,    // the same, if a tile's rays did not all end in the fused pass
-    until_proved,        // repeatedly
-    where_proof_is_open, // the same, for rays that the first proofs leave undecided
+    where_proof_is_open, // repeatedly, for rays that the first proofs leave undecided
     at_two_times,        // around the frame's time
 };
 
-constexpr bool is_proof(Role role) { return role >= Role::proof_mask; }
+constexpr bool is_proof(Role role) { return role >= Role::coarse_block_proof; }
 // Whether most frames don't need it: such a pass is compiled when it is first needed.
 constexpr bool is_exceptional(When when) {
     return when == When::where_fused_ends || when == When::where_proof_is_open;

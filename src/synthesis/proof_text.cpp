@@ -29,8 +29,7 @@ void add_models(ShaderText& text, const formula::Field& field, const std::string
 }
 
 // Adds models of F around points.
-void add_value_models(ShaderText& text, const formula::Field& field,
-                      formula::Numbers numbers = formula::Numbers::floats) {
+void add_value_models(ShaderText& text, const formula::Field& field, formula::Numbers numbers) {
     add_models(text, field, "PointModel", "proof/model_point.glsl", numbers);
     text.file("proof/value_by_model.glsl");
 }
@@ -76,26 +75,49 @@ std::vector<FieldFunction> samples_of_ray(const formula::Field& field, const Fie
     return samples;
 }
 
+void add_inside_bounds(ShaderText& text, const scene::Scene& scene) {
+    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+    text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");
+}
+
 // What its proof begins with: the part it is of, the boxes around it, what F can be in one.
 void add_proof(ShaderText& text, const scene::Scene& scene, const Passes& passes,
                ProofBounds bounds) {
-    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
     add_ended_ray(text, scene);
     if (has_lists(passes)) text.define("LISTS", 1);
     add_entrance(text, passes, !passes.beams.empty());
     text.define("PROVED_BLOCK", proved_block);
     text.file("proof/rounding.glsl");
     if (has_lists(passes)) text.file("proof/list_of_ray.glsl");
+    text.file("proof/block_outcome.glsl");
     text.file("proof/way.glsl");
     text.file("proof/outcome.glsl");
     text.file(bounds == ProofBounds::in_doubles ? "proof/in_doubles.glsl" : "proof/in_floats.glsl");
     text.file("proof/tube.glsl");
-    text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");
+    add_inside_bounds(text, scene);
 }
 
 void add_value_at(ShaderText& text, ProofBounds bounds) {
     text.file(bounds == ProofBounds::natural ? "proof/value_over_box.glsl"
                                              : "proof/value_by_gradient.glsl");
+}
+
+// Proofs of single rays by models.
+void add_ray_models(ShaderText& text, const formula::Field& field, formula::Numbers numbers) {
+    add_value_models(text, field, numbers);
+    add_piece_models(text, field, "proof/model_ray.glsl", numbers);
+    text.file("proof/model_of_piece.glsl");
+    text.file("proof/prove_by_models.glsl");
+}
+
+// The same by bounds, of which the text must have the functions.
+void add_ray_bounds(ShaderText& text, const formula::Field& field, const Passes& passes,
+                    ProofBounds bounds) {
+    add_value_at(text, bounds);
+    text.file("proof/directional.glsl");
+    text.file(takes_hessian(field, passes, bounds) ? "proof/bounds_by_hessian.glsl"
+                                                   : "proof/bounds_over_box.glsl");
+    text.file("proof/prove.glsl");
 }
 
 Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
@@ -120,12 +142,17 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
     text.file("march/verdict.glsl");
     text.file("proof/ending.glsl");
     text.file("proof/rounding.glsl");
+    text.file("proof/block_outcome.glsl");
     if (has_lists(passes)) text.define("LISTS", 1);
     add_beam_of_block(text, scene, passes, block);
     if (has_lists(passes)) text.file("proof/list_of_block.glsl");
     if (by_models) {
         text.file("proof/piece_of_block.glsl");
         text.file("proof/ends_of_block.glsl");
+        if (!is_coarse) {
+            add_inside_bounds(text, scene);
+            text.file("proof/roots_of_block.glsl");
+        }
     }
     text.file(by_models ? "proof/block_by_models.frag" : "proof/block.frag");
     return std::move(text).pass(role, is_coarse ? "coarse block proof" : "block proof",
@@ -138,7 +165,7 @@ Pass first_proof(const scene::Scene& scene, const Passes& passes) {
     if (goes_by_models(field, ProofBounds::natural)) {
         add_enclosures(text, field, passes, {});
         add_proof(text, scene, passes, ProofBounds::natural);
-        add_value_models(text, field);
+        add_value_models(text, field, formula::Numbers::floats);
     } else {
         // Terms of one sum do not cancel as a polynomial's do, so natural bounds are close.
         const auto bounds = has_lists(passes) ? ProofBounds::natural : ProofBounds::by_gradient;
@@ -150,7 +177,8 @@ Pass first_proof(const scene::Scene& scene, const Passes& passes) {
         add_value_at(text, bounds);
     }
     text.file("proof/begin.frag");
-    return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile);
+    return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile,
+                                Cover::rectangles);
 }
 
 Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) {
@@ -163,21 +191,14 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
         add_enclosures(text, field, passes, {}, numbers);
         add_by_place(text, passes);
         add_proof(text, scene, passes, bounds);
-        add_value_models(text, field, numbers);
-        add_piece_models(text, field, "proof/model_ray.glsl", numbers);
-        text.file("proof/model_of_piece.glsl");
-        text.file("proof/prove_by_models.glsl");
+        add_ray_models(text, field, numbers);
     } else {
         add_enclosures(text, field, passes, samples_of_ray(field, passes, bounds), numbers);
         add_by_place(text, passes);
         add_proof(text, scene, passes, bounds);
-        add_value_at(text, bounds);
-        text.file("proof/directional.glsl");
-        text.file(takes_hessian(field, passes, bounds) ? "proof/bounds_by_hessian.glsl"
-                                                       : "proof/bounds_over_box.glsl");
-        text.file("proof/prove.glsl");
+        add_ray_bounds(text, field, passes, bounds);
     }
-    text.file(goes_by_models(field, bounds) ? "proof/proof_by_models.frag" : "proof/proof.frag");
+    text.file("proof/proof.frag");
     switch (bounds) {
     case ProofBounds::natural:
         break;
@@ -188,24 +209,15 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
         return std::move(text).pass(Role::double_proof, "double proof", When::where_proof_is_open,
                                     Cover::rectangles);
     }
-    return std::move(text).pass(Role::proof, "proof", When::until_proved, Cover::rectangles);
-}
-
-Pass proof_mask(const scene::Scene& scene, const Passes& passes) {
-    ShaderText text;
-    text.file("math/bits.glsl");
-    add_ended_ray(text, scene);
-    add_way(text, passes, !passes.beams.empty());
-    text.file("proof/mask.frag");
-    return std::move(text).pass(Role::proof_mask, "proof mask", When::once_a_tile);
+    return std::move(text).pass(Role::proof, "proof", When::once_a_tile, Cover::rectangles);
 }
 
 // A pass over what proofs keep.
-Pass of_outcomes(Role role, std::string name, const std::string& file) {
+Pass of_outcomes(Role role, std::string name, When when, const std::string& file) {
     ShaderText text;
     text.file("proof/outcome.glsl");
     text.file(file);
-    return std::move(text).pass(role, std::move(name), When::until_proved, Cover::rectangles);
+    return std::move(text).pass(role, std::move(name), when, Cover::rectangles);
 }
 
 } // namespace
@@ -229,15 +241,17 @@ formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& sto
 
 std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes) {
     std::vector<Pass> list;
-    list.push_back(proof_mask(scene, passes));
     if (goes_by_models(*scene.surface.field, ProofBounds::natural))
         list.push_back(block_proof(scene, passes, Role::coarse_block_proof));
     list.push_back(block_proof(scene, passes, Role::block_proof));
     list.push_back(first_proof(scene, passes));
-    list.push_back(of_outcomes(Role::proof_open, "proof open", "proof/open.frag"));
+    list.push_back(
+        of_outcomes(Role::proof_open, "proof open", When::where_proof_is_open, "proof/open.frag"));
     list.push_back(proof(scene, passes, ProofBounds::natural));
-    list.push_back(of_outcomes(Role::proof_copy, "proof copy", "proof/copy.frag"));
-    list.push_back(of_outcomes(Role::proof_unmask, "proof unmask", "proof/unmask.frag"));
+    list.push_back(
+        of_outcomes(Role::proof_copy, "proof copy", When::once_a_tile, "proof/copy.frag"));
+    list.push_back(of_outcomes(Role::proof_unmask, "proof unmask", When::where_proof_is_open,
+                               "proof/unmask.frag"));
     list.push_back(proof(scene, passes, ProofBounds::by_gradient));
     list.push_back(proof(scene, passes, ProofBounds::in_doubles));
     return list;

@@ -1,5 +1,6 @@
 #include "render/open_squares.h"
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -10,9 +11,17 @@ namespace {
 
 constexpr auto is_negative = [](float first) { return first < 0; };
 
+// Rows of squares over a whole picture, whose texels are the picture row by row.
+std::vector<gpu::Rectangle> rows(int width, int height) {
+    std::vector<gpu::Rectangle> all;
+    for (int y = 0; y < height; y += OpenSquares::side)
+        all.push_back({0, y, width, std::min(OpenSquares::side, height - y)});
+    return all;
+}
+
 TEST(OpenSquares, OfNothingAreNone) {
     const std::vector<float> record(4 * 40 * 30, 1.0f);
-    const OpenSquares found = open_squares(record, 40, 30, is_negative);
+    const OpenSquares found = open_squares(rows(40, 30), record, is_negative);
     EXPECT_EQ(found.pixels, 0);
     EXPECT_TRUE(found.areas.empty());
 }
@@ -20,7 +29,7 @@ TEST(OpenSquares, OfNothingAreNone) {
 TEST(OpenSquares, JoinNeighboursOfARow) {
     std::vector<float> record(4 * 100 * 33, 1.0f);
     for (const int x : {20, 40, 99}) record[std::size_t(4 * (17 * 100 + x))] = -1;
-    const OpenSquares found = open_squares(record, 100, 33, is_negative);
+    const OpenSquares found = open_squares(rows(100, 33), record, is_negative);
     EXPECT_EQ(found.pixels, 3);
     ASSERT_EQ(found.areas.size(), 2u);
     EXPECT_EQ(found.areas[0].x, 16);
@@ -29,6 +38,19 @@ TEST(OpenSquares, JoinNeighboursOfARow) {
     EXPECT_EQ(found.areas[1].width, 4) << "the picture ends there";
     EXPECT_EQ(found.areas[1].y, 16);
     EXPECT_EQ(found.areas[1].height, 16);
+}
+
+TEST(OpenSquares, LieInTheAreasThatAreAsked) {
+    const std::vector<gpu::Rectangle> areas{{32, 0, 16, 16}, {64, 16, 20, 3}};
+    std::vector<float> texels(4 * (16 * 16 + 20 * 3), 1.0f);
+    texels[std::size_t(4 * (16 * 16 + 2 * 20 + 18))] = -1; // of the second: 18 right, 2 up
+    const OpenSquares found = open_squares(areas, texels, is_negative);
+    EXPECT_EQ(found.pixels, 1);
+    ASSERT_EQ(found.areas.size(), 1u);
+    EXPECT_EQ(found.areas[0].x, 80);
+    EXPECT_EQ(found.areas[0].y, 16);
+    EXPECT_EQ(found.areas[0].width, 4);
+    EXPECT_EQ(found.areas[0].height, 3);
 }
 
 // Every open pixel lies in one area, no pixel in two, and no area outside the picture.
@@ -45,7 +67,7 @@ TEST(OpenSquares, HoldEveryOpenPixelOnce) {
                 record[k] = is_open ? -1.0f : 2.0f;
                 open += is_open;
             }
-            const OpenSquares found = open_squares(record, width, height, is_negative);
+            const OpenSquares found = open_squares(rows(width, height), record, is_negative);
             EXPECT_EQ(found.pixels, open);
             std::vector<int> covered(std::size_t(width * height));
             for (const gpu::Rectangle& area : found.areas) {

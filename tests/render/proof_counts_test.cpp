@@ -1,4 +1,4 @@
-#include "render/proofs.h"
+#include "render/proof_outcome.h"
 
 #include <cmath>
 #include <random>

@@ -9,7 +9,9 @@
 
 #include <fmt/format.h>
 
+#include "formula/graph/chebyshev_form.h"
 #include "formula/graph/degree.h"
+#include "formula/graph/lowering.h"
 
 namespace isomotion::formula {
 namespace {
@@ -145,19 +147,35 @@ private:
     std::string text_;
 };
 
+// F with Chebyshev polynomials in the place of what is written by angles.
+Program modelled(const Field& field) {
+    Graph graph = field.graph;
+    graph.fold_exactly();
+    const NodeId root = with_whole_chebyshev(graph, field.root, true);
+    return root == field.root ? field.value : schedule_lowered(graph, root);
+}
+
+std::optional<int> degree_of(const Field& field) {
+    Graph graph = field.graph;
+    graph.fold_exactly();
+    return degree(graph, with_whole_chebyshev(graph, field.root, false));
+}
+
 } // namespace
 
 int modelled_degree(const Field& field) {
-    const auto found = degree(field.graph, field.root);
+    const auto found = degree_of(field);
     // Beyond them what is left out is too much, and compiling takes too long.
     constexpr int most = 64;
     constexpr std::size_t longest = 400;
-    if (!found || *found > most || field.value.instructions.size() > longest) return 0;
-    return ModelWriter(field.value, "Model", Numbers::floats).write() ? std::max(*found, 1) : 0;
+    if (!found || *found > most) return 0;
+    const Program program = modelled(field);
+    if (program.instructions.size() > longest) return 0;
+    return ModelWriter(program, "Model", Numbers::floats).write() ? std::max(*found, 1) : 0;
 }
 
 std::string glsl_value_model(const Field& field, const std::string& type, Numbers numbers) {
-    return ModelWriter(field.value, type, numbers).write().value();
+    return ModelWriter(modelled(field), type, numbers).write().value();
 }
 
 } // namespace isomotion::formula

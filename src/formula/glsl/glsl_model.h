@@ -12,7 +12,8 @@
 namespace isomotion::formula {
 
 // The degree of a polynomial in x, y and z that can have models: its program is short, only adds
-// and multiplies, and has no loop over an array. 0 for other fields.
+// and multiplies, and has no loop over an array. Chebyshev polynomials that are written by angles
+// (graph/chebyshev_form.h) count as polynomials. 0 for other fields.
 int modelled_degree(const Field& field);
 
 // Model field_model(Model x, Model y, Model z), where Model is `type`, for a field with models.

@@ -133,15 +133,20 @@ std::optional<Multiple> whole_multiple(const Graph& g, NodeId id) {
 // Something that is cut off: from there on, and without end.
 NodeId cut_off(Graph& g) { return g.unary(Op::cosh, g.constant(100)); }
 
+// Where saturation cuts off at the latest.
+NodeId end_of_cut_off(Graph& g) {
+    return g.constant(0.999 * double(Operations<float>::saturation()));
+}
+
 // cosh is cut off where T_n is not: beyond, it is either.
 NodeId cut_off(Graph& g, NodeId t) {
-    const NodeId end = g.constant(0.999 * double(Operations<float>::saturation()));
+    const NodeId end = end_of_cut_off(g);
     return g.select(t, end, t, cut_off(g));
 }
 
 // The same of T_n with T_n(-1), which may be negative, times what is cut off.
 NodeId cut_off_at_both_ends(Graph& g, NodeId t) {
-    const NodeId end = g.constant(0.999 * double(Operations<float>::saturation()));
+    const NodeId end = end_of_cut_off(g);
     const NodeId below = g.unary(Op::negate, cut_off(g));
     return g.select(g.unary(Op::negate, t), end, cut_off(g, t), below);
 }
@@ -237,6 +242,26 @@ NodeId with_chebyshev(Graph& graph, NodeId root) {
         return polynomial(to, rebuilt);
     };
     return substitute(graph, from, std::array{root}, in_its_place).front();
+}
+
+NodeId with_whole_chebyshev(Graph& graph, NodeId root, bool told) {
+    const NodeId written = with_chebyshev(graph, root);
+    if (written == root) return root;
+    const Graph from = graph;
+    const auto up_to_end = [&](Graph& to, NodeId t) {
+        return told ? to.binary(Op::min, t, end_of_cut_off(to)) : t;
+    };
+    const auto whole = [&](Graph& to, const Node&, NodeId rebuilt) {
+        if (const auto inside = inside_cut_off(to, rebuilt)) return up_to_end(to, *inside);
+        const Node node = to[rebuilt]; // a copy: the graph may grow
+        const bool ends_below = node.op == Op::select && to[node.children[0]].op == Op::negate &&
+                                node.children[3] == to.unary(Op::negate, cut_off(to));
+        if (!ends_below) return rebuilt;
+        const NodeId t = to[node.children[0]].children[0], above = up_to_end(to, t);
+        if (node.children[2] != above) return rebuilt;
+        return told ? to.binary(Op::max, above, to.unary(Op::negate, end_of_cut_off(to))) : t;
+    };
+    return substitute(graph, from, std::array{written}, whole).front();
 }
 
 } // namespace isomotion::formula

@@ -11,8 +11,12 @@
 namespace isomotion::formula {
 
 // An expression whose intervals hold all that `root` may be on paper, and what cosh is cut off to.
-// The graph folds exactly. `root` itself where no such thing is found, and of formulas that go through
-// the elements of arrays, whose sums keep their numbers.
+// The graph folds exactly. `root` itself where no such thing is found, and of formulas that go
+// through the elements of arrays, whose sums keep their numbers.
 NodeId with_chebyshev(Graph& graph, NodeId root);
+
+// The same as polynomials: what is cut off is replaced by what it is before; or, if `told`, by that
+// up to its end (min and max), beyond which the expression may be anything.
+NodeId with_whole_chebyshev(Graph& graph, NodeId root, bool told);
 
 } // namespace isomotion::formula

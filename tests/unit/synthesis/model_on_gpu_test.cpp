@@ -304,6 +304,10 @@ TEST(ModelledDegree, IsOfPolynomialsAlone) {
     EXPECT_EQ(degree("x^2*y + z"), 3);
     EXPECT_EQ(degree("chebyshev(50, x) + y"), 50);
     EXPECT_EQ(degree("x/3 - y"), 1);
+    EXPECT_EQ(degree("cos(14*acos(max(-1, min(1, x))))*cosh(14*log(max(1, abs(x)) + "
+                     "sqrt((max(1, abs(x)) - 1)*(max(1, abs(x)) + 1)))) + y"),
+              14);
+    EXPECT_EQ(degree("cos(14*acos(x)) + y"), 0) << "acos takes what is beyond 1 for 1";
     EXPECT_EQ(degree("exp(x)"), 0);
     EXPECT_EQ(degree("abs(x) + y"), 0);
     EXPECT_EQ(degree("1/x"), 0);
