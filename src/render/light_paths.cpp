@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "synthesis/paths_text.h"
+
 namespace isomotion::render {
 namespace {
 
@@ -9,8 +11,6 @@ using synthesis::Role;
 
 constexpr int textures_of_paths = 5;     // shaders/paths/path.glsl
 constexpr int textures_of_path_ends = 4; // shaders/surfaces/nearest.glsl
-// Crossings of bounds are no ray of a path's depth; next.frag ends paths with more of them.
-constexpr int most_crossings = 33;
 
 } // namespace
 
@@ -116,7 +116,9 @@ void LightPaths::trace(const gpu::Target& eye_ends, const gpu::Rectangle& tile,
         first.set("rays_left", depth);
         one->table.draw(first, tile, kept_);
     }
-    for (int ray = 0; ray <= depth + most_crossings && any_goes_on(tile); ++ray) {
+    // Crossings of bounds are no rays of the depth, and the last one ends a path.
+    const int most = depth + synthesis::most_crossings + 1;
+    for (int ray = 0; ray <= most && any_goes_on(tile); ++ray) {
         find_ends(tile, draws);
         look_beyond(ends_.last(), [&](PassTable& table) {
             mask_.apply(beyond_, [&] { table.draw(table.program(Role::glass_beyond), tile); });

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/limits.h"
+#include "scene/surfaces.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/glass_text.h"
 #include "synthesis/paint_text.h"
@@ -20,6 +22,10 @@ bool mirrors_all(const scene::Scene& scene) {
 
 // Whether its own light is part of a path that goes on.
 bool shines_on_paths(const scene::Scene& scene) { return has_glass(scene) || mirrors_all(scene); }
+
+// What shaders/paths/store_path.glsl packs into floats, which are whole to 2^24.
+static_assert(scene::most_surfaces <= 8 && scene::limits::sections < 15);
+static_assert(scene::limits::glass_depth < 32 && (most_crossings + 1) << 5 < 1 << 24);
 
 void add_path(ShaderText& text, const scene::Scene& scene) {
     text.define("SURFACES", scene.among.count);
@@ -97,6 +103,7 @@ Pass meeting_pass(const scene::Scene& scene, const Passes& passes, Role role, co
     add_field_of_meeting(text, scene, passes);
     add_ray(text, scene);
     add_meeting(text, scene, passes);
+    text.define("MOST_CROSSINGS", most_crossings);
     text.file(file);
     return std::move(text).pass(role, name, when);
 }
@@ -112,12 +119,10 @@ Pass beyond_pass(const scene::Scene& scene, const Passes& passes) {
     return std::move(text).pass(Role::glass_beyond, "glass beyond", When::until_rays_end);
 }
 
-// Passes that look at paths alone.
 Pass path_pass(const scene::Scene& scene, Role role, const char* name, const char* file) {
     ShaderText text;
     add_path(text, scene);
-    text.file(file);
-    return std::move(text).pass(role, name, When::until_rays_end);
+    return pass_over_paths(std::move(text), role, name, file);
 }
 
 Pass ends_pass(const scene::Scene& scene) {
@@ -132,25 +137,11 @@ Pass ends_pass(const scene::Scene& scene) {
 }
 
 Pass seen_by_paths_pass(const scene::Scene& scene, const Passes& passes) {
-    ShaderText text;
-    text.define("LIGHTS", int(scene.lights.size()));
-    std::vector<FieldFunction> functions;
-    const bool paint = painting(scene) != nullptr;
-    if (paint && !passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
-    if (paint || scene.material.contours) {
-        add_field(text, *scene.surface.field, passes, functions, painting_functions(scene, passes));
-    } else {
-        text.file("math/bits.glsl");
-    }
-    add_ray(text, scene);
-    add_picture(text, scene);
-    add_color(text, scene);
-    text.file("effects/eye_begin.glsl");
-    text.file("effects/surface_point.glsl");
+    ShaderText text = begin_seen(scene, passes);
     text.file("effects/load_mirrored.glsl");
     add_path(text, scene);
     add_seen_shading(text, scene);
-    if (paint) add_gradient(text, scene, passes);
+    if (painting(scene)) add_gradient(text, scene, passes);
     text.generated("generated: evaluations of shadow rays",
                    fmt::format("float shadow_evaluations() {{\n    return {};\n}}\n",
                                shadow_mask(scene) != 0
@@ -165,7 +156,8 @@ Pass seen_by_paths_pass(const scene::Scene& scene, const Passes& passes) {
 void add_path_ray(ShaderText& text, const scene::Scene& scene) {
     add_path(text, scene);
     text.file("paths/matter.glsl");
-    text.file("paths/ray.glsl");
+    text.file("paths/may_meet.glsl");
+    text.file("glass/ray.glsl");
 }
 
 void add_begin_of_path(ShaderText& text, const scene::Scene& scene) {

@@ -14,6 +14,9 @@
 
 namespace isomotion::synthesis {
 
+// Where matter begins or ends at the bounds of a surface, its path's ray goes on: so often.
+inline constexpr int most_crossings = 32;
+
 // Whether any surface among several is of glass. Then mirrored rays are rays of paths, too.
 inline bool follows_paths(const scene::Scene& scene) { return !scene.among.matters.empty(); }
 
