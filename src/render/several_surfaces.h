@@ -39,10 +39,9 @@ private:
     void see_in_mirrors(const gpu::Rectangle& tile, const gpu::Target& result,
                         const gpu::Texture* environment, int& draws);
     const gpu::Target* cast_shadows(const gpu::Target& ends, const gpu::Rectangle& tile,
-                                    const gpu::Target& result, int& draws);
+                                    const gpu::Target& counted_into, int& draws);
     void look_around(const gpu::Rectangle& tile);
-    void follow_paths(const gpu::Rectangle& tile, const gpu::Target& result,
-                      const gpu::Texture* environment, int& draws);
+    void follow_paths(const gpu::Rectangle& tile, const gpu::Texture* environment, int& draws);
 
     std::vector<SurfacePasses*> all_;
     std::vector<RayTargets> eye_, shadow_, mirror_;

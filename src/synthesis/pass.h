@@ -24,6 +24,7 @@ enum class Role {
     surface,        // keeps the ends of rays, for the passes that begin there
     mirror,         // marches the mirrored rays
     mirror_surface, // keeps the ends of those
+    glass_begins,   // sets depth so that the next one runs only where paths begin
     glass_first,    // begins rays through glass where the eye's rays met it
     glass,          // marches those
     glass_end,      // keeps their ends, of one surface among several
@@ -32,6 +33,7 @@ enum class Role {
     glass_copy,     // copies the continued paths to the target that holds all
     glass_mask,     // sets depth so that the next passes run only where paths continue
     glass_active,   // counts those
+    glass_ended,    // sets depth where paths ended on the ground or on other surfaces
     glass_ground,   // the points where they met the ground, or other surfaces, for shadow rays
     seen,           // shades what further rays see of one surface among several
     shadow,         // marches the shadow rays

@@ -97,7 +97,7 @@ void add_field_of_meeting(ShaderText& text, const scene::Scene& scene, const Pas
 }
 
 Pass meeting_pass(const scene::Scene& scene, const Passes& passes, Role role, const char* name,
-                  const char* file, When when) {
+                  const char* file, Cover cover) {
     ShaderText text;
     text.define("LIGHTS", int(scene.lights.size()));
     add_field_of_meeting(text, scene, passes);
@@ -105,7 +105,8 @@ Pass meeting_pass(const scene::Scene& scene, const Passes& passes, Role role, co
     add_meeting(text, scene, passes);
     text.define("MOST_CROSSINGS", most_crossings);
     text.file(file);
-    return std::move(text).pass(role, name, when);
+    const When when = role == Role::glass_first ? When::once_a_tile : When::until_rays_end;
+    return std::move(text).pass(role, name, when, cover);
 }
 
 Pass beyond_pass(const scene::Scene& scene, const Passes& passes) {
@@ -116,13 +117,30 @@ Pass beyond_pass(const scene::Scene& scene, const Passes& passes) {
     text.define("SURFACE", scene.among.index);
     text.file("paths/in_matter.glsl");
     text.file("paths/beyond.frag");
-    return std::move(text).pass(Role::glass_beyond, "glass beyond", When::until_rays_end);
+    return std::move(text).pass(Role::glass_beyond, "glass beyond", When::until_rays_end,
+                                Cover::rectangles);
 }
 
 Pass path_pass(const scene::Scene& scene, Role role, const char* name, const char* file) {
     ShaderText text;
     add_path(text, scene);
-    return pass_over_paths(std::move(text), role, name, file);
+    return pass_over_paths(std::move(text), role, name, file, Cover::rectangles);
+}
+
+// Where paths begin on this surface, or before it.
+Pass begins_pass(const scene::Scene& scene) {
+    ShaderText text;
+    text.file("march/verdict.glsl");
+    text.define("SURFACE", scene.among.index);
+    text.file("paths/begins.frag");
+    return std::move(text).pass(Role::glass_begins, "glass begins", When::once_a_tile);
+}
+
+Pass ended_pass(const scene::Scene& scene) {
+    ShaderText text;
+    add_path(text, scene);
+    text.file("paths/ended.frag");
+    return std::move(text).pass(Role::glass_ended, "glass ended", When::once_a_tile);
 }
 
 Pass ends_pass(const scene::Scene& scene) {
@@ -196,17 +214,18 @@ void add_seen_by_path(ShaderText& text, const scene::Scene& scene) {
 
 std::vector<Pass> path_passes(const scene::Scene& scene, const Passes& passes) {
     std::vector<Pass> all;
+    all.push_back(begins_pass(scene));
     all.push_back(meeting_pass(scene, passes, Role::glass_first, "glass first", "paths/first.frag",
-                               When::once_a_tile));
+                               Cover::whole));
     all.push_back(march_pass(scene, passes, Origin::glass, When::until_rays_end));
     all.push_back(surface_pass(scene, passes, Origin::glass, When::until_rays_end));
     if (has_glass(scene)) all.push_back(beyond_pass(scene, passes));
     all.push_back(meeting_pass(scene, passes, Role::glass_next, "glass next", "paths/next.frag",
-                               When::until_rays_end));
+                               Cover::rectangles));
     if (is_first(scene)) {
         all.push_back(path_pass(scene, Role::glass_copy, "glass copy", "paths/copy.frag"));
         all.push_back(path_pass(scene, Role::glass_mask, "glass mask", "glass/mask.frag"));
-        all.push_back(path_pass(scene, Role::glass_active, "glass active", "glass/active.frag"));
+        all.push_back(ended_pass(scene));
         all.push_back(ends_pass(scene));
     }
     all.push_back(seen_by_paths_pass(scene, passes));

@@ -230,7 +230,7 @@ Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin
     case Origin::mirror:
         return std::move(text).pass(Role::mirror_surface, "mirror surface", when);
     case Origin::glass:
-        return std::move(text).pass(Role::glass_end, "glass end", when);
+        return std::move(text).pass(Role::glass_end, "glass end", when, cover_of_paths(scene));
     case Origin::eye:
         break;
     }
