@@ -58,11 +58,6 @@ int blocks_across(int pixels, int block = synthesis::proved_block) {
     return (pixels + block - 1) / block;
 }
 
-int attachment_of(const synthesis::Passes& passes, synthesis::Channel channel) {
-    const auto& all = passes.attachments;
-    return 2 + int(std::find(all.begin(), all.end(), channel) - all.begin());
-}
-
 } // namespace
 
 // Lanes of ints, which loops vectorise; few enough at a time that these hold the counts.
@@ -113,7 +108,6 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const
               synthesis::cost_of_block_piece(*scene.surface.field, elements_of_piece(passes)),
               double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
     , natural_{Role::proof, cost_that_fits(cost_of_piece(passes, scene, ProofBounds::natural))}
-    , ending_(attachment_of(passes, synthesis::Channel::ending))
     , of_coarse_blocks_(blocks_across(plan.tile_width, synthesis::coarse_proved_block),
                         blocks_across(plan.tile_height, synthesis::coarse_proved_block))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
@@ -219,14 +213,14 @@ const std::optional<Proofs::Pieces>& Proofs::closer(const PassTable& table) {
     return *closer_;
 }
 
-void Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Target& picture,
+void Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Texture& endings,
                    bool is_masked, const gpu::Rectangle& tile, std::span<float> record) {
     if (!rays.in_range) {
         std::ranges::fill(record, float(Proof::none));
         return;
     }
     upload(table, rays);
-    table.bind("ending_texture", picture.texture(ending_));
+    table.bind("ending_texture", endings);
     table.bind("block_texture", of_blocks_.texture(0));
     kept_.clear(0, glm::vec4(float(Proof::miss), 0, 0, 0));
     if (!is_masked) {

@@ -62,10 +62,10 @@ public:
     Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const MarchPlan& plan,
            const gpu::DepthMask* mask, bool in_doubles);
 
-    // Proves the rays of a tile whose picture is drawn, with endings among its attachments.
+    // Proves the rays of a tile whose picture is drawn. `endings`: shaders/proof/ending.glsl.
     // `record` receives four floats per pixel, rows from the bottom: Proof, the t down to which the
     // ray is settled, and two more. `is_masked`: the mask is as the picture's draw left it.
-    void prove(PassTable& table, const ProofRays& rays, const gpu::Target& picture, bool is_masked,
+    void prove(PassTable& table, const ProofRays& rays, const gpu::Texture& endings, bool is_masked,
                const gpu::Rectangle& tile, std::span<float> record);
 
 private:
@@ -94,7 +94,6 @@ private:
     int block_pieces_; // limit on pieces
     Pieces natural_;
     std::optional<std::optional<Pieces>> closer_; // set once it was needed
-    int ending_;                                  // among the picture's attachments
     gpu::Target of_coarse_blocks_, of_blocks_, kept_, going_on_;
     std::optional<gpu::DepthMask> own_mask_;
     const gpu::DepthMask& mask_; // for the last two targets

@@ -143,6 +143,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
         passes.light_beams = shadow_mask(scene) & far_lights(scene);
     std::vector<Channel> wanted = channels;
     if (scene.isolation.certify || tells_endings) wanted.push_back(Channel::ending);
+    if (scene.isolation.certify && is_among(scene)) wanted.push_back(Channel::surface);
     passes.attachments = written_channels(wanted);
 
     const auto add = [&](Pass pass) { passes.list.push_back(std::move(pass)); };

@@ -2,6 +2,7 @@
 // and the names that the text declares.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,7 @@ enum class Role {
     occlusion,      // the part of ambient light that one surface among several lets through
     shade,          // makes the picture from finished rays
     motion,         // F and its gradient at another time, at the ends of rays
+    ending,         // where rays ended, for the proofs of one surface among several
     // Proofs, for scenes that ask for them: see render/proofs.h.
     proof_mask,         // sets depth so that proofs run only for rays with something to prove
     coarse_block_proof, // proves, for larger blocks of rays, the part before all roots
@@ -128,6 +130,8 @@ struct Passes : FieldStorage {
     // Attachments of the shade pass: 0 colour, 1 the counts (render/record.h), then these.
     std::vector<Channel> attachments;
 
+    // The attachment that a channel is written to, if one is.
+    std::optional<int> attachment(Channel channel) const;
     // The pass with that role, or null.
     const Pass* find(Role role, int level = 0) const;
     bool has(Role role) const { return find(role) != nullptr; }
