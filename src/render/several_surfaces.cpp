@@ -59,7 +59,12 @@ SeveralSurfaces::SeveralSurfaces(std::vector<SurfacePasses*> all)
     }
     if (!mirror_.empty()) {
         mirrored_.emplace(tile, kept_textures);
-        seen_.emplace(tile.tile_width, tile.tile_height);
+        mirrors_.emplace(seen_.emplace(tile.tile_width, tile.tile_height));
+        for (const gpu::Target& target : mirrored_->targets) mirrors_->serve(target);
+        for (const RayTargets& rays : mirror_) {
+            mirrors_->serve(rays.even);
+            mirrors_->serve(rays.odd);
+        }
     }
     if (all_.front()->passes.has(Role::glass)) {
         paths_.emplace(all_);
@@ -85,15 +90,23 @@ void SeveralSurfaces::find_ends(const PictureInputs& inputs, const gpu::Rectangl
     }
 }
 
-void SeveralSurfaces::see_in_mirrors(const gpu::Rectangle& tile, const gpu::Target& result,
-                                     const gpu::Texture* environment, int& draws) {
+// Where no mirror is seen, nothing reads what mirrored rays would see.
+void SeveralSurfaces::see_in_mirrors(const gpu::Rectangle& tile, const gpu::Texture* environment,
+                                     int& draws) {
+    SurfacePasses& first = *all_.front();
+    first.bind();
+    first.table.bind_numbered("surface_texture", ends_.last());
+    mirrors_->set(*seen_, [&] { first.table.draw(first.table.program(Role::mirror_mask), tile); });
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
         one.bind();
         one.table.bind_numbered("surface_texture", ends_.last());
-        one.marcher.march(one.table, Role::mirror, tile, mirror_[k], result, draws);
+        mirrors_->apply(*seen_, [&] {
+            one.marcher.march(one.table, Role::mirror, tile, mirror_[k], *seen_, draws);
+        });
         one.table.bind_numbered("mirrored_texture", mirrored_->last());
-        one.table.draw(one.table.program(Role::mirror_surface), tile, mirrored_->next());
+        mirrors_->apply(mirrored_->next(),
+                        [&] { one.table.draw(one.table.program(Role::mirror_surface), tile); });
     }
     seen_->clear(0);
     for (std::size_t k = 0; k < all_.size(); ++k) {
@@ -103,7 +116,7 @@ void SeveralSurfaces::see_in_mirrors(const gpu::Rectangle& tile, const gpu::Targ
         one.table.bind_numbered("state_texture", *rays_[k]);
         one.table.bind_numbered("surface_texture", ends_.last());
         one.table.bind_numbered("mirrored_texture", mirrored_->last());
-        one.table.draw(one.table.program(Role::seen), tile, *seen_);
+        mirrors_->apply(*seen_, [&] { one.table.draw(one.table.program(Role::seen), tile); });
     }
 }
 
@@ -163,7 +176,7 @@ std::vector<int> SeveralSurfaces::seen(const gpu::Rectangle& tile) const {
 void SeveralSurfaces::draw(const PictureInputs& inputs, const gpu::Rectangle& tile,
                            const gpu::Target& result, const gpu::Texture* environment, int& draws) {
     find_ends(inputs, tile, result, draws);
-    if (mirrored_) see_in_mirrors(tile, result, environment, draws);
+    if (mirrored_) see_in_mirrors(tile, environment, draws);
     if (paths_) follow_paths(tile, environment, draws);
     const gpu::Target* hidden = cast_shadows(ends_.last(), tile, result, draws);
     if (open_) look_around(tile);

@@ -23,6 +23,7 @@ enum class Role {
     march,          // takes rays some turns on
     active,         // counts the rays that still march
     surface,        // keeps the ends of rays, for the passes that begin there
+    mirror_mask,    // sets depth so that these run only where a mirror is seen, of several surfaces
     mirror,         // marches the mirrored rays
     mirror_surface, // keeps the ends of those
     glass_begins,   // sets depth so that the next one runs only where paths begin

