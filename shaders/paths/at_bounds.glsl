@@ -1,4 +1,4 @@
-// Ends rays where matter begins or ends at the bounds of this surface, without a surface. Needs ray.glsl
+// Ends rays where matter begins or ends at the bounds of this surface, without a surface. Needs may_meet.glsl
 // and in_matter.glsl.
 const float AT_BOUNDS = -1.0; // steepness of such an end
 

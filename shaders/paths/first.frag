@@ -1,5 +1,5 @@
-// Begins the paths of the pixels whose eye's ray ended on this surface; of the first one also of those
-// that met none. Rays that begin in glass, or enter it at bounds, are followed anew from there.
+// Begins the paths of the pixels of begins.frag. Rays that begin in glass, or enter it at bounds, are
+// followed anew from there.
 uniform int rays_left;
 uniform sampler2D surface_texture_4; // see begin.glsl
 uniform vec4 surface_way;            // see surfaces/eye_way.glsl
@@ -7,7 +7,6 @@ uniform vec4 surface_way;            // see surfaces/eye_way.glsl
 void main() {
     ivec2 at = ivec2(pixel_centre);
     vec4 end = texelFetch(surface_texture_3, at, 0), begin = texelFetch(surface_texture_4, at, 0);
-    if (int(end.z) != SURFACE) discard;
     Ray ray = pixel_ray();
     SurfacePoint p = load_surface();
     Path path = Path(vec3(0.0), PATH_ENDED, ray.direction, 0, 0.0, vec3(1.0), vec3(0.0), rays_left, 0,

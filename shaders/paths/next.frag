@@ -1,7 +1,5 @@
 // Continues the paths whose rays ended on this surface; of the first one also those that met none. Runs
-// for paths that go on.
-const int most_crossings = 32;
-
+// for paths that go on. MOST_CROSSINGS: of bounds, beyond which a path ends.
 void main() {
     vec4 end = texelFetch(surface_texture_3, ivec2(pixel_centre), 0);
     if (int(end.z) != SURFACE) discard;
@@ -25,7 +23,7 @@ void main() {
         path.off = p.offset;
         path.matter = matter_beyond();
         path.crossings += 1;
-        is_lost = path.crossings > most_crossings;
+        is_lost = path.crossings > MOST_CROSSINGS;
 #endif
     } else if (is_hit) {
         path = meet(path, p, p.t, false);

@@ -122,19 +122,18 @@ int render(const RenderArguments& arguments) {
     if (!options.movies.empty()) sequence::expect_ffmpeg();
     const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
     if (arguments.max_wrong) {
-        scene::expect_one_surface(exporter.scene(), "--max-wrong");
-        const auto isolation = choose_setting(*context, exporter.scene(), options.frames,
+        const auto settings = choose_settings(*context, exporter.scene(), options.frames,
                                               {.max_wrong = *arguments.max_wrong,
                                                .keeps_method = !arguments.method.empty(),
                                                .stage = options.stage,
                                                .quiet = arguments.quiet});
-        if (!isolation) {
+        if (!settings) {
             message("--max-wrong {:g}: no setting is that accurate; isomotion accuracy {} tells "
                     "what there is\n",
                     *arguments.max_wrong, arguments.scene);
             return exit_check_failed;
         }
-        exporter.choose(*isolation);
+        exporter.choose(*settings);
     }
     say(beginning(exporter, context->info()));
     const auto sights = sights_of(exporter);

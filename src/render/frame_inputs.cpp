@@ -127,11 +127,12 @@ void PictureInputs::add_to(base::Fingerprint& print) const {
         add_value(print, to_light);
     }
     if (of_proofs) {
-        const auto& [frame, beam, coarse_beam, floats, doubles, in_range] = *of_proofs;
+        const auto& [frame, beam, coarse_beam, floats, doubles, in_range, beyond] = *of_proofs;
         add_value(print, in_range);
         add_value(print, frame);
         add_value(print, beam);
         add_value(print, coarse_beam);
+        if (beyond != 0) add_value(print, beyond); // among several surfaces
         for (const auto& [tube, shortest_piece] : {floats, doubles}) {
             add_value(print, tube);
             add_value(print, shortest_piece);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "render/open_squares.h"
+#include "synthesis/paths_text.h"
+
 namespace isomotion::render {
 namespace {
 
@@ -9,8 +12,6 @@ using synthesis::Role;
 
 constexpr int textures_of_paths = 5;     // shaders/paths/path.glsl
 constexpr int textures_of_path_ends = 4; // shaders/surfaces/nearest.glsl
-// Crossings of bounds are no ray of a path's depth; next.frag ends paths with more of them.
-constexpr int most_crossings = 33;
 
 } // namespace
 
@@ -40,7 +41,8 @@ LightPaths::LightPaths(std::vector<SurfacePasses*> all)
     , ended_(kept_.width(), kept_.height(), textures_of_path_ends)
     , mask_(kept_) {
     for (const SurfacePasses* one : all_) rays_.emplace_back(one->passes, one->plan.march);
-    for (const gpu::Target* target : {&gone_on_, &ends_.targets[0], &ends_.targets[1], &beyond_})
+    for (const gpu::Target* target :
+         {&gone_on_, &ends_.targets[0], &ends_.targets[1], &beyond_, &ended_})
         mask_.serve(*target);
     for (const RayTargets& rays : rays_) {
         mask_.serve(rays.even);
@@ -57,16 +59,51 @@ void LightPaths::bind(SurfacePasses& one, const gpu::Target& ends,
     one.table.bind("beyond_texture", beyond_.texture(0));
 }
 
+// Paths that end at once, of pixels where none begins, have the eye's light alone.
+void LightPaths::begin(const gpu::Target& eye_ends, const gpu::Rectangle& tile,
+                       const gpu::Texture* environment) {
+    kept_.clear(0);
+    kept_.clear(1);
+    kept_.clear(2, glm::vec4(1, 1, 1, 0));
+    kept_.clear(3);
+    kept_.clear(4, glm::vec4(0, 0, 0, 1));
+    for (SurfacePasses* one : all_) {
+        bind(*one, eye_ends, environment);
+        const gpu::Program& first = one->table.program(Role::glass_first);
+        first.set("rays_left", all_.front()->scene.among.depth);
+        mask_.set(kept_, [&] { one->table.draw(one->table.program(Role::glass_begins), tile); });
+        mask_.apply(kept_, [&] { one->table.draw(first, tile); });
+    }
+}
+
+// Late rays are few, and what they are drawn over costs more than they do.
 bool LightPaths::any_goes_on(const gpu::Rectangle& tile) {
+    codes_.resize(std::size_t(4 * around_.width * around_.height));
+    kept_.read(0, around_.x, around_.y, around_.width, around_.height, codes_);
+    const auto goes_on = [](float code) { return ((int(code) + 1) & 6) == 2; };
+    OpenSquares open =
+        open_squares(std::span(codes_).subspan(3), around_.width, around_.height, goes_on);
+    if (open.pixels == 0) return false;
+    gpu::Rectangle all = {tile.width, tile.height, 0, 0};
+    int right = 0, top = 0;
+    for (gpu::Rectangle& area : open.areas) {
+        area.x += around_.x;
+        area.y += around_.y;
+        all.x = std::min(all.x, area.x);
+        all.y = std::min(all.y, area.y);
+        right = std::max(right, area.x + area.width);
+        top = std::max(top, area.y + area.height);
+    }
+    around_ = {all.x, all.y, right - all.x, top - all.y};
     SurfacePasses& first = *all_.front();
     bind(first, ends_.last(), nullptr);
-    mask_.set(gone_on_, [&] { first.table.draw(first.table.program(Role::glass_mask), tile); });
-    mask_.apply(gone_on_, [&] {
-        still_active_.begin();
-        first.table.draw(first.table.program(Role::glass_active), tile);
-        still_active_.end();
-    });
-    return still_active_.passed() != 0;
+    mask_.set(gone_on_, [&] { draw_open(first, Role::glass_mask, tile); });
+    open_.set(open.areas);
+    return true;
+}
+
+void LightPaths::draw_open(SurfacePasses& one, Role role, const gpu::Rectangle& tile) {
+    one.table.draw(one.table.program(role), tile, open_);
 }
 
 void LightPaths::find_ends(const gpu::Rectangle& tile, int& draws) {
@@ -75,52 +112,47 @@ void LightPaths::find_ends(const gpu::Rectangle& tile, int& draws) {
         bind(one, ends_.last(), nullptr);
         // What counts active rays is masked as they are: states elsewhere are older.
         mask_.apply(rays_[k].even, [&] {
-            one.marcher.march(one.table, Role::glass, tile, rays_[k], gone_on_, draws);
+            one.marcher.march(one.table, Role::glass, tile, rays_[k], gone_on_, draws, &open_);
         });
-        mask_.apply(ends_.next(),
-                    [&] { one.table.draw(one.table.program(Role::glass_end), tile); });
+        mask_.apply(ends_.next(), [&] { draw_open(one, Role::glass_end, tile); });
     }
 }
 
 // Surfaces draw over each other, the one whose matter counts before all others last.
-template<class Draw> void LightPaths::look_beyond(const gpu::Target& ends, const Draw& draw) {
+void LightPaths::look_beyond(const gpu::Target& ends, const gpu::Rectangle& tile) {
     beyond_.clear(0);
     const std::vector<int>& matters = all_.front()->scene.among.matters;
     for (auto k = matters.rbegin(); k != matters.rend(); ++k) {
         SurfacePasses& one = *all_[std::size_t(*k)];
         bind(one, ends, nullptr);
-        draw(one.table);
+        draw_open(one, Role::glass_beyond, tile);
     }
 }
 
 void LightPaths::go_on(const gpu::Rectangle& tile, const gpu::Texture* environment) {
     for (SurfacePasses* one : all_) {
         bind(*one, ends_.last(), environment);
-        mask_.apply(gone_on_, [&] { one->table.draw(one->table.program(Role::glass_next), tile); });
+        mask_.apply(gone_on_, [&] { draw_open(*one, Role::glass_next, tile); });
     }
     SurfacePasses& first = *all_.front();
     first.bind();
     first.table.bind_numbered("glass_texture", gone_on_);
-    mask_.apply(kept_, [&] { first.table.draw(first.table.program(Role::glass_copy), tile); });
+    mask_.apply(kept_, [&] { draw_open(first, Role::glass_copy, tile); });
 }
 
 void LightPaths::trace(const gpu::Target& eye_ends, const gpu::Rectangle& tile,
                        const gpu::Texture* environment, int& draws) {
-    const int depth = all_.front()->scene.among.depth;
-    look_beyond(eye_ends, [&](PassTable& table) {
-        table.draw(table.program(Role::glass_beyond), tile, beyond_);
-    });
-    for (SurfacePasses* one : all_) {
-        bind(*one, eye_ends, environment);
-        const gpu::Program& first = one->table.program(Role::glass_first);
-        first.set("rays_left", depth);
-        one->table.draw(first, tile, kept_);
-    }
-    for (int ray = 0; ray <= depth + most_crossings && any_goes_on(tile); ++ray) {
+    around_ = {0, 0, tile.width, tile.height};
+    open_.set({&around_, 1});
+    beyond_.bind();
+    look_beyond(eye_ends, tile);
+    begin(eye_ends, tile, environment);
+    // Crossings of bounds are no rays of the depth, and the last one ends a path.
+    const int most = all_.front()->scene.among.depth + synthesis::most_crossings + 1;
+    for (int ray = 0; ray <= most && any_goes_on(tile); ++ray) {
+        const gpu::Scissor in_area(around_);
         find_ends(tile, draws);
-        look_beyond(ends_.last(), [&](PassTable& table) {
-            mask_.apply(beyond_, [&] { table.draw(table.program(Role::glass_beyond), tile); });
-        });
+        mask_.apply(beyond_, [&] { look_beyond(ends_.last(), tile); });
         go_on(tile, environment);
     }
 }
@@ -128,7 +160,9 @@ void LightPaths::trace(const gpu::Target& eye_ends, const gpu::Rectangle& tile,
 const gpu::Target& LightPaths::draw_ends(const gpu::Rectangle& tile) {
     SurfacePasses& first = *all_.front();
     bind(first, ends_.last(), nullptr);
-    first.table.draw(first.table.program(Role::glass_ground), tile, ended_);
+    ended_.clear(1); // compute shaders know no mask
+    mask_.set(ended_, [&] { first.table.draw(first.table.program(Role::glass_ended), tile); });
+    mask_.apply(ended_, [&] { first.table.draw(first.table.program(Role::glass_ground), tile); });
     return ended_;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gpu/depth_mask.h"
-#include "gpu/query.h"
+#include "gpu/rectangles.h"
 #include "gpu/target.h"
 #include "render/ray_marcher.h"
 #include "render/relay.h"
@@ -32,13 +32,20 @@ public:
     // The light found, as glass textures.
     const gpu::Target& light() const { return kept_; }
     // Where paths ended on the ground and on surfaces that they don't go on from, as ends of rays.
+    // Then the mask has these pixels, for targets that it serves.
     const gpu::Target& draw_ends(const gpu::Rectangle& tile);
+    const gpu::DepthMask& mask() const { return mask_; }
+    // Served by it, for pixels that nothing reads.
+    const gpu::Target& spare() const { return gone_on_; }
 
 private:
     void bind(SurfacePasses& one, const gpu::Target& ends, const gpu::Texture* environment) const;
+    void begin(const gpu::Target& eye_ends, const gpu::Rectangle& tile,
+               const gpu::Texture* environment);
     bool any_goes_on(const gpu::Rectangle& tile);
+    void draw_open(SurfacePasses& one, synthesis::Role role, const gpu::Rectangle& tile);
     void find_ends(const gpu::Rectangle& tile, int& draws);
-    template<class Draw> void look_beyond(const gpu::Target& ends, const Draw& draw);
+    void look_beyond(const gpu::Target& ends, const gpu::Rectangle& tile);
     void go_on(const gpu::Rectangle& tile, const gpu::Texture* environment);
 
     std::vector<SurfacePasses*> all_;
@@ -46,8 +53,10 @@ private:
     gpu::Target kept_, gone_on_; // all paths, and those that a ray continued
     Relay ends_;                 // of their rays
     gpu::Target beyond_, ended_;
-    gpu::DepthMask mask_; // where paths continue
-    gpu::SamplesQuery still_active_;
+    gpu::DepthMask mask_;      // where paths continue
+    gpu::Rectangle around_;    // all of these,
+    gpu::Rectangles open_;     // and squares of pixels with any
+    std::vector<float> codes_; // of paths, as the shaders pack them
 };
 
 } // namespace isomotion::render

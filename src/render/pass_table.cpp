@@ -145,13 +145,17 @@ void PassTable::draw(const gpu::Program& program, const gpu::Rectangle& tile,
 }
 
 void PassTable::march(const gpu::Program& program, const gpu::Rectangle& tile,
-                      const gpu::Target& target) const {
-    if (!clock_) return march_untimed(program, tile, target);
-    clock_->time([&] { march_untimed(program, tile, target); });
+                      const gpu::Target& target, const gpu::Rectangles* parts) const {
+    if (!clock_) return march_untimed(program, tile, target, parts);
+    clock_->time([&] { march_untimed(program, tile, target, parts); });
 }
 
 void PassTable::march_untimed(const gpu::Program& program, const gpu::Rectangle& tile,
-                              const gpu::Target& target) const {
+                              const gpu::Target& target, const gpu::Rectangles* parts) const {
+    if (passes_.stage == synthesis::Stage::fragment && parts) {
+        target.bind();
+        return draw(program, tile, *parts);
+    }
     if (passes_.stage == synthesis::Stage::fragment) return draw(program, tile, target);
     for (int k = 0; k < target.attachments(); ++k) gpu::bind_image(target.texture(k), k);
     const glm::ivec2 size(tile.width, tile.height);

@@ -69,16 +69,16 @@ public:
     void draw(const gpu::Program& program, const gpu::Rectangle& tile,
               const gpu::Rectangles& parts) const;
     // Runs a pass of rays, in the stage that the passes were assembled for; `target` receives the
-    // states.
-    void march(const gpu::Program& program, const gpu::Rectangle& tile,
-               const gpu::Target& target) const;
+    // states. `parts`: what fragments are drawn over, for passes that are drawn so.
+    void march(const gpu::Program& program, const gpu::Rectangle& tile, const gpu::Target& target,
+               const gpu::Rectangles* parts = nullptr) const;
 
     // Later passes of rays take their time by this clock, which must outlive them.
     void time_rays_by(RayClock& clock) { clock_ = &clock; }
 
 private:
     void march_untimed(const gpu::Program& program, const gpu::Rectangle& tile,
-                       const gpu::Target& target) const;
+                       const gpu::Target& target, const gpu::Rectangles* parts) const;
 
     using Numbers = std::map<std::string, int, std::less<>>;
 

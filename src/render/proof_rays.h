@@ -16,6 +16,8 @@ struct ProofRays {
     glm::vec4 beam{0}, coarse_beam{0}; // for blocks of rays: see beam_range()
     RayThickness of_floats, of_doubles;
     bool in_range = true; // if false, the rounding of rays in float32 is unknown
+    // Among several surfaces: how far behind the place of another's root there must be none.
+    float beyond = 0;
 };
 
 ProofRays proof_rays(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,

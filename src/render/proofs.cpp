@@ -57,11 +57,6 @@ int blocks_across(int pixels, int block = synthesis::proved_block) {
     return (pixels + block - 1) / block;
 }
 
-int attachment_of(const synthesis::Passes& passes, synthesis::Channel channel) {
-    const auto& all = passes.attachments;
-    return 2 + int(std::find(all.begin(), all.end(), channel) - all.begin());
-}
-
 // Replaces areas of a record of so many pixels a row.
 void write_areas(std::span<const gpu::Rectangle> areas, std::span<const float> texels, int width,
                  std::span<float> record) {
@@ -95,7 +90,6 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const
               synthesis::cost_of_block_piece(*scene.surface.field, elements_of_piece(passes)),
               double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
     , natural_{Role::proof, cost_that_fits(cost_of_piece(passes, scene, ProofBounds::natural))}
-    , ending_(attachment_of(passes, synthesis::Channel::ending))
     , of_coarse_blocks_(blocks_across(plan.tile_width, synthesis::coarse_proved_block),
                         blocks_across(plan.tile_height, synthesis::coarse_proved_block))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
@@ -217,7 +211,7 @@ const std::optional<Proofs::Pieces>& Proofs::closer(const PassTable& table) {
     return *closer_;
 }
 
-ProofCounts Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Target& picture,
+ProofCounts Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Texture& endings,
                           const gpu::Rectangle& tile, std::span<float> record) {
     if (!rays.in_range) {
         std::ranges::fill(record, float(Proof::none));
@@ -226,7 +220,7 @@ ProofCounts Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Ta
         return counts;
     }
     upload(table, rays);
-    table.bind("ending_texture", picture.texture(ending_));
+    table.bind("ending_texture", endings);
     table.bind("block_texture", of_blocks_.texture(0));
     prove_blocks(table, tile);
     const ProvedBlocks blocks = proved_blocks(blocks_, tile.width, tile.height);

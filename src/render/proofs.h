@@ -40,10 +40,10 @@ public:
     Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const MarchPlan& plan,
            bool in_doubles);
 
-    // Proves the rays of a tile whose picture is drawn, with endings among its attachments. Unless
-    // it is empty, `record` receives four floats per pixel, rows from the bottom: Proof; of rays
-    // that are not proved, the t down to which they are settled; and two more.
-    ProofCounts prove(PassTable& table, const ProofRays& rays, const gpu::Target& picture,
+    // Proves the rays of a tile whose picture is drawn. `endings`: shaders/proof/ending.glsl.
+    // Unless it is empty, `record` receives four floats per pixel, rows from the bottom: Proof; of
+    // rays that are not proved, the t down to which they are settled; and two more.
+    ProofCounts prove(PassTable& table, const ProofRays& rays, const gpu::Texture& endings,
                       const gpu::Rectangle& tile, std::span<float> record);
 
 private:
@@ -78,7 +78,6 @@ private:
     int block_pieces_; // limit on pieces
     Pieces natural_;
     std::optional<std::optional<Pieces>> closer_; // set once it was needed
-    int ending_;                                  // among the picture's attachments
     gpu::Target of_coarse_blocks_, of_blocks_, kept_, going_on_;
     gpu::DepthMask mask_; // for the last two targets
     gpu::UniformBuffer frame_;

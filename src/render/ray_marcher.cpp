@@ -29,7 +29,7 @@ int RayMarcher::evaluations_of(Role role) const {
 
 const gpu::Target& RayMarcher::march(PassTable& table, Role role, const gpu::Rectangle& tile,
                                      const RayTargets& targets, const gpu::Target& counted_into,
-                                     int& draws) const {
+                                     int& draws, const gpu::Rectangles* parts) const {
     const gpu::Program& program = table.program(role);
     const gpu::Program& active = table.program(Role::active);
     program.set("evaluations_per_pass", evaluations_of(role));
@@ -38,7 +38,7 @@ const gpu::Target& RayMarcher::march(PassTable& table, Role role, const gpu::Rec
     for (bool first = true;; first = false) {
         table.bind_numbered("state_texture", *from);
         program.set("first_pass", first ? 1 : 0);
-        table.march(program, tile, *to);
+        table.march(program, tile, *to, parts);
         ++draws;
 
         table.bind_numbered("state_texture", *to);

@@ -27,10 +27,11 @@ public:
 
     // Marches a tile's rays by the pass with this role: march, mirror or shadow. Returns the target
     // that holds their ends, which is also bound as state textures. `counted_into` is any target as
-    // large as a tile; its pixels change. Adds its draws to `draws`.
+    // large as a tile; its pixels change. Adds its draws to `draws`. `parts`: as of
+    // PassTable::march.
     const gpu::Target& march(PassTable& table, synthesis::Role role, const gpu::Rectangle& tile,
-                             const RayTargets& targets, const gpu::Target& counted_into,
-                             int& draws) const;
+                             const RayTargets& targets, const gpu::Target& counted_into, int& draws,
+                             const gpu::Rectangles* parts = nullptr) const;
 
 private:
     int evaluations_of(synthesis::Role role) const;

@@ -15,6 +15,7 @@
 #include "render/layers.h"
 #include "render/pictures_in_flight.h"
 #include "render/planes.h"
+#include "render/proofs_of_surfaces.h"
 #include "render/ray_clock.h"
 #include "render/secondary_rays.h"
 #include "render/several_surfaces.h"
@@ -75,7 +76,10 @@ struct Renderer::Parts {
             for (SurfacePasses* surface : all_surfaces()) surface->table.time_rays_by(*clock);
         }
         if (passes.has(Role::motion)) moved.emplace(plan.march);
-        if (passes.has(Role::proof)) {
+        if (passes.has(Role::proof) && surfaces.size() > 1) {
+            proofs_of_surfaces.emplace(all_surfaces(),
+                                       options.proofs_in_doubles && context.info().has(4, 0));
+        } else if (passes.has(Role::proof)) {
             proofs.emplace(passes, scene, plan.march,
                            options.proofs_in_doubles && context.info().has(4, 0));
         }
@@ -141,6 +145,7 @@ struct Renderer::Parts {
             for (auto& uniform : uniforms_among(now, among, width, height, aim))
                 effects.push_back(std::move(uniform));
         }
+        if (proofs_of_surfaces) see_others(inputs, now, aim);
         inputs.preparing = std::chrono::steady_clock::now() - begin;
         return inputs;
     }
@@ -213,7 +218,7 @@ struct Renderer::Parts {
                     take_endings(inputs, tile,
                                  result.read(*at, 0, 0, tile.width, tile.height).data(), picture);
                 }
-                if (proofs) prove_tile(inputs, tile, picture);
+                if (proofs || proofs_of_surfaces) prove_tile(inputs, tile, picture);
                 if (moved && inputs.motion && several) {
                     draw_velocities(inputs, tile, picture.frame);
                 } else if (moved && inputs.motion) {
@@ -301,9 +306,7 @@ struct Renderer::Parts {
     // The attachment with the endings, if inputs ask for any.
     std::optional<int> endings_in(const PictureInputs& inputs) const {
         if (inputs.endings_of.empty()) return std::nullopt;
-        const auto at = std::ranges::find(passes.attachments, Channel::ending);
-        if (at == passes.attachments.end()) return std::nullopt;
-        return 2 + int(at - passes.attachments.begin());
+        return passes.attachment(Channel::ending);
     }
 
     // Fills the channels verdict and evaluations of the tile whose record was read last.
@@ -320,8 +323,13 @@ struct Renderer::Parts {
     // Proves the rays of a tile that is drawn; counts and, where wanted, keeps the outcomes.
     void prove_tile(const PictureInputs& inputs, const gpu::Rectangle& tile, Picture& picture) {
         const bool keeps = layers.wants(Channel::proof);
-        proved.resize(keeps ? std::size_t(tile.width) * std::size_t(tile.height) * 4 : 0);
-        const ProofCounts counts = proofs->prove(table, *inputs.proofs, result, tile, proved);
+        const auto size = std::size_t(tile.width) * std::size_t(tile.height) * 4;
+        proved.resize(keeps || proofs_of_surfaces ? size : 0);
+        const ProofCounts counts =
+            proofs_of_surfaces
+                ? proofs_of_surfaces->prove(inputs, result, tile, proved)
+                : proofs->prove(table, *inputs.proofs,
+                                result.texture(*passes.attachment(Channel::ending)), tile, proved);
         for (std::size_t k = 0; k < counts.size(); ++k) picture.proofs[k] += counts[k];
         if (keeps) {
             planes.copy(proved.data(), tile, 0, tile.height,
@@ -471,8 +479,9 @@ struct Renderer::Parts {
     std::optional<gpu::Texture> environment_levels; // where something mirrors it
     std::string environment_print;                  // of its texels
     std::optional<VelocityPass> moved;
-    std::optional<Proofs> proofs;
-    std::vector<float> proved; // of the tile proved last, if it is kept
+    std::optional<Proofs> proofs; // of a single surface
+    std::optional<ProofsOfSurfaces> proofs_of_surfaces;
+    std::vector<float> proved; // of the tile proved last, if it is kept or joined
     double done = 0;           // the part of the picture that is drawn
     image::Frame used;         // whose memory the next picture may have
     PicturesInFlight flights;

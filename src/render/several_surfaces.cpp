@@ -59,11 +59,21 @@ SeveralSurfaces::SeveralSurfaces(std::vector<SurfacePasses*> all)
     }
     if (!mirror_.empty()) {
         mirrored_.emplace(tile, kept_textures);
-        seen_.emplace(tile.tile_width, tile.tile_height);
+        mirrors_.emplace(seen_.emplace(tile.tile_width, tile.tile_height));
+        for (const gpu::Target& target : mirrored_->targets) mirrors_->serve(target);
+        for (const RayTargets& rays : mirror_) {
+            mirrors_->serve(rays.even);
+            mirrors_->serve(rays.odd);
+        }
     }
     if (all_.front()->passes.has(Role::glass)) {
         paths_.emplace(all_);
         seen_.emplace(tile.tile_width, tile.tile_height);
+        paths_->mask().serve(*seen_);
+        for (const RayTargets& rays : shadow_) {
+            paths_->mask().serve(rays.even);
+            paths_->mask().serve(rays.odd);
+        }
     }
     if (all_.front()->passes.has(Role::occlusion)) open_.emplace(tile, 1);
 }
@@ -80,15 +90,23 @@ void SeveralSurfaces::find_ends(const PictureInputs& inputs, const gpu::Rectangl
     }
 }
 
-void SeveralSurfaces::see_in_mirrors(const gpu::Rectangle& tile, const gpu::Target& result,
-                                     const gpu::Texture* environment, int& draws) {
+// Where no mirror is seen, nothing reads what mirrored rays would see.
+void SeveralSurfaces::see_in_mirrors(const gpu::Rectangle& tile, const gpu::Texture* environment,
+                                     int& draws) {
+    SurfacePasses& first = *all_.front();
+    first.bind();
+    first.table.bind_numbered("surface_texture", ends_.last());
+    mirrors_->set(*seen_, [&] { first.table.draw(first.table.program(Role::mirror_mask), tile); });
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
         one.bind();
         one.table.bind_numbered("surface_texture", ends_.last());
-        one.marcher.march(one.table, Role::mirror, tile, mirror_[k], result, draws);
+        mirrors_->apply(*seen_, [&] {
+            one.marcher.march(one.table, Role::mirror, tile, mirror_[k], *seen_, draws);
+        });
         one.table.bind_numbered("mirrored_texture", mirrored_->last());
-        one.table.draw(one.table.program(Role::mirror_surface), tile, mirrored_->next());
+        mirrors_->apply(mirrored_->next(),
+                        [&] { one.table.draw(one.table.program(Role::mirror_surface), tile); });
     }
     seen_->clear(0);
     for (std::size_t k = 0; k < all_.size(); ++k) {
@@ -98,7 +116,7 @@ void SeveralSurfaces::see_in_mirrors(const gpu::Rectangle& tile, const gpu::Targ
         one.table.bind_numbered("state_texture", *rays_[k]);
         one.table.bind_numbered("surface_texture", ends_.last());
         one.table.bind_numbered("mirrored_texture", mirrored_->last());
-        one.table.draw(one.table.program(Role::seen), tile, *seen_);
+        mirrors_->apply(*seen_, [&] { one.table.draw(one.table.program(Role::seen), tile); });
     }
 }
 
@@ -106,14 +124,14 @@ void SeveralSurfaces::see_in_mirrors(const gpu::Rectangle& tile, const gpu::Targ
 // ends.
 const gpu::Target* SeveralSurfaces::cast_shadows(const gpu::Target& ends,
                                                  const gpu::Rectangle& tile,
-                                                 const gpu::Target& result, int& draws) {
+                                                 const gpu::Target& counted_into, int& draws) {
     const gpu::Target* ended = nullptr;
     for (std::size_t k = 0; k < shadow_.size(); ++k) {
         SurfacePasses& one = *all_[k];
         one.bind();
         one.table.bind_numbered("surface_texture", ends);
         if (ended) one.table.bind("shadow_texture", ended->texture(1));
-        ended = &one.marcher.march(one.table, Role::shadow, tile, shadow_[k], result, draws);
+        ended = &one.marcher.march(one.table, Role::shadow, tile, shadow_[k], counted_into, draws);
     }
     return ended;
 }
@@ -128,11 +146,13 @@ void SeveralSurfaces::look_around(const gpu::Rectangle& tile) {
 }
 
 // Follows paths to their ends, and shades these.
-void SeveralSurfaces::follow_paths(const gpu::Rectangle& tile, const gpu::Target& result,
-                                   const gpu::Texture* environment, int& draws) {
+void SeveralSurfaces::follow_paths(const gpu::Rectangle& tile, const gpu::Texture* environment,
+                                   int& draws) {
     paths_->trace(ends_.last(), tile, environment, draws);
     const gpu::Target& ends = paths_->draw_ends(tile);
-    const gpu::Target* hidden = cast_shadows(ends, tile, result, draws);
+    // Where the mask has no pixel, nothing reads what there is.
+    const gpu::Target* hidden = nullptr;
+    paths_->mask().apply(ends, [&] { hidden = cast_shadows(ends, tile, paths_->spare(), draws); });
     seen_->clear(0);
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
@@ -142,7 +162,7 @@ void SeveralSurfaces::follow_paths(const gpu::Rectangle& tile, const gpu::Target
         one.table.bind_numbered("state_texture", *rays_[k]);
         one.table.bind_numbered("glass_texture", paths_->light());
         one.table.bind_numbered("mirrored_texture", ends);
-        one.table.draw(one.table.program(Role::seen), tile, *seen_);
+        paths_->mask().apply(*seen_, [&] { one.table.draw(one.table.program(Role::seen), tile); });
     }
 }
 
@@ -156,8 +176,8 @@ std::vector<int> SeveralSurfaces::seen(const gpu::Rectangle& tile) const {
 void SeveralSurfaces::draw(const PictureInputs& inputs, const gpu::Rectangle& tile,
                            const gpu::Target& result, const gpu::Texture* environment, int& draws) {
     find_ends(inputs, tile, result, draws);
-    if (mirrored_) see_in_mirrors(tile, result, environment, draws);
-    if (paths_) follow_paths(tile, result, environment, draws);
+    if (mirrored_) see_in_mirrors(tile, environment, draws);
+    if (paths_) follow_paths(tile, environment, draws);
     const gpu::Target* hidden = cast_shadows(ends_.last(), tile, result, draws);
     if (open_) look_around(tile);
     for (std::size_t k = 0; k < all_.size(); ++k) {

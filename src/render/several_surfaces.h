@@ -36,13 +36,11 @@ public:
 private:
     void find_ends(const PictureInputs& inputs, const gpu::Rectangle& tile,
                    const gpu::Target& result, int& draws);
-    void see_in_mirrors(const gpu::Rectangle& tile, const gpu::Target& result,
-                        const gpu::Texture* environment, int& draws);
+    void see_in_mirrors(const gpu::Rectangle& tile, const gpu::Texture* environment, int& draws);
     const gpu::Target* cast_shadows(const gpu::Target& ends, const gpu::Rectangle& tile,
-                                    const gpu::Target& result, int& draws);
+                                    const gpu::Target& counted_into, int& draws);
     void look_around(const gpu::Rectangle& tile);
-    void follow_paths(const gpu::Rectangle& tile, const gpu::Target& result,
-                      const gpu::Texture* environment, int& draws);
+    void follow_paths(const gpu::Rectangle& tile, const gpu::Texture* environment, int& draws);
 
     std::vector<SurfacePasses*> all_;
     std::vector<RayTargets> eye_, shadow_, mirror_;
@@ -50,6 +48,7 @@ private:
     Relay ends_;
     std::optional<Relay> mirrored_, open_;
     std::optional<gpu::Target> seen_;
+    std::optional<gpu::DepthMask> mirrors_; // where mirrored rays begin
     std::optional<LightPaths> paths_;
 };
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "render/arithmetic_speed.h"
-#include "scene/error.h"
 #include "scene/surfaces.h"
 #include "synthesis/inlined_size.h"
 #include "synthesis/surfaces_text.h"
@@ -29,14 +28,6 @@ const synthesis::Passes& checked(const synthesis::Passes& passes, const gpu::Con
 // Each surface keeps the states of its rays: smaller tiles keep that in bounds.
 constexpr int largest_tile_of_several = 512;
 
-void expect_known_to_several(const scene::Scene& scene) {
-    const bool certifies =
-        scene.isolation.certify || std::ranges::any_of(scene.others, [](const auto& other) {
-            return other.isolation.certify;
-        });
-    if (certifies) scene::expect_one_surface(scene, "isolation.certify");
-}
-
 } // namespace
 
 PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& options,
@@ -57,7 +48,6 @@ PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& option
 
 std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const RenderOptions& options,
                                           const gpu::ContextInfo& info) {
-    expect_known_to_several(scene);
     std::vector<PlannedSurface> all;
     for (int k = 0; k <= int(scene.others.size()); ++k)
         all.emplace_back(scene::of_surface(scene, k), options, info);

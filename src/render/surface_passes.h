@@ -27,8 +27,7 @@ struct PlannedSurface {
     ScenePlan plan;
 };
 
-// Plans all surfaces of a scene, in the file's order, with tiles of one size. Throws SceneError for
-// features that several surfaces can't have.
+// Plans all surfaces of a scene, in the file's order, with tiles of one size.
 std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const RenderOptions& options,
                                           const gpu::ContextInfo& info);
 

@@ -348,6 +348,12 @@ Exporter::Exporter(scene::Scene scene, ExportOptions options)
     for (const int frame : options_.frames) render::check_exposure(scene_, frame);
 }
 
+void Exporter::choose(std::span<const scene::Isolation> settings) {
+    scene_.isolation = settings.front();
+    for (std::size_t k = 0; k < scene_.others.size(); ++k)
+        scene_.others[k].isolation = settings[k + 1];
+}
+
 void Exporter::make_folders() const {
     make_folder_of(name_.path(options_.frames.front()));
     for (const fs::path& movie : options_.movies) make_folder_of(movie);

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -74,8 +75,8 @@ public:
 
     const scene::Scene& scene() const { return scene_; }
     const ExportOptions& options() const { return options_; }
-    // Changes the settings of the scene's isolation.
-    void choose(const scene::Isolation& isolation) { scene_.isolation = isolation; }
+    // Changes the settings of each surface's isolation, the first one's first.
+    void choose(std::span<const scene::Isolation> settings);
 
     // Makes the folders of the frames and of the movies, as export_frames() does. Throws FileError.
     void make_folders() const;

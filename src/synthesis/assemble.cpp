@@ -143,6 +143,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
         passes.light_beams = shadow_mask(scene) & far_lights(scene);
     std::vector<Channel> wanted = channels;
     if (scene.isolation.certify || tells_endings) wanted.push_back(Channel::ending);
+    if (scene.isolation.certify && is_among(scene)) wanted.push_back(Channel::surface);
     passes.attachments = written_channels(wanted);
 
     const auto add = [&](Pass pass) { passes.list.push_back(std::move(pass)); };
@@ -162,6 +163,8 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     const When once = fuses ? When::where_fused_ends : When::once_a_tile;
     if (keeps_surfaces(scene)) add(surface_pass(scene, passes, Origin::eye, once));
     if (has_mirrored_rays(scene)) {
+        // A page has no such masks.
+        if (is_among(scene) && is_first(scene) && !on_web) add(mirror_mask_pass(scene));
         add(march_pass(scene, passes, Origin::mirror, When::until_rays_end));
         add(surface_pass(scene, passes, Origin::mirror, When::once_a_tile));
         if (is_among(scene)) add(seen_pass(scene, passes));

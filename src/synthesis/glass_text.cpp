@@ -88,13 +88,11 @@ Pass next_pass(const scene::Scene& scene, const Passes& passes) {
     return std::move(text).pass(Role::glass_next, "glass next", When::until_rays_end);
 }
 
-// Passes that look at paths alone.
 Pass path_pass(Role role, const char* name, const char* file) {
     ShaderText text;
     text.file("glass/path.glsl");
     if (role == Role::glass_copy) text.file("glass/store_path.glsl");
-    text.file(file);
-    return std::move(text).pass(role, name, When::until_rays_end);
+    return pass_over_paths(std::move(text), role, name, file);
 }
 
 Pass ground_pass(const scene::Scene& scene) {
@@ -153,6 +151,7 @@ bool shows_shadows_through_glass(const scene::Scene& scene) {
 
 void add_glass_ray(ShaderText& text) {
     text.file("glass/path.glsl");
+    text.file("glass/may_meet.glsl");
     text.file("glass/ray.glsl");
 }
 
@@ -181,6 +180,12 @@ void add_seen_through_glass(ShaderText& text, const scene::Scene& scene) {
                         scene.ground ? "ground_light(path.position, ground_normal(path.direction))"
                                      : "vec3(0.0)"));
     text.file("glass/seen.glsl");
+}
+
+Pass pass_over_paths(ShaderText text, Role role, const char* name, const char* file,
+                     Cover cover) {
+    text.file(file);
+    return std::move(text).pass(role, name, When::until_rays_end, cover);
 }
 
 std::vector<Pass> glass_passes(const scene::Scene& scene, const Passes& passes) {

@@ -33,6 +33,10 @@ void add_glass_ray(ShaderText& text);
 void add_matter(ShaderText& text, const scene::Scene& scene);
 void add_seen_through_glass(ShaderText& text, const scene::Scene& scene);
 
+// A pass that looks at paths alone: `text` knows what a path is.
+Pass pass_over_paths(ShaderText text, Role role, const char* name, const char* file,
+                     Cover cover = Cover::whole);
+
 // The passes of glass besides its march, in the order in which a tile runs them.
 std::vector<Pass> glass_passes(const scene::Scene& scene, const Passes& passes);
 

@@ -176,7 +176,7 @@ Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, 
     case Origin::mirror:
         return std::move(text).pass(Role::mirror, "mirror", when);
     case Origin::glass:
-        return std::move(text).pass(Role::glass, "glass", when);
+        return std::move(text).pass(Role::glass, "glass", when, cover_of_paths(scene));
     case Origin::eye:
         break;
     }

@@ -95,6 +95,12 @@ Passes without_fused_pass(Passes passes) {
     return passes;
 }
 
+std::optional<int> Passes::attachment(Channel channel) const {
+    const auto at = std::ranges::find(attachments, channel);
+    if (at == attachments.end()) return std::nullopt;
+    return 2 + int(at - attachments.begin());
+}
+
 const Pass* Passes::find(Role role, int level) const {
     const auto found = std::find_if(list.begin(), list.end(), [&](const Pass& pass) {
         return pass.role == role && pass.level == level;

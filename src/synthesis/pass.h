@@ -2,6 +2,7 @@
 // and the names that the text declares.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,8 +23,10 @@ enum class Role {
     march,          // takes rays some turns on
     active,         // counts the rays that still march
     surface,        // keeps the ends of rays, for the passes that begin there
+    mirror_mask,    // sets depth so that these run only where a mirror is seen, of several surfaces
     mirror,         // marches the mirrored rays
     mirror_surface, // keeps the ends of those
+    glass_begins,   // sets depth so that the next one runs only where paths begin
     glass_first,    // begins rays through glass where the eye's rays met it
     glass,          // marches those
     glass_end,      // keeps their ends, of one surface among several
@@ -32,12 +35,14 @@ enum class Role {
     glass_copy,     // copies the continued paths to the target that holds all
     glass_mask,     // sets depth so that the next passes run only where paths continue
     glass_active,   // counts those
+    glass_ended,    // sets depth where paths ended on the ground or on other surfaces
     glass_ground,   // the points where they met the ground, or other surfaces, for shadow rays
     seen,           // shades what further rays see of one surface among several
     shadow,         // marches the shadow rays
     occlusion,      // the part of ambient light that one surface among several lets through
     shade,          // makes the picture from finished rays
     motion,         // F and its gradient at another time, at the ends of rays
+    ending,         // where rays ended, for the proofs of one surface among several
     // Proofs, for scenes that ask for them: see render/proofs.h.
     coarse_block_proof, // proves, for larger blocks of rays, the part before all roots
     block_proof,        // proves blocks of rays together
@@ -124,6 +129,8 @@ struct Passes : FieldStorage {
     // Attachments of the shade pass: 0 colour, 1 the counts (render/record.h), then these.
     std::vector<Channel> attachments;
 
+    // The attachment that a channel is written to, if one is.
+    std::optional<int> attachment(Channel channel) const;
     // The pass with that role, or null.
     const Pass* find(Role role, int level = 0) const;
     bool has(Role role) const { return find(role) != nullptr; }

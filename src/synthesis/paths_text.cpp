@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/limits.h"
+#include "scene/surfaces.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/glass_text.h"
 #include "synthesis/paint_text.h"
@@ -20,6 +22,10 @@ bool mirrors_all(const scene::Scene& scene) {
 
 // Whether its own light is part of a path that goes on.
 bool shines_on_paths(const scene::Scene& scene) { return has_glass(scene) || mirrors_all(scene); }
+
+// What shaders/paths/store_path.glsl packs into floats, which are whole to 2^24.
+static_assert(scene::most_surfaces <= 8 && scene::limits::sections < 15);
+static_assert(scene::limits::glass_depth < 32 && (most_crossings + 1) << 5 < 1 << 24);
 
 void add_path(ShaderText& text, const scene::Scene& scene) {
     text.define("SURFACES", scene.among.count);
@@ -91,14 +97,16 @@ void add_field_of_meeting(ShaderText& text, const scene::Scene& scene, const Pas
 }
 
 Pass meeting_pass(const scene::Scene& scene, const Passes& passes, Role role, const char* name,
-                  const char* file, When when) {
+                  const char* file, Cover cover) {
     ShaderText text;
     text.define("LIGHTS", int(scene.lights.size()));
     add_field_of_meeting(text, scene, passes);
     add_ray(text, scene);
     add_meeting(text, scene, passes);
+    text.define("MOST_CROSSINGS", most_crossings);
     text.file(file);
-    return std::move(text).pass(role, name, when);
+    const When when = role == Role::glass_first ? When::once_a_tile : When::until_rays_end;
+    return std::move(text).pass(role, name, when, cover);
 }
 
 Pass beyond_pass(const scene::Scene& scene, const Passes& passes) {
@@ -109,15 +117,30 @@ Pass beyond_pass(const scene::Scene& scene, const Passes& passes) {
     text.define("SURFACE", scene.among.index);
     text.file("paths/in_matter.glsl");
     text.file("paths/beyond.frag");
-    return std::move(text).pass(Role::glass_beyond, "glass beyond", When::until_rays_end);
+    return std::move(text).pass(Role::glass_beyond, "glass beyond", When::until_rays_end,
+                                Cover::rectangles);
 }
 
-// Passes that look at paths alone.
 Pass path_pass(const scene::Scene& scene, Role role, const char* name, const char* file) {
     ShaderText text;
     add_path(text, scene);
-    text.file(file);
-    return std::move(text).pass(role, name, When::until_rays_end);
+    return pass_over_paths(std::move(text), role, name, file, Cover::rectangles);
+}
+
+// Where paths begin on this surface, or before it.
+Pass begins_pass(const scene::Scene& scene) {
+    ShaderText text;
+    text.file("march/verdict.glsl");
+    text.define("SURFACE", scene.among.index);
+    text.file("paths/begins.frag");
+    return std::move(text).pass(Role::glass_begins, "glass begins", When::once_a_tile);
+}
+
+Pass ended_pass(const scene::Scene& scene) {
+    ShaderText text;
+    add_path(text, scene);
+    text.file("paths/ended.frag");
+    return std::move(text).pass(Role::glass_ended, "glass ended", When::once_a_tile);
 }
 
 Pass ends_pass(const scene::Scene& scene) {
@@ -132,25 +155,11 @@ Pass ends_pass(const scene::Scene& scene) {
 }
 
 Pass seen_by_paths_pass(const scene::Scene& scene, const Passes& passes) {
-    ShaderText text;
-    text.define("LIGHTS", int(scene.lights.size()));
-    std::vector<FieldFunction> functions;
-    const bool paint = painting(scene) != nullptr;
-    if (paint && !passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
-    if (paint || scene.material.contours) {
-        add_field(text, *scene.surface.field, passes, functions, painting_functions(scene, passes));
-    } else {
-        text.file("math/bits.glsl");
-    }
-    add_ray(text, scene);
-    add_picture(text, scene);
-    add_color(text, scene);
-    text.file("effects/eye_begin.glsl");
-    text.file("effects/surface_point.glsl");
+    ShaderText text = begin_seen(scene, passes);
     text.file("effects/load_mirrored.glsl");
     add_path(text, scene);
     add_seen_shading(text, scene);
-    if (paint) add_gradient(text, scene, passes);
+    if (painting(scene)) add_gradient(text, scene, passes);
     text.generated("generated: evaluations of shadow rays",
                    fmt::format("float shadow_evaluations() {{\n    return {};\n}}\n",
                                shadow_mask(scene) != 0
@@ -165,7 +174,8 @@ Pass seen_by_paths_pass(const scene::Scene& scene, const Passes& passes) {
 void add_path_ray(ShaderText& text, const scene::Scene& scene) {
     add_path(text, scene);
     text.file("paths/matter.glsl");
-    text.file("paths/ray.glsl");
+    text.file("paths/may_meet.glsl");
+    text.file("glass/ray.glsl");
 }
 
 void add_begin_of_path(ShaderText& text, const scene::Scene& scene) {
@@ -204,17 +214,18 @@ void add_seen_by_path(ShaderText& text, const scene::Scene& scene) {
 
 std::vector<Pass> path_passes(const scene::Scene& scene, const Passes& passes) {
     std::vector<Pass> all;
+    all.push_back(begins_pass(scene));
     all.push_back(meeting_pass(scene, passes, Role::glass_first, "glass first", "paths/first.frag",
-                               When::once_a_tile));
+                               Cover::whole));
     all.push_back(march_pass(scene, passes, Origin::glass, When::until_rays_end));
     all.push_back(surface_pass(scene, passes, Origin::glass, When::until_rays_end));
     if (has_glass(scene)) all.push_back(beyond_pass(scene, passes));
     all.push_back(meeting_pass(scene, passes, Role::glass_next, "glass next", "paths/next.frag",
-                               When::until_rays_end));
+                               Cover::rectangles));
     if (is_first(scene)) {
         all.push_back(path_pass(scene, Role::glass_copy, "glass copy", "paths/copy.frag"));
         all.push_back(path_pass(scene, Role::glass_mask, "glass mask", "glass/mask.frag"));
-        all.push_back(path_pass(scene, Role::glass_active, "glass active", "glass/active.frag"));
+        all.push_back(ended_pass(scene));
         all.push_back(ends_pass(scene));
     }
     all.push_back(seen_by_paths_pass(scene, passes));

@@ -14,8 +14,16 @@
 
 namespace isomotion::synthesis {
 
+// Where matter begins or ends at the bounds of a surface, its path's ray goes on: so often.
+inline constexpr int most_crossings = 32;
+
 // Whether any surface among several is of glass. Then mirrored rays are rays of paths, too.
 inline bool follows_paths(const scene::Scene& scene) { return !scene.among.matters.empty(); }
+
+// What the passes of rays through glass are drawn over. Among several surfaces late rays are few.
+inline Cover cover_of_paths(const scene::Scene& scene) {
+    return follows_paths(scene) ? Cover::rectangles : Cover::whole;
+}
 
 // Adds pixel_ray() for paths. Needs the eye's as eye_ray().
 void add_path_ray(ShaderText& text, const scene::Scene& scene);

@@ -5,7 +5,9 @@
 #include "formula/enclosure.h"
 #include "formula/glsl/glsl_model.h"
 #include "synthesis/beam_text.h"
+#include "synthesis/march_text.h"
 #include "synthesis/shader_text.h"
+#include "synthesis/surfaces_text.h"
 
 namespace isomotion::synthesis {
 namespace {
@@ -50,8 +52,16 @@ void add_ended_ray(ShaderText& text, const scene::Scene& scene) {
     text.file("frame.glsl");
     text.file("march/verdict.glsl");
     text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
+    if (!is_among(scene)) {
+        text.file("march/ray.glsl");
+        text.file("proof/ending.glsl");
+        return;
+    }
+    text.generated("rays through the bounds, renamed", "#define pixel_ray whole_ray\n");
     text.file("march/ray.glsl");
+    text.generated("rays up to what is seen of other surfaces", "#undef pixel_ray\n");
     text.file("proof/ending.glsl");
+    text.file("proof/ray_to_end.glsl");
 }
 
 void add_by_place(ShaderText& text, const Passes& passes) {
@@ -212,6 +222,16 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
     return std::move(text).pass(Role::proof, "proof", When::once_a_tile, Cover::rectangles);
 }
 
+Pass ending_of_surface(const scene::Scene& scene) {
+    ShaderText text;
+    text.file("math/bits.glsl");
+    add_ray(text, scene);
+    text.define("SURFACE", scene.among.index);
+    text.file("surfaces/eye_way.glsl");
+    text.file("proof/ending_of_surface.frag");
+    return std::move(text).pass(Role::ending, "ending", When::once_a_tile);
+}
+
 // A pass over what proofs keep.
 Pass of_outcomes(Role role, std::string name, When when, const std::string& file) {
     ShaderText text;
@@ -241,6 +261,7 @@ formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& sto
 
 std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes) {
     std::vector<Pass> list;
+    if (is_among(scene)) list.push_back(ending_of_surface(scene));
     if (goes_by_models(*scene.surface.field, ProofBounds::natural))
         list.push_back(block_proof(scene, passes, Role::coarse_block_proof));
     list.push_back(block_proof(scene, passes, Role::block_proof));

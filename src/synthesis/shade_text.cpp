@@ -230,14 +230,14 @@ Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin
     case Origin::mirror:
         return std::move(text).pass(Role::mirror_surface, "mirror surface", when);
     case Origin::glass:
-        return std::move(text).pass(Role::glass_end, "glass end", when);
+        return std::move(text).pass(Role::glass_end, "glass end", when, cover_of_paths(scene));
     case Origin::eye:
         break;
     }
     return std::move(text).pass(Role::surface, "surface", when);
 }
 
-Pass seen_pass(const scene::Scene& scene, const Passes& passes) {
+ShaderText begin_seen(const scene::Scene& scene, const Passes& passes) {
     ShaderText text;
     text.define("LIGHTS", int(scene.lights.size()));
     std::vector<FieldFunction> functions;
@@ -253,10 +253,15 @@ Pass seen_pass(const scene::Scene& scene, const Passes& passes) {
     add_color(text, scene);
     text.file("effects/eye_begin.glsl");
     text.file("effects/surface_point.glsl");
+    return text;
+}
+
+Pass seen_pass(const scene::Scene& scene, const Passes& passes) {
+    ShaderText text = begin_seen(scene, passes);
     add_load_surface(text, scene);
     text.file("effects/load_mirrored.glsl");
     add_seen_shading(text, scene);
-    if (paint) add_gradient(text, scene, passes);
+    if (painting(scene)) add_gradient(text, scene, passes);
     text.define("SURFACE", scene.among.index);
     text.file("surfaces/seen.frag");
     return std::move(text).pass(Role::seen, "seen", When::once_a_tile);

@@ -24,6 +24,10 @@ bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels, i
 Pass fused_pass(const scene::Scene& scene, const Passes& passes);
 Pass mask_pass(const scene::Scene& scene, const Passes& passes);
 
+// The beginning of a pass that shades what further rays see of one surface among several: what its
+// colours ask of the field, the ray, the picture, colours, and SurfacePoint.
+ShaderText begin_seen(const scene::Scene& scene, const Passes& passes);
+
 // Keeps where rays ended: Role::surface, mirror_surface or glass_end, by their origin.
 Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when);
 // What mirrored rays see of this surface among several.

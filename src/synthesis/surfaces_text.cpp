@@ -112,6 +112,14 @@ void begin_shadow_after_others(ShaderText& text, const scene::Scene& scene, int 
                                mask));
 }
 
+Pass mirror_mask_pass(const scene::Scene& scene) {
+    ShaderText text;
+    text.file("march/verdict.glsl");
+    text.define("MIRRORS", scene.among.mirrors);
+    text.file("surfaces/mirror_mask.frag");
+    return std::move(text).pass(Role::mirror_mask, "mirror mask", When::once_a_tile);
+}
+
 Pass occlusion_pass(const scene::Scene& scene, const Passes& passes) {
     ShaderText text;
     add_field(text, *scene.surface.field, passes, {FieldFunction::value, FieldFunction::gradient});

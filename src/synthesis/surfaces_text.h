@@ -35,6 +35,8 @@ void add_store_nearest(ShaderText& text, const scene::Scene& scene, Origin origi
 // Adds the beginning of shadow rays if surfaces before this one may have hidden lights.
 void begin_shadow_after_others(ShaderText& text, const scene::Scene& scene, int mask);
 
+// Where mirrored rays of several surfaces begin.
+Pass mirror_mask_pass(const scene::Scene& scene);
 Pass occlusion_pass(const scene::Scene& scene, const Passes& passes);
 
 } // namespace isomotion::synthesis

@@ -92,6 +92,28 @@ TEST_F(Accuracy, RenderTakesTheCheapestThatIsRightEnough) {
     EXPECT_THAT(none.err, HasSubstr("--max-wrong 0: no setting is that accurate"));
 }
 
+// A surface that every step passes over, and one that any finds: each has its own setting.
+TEST_F(Accuracy, RenderChoosesForEachSurface) {
+    const auto two = [&](const char* formula) {
+        write("two.toml", std::string("[[surfaces]]\nname = \"plate\"\nformula = \"") + formula +
+                              "\"\nbounds = { sphere = 1 }\ntransform = { translate = [0, 2, 0] }\n"
+                              "[[surfaces]]\nname = \"ball\"\nformula = \"x^2 + y^2 + z^2 - 1\"\n"
+                              "bounds = { sphere = 1.5 }\n[camera]\nposition = [8, 0.3, 0.2]\n"
+                              "[output]\nsize = [48, 48]\n");
+        return run_here(
+            {"render", "two.toml", "--max-wrong", "2000", "--method", "marching", "-o", "t.png"});
+    };
+    const Ending right = two("x - 0.1*y");
+    EXPECT_EQ(right.code, 0) << right;
+    EXPECT_THAT(right.out, HasSubstr("surface plate\n"));
+    EXPECT_THAT(right.out, HasSubstr("surface ball\n"));
+    EXPECT_THAT(right.out, HasSubstr("together: "));
+    EXPECT_EQ(names().count("t.png"), 1u);
+    const Ending none = two("x^2 - 1e-8");
+    EXPECT_EQ(none.code, 1) << none;
+    EXPECT_THAT(none.err, HasSubstr("no setting is that accurate"));
+}
+
 TEST_F(Accuracy, MistakesNameTheOption) {
     for (const auto& [arguments, message] : std::vector<std::pair<Words, std::string>>{
              {{"--methods", "newton"}, "--methods newton: there is no method 'newton'"},

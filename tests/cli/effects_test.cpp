@@ -92,6 +92,20 @@ TEST_F(Effects, HaveTheirPrices) {
     EXPECT_THAT(run(words).out, HasSubstr("calls for no effect"));
 }
 
+TEST_F(Effects, OfSeveralSurfacesAndSectionsHaveTheirPrices) {
+    std::ofstream(*this / "several.toml")
+        << "[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - 1\"\nbounds = { sphere = 1.5 }\n"
+           "material = { contours = { value = \"z\", every = 0.2 } }\n"
+           "[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - 1\"\nbounds = { sphere = 1.5 }\n"
+           "material = { transmission = 1, depth = 2 }\ntransform = { translate = [1, 0, 0] }\n"
+           "[[sections]]\nnormal = [0, 0, 1]\noffset = 0.5\n[output]\nsize = [24, 24]\n";
+    const Ending priced =
+        run({"accuracy", "several.toml", "--effects", "--size", "24x24", "--repeat", "1"});
+    EXPECT_EQ(priced.code, 0) << priced;
+    for (const char* effect : {"glass", "sections", "contours"})
+        EXPECT_THAT(priced.out, HasSubstr(std::string("\n") + effect + ' '));
+}
+
 TEST_F(Effects, MapsThatAreNoneAreErrors) {
     Words words = with_scene("render", "[environment]\nmap = \"nowhere.exr\"\n");
     words.insert(words.end(), {"-o", "frame.png"});

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "effects/optics.h"
 #include "render/drawing.h"
 
 namespace isomotion::render {
@@ -15,11 +16,6 @@ gpu::Context& context_of_glass() {
 
 using glm::dvec3;
 
-// The sky's red is a half plus a half of the direction's z, its green is 1, its blue 0.5.
-constexpr const char* sky_by_height = "background = { top = [1, 1, 0.5], bottom = [0, 1, 0.5] }\n";
-dvec3 sky(const dvec3& d) { return {0.5 + 0.5 * d.z, 1, 0.5}; }
-constexpr const char* white = "background = [1, 1, 1]\n";
-constexpr const char* dark = "[[lights]]\ndirection = [0, 0, 1]\ncolor = [0, 0, 0]\n";
 // Parallel rays along y, from -1.2 to 1.2.
 constexpr const char* along_y = "[camera]\nposition = [0, -5, 0]\ntarget = [0, 0, 0]\n"
                                 "projection = \"orthographic\"\nheight = 2.4\n";
@@ -47,11 +43,6 @@ Picture lit_ball(const std::string& material) {
             ball, material, along_y)));
 }
 
-dvec3 color(const Picture& picture, std::size_t pixel) {
-    dvec3 found;
-    for (int k = 0; k < 3; ++k) found[k] = picture.frame.channels[std::size_t(k)].samples[pixel];
-    return found;
-}
 bool is_hit(const Picture& picture, std::size_t pixel) {
     return Verdict(int(picture.frame.find("verdict")->samples[pixel])) == Verdict::hit;
 }
@@ -69,16 +60,6 @@ EyeRay eye_ray(const scene::Scene& scene, std::size_t pixel) {
     const bool parallel = scene.camera.projection == scene::Camera::Projection::orthographic;
     const dvec3 along = rays.axis + (parallel ? dvec3(0) : across);
     return {rays.origin + across - along, glm::normalize(along)};
-}
-
-// Fresnel's equations by both angles, in degrees of no importance: n1 sin a = n2 sin b.
-double fresnel(double a, double n1, double n2) {
-    const double sine = n1 / n2 * std::sin(a);
-    if (sine >= 1) return 1;
-    const double b = std::asin(sine);
-    if (a < 1e-7) return std::pow((n1 - n2) / (n1 + n2), 2);
-    const double s = std::sin(a - b) / std::sin(a + b), p = std::tan(a - b) / std::tan(a + b);
-    return 0.5 * (s * s + p * p);
 }
 
 // A ray through a unit ball about the origin, followed by geometry alone: in its plane each chord

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "effects/optics.h"
 #include "render/drawing.h"
 
 namespace isomotion::render {
@@ -17,11 +18,6 @@ gpu::Context& context_of_nested_glass() {
 
 using glm::dvec3;
 
-// The sky's red is a half plus a half of the direction's z, its green is 1, its blue 0.5.
-constexpr const char* sky_by_height = "background = { top = [1, 1, 0.5], bottom = [0, 1, 0.5] }\n";
-dvec3 sky(const dvec3& d) { return {0.5 + 0.5 * d.z, 1, 0.5}; }
-constexpr const char* white = "background = [1, 1, 1]\n";
-constexpr const char* dark = "[[lights]]\ndirection = [0, 0, 1]\ncolor = [0, 0, 0]\n";
 // Parallel rays along y.
 std::string along_y(double height) {
     return fmt::format("[camera]\nposition = [0, -5, 0]\ntarget = [0, 0, 0]\n"
@@ -58,11 +54,6 @@ Picture drawn(const std::string& text, const std::optional<MarchPlan>& plan = {}
     return renderer.draw(scene::at(scene, scene.timeline.values(1)));
 }
 
-dvec3 color(const Picture& picture, std::size_t pixel) {
-    dvec3 found;
-    for (int k = 0; k < 3; ++k) found[k] = picture.frame.channels[std::size_t(k)].samples[pixel];
-    return found;
-}
 int surface_at(const Picture& picture, std::size_t pixel) {
     return int(picture.frame.find("surface")->samples[pixel]);
 }
@@ -72,15 +63,6 @@ double largest_difference(const Picture& a, const Picture& b) {
         for (int k = 0; k < 3; ++k)
             most = std::max(most, std::abs(color(a, pixel)[k] - color(b, pixel)[k]));
     return most;
-}
-
-double fresnel(double a, double n1, double n2) {
-    const double sine = n1 / n2 * std::sin(a);
-    if (sine >= 1) return 1;
-    const double b = std::asin(sine);
-    if (a < 1e-7) return std::pow((n1 - n2) / (n1 + n2), 2);
-    const double s = std::sin(a - b) / std::sin(a + b), p = std::tan(a - b) / std::tan(a + b);
-    return 0.5 * (s * s + p * p);
 }
 
 // Glass in water of the same index is not there, if its matter counts, and if it is as clear.

@@ -385,14 +385,11 @@ Scene read_one(toml::table& root, const fs::path& file, const base::Confines& wi
     }
 }
 
-// What only a scene with one surface may have.
-void refuse_among_several(const toml::table& root, const std::vector<Scene>& scenes) {
-    const auto any = [&](auto&& has) { return std::ranges::any_of(scenes, has); };
-    if (any([](const Scene& scene) { return scene.isolation.certify; })) {
-        fail(
-            *root.get("surfaces"), "isolation.certify",
-            "the GPU's proofs know one surface; leave it out (audits and `accuracy` know several)");
-    }
+// A pixel is proved if what its ray meets of each surface is.
+void certify_all_or_none(std::vector<Scene>& scenes) {
+    const bool any =
+        std::ranges::any_of(scenes, [](const Scene& scene) { return scene.isolation.certify; });
+    for (Scene& scene : scenes) scene.isolation.certify = any;
 }
 
 using Parse = std::function<toml::table()>;
@@ -426,7 +423,7 @@ Scene read_listed(const toml::table& root, const Parse& parse, const fs::path& f
         scenes.push_back(std::move(scene));
     }
     if (mistakes) throw Mistakes(*mistakes);
-    if (scenes.size() > 1) refuse_among_several(root, scenes);
+    certify_all_or_none(scenes);
     if (!unused.empty()) {
         fail(*root["parameters"].as_table()->get(*unused.begin()), "parameters." + *unused.begin(),
              "no surface's formula and no expression uses this parameter");

@@ -85,6 +85,13 @@ TEST(Surfaces, HaveTheirOwnAndWhatTheyShare) {
     EXPECT_EQ(now.others[0].placement.scale, 2);
 }
 
+TEST(Surfaces, AreAllProvedOrNone) {
+    EXPECT_FALSE(read(two).isolation.certify);
+    const Scene scene = read(two, {"surfaces.ring.isolation.certify=true"});
+    EXPECT_TRUE(scene.isolation.certify);
+    EXPECT_TRUE(scene.others[0].isolation.certify);
+}
+
 TEST(Surfaces, TheCameraSeesAll) {
     const Scene scene = read(two);
     const SceneAt now = at(scene, scene.timeline.values(1));
@@ -145,8 +152,6 @@ TEST(Surfaces, MistakesHaveTheirLine) {
                 HasSubstr("parameters.m: no surface's formula"));
     EXPECT_THAT(message_of(ball + ball + "parameters = { m = 1 }\n"),
                 HasSubstr("uses this parameter"));
-    EXPECT_THAT(message_of(ball + ball + "isolation = { certify = true }\n"),
-                HasSubstr("know one surface"));
     EXPECT_THAT(message_of("surfaces = 3\n"), HasSubstr("[[surfaces]] above"));
     std::string many;
     for (int k = 0; k < 9; ++k) many += ball;

@@ -148,6 +148,12 @@ scene::Scene two_plain_surfaces(const std::string& value) {
     return scene_of(one + one);
 }
 
+scene::Scene proved_surfaces(const std::string& value) {
+    scene::Scene scene = two_plain_surfaces(value);
+    scene.isolation.certify = scene.others[0].isolation.certify = true;
+    return scene;
+}
+
 scene::Scene with_glass(const std::string& value) { return scene_of(glass_among_others(value)); }
 
 std::vector<Passes> passes_of_surfaces(const scene::Scene& scene) {
@@ -175,7 +181,7 @@ TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
     }
     const Passes polynomial = assemble(scene_of(surface_text("x") + "certify = true\n"));
     for (const Pass& pass : polynomial.list) roles.insert(pass.role);
-    for (const auto& described : {two_surfaces, two_plain_surfaces, with_glass}) {
+    for (const auto& described : {two_surfaces, two_plain_surfaces, proved_surfaces, with_glass}) {
         const std::vector<Passes> one = passes_of_surfaces(described("0.25"));
         const std::vector<Passes> other = passes_of_surfaces(described("0.5"));
         for (std::size_t k = 0; k < one.size(); ++k) {
@@ -464,6 +470,8 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     for (const Passes& passes : of_surfaces) add(passes);
     const std::vector<Passes> of_plain_surfaces = passes_of_surfaces(two_plain_surfaces("0.5"));
     for (const Passes& passes : of_plain_surfaces) add(passes);
+    const std::vector<Passes> of_proved_surfaces = passes_of_surfaces(proved_surfaces("0.5"));
+    for (const Passes& passes : of_proved_surfaces) add(passes);
     const std::vector<Passes> of_glass = passes_of_surfaces(with_glass("0.5"));
     for (const Passes& passes : of_glass) add(passes);
     const Passes of_long_mirror =

@@ -239,6 +239,23 @@ TEST_F(Controls, ArraysTellTheirCountAndHaveFactors) {
     EXPECT_EQ(array_controls(loaded(scene::ball()), {}, {}).size(), 0u);
 }
 
+// Each has sliders of its own, also where both have a parameter of that name.
+TEST_F(Controls, OfSeveralSurfacesAreEachOnesOwn) {
+    const scene::Scene scene =
+        loaded("[[surfaces]]\nname = \"ball\"\nformula = \"x^2 + y^2 + z^2 - r^2\"\n"
+               "parameters = { r = 1 }\n[[surfaces]]\nname = \"ring\"\n"
+               "formula = \"x^2 + y^2 - r^2\"\nbounds = { sphere = 2 }\nparameters = { r = 2 }\n");
+    Overrides all;
+    put_surface(all, "ring", {{{"r", 3}}, {}});
+    EXPECT_TRUE(of_surface(all, "ball").empty());
+    EXPECT_EQ(of_surface(all, "ring").values.at("r"), 3);
+    const scene::Scene moved = apply(scene, all);
+    EXPECT_EQ(value(moved, "r", 1), 1);
+    EXPECT_EQ(value(moved.others[0], "r", 1), 3);
+    put_surface(all, "ring", {});
+    EXPECT_TRUE(all.empty());
+}
+
 TEST_F(Controls, FitEveryAnimationOfTheGallery) {
     ::setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, 1);
     int checked = 0;

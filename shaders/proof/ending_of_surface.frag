@@ -1,0 +1,18 @@
+// Where a pixel's ray ended, for the proofs of one surface among several: on it, or on another one, up to
+// which it has to miss this one. See render/proofs_of_surfaces.h.
+layout(location = 0) out vec4 ending; // as channels/ending.glsl; t up to which there is something to prove
+
+uniform sampler2D way_to_end;      // of all surfaces: channels/ending.glsl on the first one's ray
+uniform sampler2D surface_of_end;  // channels/surface.glsl
+uniform float beyond;              // to prove behind another surface, where its root may be
+
+void main() {
+    ivec2 at = ivec2(pixel_centre);
+    float way = texelFetch(way_to_end, at, 0).x;
+    Ray ray = pixel_ray();
+    float t = (way - surface_way.y * ray.to_eye) / surface_way.x;
+    bool hits = abs(way) < ENDS_NOWHERE;
+    bool is_own = int(texelFetch(surface_of_end, at, 0).x) == SURFACE + 1;
+    ending = vec4(!hits ? way : is_own ? t : ENDS_NOWHERE, hits && !is_own ? t + beyond : ENDS_NOWHERE, 0.0,
+                  0.0);
+}

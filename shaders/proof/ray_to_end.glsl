@@ -1,0 +1,7 @@
+// Rays among several surfaces end where another one is seen: see ending_of_surface.frag. `whole_ray` is
+// pixel_ray() of march/ray.glsl. Needs ending.glsl.
+Ray pixel_ray() {
+    Ray ray = whole_ray();
+    ray.t_far = min(ray.t_far, texelFetch(ending_texture, ivec2(pixel_centre), 0).y);
+    return ray;
+}

@@ -1,0 +1,39 @@
+// Proves pictures of several surfaces: of the surface that is seen, that the root is its ray's
+// first; of each other one, that the ray meets nothing of it up to there. A proof then tells of all
+// surfaces what proofs.h tells of one.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gpu/target.h"
+#include "render/proofs.h"
+#include "render/surface_passes.h"
+
+namespace isomotion::render {
+
+// Adjusts the rays of each surface's proofs to the others'. The place of a root comes from the
+// first surface's ray to another one's with a rounding, which both have to bear.
+void see_others(PictureInputs& inputs, const scene::SceneAt& now, const scene::Aim& aim);
+
+class ProofsOfSurfaces {
+public:
+    // `all` must outlive it.
+    ProofsOfSurfaces(std::vector<SurfacePasses*> all, bool in_doubles);
+
+    // As Proofs::prove, of all surfaces; `record` must not be empty.
+    ProofCounts prove(const PictureInputs& inputs, const gpu::Target& picture,
+                      const gpu::Rectangle& tile, std::span<float> record);
+
+private:
+    std::vector<SurfacePasses*> all_;
+    std::vector<std::unique_ptr<Proofs>> proofs_;
+    gpu::Target endings_; // for one surface
+    std::vector<float> of_one_;
+};
+
+// Adds a surface's outcomes to those of surfaces before it: proved is what is proved of all.
+void join_proofs(std::span<float> all, std::span<const float> of_one);
+
+} // namespace isomotion::render
