@@ -18,7 +18,7 @@ def shows_something(picture):
 
 def test(given, folder, driven, checks):
     site = os.path.join(folder, "site")
-    ending = pages.run(given.program, "page", "--gallery", "-o", site, "--quiet")
+    ending = pages.run(given.program, "page", "--gallery", "-o", site, "--quiet", seconds=1200)
     checks.equal(ending.returncode, 0, f"page --gallery: {ending.stderr}")
     with open(os.path.join(site, "index.html")) as index:
         names = re.findall(r'href="([^"]*)\.html"', index.read())
