@@ -6,22 +6,19 @@ layout(location = 0) out vec4 copied;
 
 uniform usampler2DArray beam_masks_texture;
 
-// How many bits of words are set; ES 3.00 has no bitCount().
-#define BITS_IN(Words) \
-    Words bits_in(Words words) { \
-        words -= (words >> 1) & 0x55555555u; \
-        words = (words & 0x33333333u) + ((words >> 2) & 0x33333333u); \
-        words = (words + (words >> 4)) & 0x0f0f0f0fu; \
-        return (words * 0x01010101u) >> 24; \
-    }
-BITS_IN(uint)
-BITS_IN(uvec4)
+// How many bits of each word are set; ES 3.00 has no bitCount().
+uvec4 bits_in(uvec4 words) {
+    words -= (words >> 1) & 0x55555555u;
+    words = (words & 0x33333333u) + ((words >> 2) & 0x33333333u);
+    words = (words + (words >> 4)) & 0x0f0f0f0fu;
+    return (words * 0x01010101u) >> 24;
+}
 
 // The place of the k-th bit of a word, from 0 on.
 int place_of_bit(uint word, int k) {
     int place = 0;
     for (int half_size = 16; half_size > 0; half_size >>= 1) {
-        int below = int(bits_in(word & ((1u << uint(half_size)) - 1u)));
+        int below = int(bits_in(uvec4(word & ((1u << uint(half_size)) - 1u))).x);
         if (k >= below) {
             k -= below;
             word >>= uint(half_size);
