@@ -3,14 +3,15 @@
 // if there are more elements than places. The lists of a block lie side by side, the front's first,
 // and those of a level of beams above those of the level before.
 //
-// A LIST is the number of elements, and the texel where they begin.
+// A LIST is the number of elements, and the middle of the texel where they begin.
 uniform ivec3 list_rows; // where each level's lists begin
 
 LIST stored_list(int level, ivec2 block, int which, int lists, int slots) {
     int rows = slots / 16 * TEXELS;
     ivec2 first = ivec2(16 * (block.x * lists + which), list_rows[level] + block.y * rows);
-    float count = texelFetch(array0_lists, first + ivec2(15, rows - TEXELS), 0).x;
-    return LIST(count, vec2(first));
+    vec2 at = (vec2(first) + 0.5) * list_texel;
+    vec2 last = at + list_texel * vec2(15, rows - TEXELS);
+    return LIST(textureLod(array0_lists, last, 0.0).x, at); // sampled as elements are
 }
 
 // Of the front of a block of the largest beams, or of all of it.

@@ -6,19 +6,19 @@ layout(location = 0) out vec4 copied;
 
 uniform usampler2DArray beam_masks_texture;
 
-// How many bits of a word are set; ES 3.00 has no bitCount().
-int bits_in(uint word) {
-    word -= (word >> 1) & 0x55555555u;
-    word = (word & 0x33333333u) + ((word >> 2) & 0x33333333u);
-    word = (word + (word >> 4)) & 0x0f0f0f0fu;
-    return int((word * 0x01010101u) >> 24);
+// How many bits of each word are set; ES 3.00 has no bitCount().
+uvec4 bits_in(uvec4 words) {
+    words -= (words >> 1) & 0x55555555u;
+    words = (words & 0x33333333u) + ((words >> 2) & 0x33333333u);
+    words = (words + (words >> 4)) & 0x0f0f0f0fu;
+    return (words * 0x01010101u) >> 24;
 }
 
 // The place of the k-th bit of a word, from 0 on.
 int place_of_bit(uint word, int k) {
     int place = 0;
     for (int half_size = 16; half_size > 0; half_size >>= 1) {
-        int below = bits_in(word & ((1u << uint(half_size)) - 1u));
+        int below = int(bits_in(uvec4(word & ((1u << uint(half_size)) - 1u))).x);
         if (k >= below) {
             k -= below;
             word >>= uint(half_size);
@@ -37,16 +37,22 @@ void main() {
     int slot = 16 * (row / TEXELS) + (at.x & 15), texel = row % TEXELS;
     int count = 0, before = 0, place = 0;
     uint found = 0u;
-    for (int word = 0; word < MASK_WORDS; ++word) {
-        int layer = which * MASK_TEXELS + (word >> 2);
-        uint bits = texelFetch(beam_masks_texture, ivec3(block, layer), 0)[word & 3];
-        int next = count + bits_in(bits);
-        if (count <= slot && slot < next) {
-            found = bits;
-            before = count;
-            place = 32 * word;
+    for (int k = 0; k < MASK_TEXELS; ++k) {
+        ivec3 mask = ivec3(beam_texel(block, SQUARE_BITS), which * MASK_TEXELS + k);
+        uvec4 words = texelFetch(beam_masks_texture, mask, 0);
+        ivec4 ends = ivec4(bits_in(words)); // of the words' elements in the list
+        ends.yw += ends.xz;
+        ends.zw += ends.yy;
+        ends += count;
+        ivec4 begins = ivec4(count, ends.xyz);
+        for (int word = 0; word < 4; ++word) {
+            if (begins[word] <= slot && slot < ends[word]) {
+                found = words[word];
+                before = begins[word];
+                place = 128 * k + 32 * word;
+            }
         }
-        count = next;
+        count = ends.w;
     }
     if (slot == SLOTS - 1) {
         copied = vec4(count < SLOTS ? count : -1);

@@ -3,7 +3,7 @@
 uniform sampler2D beam_texture;
 
 void enter_parent(ivec2 block) {
-    vec4 part = texelFetch(beam_texture, block, 0);
+    vec4 part = texelFetch(beam_texture, beam_texel(block, SQUARE_BITS), 0);
     int which = LISTS_OF_A_BLOCK == 1 && part.z <= part.w ? 0 : 1;
     enter_list(LIST_OF_LARGER(block * BLOCK / LARGER_BLOCK, which));
 }

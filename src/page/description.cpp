@@ -126,6 +126,7 @@ Json beams_of(const WebSurface& web) {
     for (const synthesis::BeamLevel& level : web.passes.beams) {
         all.push_back(
             {{"block", level.block},
+             {"square", 1 << level.square_bits},
              {"masks", synthesis::masks_of_level(web.passes, level)},
              {"lists", copied ? synthesis::lists_of_a_block(level) : 0},
              {"listRows", copied ? synthesis::rows_of_copies(web.passes, int(all.size())) : 0},

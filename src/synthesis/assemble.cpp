@@ -1,7 +1,6 @@
 #include "synthesis/assemble.h"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -89,12 +88,6 @@ FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers, bool kee
     return field_storage(*scene.surface.field, scene.surface.parameters, counts, finding);
 }
 
-// Squares of beams are kept apart for software renderers' threads; a page draws all of them at
-// once.
-void lay_side_by_side(std::vector<BeamLevel>& levels) {
-    for (BeamLevel& level : levels) level.square_bits = std::countr_zero(unsigned(beam_square));
-}
-
 // The rest is the prelude's.
 void become_glsl_es(Pass& pass) {
     for (std::string* text : {&pass.vertex, &pass.text})
@@ -136,7 +129,6 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     };
     find_elements(true);
     if (has_copies(passes) && !copies_fit(passes)) find_elements(false);
-    if (on_web) lay_side_by_side(passes.beams);
     // A polynomial is solved from where the eye's rays begin, off the surface: shadow rays from the
     // light end on it.
     if (!passes.beams.empty() && !solves && !on_web)

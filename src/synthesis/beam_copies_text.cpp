@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "synthesis/beam_text.h"
+
 namespace isomotion::synthesis {
 namespace {
 
@@ -117,11 +119,10 @@ Pass beam_copies_pass(const scene::Scene& scene, const Passes& passes, int level
     const BeamLevel& beam = passes.beams[std::size_t(level)];
     ShaderText text;
     text.define("LEVEL", level);
-    text.define("BLOCK", beam.block);
+    define_blocks(text, beam);
     text.define("LISTS_OF_A_BLOCK", lists_of_a_block(beam));
     text.define("SLOTS", slots(passes, level));
     text.define("MASK_TEXELS", texels_of_a_mask(passes));
-    text.define("MASK_WORDS", (passes.arrays[0].capacity + 31) / 32);
     add_field(text, *scene.surface.field, storage_at_level(passes, level), {});
     if (level > 0) {
         add_larger(text, passes, level);

@@ -23,13 +23,6 @@ constexpr int most_terms_at_first = 20'000;
 // That a beam's way is bounded in, to make its lists.
 int pieces_of(const BeamLevel& beam) { return beam.lists == BeamLists::whole ? 10 : 6; }
 
-void define_blocks(ShaderText& text, const BeamLevel& beam) {
-    text.define("BLOCK", beam.block);
-    text.define("SQUARE_BITS", beam.square_bits);
-    text.define("SQUARES_APART", beam_square);
-    text.file("march/beam_place.glsl");
-}
-
 // What lists of elements need: the bound of F, and of what an element adds to its sum.
 void add_bounds_of_sum(ShaderText& text, const formula::Field& field, const FieldStorage& storage) {
     const formula::LinearSum sum = formula::linear_sum(field).value();
@@ -81,6 +74,13 @@ bool bounds_pay(const formula::Field& field) {
 }
 
 } // namespace
+
+void define_blocks(ShaderText& text, const BeamLevel& beam) {
+    text.define("BLOCK", beam.block);
+    text.define("SQUARE_BITS", beam.square_bits);
+    text.define("SQUARES_APART", beam_square);
+    text.file("march/beam_place.glsl");
+}
 
 bool uses_beams(const scene::Scene& scene) {
     return scene.isolation.beam.value_or(scene.isolation.method == scene::Method::hermite &&
@@ -172,7 +172,7 @@ std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest) {
     // Fewer programs: a page shows its first picture when all are compiled. Beams of 16 pixels that
     // go through more elements than these take longer than two levels.
     if (has_copies(storage) && storage.arrays[0].capacity <= 128)
-        return {{16, whole, 0.3, 2}, {finest, front, 0.12, bits}};
+        return {{16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
     return {{64, whole, 0.3, 2}, {16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
 }
 

@@ -14,6 +14,9 @@ inline constexpr int beam_square = 64;
 // bounds of the field cost less than they save. In compute shaders assemble() asks for more.
 bool uses_beams(const scene::Scene& scene);
 
+// Adds where the results of a level of beams lie.
+void define_blocks(ShaderText& text, const BeamLevel& beam);
+
 // The levels of beams; the smallest have 8 pixels or 1.
 std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest);
 Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level);

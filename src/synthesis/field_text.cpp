@@ -20,18 +20,21 @@ std::string by_name_in_es(std::string_view name, std::string_view value,
     return fmt::format("#ifdef GL_ES\n#define {} {}\n#else\n{}#endif\n", name, value, declaration);
 }
 
-// Of the elements of the list entered last: shaders/march/copies.glsl.
+// Of the elements of the list entered last: shaders/march/copies.glsl. They are sampled:
+// texelFetch() takes a level for each pixel, and Mesa's processor renderer then looks up rows and
+// offsets for each, which takes twice the time.
 std::string declared_copies(const ArrayStorage& array) {
     const std::string row = array.texels == 1
                                 ? "element >> 4"
                                 : fmt::format("(element >> 4) * {} + texel", array.texels);
     return fmt::format("uniform sampler2D {0}_lists;\n"
-                       "#define LIST vec3\nint {0}_count = 0;\nivec2 {0}_first = ivec2(0);\n"
+                       "uniform vec2 list_texel; // of that texture, of size 1 x 1\n"
+                       "#define LIST vec3\nint {0}_count = 0;\nvec2 {0}_first = vec2(0.0);\n"
                        "LIST entered_list() {{ return LIST({0}_count, {0}_first); }}\n"
                        "void enter_list(LIST list) {{ {0}_count = int(list.x); "
-                       "{0}_first = ivec2(list.yz); }}\n"
-                       "vec4 {0}_texel(int element, int texel) {{ return texelFetch({0}_lists, "
-                       "{0}_first + ivec2(element & 15, {1}), 0); }}\n",
+                       "{0}_first = list.yz; }}\n"
+                       "vec4 {0}_texel(int element, int texel) {{ return textureLod({0}_lists, "
+                       "{0}_first + list_texel * vec2(element & 15, {1}), 0.0); }}\n",
                        array.name, row);
 }
 

@@ -87,6 +87,7 @@ class Page:
         self.socket = websocket.create_connection(target["webSocketDebuggerUrl"], timeout=120)
         self.number = 0
         self.console = []
+        self.heard = {}  # messages that a test listens for, by method
         for domain in ("Page", "Runtime", "Log"):
             self.call(f"{domain}.enable")
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
@@ -108,8 +109,16 @@ class Page:
                 return message["result"]
             self._note(message)
 
+    def listen(self, method, enabling):
+        """What the browser tells of it from now on gathers in the list."""
+        told = self.heard.setdefault(method, [])
+        self.call(enabling)
+        return told
+
     def _note(self, message):
         kind, told = message.get("method"), message.get("params", {})
+        if kind in self.heard:
+            self.heard[kind].append(told)
         if kind == "Runtime.exceptionThrown":
             details = told["exceptionDetails"]
             self.console.append(details.get("exception", {}).get("description", details["text"]))

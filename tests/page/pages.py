@@ -16,10 +16,10 @@ def arguments(**more):
     return parser.parse_args()
 
 
-def run(program, *words, folder=None):
+def run(program, *words, folder=None, seconds=300):
     environment = {**os.environ, "LP_NUM_THREADS": os.environ.get("LP_NUM_THREADS", "2")}
     return subprocess.run([program, *words], cwd=folder, env=environment, text=True,
-                          capture_output=True, timeout=300)
+                          capture_output=True, timeout=seconds)
 
 
 def made(program, scene, file, *more):

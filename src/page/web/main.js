@@ -107,7 +107,13 @@ async function main() {
     panel = new Panel(data, look, commands, changed);
     hands = new Hands(canvas, look, commands, changed);
     hands.fit = (width, height) => painter.fitOf(width, height);
-    new ResizeObserver(() => painter.change(false)).observe(canvas);
+    let size = String(painter.size());
+    new ResizeObserver(() => {
+        // It tells the size at first, too, when the picture is on its way.
+        if (size === String(painter.size())) return;
+        size = String(painter.size());
+        painter.change(false);
+    }).observe(canvas);
     window.addEventListener("hashchange", () => {
         look.read(location.hash);
         changed();

@@ -3,6 +3,7 @@
 
 const restAfter = 150; // milliseconds without a change
 const mostPixels = 2.5e6;
+const firstScale = 0.25;
 
 const now = () => performance.now() / 1000;
 
@@ -85,7 +86,7 @@ class Painter {
         const current = {};
         const tables = about.surfaces.map((surface, k) => new PassTable(gl, surface, about.tile,
             current, k === 0 ? this.pageShaders : undefined));
-        for (const table of tables) await table.compile();
+        await Promise.all(tables.map((table) => table.compile()));
         if (gl.isContextLost()) return;
         this.tables = tables;
         this.tile = new TileDrawer(gl, about, tables);
@@ -195,23 +196,25 @@ class Painter {
         return Math.max(1, (Math.min(1, ownWidth / ownHeight) * height) / width);
     }
 
+    // Draws one picture with sides smaller by the scale, and shows it.
+    async drawSmall(frame, scale, go) {
+        const [width, height] = this.size().map((side) => Math.max(1, Math.round(side * scale)));
+        this.screen.begin(width, height);
+        await this.drawPicture(this.picture(frame, width, height, 0), go);
+        this.present(frame, width, height, 1);
+    }
+
     async drawMoving() {
         await new Promise((go) => requestAnimationFrame(go));
         const { version } = this;
         const frame = this.look.frame(now());
         const isSame = frame === this.movingFrame && version === this.movingVersion;
         if (isSame) return this.look.playing ? undefined : this.pause(20);
-        const [across, up] = this.size();
-        const [width, height] =
-            [across, up].map((side) => Math.max(1, Math.round(side * this.resolution.scale)));
         const begin = performance.now();
-        const expectAlive = () => {
+        await this.drawSmall(frame, this.resolution.scale, () => {
             if (this.isLost()) throw new Stopped();
-        };
-        this.screen.begin(width, height);
-        await this.drawPicture(this.picture(frame, width, height, 0), expectAlive);
+        });
         this.resolution.measured(performance.now() - begin);
-        this.present(frame, width, height, 1);
         [this.movingFrame, this.movingVersion] = [frame, version];
         this.isAtRest = false;
     }
@@ -223,6 +226,8 @@ class Painter {
         const expectWanted = () => {
             if (this.isLost() || version !== this.version || document.hidden) throw new Stopped();
         };
+        // The first picture of all is to come soon.
+        if (!this.screen.shown) await this.drawSmall(frame, firstScale, expectWanted);
         this.screen.begin(width, height);
         if (this.tallies) this.verdicts = Array(8).fill(0);
         for (let k = 0; k < this.samplesWanted; ++k) {

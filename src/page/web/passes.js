@@ -1,13 +1,14 @@
 // A surface's passes as programs: compiled, connected to their textures and blocks, ready to run, as
 // src/render/pass_table.h has them.
 
-// Where each level's lists of elements begin in their texture: shaders/march/copies.glsl.
-function rowsOfLists(beams, tile) {
-    let next = 0;
-    return Array.from({ length: 3 }, (_, level) => {
-        const row = next, { block, listRows } = beams[level] ?? { block: 1, listRows: 0 };
-        next += listRows * Math.ceil(tile / block);
-        return row;
+// The textures of lists of elements, one for each level of beams: its lists' first row, behind those of
+// the levels before, and the size. See shaders/march/copies.glsl.
+function listTextures(beams, tile) {
+    let height = 0;
+    return beams.map(({ block, lists, listRows }) => {
+        const firstRow = height, blocks = Math.ceil(tile / block);
+        height += listRows * blocks;
+        return { firstRow, width: 16 * lists * blocks, height };
     });
 }
 
@@ -25,7 +26,7 @@ class PassTable {
         this.buffers = new Map();
         this.bound = new Map(); // textures
         this.effects = {};
-        this.listRows = rowsOfLists(about.beams, tile);
+        this.lists = listTextures(about.beams, tile);
         for (const { samplers, blocks } of this.passes) {
             for (const name of samplers) this.number(this.units, name);
             for (const name of blocks) this.number(this.bindings, name);
@@ -64,8 +65,16 @@ class PassTable {
         while (!program.isReady()) await soon(5);
         program.finish(this.units, this.bindings);
         program.set("element_budget", this.elementBudget);
-        program.set("list_rows", this.listRows);
+        program.set("list_rows", [0, 1, 2].map((k) => this.lists[k]?.firstRow ?? 0));
+        const { width, height } = this.listsReadBy(pass) ?? { width: 1, height: 1 };
+        program.set("list_texel", [1 / width, 1 / height]);
         for (const [name, value] of Object.entries(this.effects)) program.set(name, value);
+    }
+
+    // Beams go through the lists of the level before, rays through those of the last one.
+    listsReadBy({ role, level }) {
+        const ofBeams = role === "beams" || role === "beamCopies";
+        return this.lists[ofBeams ? level - 1 : this.lists.length - 1];
     }
 
     // Those that most pictures need, or all.

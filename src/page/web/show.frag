@@ -10,8 +10,9 @@ uniform vec2 screen_size;
 
 layout(location = 0) out vec4 color;
 
+// Beyond the picture the nearest texel counts.
 vec4 texel(ivec2 at) {
-    vec4 light = texelFetch(sum, clamp(at, ivec2(0), ivec2(picture_size) - 1), 0) / count;
+    vec4 light = textureLod(sum, (vec2(at) + 0.5) / picture_size, 0.0) / count;
     // min() and max() make a number of NaN.
     return min(max(light, 0.0), 65504.0);
 }

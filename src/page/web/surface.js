@@ -1,6 +1,20 @@
 // The passes of one surface at work in a tile: beams, and rays in as many draws as they take. As
 // src/render/surface_passes.cpp and ray_marcher.cpp have it.
 
+const squaresApart = 64; // SQUARES_APART of shaders/march/beam_place.glsl
+
+// A level of beams in squares of so many blocks, where shaders/march/beam_place.glsl has them.
+function squaresOf({ width, height }, side) {
+    const all = [];
+    for (let y = 0; y < height; y += side) {
+        for (let x = 0; x < width; x += side) {
+            all.push({ x: (x / side) * squaresApart, y: (y / side) * squaresApart,
+                width: Math.min(side, width - x), height: Math.min(side, height - y) });
+        }
+    }
+    return all;
+}
+
 class SurfacePasses {
     // `about`: the surface; `side`: of a tile.
     constructor(gl, about, table, side) {
@@ -8,9 +22,9 @@ class SurfacePasses {
         this.about = about;
         this.table = table;
         this.side = side;
-        this.beams = about.beams.map(({ block, masks }) => {
-            const blocks = Math.ceil(side / block);
-            return new Target(gl, blocks, blocks, [gl.RGBA32F]).withLayers(gl.RGBA32UI, masks)
+        this.beams = about.beams.map(({ block, square, masks }) => {
+            const texels = squaresApart * Math.ceil(side / (block * square));
+            return new Target(gl, texels, texels, [gl.RGBA32F]).withLayers(gl.RGBA32UI, masks)
                 .expectComplete();
         });
         if (table.has("beamCopies")) this.lists = this.newLists();
@@ -29,12 +43,8 @@ class SurfacePasses {
     // A texture for each level of beams, which smaller ones read, or rays: its lists, and those of
     // the levels before.
     newLists() {
-        const { gl, about, beams, table } = this;
-        return beams.map(({ width, height }, level) => {
-            const { lists, listRows } = about.beams[level];
-            const rows = table.listRows[level] + listRows * height;
-            return new Target(gl, 16 * lists * width, rows, [gl.RGBA32F]).expectComplete();
-        });
+        return this.table.lists.map(({ width, height }) =>
+            new Target(this.gl, width, height, [this.gl.RGBA32F]).expectComplete());
     }
 
     // `start`: what the rays start on, by which their states are kept apart.
@@ -65,7 +75,8 @@ class SurfacePasses {
             program.set("beam_evaluations", evaluations);
             program.set("around_middles", 0);
             const blocks = { width: Math.ceil(width / block), height: Math.ceil(height / block) };
-            this.run("beams", this.beams[level], blocks, level);
+            for (const square of squaresOf(blocks, about.beams[level].square))
+                this.run("beams", this.beams[level], square, level);
             table.bind("beam_texture", this.beams[level].textures[0]);
             if (this.lists) this.copyLists(level, blocks);
         });
@@ -74,11 +85,13 @@ class SurfacePasses {
     copyLists(level, { width, height }) {
         const { gl, table, about, lists } = this;
         const { lists: across, listRows } = about.beams[level];
-        const size = { y: table.listRows[level], width: 16 * across * width,
-            height: listRows * height };
+        const { firstRow } = table.lists[level];
+        const size = { y: firstRow, width: 16 * across * width, height: listRows * height };
         table.bind("beam_masks_texture", this.beams[level].layers, gl.TEXTURE_2D_ARRAY);
         table.bind("array0_lists", level > 0 ? lists[level - 1].textures[0] : null);
-        for (const to of lists.slice(level)) this.run("beamCopies", to, size, level);
+        if (level > 0)
+            lists[level].copy(lists[level - 1], { width: lists[level - 1].width, height: firstRow });
+        this.run("beamCopies", lists[level], size, level);
         table.bind("array0_lists", lists[level].textures[0]);
     }
 
