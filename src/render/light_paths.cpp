@@ -78,17 +78,21 @@ void LightPaths::begin(const gpu::Target& eye_ends, const gpu::Rectangle& tile,
 
 // Late rays are few, and what they are drawn over costs more than they do.
 bool LightPaths::any_goes_on(const gpu::Rectangle& tile) {
-    codes_.resize(std::size_t(4 * around_.width * around_.height));
-    kept_.read(0, around_.x, around_.y, around_.width, around_.height, codes_);
+    const auto numbers = std::size_t(4 * around_.width * around_.height);
+    codes_.resize(numbers + 3); // whole from the code of the first pixel on
+    kept_.read(0, around_.x, around_.y, around_.width, around_.height,
+               std::span(codes_).first(numbers));
+    std::vector<gpu::Rectangle> rows;
+    for (int y = 0; y < around_.height; y += OpenSquares::side) {
+        rows.push_back({around_.x, around_.y + y, around_.width,
+                        std::min(OpenSquares::side, around_.height - y)});
+    }
     const auto goes_on = [](float code) { return ((int(code) + 1) & 6) == 2; };
-    OpenSquares open =
-        open_squares(std::span(codes_).subspan(3), around_.width, around_.height, goes_on);
+    const OpenSquares open = open_squares(rows, std::span(codes_).subspan(3), goes_on);
     if (open.pixels == 0) return false;
     gpu::Rectangle all = {tile.width, tile.height, 0, 0};
     int right = 0, top = 0;
-    for (gpu::Rectangle& area : open.areas) {
-        area.x += around_.x;
-        area.y += around_.y;
+    for (const gpu::Rectangle& area : open.areas) {
         all.x = std::min(all.x, area.x);
         all.y = std::min(all.y, area.y);
         right = std::max(right, area.x + area.width);
