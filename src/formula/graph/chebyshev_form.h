@@ -6,13 +6,21 @@
 // the slope of acos and of that root have no bound at 1, where the polynomial's slope is n^2.
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "formula/graph/graph.h"
 
 namespace isomotion::formula {
 
 // An expression whose intervals hold all that `root` may be on paper, and what cosh is cut off to.
-// The graph folds exactly. `root` itself where no such thing is found, and of formulas that go through
-// the elements of arrays, whose sums keep their numbers.
+// The graph folds exactly. `root` itself where no such thing is found, and of formulas that go
+// through the elements of arrays, whose sums keep their numbers.
 NodeId with_chebyshev(Graph& graph, NodeId root);
+
+// The same on paper, where nothing is cut off, also of formulas that go through elements. `number`
+// is the value of a parameter that has only one: n may be such a parameter.
+NodeId chebyshev_on_paper(Graph& graph, NodeId root,
+                          const std::function<std::optional<double>(int parameter)>& number);
 
 } // namespace isomotion::formula
