@@ -122,12 +122,25 @@ struct Multiple {
     NodeId node;
 };
 
-std::optional<Multiple> whole_multiple(const Graph& g, NodeId id) {
+using NumberOf = std::function<std::optional<double>(int parameter)>;
+
+std::optional<double> number(const Graph& g, NodeId id, const NumberOf& of_parameter) {
     const Node& node = g[id];
-    if (node.op != Op::multiply || !g.is_constant(node.children[0])) return std::nullopt;
-    const double n = std::abs(g[node.children[0]].value);
-    if (n != std::floor(n) || n < 2 || n > limits::chebyshev_degree) return std::nullopt;
-    return Multiple{int(n), node.children[1]};
+    if (node.op == Op::constant) return node.value;
+    return node.op == Op::parameter ? of_parameter(node.index) : std::nullopt;
+}
+
+std::optional<Multiple> whole_multiple(const Graph& g, NodeId id, const NumberOf& of_parameter) {
+    const Node& node = g[id];
+    if (node.op != Op::multiply) return std::nullopt;
+    for (const std::size_t k : {0u, 1u}) {
+        const auto factor = number(g, node.children[k], of_parameter);
+        if (!factor) continue;
+        const double n = std::abs(*factor);
+        if (n != std::floor(n) || n < 2 || n > limits::chebyshev_degree) return std::nullopt;
+        return Multiple{int(n), node.children[1 - k]};
+    }
+    return std::nullopt;
 }
 
 // Something that is cut off: from there on, and without end.
@@ -183,9 +196,7 @@ bool is_within_unit_of(const Graph& g, NodeId p, NodeId a) {
 
 // What both are of, if `inside` is T_n where it counts inside and `outside` where it does outside.
 std::optional<NodeId> joined(Graph& g, NodeId inside, NodeId outside) {
-    const auto beyond = inside_cut_off(g, outside);
-    if (!beyond) return std::nullopt;
-    const Node t = g[inside], far = g[*beyond]; // copies: the graph may grow
+    const Node t = g[inside], far = g[outside]; // copies: the graph may grow
     const auto is_polynomial = [](const Node& node) {
         return node.op == Op::chebyshev && node.second == 0;
     };
@@ -202,28 +213,54 @@ std::optional<NodeId> joined(Graph& g, NodeId inside, NodeId outside) {
     return std::nullopt;
 }
 
+// cosh as it is evaluated, or without end.
+enum class Cosh { is_cut_off, is_whole };
+
 // What stands for the node; itself, if it has no such form.
-NodeId polynomial(Graph& g, NodeId id) {
+NodeId polynomial(Graph& g, NodeId id, Cosh cosh, const NumberOf& of_parameter) {
     const Node node = g[id]; // a copy: the graph grows below
     const NodeId a = node.children[0], b = node.children[1];
+    const bool is_cut_off = cosh == Cosh::is_cut_off;
     switch (node.op) {
     case Op::cos:
-        if (const auto angle = whole_multiple(g, a))
+        if (const auto angle = whole_multiple(g, a, of_parameter))
             if (const auto x = acos_argument(g, angle->node))
                 return g.chebyshev(angle->times, within_unit(g, *x));
         return id;
     case Op::cosh:
-        if (const auto angle = whole_multiple(g, a))
-            if (const auto u = acosh_argument(g, angle->node))
-                return cut_off(g, g.chebyshev(angle->times, *u));
+        if (const auto angle = whole_multiple(g, a, of_parameter)) {
+            if (const auto u = acosh_argument(g, angle->node)) {
+                const NodeId t = g.chebyshev(angle->times, *u);
+                return is_cut_off ? cut_off(g, t) : t;
+            }
+        }
         return id;
     case Op::multiply:
-        for (const auto& [inside, outside] : {std::pair(a, b), std::pair(b, a)})
-            if (const auto all = joined(g, inside, outside)) return cut_off_at_both_ends(g, *all);
+        for (const auto& [inside, outside] : {std::pair(a, b), std::pair(b, a)}) {
+            const auto beyond = is_cut_off ? inside_cut_off(g, outside) : outside;
+            if (!beyond) continue;
+            if (const auto all = joined(g, inside, *beyond))
+                return is_cut_off ? cut_off_at_both_ends(g, *all) : *all;
+        }
         return id;
     default:
         return id;
     }
+}
+
+NodeId with_polynomials(Graph& graph, NodeId root, Cosh cosh, const NumberOf& of_parameter) {
+    const std::vector<NodeId> below = nodes_below(graph, std::array{root});
+    const auto has_form = [&](NodeId id) {
+        const Node node = graph[id];
+        return (node.op == Op::cos || node.op == Op::cosh) &&
+               polynomial(graph, id, cosh, of_parameter) != id;
+    };
+    if (std::ranges::none_of(below, has_form)) return root;
+    const Graph from = graph;
+    const auto in_its_place = [&](Graph& to, const Node&, NodeId rebuilt) {
+        return polynomial(to, rebuilt, cosh, of_parameter);
+    };
+    return substitute(graph, from, std::array{root}, in_its_place).front();
 }
 
 } // namespace
@@ -231,17 +268,13 @@ NodeId polynomial(Graph& g, NodeId id) {
 NodeId with_chebyshev(Graph& graph, NodeId root) {
     const std::vector<NodeId> below = nodes_below(graph, std::array{root});
     const auto goes_through_elements = [&](NodeId id) { return is_over_elements(graph[id].op); };
-    const auto has_form = [&](NodeId id) {
-        const Node node = graph[id];
-        return (node.op == Op::cos || node.op == Op::cosh) && polynomial(graph, id) != id;
-    };
     if (std::ranges::any_of(below, goes_through_elements)) return root;
-    if (std::ranges::none_of(below, has_form)) return root;
-    const Graph from = graph;
-    const auto in_its_place = [](Graph& to, const Node&, NodeId rebuilt) {
-        return polynomial(to, rebuilt);
-    };
-    return substitute(graph, from, std::array{root}, in_its_place).front();
+    const auto no_parameter = [](int) { return std::optional<double>(); };
+    return with_polynomials(graph, root, Cosh::is_cut_off, no_parameter);
+}
+
+NodeId chebyshev_on_paper(Graph& graph, NodeId root, const NumberOf& of_parameter) {
+    return with_polynomials(graph, root, Cosh::is_whole, of_parameter);
 }
 
 NodeId with_whole_chebyshev(Graph& graph, NodeId root, bool told) {

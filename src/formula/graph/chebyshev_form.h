@@ -6,6 +6,9 @@
 // the slope of acos and of that root have no bound at 1, where the polynomial's slope is n^2.
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "formula/graph/graph.h"
 
 namespace isomotion::formula {
@@ -18,5 +21,10 @@ NodeId with_chebyshev(Graph& graph, NodeId root);
 // The same as polynomials: what is cut off is replaced by what it is before; or, if `told`, by that
 // up to its end (min and max), beyond which the expression may be anything.
 NodeId with_whole_chebyshev(Graph& graph, NodeId root, bool told);
+
+// The same on paper, where nothing is cut off, also of formulas that go through elements. `number`
+// is the value of a parameter that has only one: n may be such a parameter.
+NodeId chebyshev_on_paper(Graph& graph, NodeId root,
+                          const std::function<std::optional<double>(int parameter)>& number);
 
 } // namespace isomotion::formula

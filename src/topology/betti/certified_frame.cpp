@@ -22,10 +22,14 @@ constexpr const char reaches_bounds[] = "the solid reaches the bounds";
 // between two boxes are in the enclosures of both.
 constexpr double rim = 0x1p-30;
 
+// Elements are chosen for cells whose depth is a multiple of this one, and shared by those in them.
+// Many boxes evaluated together cost less than each alone.
+constexpr int choice_of_elements = 2;
+
 // One value of each enclosure. The topology is the same for all (docs/topology-proofs.md), so the
 // signs may be those of any.
-formula::Bindings<Interval> one_of(formula::Bindings<Interval> bindings) {
-    for (Interval& value : bindings.parameters) value = mid(value);
+formula::Bindings<Interval> one_of(formula::Bindings<Interval> bindings, std::size_t parameters) {
+    for (Interval& value : std::span(bindings.parameters).first(parameters)) value = mid(value);
     for (auto& array : bindings.arrays) {
         for (auto& column : array.fields) {
             for (Interval& value : column) value = mid(value);
@@ -34,8 +38,16 @@ formula::Bindings<Interval> one_of(formula::Bindings<Interval> bindings) {
     return bindings;
 }
 
+formula::Bindings<Interval> one_of(formula::Bindings<Interval> bindings) {
+    const std::size_t all = bindings.parameters.size();
+    return one_of(std::move(bindings), all);
+}
+
+// Remainders of far elements hold those of each value.
 Elements one_of(Elements elements) {
-    elements.bindings = one_of(std::move(elements.bindings));
+    const std::size_t parameters =
+        elements.own_parameters.value_or(elements.bindings.parameters.size());
+    elements.bindings = one_of(std::move(elements.bindings), parameters);
     return elements;
 }
 
@@ -124,18 +136,27 @@ public:
     CertifiedFrame certify();
 
 private:
-    using Near = std::shared_ptr<const Elements>;
+    using Shared = std::shared_ptr<const Elements>;
+    struct Near {
+        Shared kept;  // those that change in a cell
+        Shared close; // the others of these by Taylor's formula
+    };
     struct Crossed { // a leaf with agreeing gradients
         Cell cell;
         std::array<Interval, 3> gradient;
-        Near near;
+        Shared close;
     };
     struct Failure {
         const char* why;
         Cell cell;
     };
 
-    void divide(const Cell& cell, const Near& near);
+    // Cells of one depth, all of them with the same elements.
+    void divide(std::span<const Cell> cells, const Near& near);
+    Near nearer(const Near& near, const SpaceBox& box) const {
+        const auto kept = std::make_shared<const Elements>(field_.nearer(*near.kept, box));
+        return {kept, std::make_shared<const Elements>(field_.expanded(*kept, box))};
+    }
     // Settles the cell, or says that it must be divided.
     bool settle(const Cell& cell, const SpaceBox& box, const ValueAndGradient& g, const Near& near);
     bool is_interrupted(const Cell& cell);
@@ -166,7 +187,8 @@ private:
 };
 
 CertifiedFrame Octree::certify() {
-    divide(Cell{}, std::make_shared<const Elements>(field_.everything()));
+    const auto everything = std::make_shared<const Elements>(field_.everything());
+    divide(std::array{Cell{}}, {everything, everything});
     CertifiedFrame frame;
     frame.depth = depth_;
     frame.boxes = boxes_;
@@ -207,41 +229,45 @@ bool Octree::may_go_on(const Cell& cell) {
     return !failure_;
 }
 
-void Octree::divide(const Cell& cell, const Near& near) {
-    for (std::size_t i = 0; i < 3; ++i)
-        planes_[i].add(Planes::place(2 * cell.at[i] + 1, cell.depth + 1));
-    std::array<Cell, 8> cells;
-    std::array<SpaceBox, 8> boxes, evaluated;
-    std::array<ValueAndGradient, 8> g;
-    for (std::size_t k = 0; k < 8; ++k) {
-        cells[k].depth = cell.depth + 1;
-        for (std::size_t i = 0; i < 3; ++i) cells[k].at[i] = 2 * cell.at[i] + int(k >> i & 1);
-        boxes[k] = places_.box(cells[k]);
-        evaluated[k] = with_rim(boxes[k]);
+void Octree::divide(std::span<const Cell> cells, const Near& near) {
+    std::vector<Cell> parts;
+    std::vector<SpaceBox> boxes, evaluated;
+    for (const Cell& cell : cells) {
+        if (!may_go_on(cell)) return;
+        for (std::size_t i = 0; i < 3; ++i)
+            planes_[i].add(Planes::place(2 * cell.at[i] + 1, cell.depth + 1));
+        for (std::size_t k = 0; k < 8; ++k) {
+            Cell& part = parts.emplace_back();
+            part.depth = cell.depth + 1;
+            for (std::size_t i = 0; i < 3; ++i) part.at[i] = 2 * cell.at[i] + int(k >> i & 1);
+            boxes.push_back(places_.box(part));
+            evaluated.push_back(with_rim(boxes.back()));
+        }
+        boxes_ += 8;
     }
-    field_.over(*near, evaluated, g);
-    boxes_ += 8;
-    depth_ = std::max(depth_, cell.depth + 1);
+    std::vector<ValueAndGradient> g(parts.size());
+    field_.over(*near.close, evaluated, g);
+    depth_ = std::max(depth_, parts[0].depth);
     std::size_t open = 0; // these are moved to the front
-    for (std::size_t k = 0; k < 8 && !failure_; ++k) {
-        if (settle(cells[k], boxes[k], g[k], near)) continue;
-        cells[open] = cells[k];
-        boxes[open] = boxes[k];
-        evaluated[open] = evaluated[k];
-        g[open++] = g[k];
-    }
+    const auto settle_first = [&](std::size_t count) {
+        open = 0;
+        for (std::size_t k = 0; k < count && !failure_; ++k) {
+            if (settle(parts[k], boxes[k], g[k], near)) continue;
+            parts[open] = parts[k];
+            boxes[open] = boxes[k];
+            evaluated[open] = evaluated[k];
+            g[open++] = g[k];
+        }
+    };
+    settle_first(parts.size());
     if (open == 0) return;
-    field_.tighten(*near, std::span(evaluated).first(open), std::span(g).first(open));
-    std::vector<std::pair<Cell, Near>> undecided;
-    for (std::size_t k = 0; k < open && !failure_; ++k) {
-        if (settle(cells[k], boxes[k], g[k], near)) continue;
-        undecided.emplace_back(
-            cells[k], std::make_shared<const Elements>(field_.nearer(*near, evaluated[k])));
-    }
-    for (const auto& [child, of_child] : undecided) {
-        if (!may_go_on(child)) return;
-        divide(child, of_child);
-    }
+    field_.tighten(*near.close, std::span(evaluated).first(open), std::span(g).first(open));
+    settle_first(open);
+    const auto undecided = std::span<const Cell>(parts).first(open);
+    if (failure_ || open == 0) return;
+    if (parts[0].depth % choice_of_elements != 0) return divide(undecided, near);
+    for (std::size_t k = 0; k < open && !failure_; ++k)
+        divide(undecided.subspan(k, 1), nearer(near, evaluated[k]));
 }
 
 bool Octree::settle(const Cell& cell, const SpaceBox& box, const ValueAndGradient& g,
@@ -256,7 +282,7 @@ bool Octree::settle(const Cell& cell, const SpaceBox& box, const ValueAndGradien
         return true;
     }
     if (!agree(cell, g.gradient, g.gradient)) return false;
-    crossed_.push_back({cell, g.gradient, near});
+    crossed_.push_back({cell, g.gradient, near.close});
     return true;
 }
 
@@ -309,10 +335,10 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
         at[v] = range[v][0] + j;
         return at;
     };
-    const Elements near = one_of(*leaf.near);
+    const Elements near = one_of(*leaf.close);
     std::vector<std::array<int, 2>> open;
     std::vector<SpaceBox> points;
-    std::vector<Interval> values;
+    std::vector<Interval> values, sharp;
     // The columns of a level all at once.
     const auto search = [&] {
         while (!open.empty()) {
@@ -324,13 +350,20 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
             }
             values.resize(open.size());
             one_.values(near, points, values);
+            // What is left out of sums blurs signs.
+            std::vector<std::size_t> blurred;
             for (std::size_t k = 0; k < open.size(); ++k) {
-                // What is left out of sums blurs the sign.
-                if (contains(values[k], 0.0))
-                    one_.values(all_of_one_, std::span(points).subspan(k, 1),
-                                std::span(values).subspan(k, 1));
-                column(open[k][0], open[k][1]).learn(values[k], last_of_column);
+                if (!contains(values[k], 0.0)) continue;
+                points[blurred.size()] = points[k];
+                blurred.push_back(k);
             }
+            if (!blurred.empty()) {
+                sharp.resize(blurred.size());
+                one_.values(all_of_one_, std::span(points).first(blurred.size()), sharp);
+            }
+            for (std::size_t k = 0; k < blurred.size(); ++k) values[blurred[k]] = sharp[k];
+            for (std::size_t k = 0; k < open.size(); ++k)
+                column(open[k][0], open[k][1]).learn(values[k], last_of_column);
             std::erase_if(open, [&](const auto& c) { return column(c[0], c[1]).is_known(); });
         }
     };

@@ -169,7 +169,7 @@ void BoxEvaluator::load(const Elements& elements, std::span<const Box> boxes) {
     inputs_.resize(std::max(inputs_.size(), own + elements.rest.size()));
     for (std::size_t k = 0; k < own; ++k) inputs_[k].resize(boxes.size());
     for (std::size_t b = 0; b < boxes.size(); ++b) load(b, boxes[b]);
-    if (elements.are_expanded) return;
+    if (elements.are_expanded()) return;
     for (std::size_t j = 0; j < elements.rest.size(); ++j)
         inputs_[own + j].assign(boxes.size(), elements.rest[j]);
 }

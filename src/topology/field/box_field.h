@@ -7,6 +7,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -93,7 +94,11 @@ private:
 struct Elements {
     formula::Bindings<formula::Interval> bindings;
     std::vector<formula::Interval> rest;
-    bool are_expanded = false; // remainders are among the parameters instead
+    // Of expanded ones, whose remainders are among the parameters instead: how many parameters are
+    // the field's own, before these.
+    std::optional<std::size_t> own_parameters{};
+
+    bool are_expanded() const { return own_parameters.has_value(); }
 };
 
 // Evaluates over boxes. Use one per thread.
@@ -134,7 +139,7 @@ private:
     void load(const Elements& elements, std::span<const Box> boxes);
     void run(Evaluator& program, const Elements& elements, std::size_t outputs);
     Evaluator& of(const Elements& elements, Evaluator& plain, Evaluator& expanded) {
-        return elements.are_expanded ? expanded : plain;
+        return elements.are_expanded() ? expanded : plain;
     }
     // Drops elements none of whose terms matter and that are nowhere the least. `matters` compares
     // a term of a sum with what `size` computes from all terms of that sum over the box.

@@ -37,7 +37,7 @@ void forbid_unbounded(std::span<const Interval> of_elements, std::vector<double>
 } // namespace
 
 Elements BoxEvaluator::expanded(const Box& box, const Elements& from, double part) {
-    assert(!from.are_expanded);
+    assert(!from.are_expanded());
     Elements kept = from;
     if (field_.remainders_.empty()) return kept;
     const std::size_t n = field_.inputs_.unknowns;
@@ -54,7 +54,7 @@ Elements BoxEvaluator::expanded(const Box& box, const Elements& from, double par
         parameters.push_back(kept.rest[sum]);
         parameters.resize(parameters.size() + field_.remainders_[sum].parameters() - 1);
     }
-    kept.are_expanded = true;
+    kept.own_parameters = field_.middle_;
     for (std::size_t which = 0; which < expansions_.size(); ++which) {
         const BoxField::Culling& culling = field_.cullings_[which];
         formula::ArrayColumns<Interval>& columns = kept.bindings.arrays[std::size_t(culling.array)];

@@ -1,5 +1,7 @@
 #include "topology/field/frame_field.h"
 
+#include <algorithm>
+
 namespace isomotion::topology {
 namespace {
 
@@ -8,12 +10,21 @@ using formula::Interval;
 // Elements are left out of a sum where their terms' widths are this part of the terms' size, and
 // their derivatives' likewise.
 constexpr double negligible = 0x1p-20;
+// How much terms that Taylor's formula encloses may blur a sum in a box, as a part of what
+// intervals of all its terms blur it.
+constexpr double blur = 0.03;
+// With fewer elements there is nothing to gain.
+constexpr int few_elements = 8;
 
 BoxField over_space(const SpaceFormula& formula) {
     formula::Graph graph = formula.graph;
     constexpr std::array<std::size_t, 3> axes{0, 1, 2};
     const std::vector<formula::NodeId> jet = jet_over_boxes(graph, formula.root, axes, axes.size());
-    return {std::move(graph), jet, {.unknowns = axes.size()}, axes.size()};
+    std::vector<SumSlopes> slopes;
+    const auto has_many = [](const auto& array) { return array.count > few_elements; };
+    if (std::ranges::any_of(formula.bindings.arrays, has_many))
+        slopes = slopes_of_sums(graph, std::span(jet).first(1 + axes.size()), axes.size());
+    return {std::move(graph), jet, {.unknowns = axes.size()}, axes.size(), slopes};
 }
 
 } // namespace
@@ -85,6 +96,10 @@ SpaceHessian FrameField::hessian(const Elements& near, const SpaceBox& box) {
 
 Elements FrameField::nearer(const Elements& near, const SpaceBox& box) {
     return evaluator_.changing({box[0], box[1], box[2]}, near, negligible);
+}
+
+Elements FrameField::expanded(const Elements& near, const SpaceBox& box) {
+    return evaluator_.expanded({box[0], box[1], box[2]}, near, blur);
 }
 
 } // namespace isomotion::topology

@@ -45,6 +45,9 @@ public:
 
     // Drops the elements that hardly change in the box.
     Elements nearer(const Elements& near, const SpaceBox& box);
+    // Encloses the elements that are far from the box by Taylor's formula (box_field.h). `near`
+    // must not be expanded. Boxes much smaller than this one are enclosed better without.
+    Elements expanded(const Elements& near, const SpaceBox& box);
 
 private:
     void load(std::span<const SpaceBox> boxes);

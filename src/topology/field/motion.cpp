@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include "animation/rules.h"
+#include "formula/graph/chebyshev_form.h"
 #include "formula/graph/continuity.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/substitute.h"
+#include "topology/field/idle_clamps.h"
 #include "topology/field/monotone_track.h"
 
 namespace isomotion::topology {
@@ -117,9 +119,16 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
         return made == rebuilt ? made : formula::with_gaps(to, made);
     };
     const formula::Field& field = *scene.surface.field;
-    // Where F has no value stays so when a number in place of a name lets that vanish: 0*log(x).
     Graph named = field.graph;
-    const NodeId root = formula::with_gaps(named, field.root);
+    const auto number = [&](int parameter) -> std::optional<double> {
+        const animation::TrackSource& source =
+            scene.timeline.animation.tracks()[std::size_t(parameter)].source;
+        const auto* constant = std::get_if<double>(&source);
+        return constant ? std::optional(*constant) : std::nullopt;
+    };
+    const NodeId smooth = formula::chebyshev_on_paper(named, field.root, number);
+    // Where F has no value stays so when a number in place of a name lets that vanish: 0*log(x).
+    const NodeId root = formula::with_gaps(named, smooth);
     motion.field = formula::substitute(g, named, std::array{root}, in_place)[0];
     if (side == Side::positive) motion.field = g.unary(Op::negate, motion.field);
 
@@ -252,6 +261,7 @@ Motions motions(const scene::Scene& scene, Side side, Interval range, Clock cloc
     if (!knots.empty() && knots.back().time == range.hi) {
         all.at_end = piece(scene, side, range.hi, std::nullopt);
         all.at_end->clock = range.hi;
+        drop_idle_clamps(*all.at_end);
         knots.pop_back();
     }
     double from = range.lo;
@@ -259,6 +269,7 @@ Motions motions(const scene::Scene& scene, Side side, Interval range, Clock cloc
         const double to = k < knots.size() ? knots[k].time : range.hi;
         Motion motion = piece(scene, side, from + (to - from) / 2, std::nullopt);
         motion.clock = {from, to};
+        drop_idle_clamps(motion);
         find_steps(motion, all.doubts);
         find_collapses(motion, all.collapses);
         all.pieces.push_back(std::move(motion));
@@ -269,6 +280,7 @@ Motions motions(const scene::Scene& scene, Side side, Interval range, Clock cloc
             motion->clock = MonotoneTrack(scene, *motion->driver, range).values();
             // A track with a pole in the range is no clock: there is no end to its values.
             if (std::isfinite(motion->clock.lo) && std::isfinite(motion->clock.hi)) {
+                drop_idle_clamps(*motion);
                 all.pieces.clear();
                 all.pieces.push_back(std::move(*motion));
             }

@@ -60,6 +60,41 @@ TEST(ChebyshevForm, IsFoundAndHasTheSameValues) {
     }
 }
 
+// Without an end, which a program would have; through elements; and by n that has a name.
+TEST(ChebyshevForm, OnPaperIsThePolynomialAlone) {
+    const auto number = [](int) { return std::optional(4.0); };
+    const auto on_paper = [&](const std::string& text) {
+        Graph graph;
+        const NodeId root = parse(graph, text);
+        return std::pair(graph, chebyshev_on_paper(graph, root, number));
+    };
+    for (const auto& [written, polynomial] : std::vector<std::pair<std::string, std::string>>{
+             {forms[0], "chebyshev(14, x)"},
+             {forms[1], "chebyshev(7, abs(x))"},
+             {forms[2], "chebyshev(7, x) + y"},
+             {forms[4], "chebyshev(50, x)"},
+             {forms[8], "chebyshev(6, max(abs(y - a), 1)) + chebyshev(6, min(1, max(-1, x))) - 1"},
+             {"cos(a*acos(x))", "chebyshev(4, max(-1, min(1, x)))"},
+             {"cos(acos(x)*a)*" + outside("max(1, abs(x))", "4"), "chebyshev(4, x)"},
+             {"sum(blobs, " + outside("max(1, abs(x - cx))") + ")",
+              "sum(blobs, chebyshev(14, max(1, abs(x - cx))))"}}) {
+        auto [graph, found] = on_paper(written);
+        Random random(73);
+        const NodeId expected = parse(graph, polynomial);
+        for (int trial = 0; trial < 100; ++trial) {
+            const Point p = random.point(1.25);
+            const double value = value_of(graph, expected, p);
+            EXPECT_NEAR(value_of(graph, found, p), value, 1e-9 * (1 + std::abs(value))) << written;
+        }
+        for (const NodeId id : nodes_below(graph, std::array{found})) {
+            const Op op = graph[id].op;
+            EXPECT_FALSE(op == Op::cos || op == Op::cosh || op == Op::select) << written;
+        }
+    }
+    // A program, whose parameters may change, takes them as they come.
+    EXPECT_TRUE(Rewritten("cos(a*acos(x))").has(Op::acos));
+}
+
 // One polynomial, where both halves are there: of even degree it needs no size.
 TEST(ChebyshevForm, HalvesAreJoined) {
     for (const std::size_t k : {0, 2, 3, 4}) {

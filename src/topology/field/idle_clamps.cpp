@@ -1,0 +1,79 @@
+#include "topology/field/idle_clamps.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "formula/graph/substitute.h"
+
+namespace isomotion::topology {
+namespace {
+
+using formula::Graph;
+using formula::Interval;
+using formula::Node;
+using formula::NodeId;
+using formula::Op;
+
+using Inputs = std::array<Interval, clock_input + 2>;
+
+std::vector<Interval> values(const Motion& motion, std::span<const NodeId> roots,
+                             const Inputs& inputs) {
+    const formula::Program program = formula::schedule(motion.graph, roots);
+    std::vector<Interval> values(roots.size());
+    formula::Evaluator<Interval>(program).point(formula::convert<Interval>(motion.bindings), inputs,
+                                                values);
+    return values;
+}
+
+// All places of the bounds and all times of the clock; none where the bounds may be empty.
+std::optional<Inputs> everywhere(const Motion& motion) {
+    Inputs inputs;
+    inputs.fill(Interval::entire());
+    inputs[clock_input] = motion.clock;
+    const std::vector<Interval> low = values(motion, motion.low, inputs);
+    const std::vector<Interval> high = values(motion, motion.high, inputs);
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!(low[k].lo <= high[k].hi)) return std::nullopt;
+        inputs[k] = {low[k].lo, high[k].hi};
+    }
+    return inputs;
+}
+
+// What the expression is without the clamp around it, if that does nothing.
+std::optional<NodeId> without_clamp(const Motion& motion, NodeId id, const Inputs& inputs) {
+    const Node& node = motion.graph[id];
+    if ((node.op != Op::min && node.op != Op::max) || node.arrays != 0) return std::nullopt;
+    const std::array operands{node.children[0], node.children[1]};
+    const std::vector<Interval> of = values(motion, operands, inputs);
+    const std::size_t less = of[0].hi <= of[1].lo ? 0 : 1;
+    if (of[less].hi > of[1 - less].lo) return std::nullopt;
+    return operands[node.op == Op::min ? less : 1 - less];
+}
+
+} // namespace
+
+void drop_idle_clamps(Motion& motion) {
+    Graph& g = motion.graph;
+    const auto inputs = everywhere(motion);
+    if (!inputs) return;
+    const auto with_idle_clamp = [&]() -> std::optional<std::pair<NodeId, NodeId>> {
+        for (const NodeId id : formula::nodes_below(g, std::array{motion.field})) {
+            if (g[id].op != Op::chebyshev) continue;
+            if (const auto of = without_clamp(motion, g[id].children[0], *inputs))
+                return std::pair(id, *of);
+        }
+        return std::nullopt;
+    };
+    while (const auto found = with_idle_clamp()) {
+        const Node polynomial = g[found->first];
+        const auto in_its_place = [&](Graph& to, const Node& node, NodeId rebuilt) {
+            return node == polynomial ? to.chebyshev(node.index, found->second, node.second)
+                                      : rebuilt;
+        };
+        motion.field = formula::substitute(g, g, std::array{motion.field}, in_its_place)[0];
+    }
+}
+
+} // namespace isomotion::topology
