@@ -17,17 +17,17 @@ CAMERA = "camera={position=[6, 4, 3], target=[0, 0, 0], fov=36}"
 QUICK = [
     ("blobby75", 40, []),
     ("blobby75_chrome", 40, []),
-    ("twisting_superquadric", 16, []),
     ("blobby75", 20, [CAMERA], {"s": 1.45, "R": 0.3}),
     ("many.toml", 2, []),
-    ("blur.toml", 2, []),
     ("lists.toml", 2, []),
     ("blobby75", 30, [], {}, 5),
-    ("over.toml", 2, []),
     ("several.toml", 2, []),
     ("glass.toml", 2, []),
 ]
 ALL = QUICK + [
+    ("over.toml", 2, []),
+    ("blur.toml", 2, []),
+    ("twisting_superquadric", 16, []),
     ("barth_decic", 40, []),
     ("chmutov_14", 1, []),
     ("chmutov_14_trig", 60, []),
