@@ -12,11 +12,11 @@
 # have an entry of their own, which begins once EGL's, with the same driver, has ended.
 #
 # Entries of the quick suite have the driver compile without optimizing, which is most of their time:
-# pictures are the same to the bit, and some tests of `--all` draw as users do. So do OPTIMIZED suites.
+# pictures are the same to the bit, and what only `--all` runs draws as users do.
 #
 #   cmake -D BINARY=... -D FOLDER=<where it runs> -D LSAN=<suppressions> -D CACHE=<folder>
 #         -D "SHARDS=Suite=3;..." -D "UNCACHED=Suite;..." -D "EXHAUSTIVE=Suite;Suite.Test*;..."
-#         -D "QUICK=Suite.Test*;..." -D "THOROUGH=Suite;..." -D "BACKENDS=Suite;..." -D "OPTIMIZED=Suite;..." -D LABEL=...
+#         -D "QUICK=Suite.Test*;..." -D "THOROUGH=Suite;..." -D "BACKENDS=Suite;..." -D LABEL=...
 #         -D TO=<the file to write> -P discover_suites.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -64,8 +64,8 @@ function(expect_suite option suite)
   endif()
 endfunction()
 
-foreach(suite IN LISTS UNCACHED BACKENDS OPTIMIZED THOROUGH)
-  expect_suite("UNCACHED, BACKENDS, OPTIMIZED or THOROUGH" ${suite})
+foreach(suite IN LISTS UNCACHED BACKENDS THOROUGH)
+  expect_suite("UNCACHED, BACKENDS or THOROUGH" ${suite})
 endforeach()
 foreach(given IN LISTS SHARDS)
   string(REGEX MATCH "^(.*)=([0-9]+)$" whole "${given}")
@@ -105,16 +105,17 @@ function(add_entry name suite filter labels environment)
   else()
     # Mesa's cache does not tell the two kinds of code apart.
     set(folder optimized)
-    if(NOT labels MATCHES "exhaustive" AND NOT suite IN_LIST OPTIMIZED)
+    if(NOT labels MATCHES "exhaustive")
       set(folder quick)
       list(APPEND environment "GALLIVM_PERF=nopt")
     endif()
-    list(APPEND environment "MESA_SHADER_CACHE_DISABLE=false" "MESA_SHADER_CACHE_DIR=${CACHE}_${folder}")
+    list(APPEND environment "MESA_SHADER_CACHE_DISABLE=false" "MESA_SHADER_CACHE_DIR=${CACHE}_${folder}"
+         "MESA_SHADER_CACHE_MAX_SIZE=512M") # the driver drops what was not used for longest
   endif()
   string(APPEND text
     "add_test([=[${name}]=] [=[${BINARY}]=] [=[--gtest_filter=${filter}]=])\n"
     "set_tests_properties([=[${name}]=] PROPERTIES WORKING_DIRECTORY [=[${FOLDER}]=]\n"
-    "  LABELS [=[${labels}]=] TIMEOUT ${limit} SKIP_RETURN_CODE 77 FIXTURES_REQUIRED shader_cache ${more}\n"
+    "  LABELS [=[${labels}]=] TIMEOUT ${limit} SKIP_RETURN_CODE 77 ${more}\n"
     "  ENVIRONMENT [=[${environment}]=]\n"
     "  ENVIRONMENT_MODIFICATION [=[LSAN_OPTIONS=set:suppressions=${LSAN}]=])\n")
   set(text "${text}" PARENT_SCOPE)

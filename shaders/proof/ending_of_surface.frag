@@ -10,7 +10,11 @@ void main() {
     ivec2 at = ivec2(pixel_centre);
     float way = texelFetch(way_to_end, at, 0).x;
     Ray ray = pixel_ray();
+#if SURFACE == 0
+    float t = way; // to the bit, whatever a driver makes of a quotient by 1
+#else
     float t = (way - surface_way.y * ray.to_eye) / surface_way.x;
+#endif
     bool hits = abs(way) < ENDS_NOWHERE;
     bool is_own = int(texelFetch(surface_of_end, at, 0).x) == SURFACE + 1;
     ending = vec4(!hits ? way : is_own ? t : ENDS_NOWHERE, hits && !is_own ? t + beyond : ENDS_NOWHERE, 0.0,

@@ -307,6 +307,7 @@ Json surface_of(const WebSurface& web, const SurfaceValues& values, Texts& texts
     all["degree"] = passes.degree;
     all["stateTextures"] = passes.state_textures;
     all["beams"] = beams_of(web);
+    all["squaresApart"] = synthesis::beam_square;
     all["parameterVectors"] = passes.parameter_vectors;
     all["arrays"] = arrays_of(web, values);
     all["grid"] = grid_of(web);

@@ -57,6 +57,20 @@ int blocks_across(int pixels, int block = synthesis::proved_block) {
     return (pixels + block - 1) / block;
 }
 
+gpu::Rectangle around(std::span<const gpu::Rectangle> areas) {
+    gpu::Rectangle all = areas.front();
+    int right = 0, top = 0;
+    for (const gpu::Rectangle& area : areas) {
+        all.x = std::min(all.x, area.x);
+        all.y = std::min(all.y, area.y);
+        right = std::max(right, area.x + area.width);
+        top = std::max(top, area.y + area.height);
+    }
+    all.width = right - all.x;
+    all.height = top - all.y;
+    return all;
+}
+
 // Replaces areas of a record of so many pixels a row.
 void write_areas(std::span<const gpu::Rectangle> areas, std::span<const float> texels, int width,
                  std::span<float> record) {
@@ -160,6 +174,23 @@ void Proofs::read(const Areas& areas) {
     for (const gpu::Rectangle& area : areas) floats += floats_of(area);
     texels_.resize(floats);
     std::span<float> to(texels_);
+    // Each read waits for a graphics card.
+    constexpr std::size_t most_reads = 64;
+    if (areas.size() > most_reads) {
+        const gpu::Rectangle all = around(areas);
+        around_.resize(floats_of(all));
+        kept_.read(0, all.x, all.y, all.width, all.height, around_);
+        for (const gpu::Rectangle& area : areas) {
+            for (int y = area.y; y < area.y + area.height; ++y) {
+                const auto row = 4 * (std::size_t(y - all.y) * std::size_t(all.width) +
+                                      std::size_t(area.x - all.x));
+                const auto texels = std::span(around_).subspan(row, 4 * std::size_t(area.width));
+                std::ranges::copy(texels, to.begin());
+                to = to.subspan(texels.size());
+            }
+        }
+        return;
+    }
     for (const gpu::Rectangle& area : areas) {
         kept_.read(0, area.x, area.y, area.width, area.height, to.first(floats_of(area)));
         to = to.subspan(floats_of(area));

@@ -2,11 +2,10 @@
 //
 // Passes after the march bound F and dF/dt over pieces of rays in float32 interval arithmetic
 // (shaders/proof/prove.glsl), first for blocks of rays, then for the single rays that these leave
-// open. Undecided rays are
-// tried again with tighter bounds, in doubles where the driver's can be trusted (doubles.h). Each
-// ray is thickened by everything that float32 may have made of it, see scene/ray_rounding.h. So a
-// proof holds for the ray that was drawn, on any driver. A proved hit is a simple root, the ray's
-// first, within an eighth of a pixel's width of the place that was found.
+// open. Undecided rays are tried again with tighter bounds, in doubles where the driver's can be
+// trusted (doubles.h). Each ray is thickened by everything that float32 may have made of it, see
+// scene/ray_rounding.h. So a proof holds for the ray that was drawn, on any driver. A proved hit is
+// a simple root, the ray's first, within an eighth of a pixel's width of the place that was found.
 #pragma once
 
 #include <cstdint>
@@ -81,9 +80,9 @@ private:
     gpu::Target of_coarse_blocks_, of_blocks_, kept_, going_on_;
     gpu::DepthMask mask_; // for the last two targets
     gpu::UniformBuffer frame_;
-    gpu::Rectangles open_;               // what passes of single rays are drawn over
-    gpu::SamplesQuery finished_;         // counts rays
-    std::vector<float> blocks_, texels_; // read last
+    gpu::Rectangles open_;                        // what passes of single rays are drawn over
+    gpu::SamplesQuery finished_;                  // counts rays
+    std::vector<float> blocks_, texels_, around_; // read last
 };
 
 } // namespace isomotion::render

@@ -182,8 +182,7 @@ void add_seen_through_glass(ShaderText& text, const scene::Scene& scene) {
     text.file("glass/seen.glsl");
 }
 
-Pass pass_over_paths(ShaderText text, Role role, const char* name, const char* file,
-                     Cover cover) {
+Pass pass_over_paths(ShaderText text, Role role, const char* name, const char* file, Cover cover) {
     text.file(file);
     return std::move(text).pass(role, name, When::until_rays_end, cover);
 }

@@ -86,6 +86,30 @@ TEST_P(Certify, ASphereIsProvedAndIsWhereItIs) {
     EXPECT_GT(hits + misses, 0.995 * side * side);
 }
 
+// Roots found by few bisections are off by up to 0.0125, 0.006 and 0.003; an eighth of a pixel is
+// 0.0047.
+TEST_P(Certify, ARootThatIsOffByMoreIsNotProved) {
+    const double pixel = 2.4 / side;
+    std::int64_t proved = 0, open = 0;
+    for (const int bisections : {1, 2, 3}) {
+        const Picture picture = draw_formula(
+            "x^2 + y^2 + z^2 - 1",
+            fmt::format("method = 'amp-sign'\nstep = 0.05\nbisections = {}\n", bisections));
+        const auto& proof = picture.frame.find("proof")->samples;
+        for (std::size_t k = 0; k < proof.size(); ++k) {
+            if (Proof(int(proof[k])) != Proof::hit) continue;
+            std::array<double, 3> p{};
+            for (std::size_t i = 0; i < 3; ++i)
+                p[i] = double(picture.frame.find(std::array{"P.X", "P.Y", "P.Z"}[i])->samples[k]);
+            ASSERT_NEAR(p[0], std::sqrt(1 - p[1] * p[1] - p[2] * p[2]), pixel / 8);
+        }
+        proved += count(picture, Proof::hit);
+        open += count(picture, Proof::sign);
+    }
+    EXPECT_GT(proved, 1000);
+    EXPECT_GT(open, 500);
+}
+
 // Tiles and passes, and blocks of rays that tiles cut, change no proof.
 TEST_P(Certify, AProofIsTheSameByAnyPlan) {
     for (const char* method : {"hermite", "amp-sign"}) {

@@ -283,6 +283,8 @@ def hides(page, checks):
     drawn = page.evaluate("isomotion.painter.drawn") - before
     checks.expect(drawn <= 1, f"{drawn} pictures of a hidden page")
     before += drawn
+    time.sleep(2)
+    checks.equal(page.evaluate("isomotion.painter.drawn"), before, "pictures of a page that is hidden for long")
     page.evaluate("""(() => { delete document.hidden;
         document.dispatchEvent(new Event('visibilitychange')); })()""")
     page.until(f"isomotion.painter.drawn > {before}", 20)

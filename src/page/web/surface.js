@@ -1,10 +1,8 @@
 // The passes of one surface at work in a tile: beams, and rays in as many draws as they take. As
 // src/render/surface_passes.cpp and ray_marcher.cpp have it.
 
-const squaresApart = 64; // SQUARES_APART of shaders/march/beam_place.glsl
-
 // A level of beams in squares of so many blocks, where shaders/march/beam_place.glsl has them.
-function squaresOf({ width, height }, side) {
+function squaresOf({ width, height }, side, squaresApart) {
     const all = [];
     for (let y = 0; y < height; y += side) {
         for (let x = 0; x < width; x += side) {
@@ -23,7 +21,7 @@ class SurfacePasses {
         this.table = table;
         this.side = side;
         this.beams = about.beams.map(({ block, square, masks }) => {
-            const texels = squaresApart * Math.ceil(side / (block * square));
+            const texels = about.squaresApart * Math.ceil(side / (block * square));
             return new Target(gl, texels, texels, [gl.RGBA32F]).withLayers(gl.RGBA32UI, masks)
                 .expectComplete();
         });
@@ -75,7 +73,7 @@ class SurfacePasses {
             program.set("beam_evaluations", evaluations);
             program.set("around_middles", 0);
             const blocks = { width: Math.ceil(width / block), height: Math.ceil(height / block) };
-            for (const square of squaresOf(blocks, about.beams[level].square))
+            for (const square of squaresOf(blocks, about.beams[level].square, about.squaresApart))
                 this.run("beams", this.beams[level], square, level);
             table.bind("beam_texture", this.beams[level].textures[0]);
             if (this.lists) this.copyLists(level, blocks);
@@ -90,7 +88,8 @@ class SurfacePasses {
         table.bind("beam_masks_texture", this.beams[level].layers, gl.TEXTURE_2D_ARRAY);
         table.bind("array0_lists", level > 0 ? lists[level - 1].textures[0] : null);
         if (level > 0)
-            lists[level].copy(lists[level - 1], { width: lists[level - 1].width, height: firstRow });
+            lists[level].copy(lists[level - 1], { height: firstRow,
+                width: Math.min(lists[level - 1].width, lists[level].width) });
         this.run("beamCopies", lists[level], size, level);
         table.bind("array0_lists", lists[level].textures[0]);
     }

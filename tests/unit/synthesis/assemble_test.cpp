@@ -139,21 +139,6 @@ height = -#
     return scene_of(text);
 }
 
-// Without effects: drawn over each other.
-scene::Scene two_plain_surfaces(const std::string& value) {
-    const std::string one =
-        "[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - r\"\nbounds = { sphere = 2 "
-        "}\nparameters = { r = " +
-        value + " }\nmaterial = { color = [" + value + ", 1, 0] }\n";
-    return scene_of(one + one);
-}
-
-scene::Scene proved_surfaces(const std::string& value) {
-    scene::Scene scene = two_plain_surfaces(value);
-    scene.isolation.certify = scene.others[0].isolation.certify = true;
-    return scene;
-}
-
 scene::Scene with_glass(const std::string& value) { return scene_of(glass_among_others(value)); }
 
 std::vector<Passes> passes_of_surfaces(const scene::Scene& scene) {

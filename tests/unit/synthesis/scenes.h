@@ -165,4 +165,19 @@ inline std::set<std::string> shader_files() {
     return names;
 }
 
+// Without effects: drawn over each other.
+inline scene::Scene two_plain_surfaces(const std::string& value) {
+    const std::string one =
+        "[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - r\"\nbounds = { sphere = 2 "
+        "}\nparameters = { r = " +
+        value + " }\nmaterial = { color = [" + value + ", 1, 0] }\n";
+    return scene_of(one + one);
+}
+
+inline scene::Scene proved_surfaces(const std::string& value) {
+    scene::Scene scene = two_plain_surfaces(value);
+    scene.isolation.certify = scene.others[0].isolation.certify = true;
+    return scene;
+}
+
 } // namespace isomotion::synthesis
