@@ -160,7 +160,14 @@ int write_gallery(const PageArguments& arguments) {
     const std::vector<std::string> names = scene::animation_names();
     Progress progress("writing pages", int(names.size()), arguments.quiet);
     std::vector<page::GalleryEntry> entries;
-    std::vector<std::string> left_out;
+    std::vector<std::string> left_out, shown; // with and without the scene's path
+    const auto leave_out = [&](const std::string& name, const std::string& why) {
+        left_out.push_back(fmt::format("{}: {}", name, why));
+        const std::string file = name + ".toml: ";
+        const std::size_t path = why.find(file);
+        shown.push_back(
+            fmt::format("{}: {}", name, path == why.npos ? why : why.substr(path + file.size())));
+    };
     for (const std::string& name : names) {
         progress.show(int(entries.size() + left_out.size()), name);
         try {
@@ -170,12 +177,12 @@ int write_gallery(const PageArguments& arguments) {
             write(folder / (name + ".html"), text);
             entries.push_back({name, scene.title});
         } catch (const scene::SceneError& error) {
-            left_out.push_back(fmt::format("{}: {}", name, error.what()));
+            leave_out(name, error.what());
         } catch (const std::length_error& error) { // shaders too long
-            left_out.push_back(fmt::format("{}: {}", name, error.what()));
+            leave_out(name, error.what());
         }
     }
-    write(folder / "index.html", page::gallery_index(entries, left_out));
+    write(folder / "index.html", page::gallery_index(entries, shown));
     if (!arguments.quiet)
         print_result("pages: {} and {}\n", entries.size(), (folder / "index.html").string());
     for (const std::string& line : left_out) message("left out: {}\n", line);

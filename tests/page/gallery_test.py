@@ -21,7 +21,9 @@ def test(given, folder, driven, checks):
     ending = pages.run(given.program, "page", "--gallery", "-o", site, "--quiet", seconds=1200)
     checks.equal(ending.returncode, 0, f"page --gallery: {ending.stderr}")
     with open(os.path.join(site, "index.html")) as index:
-        names = re.findall(r'href="([^"]*)\.html"', index.read())
+        text = index.read()
+    names = re.findall(r'href="([^"]*)\.html"', text)
+    checks.expect("/animations/" not in text, "the index tells where its scenes lie")
     listed = pages.run(given.program, "list", "animations").stdout.splitlines()
     known = {line.split()[0] for line in listed if line.strip()}
     # Glass among several surfaces is the only thing that a page refuses of the gallery.
