@@ -20,7 +20,7 @@ std::string by_name_in_es(std::string_view name, std::string_view value,
     return fmt::format("#ifdef GL_ES\n#define {} {}\n#else\n{}#endif\n", name, value, declaration);
 }
 
-// Of the elements of the list entered last: shaders/march/copies.glsl. They are sampled:
+// Reads elements of the list entered last: shaders/march/copies.glsl. They are sampled:
 // texelFetch() takes a level for each pixel, and Mesa's processor renderer then looks up rows and
 // offsets for each, which takes twice the time.
 std::string declared_copies(const ArrayStorage& array) {
