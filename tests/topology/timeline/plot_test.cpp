@@ -95,8 +95,9 @@ void expect_readable(const std::string& svg) {
     }
     // 8 pixels at least where the picture is 800 wide.
     for (const SvgElement& element : elements)
-        if (element.attributes.contains("font-size"))
+        if (element.attributes.contains("font-size")) {
             EXPECT_GE(element.number("font-size") * 800 / width, 8);
+        }
 }
 
 // x of each mark of an event: a sign has one, a path of ticks has many.
