@@ -121,15 +121,16 @@ class Target {
     with(format) {
         return new Target(this.gl, this.width, this.height, [...this.textures, format]);
     }
-    // Copies these pixels of another target with the same formats.
-    copy({ framebuffer }, { width, height }) {
+    // Copies these pixels of another target with the same formats, from its first one on, of as many
+    // textures as this one has.
+    copy({ framebuffer }, { x = 0, y = 0, width, height }) {
         const { gl } = this;
         gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
         gl.activeTexture(gl.TEXTURE0 + editingUnit);
         this.textures.forEach((texture, k) => {
             gl.readBuffer(gl.COLOR_ATTACHMENT0 + k);
             gl.bindTexture(gl.TEXTURE_2D, texture);
-            gl.copyTexSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 0, 0, width, height);
+            gl.copyTexSubImage2D(gl.TEXTURE_2D, 0, x, y, 0, 0, width, height);
         });
         gl.readBuffer(gl.COLOR_ATTACHMENT0);
     }
@@ -228,13 +229,15 @@ const atOnce = async () => {
     await soon(1);
 };
 
-// Whether any sample of a draw passed, once the card has drawn it; the page goes on meanwhile.
-async function anyPassed(gl, draw) {
+// Whether any sample of a draw passed, once the card has drawn it; the page goes on meanwhile. It does
+// not ask for so many milliseconds: who asks takes time from what draws in software.
+async function anyPassed(gl, draw, patience = 0) {
     const query = gl.createQuery();
     gl.beginQuery(gl.ANY_SAMPLES_PASSED, query);
     draw();
     gl.endQuery(gl.ANY_SAMPLES_PASSED);
     gl.flush();
+    if (patience > 0) await soon(patience);
     do {
         await atOnce();
         if (gl.isContextLost()) throw new Stopped();

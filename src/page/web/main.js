@@ -88,6 +88,7 @@ async function main() {
     const canvas = element("picture");
     const fragments = {};
     for (const name of ["add", "show", "unfinished"]) fragments[name] = textOf(`${name}.frag`);
+    fragments.enlarge = fragments.show.replace("\n", "\n#define ENLARGED\n");
     let panel, hands;
     const painter = new Painter(canvas, data, look,
         { vertex: textOf("screen.vert"), fragments },

@@ -95,10 +95,10 @@ class SurfacePasses {
     }
 
     // Whether the draw of this role leaves any fragment, once the card has drawn it.
-    countedBy(role, size, counter = this.counter) {
+    countedBy(role, size, counter = this.counter, patience = 0) {
         const { gl } = this;
         gl.colorMask(false, false, false, false);
-        const passed = anyPassed(gl, () => this.run(role, counter, size));
+        const passed = anyPassed(gl, () => this.run(role, counter, size), patience);
         gl.colorMask(true, true, true, true);
         return passed;
     }
