@@ -171,7 +171,7 @@ std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest) {
     if (!has_lists(storage)) return {{finest, none, 1, bits}};
     // Fewer programs: a page shows its first picture when all are compiled. Beams of 16 pixels that
     // go through more elements than these take longer than two levels.
-    if (has_copies(storage) && storage.arrays[0].capacity <= 48)
+    if (has_copies(storage) && storage.arrays[0].capacity <= 32)
         return {{16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
     return {{64, whole, 0.3, 2}, {16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
 }
