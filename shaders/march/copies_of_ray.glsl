@@ -1,6 +1,6 @@
 // What a ray's beams found to matter in them: lists of the last level, and of the level before it.
 
-// Of the ray's block, whose front and middle end there.
+// The lists of the ray's block, whose front and middle end at these distances.
 BeamLists lists_of_beam(ivec2 block, float front_end, float middle_end) {
     ivec2 larger = block * BLOCK / LARGER_BLOCK;
     LIST middle = LIST_OF_LARGER(larger, 0), all = LIST_OF_LARGER(larger, 1);

@@ -175,7 +175,7 @@ private:
         throw InputError(fmt::format("{}: {}", place(file_, count_.line, whole_key()), message));
     }
 
-    // Of an object's value it is the key's line that counts.
+    // An object's value is at the line of its key, which was compared already.
     void begin_value() {
         if (levels_.empty() || !levels_.back().is_list) return;
         name_ = fmt::format("[{}]", levels_.back().items.size());

@@ -15,7 +15,7 @@ namespace {
 
 using formula::Evaluator, formula::Instruction, formula::Interval, formula::Op, formula::Program;
 
-// Of a field's values: a field with more is kept whole.
+// The part of a field's values that its expression may miss; a field with more is kept whole.
 constexpr double most_exceptions = 1.0 / 8;
 
 // Powers are no functions of one argument, and browsers have had worse ones.

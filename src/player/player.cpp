@@ -473,8 +473,8 @@ private:
         ImGui::End();
     }
 
-    // Of the picture shown, and as its camera saw it. With other parameters the events would be
-    // others.
+    // Rings mark the events in the picture shown, as its camera saw them. With other parameters
+    // there would be other events.
     void show_rings() {
         const std::optional<Shown>& shown = area_.shown();
         if (!rings_ || !shown || !shown->now || !scene_->session.look().overrides.empty()) return;

@@ -362,7 +362,7 @@ struct Renderer::Parts {
         }
     }
 
-    // Of several surfaces each pixel has the velocity of the one that is seen there.
+    // Where there are several surfaces, a pixel has the velocity of the one that is seen there.
     void draw_velocities(const PictureInputs& inputs, const gpu::Rectangle& tile,
                          image::Frame& drawn) {
         const std::vector<int> seen = several->seen(tile);

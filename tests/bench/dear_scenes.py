@@ -109,7 +109,7 @@ COMMANDS = [(["show"], [0]), (["topology", "--certify", "off"], [0, 2])]
 
 
 def cost(words):
-    """Of all its threads: seconds, megabytes, exit code."""
+    """What a command costs with all its threads, in seconds and megabytes, and its exit code."""
     run = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     _, status, used = os.wait4(run.pid, 0)
     seconds = used.ru_utime + used.ru_stime

@@ -55,14 +55,14 @@ def run(program, *words):
 
 
 def processor_seconds(process):
-    """Of a process that runs: user's and system's."""
+    """The processor time of a process that runs, the user's and the system's together."""
     with open(f"/proc/{process}/stat") as stat:
         fields = stat.read().rsplit(")", 1)[1].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def drawing_process(of_browser):
-    """Of all that a browser started, the one that draws."""
+    """The process that draws, among all that a browser started."""
     parents = {}
     for entry in filter(str.isdigit, os.listdir("/proc")):
         try:

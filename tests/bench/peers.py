@@ -176,7 +176,7 @@ def max_gradient(object, most_accurate, folder):
         differ, lonely = differences(right, hits(drawn))
         if best is None or (lonely, differ) < best[:2]:
             best = (lonely, differ, 2.0**doubling)
-        # Of the processor: what else the machine does must not end the search.
+        # The processor's time counts: what else the machine does must not end the search.
         work = sum(map(float, WORKED.findall(text)))
         if lonely == 0 or work > SEARCH_PATIENCE:
             break

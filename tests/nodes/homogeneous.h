@@ -27,7 +27,7 @@ int degree_of(SecondOrderField& field);
 // Columns: an orthonormal basis of what is orthogonal to the unit vector `p`.
 glm::dmat3x4 tangent_basis(const glm::dvec4& p);
 
-// Of a symmetric matrix, ascending; to the rounding of the largest.
+// The eigenvalues of a symmetric matrix, ascending, each to the rounding of the largest.
 glm::dvec3 eigenvalues(glm::dmat3 symmetric);
 
 } // namespace isomotion

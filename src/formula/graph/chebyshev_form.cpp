@@ -54,7 +54,8 @@ NodeId within_unit(Graph& g, NodeId a) {
     return low < -1 ? g.binary(Op::max, g.constant(-1), a) : a;
 }
 
-// Of degree 2 at most, by ascending powers, in whole numbers that are too small to be rounded.
+// A polynomial of degree 2 at most: its coefficients by ascending powers, which are whole numbers
+// too small to be rounded.
 using Quadratic = std::array<double, 3>;
 
 std::optional<Quadratic> if_exact(const Quadratic& q) {

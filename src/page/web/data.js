@@ -101,7 +101,7 @@ class SurfaceData {
     floats(table, frame, moment) {
         return new Float32Array(this.row(table, frame, moment).buffer);
     }
-    // Of an array, as the shaders read them: some fields by their expressions.
+    // An array's elements, as the shaders read them. Expressions compute some of the fields.
     elements(array, frame, moment) {
         const texels = this.floats(`array${array}`, frame, moment);
         const { rules, arrays } = this.about, { computed } = arrays[array];

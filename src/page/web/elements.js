@@ -22,7 +22,7 @@ class LongTexture {
     }
 }
 
-// Of one surface.
+// Holds the textures of one surface's elements and of its grid.
 class ElementTextures {
     constructor(gl, table, data) {
         this.table = table;

@@ -80,7 +80,7 @@ class Program {
     }
 }
 
-// Of several layers where they are told.
+// Makes a texture, or an array of textures where `layers` is given.
 function textureOf(gl, internal, width, height, layers = 0) {
     const kind = layers ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
     const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);

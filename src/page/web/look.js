@@ -26,7 +26,7 @@ class Look {
         if (wasAtTarget) view.focus = distanceOf(view);
         return view;
     }
-    // Of all surfaces.
+    // The views of all surfaces.
     views(frame, fit, moment) {
         return this.data.surfaces.map((_, k) => this.view(frame, fit, moment, k));
     }

@@ -33,7 +33,7 @@ class SurfacePasses {
     newTarget(formats) {
         return new Target(this.gl, this.side, this.side, formats).expectComplete();
     }
-    // Of so many textures of four floats.
+    // A target with `count` textures of four floats a pixel.
     newFloats(count) {
         return this.newTarget(Array(count).fill(this.gl.RGBA32F));
     }

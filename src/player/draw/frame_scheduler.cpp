@@ -73,7 +73,8 @@ void FrameScheduler::post(const Session& session, double scale, int samples, boo
     thread_.draw(std::move(request));
 }
 
-// Of a picture at rest, after one of the last request's. What grows costs a third more in all.
+// The scale of the next picture at rest, after one of the last request's scale. Pictures that grow
+// cost a third more in all.
 double FrameScheduler::next_scale(int samples) const {
     const double whole = 1e-3 * samples * resolution_.model.at(1);
     return whole > grows_from ? std::min(2 * scale_, 1.0) : 1;

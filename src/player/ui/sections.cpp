@@ -439,7 +439,7 @@ void reading_line(const std::optional<Shown>& shown, const std::optional<Audited
         1e3 * tally.drawing.count(), double(tally.evaluations) / rays);
     const std::string found = audited ? audit_text(audited->findings) : drawn;
     ImGui::SameLine();
-    // Of both, where there is room for one alone, what was found.
+    // Where there is no room for both texts, only what was found is shown.
     for (const std::string& text : {audited ? drawn + "   " + found : drawn, found}) {
         const float begin =
             ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x;

@@ -17,7 +17,7 @@ public:
         is_one_.front() = is_one_.back() = true;
     }
 
-    // Of the plane with this number among those of a depth.
+    // The place of the plane with this number among those of a depth.
     static int place(int index, int depth) { return index << (deepest - depth); }
 
     void add(int place) { is_one_[std::size_t(place)] = true; }

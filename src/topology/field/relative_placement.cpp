@@ -18,7 +18,7 @@ struct Turn {
     NodeId cosine, sine;
 };
 
-// Of an angle in degrees. Quarter turns are exact, so that boxes stay boxes along the axes.
+// Turns by an angle in degrees. Quarter turns are exact, so that boxes stay boxes along the axes.
 Turn turn(Graph& g, NodeId degrees) {
     if (g.is_constant(degrees)) {
         const double angle = std::remainder(g[degrees].value, 360.0);

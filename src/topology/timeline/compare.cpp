@@ -211,7 +211,7 @@ private:
         }
     }
 
-    // Of events that have a kind only together, as many must be of each.
+    // Compares events that have a kind only together: there must be as many of each kind.
     void compare_moments() {
         while (!together_.empty()) {
             const Event &wanted = *together_.front().first, &event = *together_.front().second;

@@ -142,7 +142,7 @@ Judgement judge(const BettiClaim& claim, const TimelineRecord& found, const Step
         return frames.lo <= asked.hi && asked.lo <= frames.hi;
     };
     const bool is_moment = is_point(asked);
-    // Of a span, a step that is over as it begins says nothing.
+    // A step that is over as it begins says nothing about a span.
     const auto lasts_in = [&](Interval time) {
         const Interval frames = frames_at(fps, time);
         return touches(time) &&

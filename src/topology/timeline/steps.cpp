@@ -64,7 +64,7 @@ std::optional<Betti> after(const Timeline& timeline, const Instant& instant) {
     return found;
 }
 
-// Of all its events together; empty if some are of unknown kind.
+// What the instant's events change together; empty if some are of unknown kind.
 std::optional<Betti> change(const Timeline& timeline, const Instant& instant) {
     if (!instant.unresolved.empty()) return std::nullopt;
     Betti all;

@@ -9,7 +9,7 @@
 
 namespace isomotion::topology {
 
-// Of a picture, in its units; y counts down.
+// A rectangle in a picture, in the picture's units; y counts down.
 struct Rect {
     double left = 0, top = 0, right = 0, bottom = 0;
 

@@ -103,7 +103,7 @@ public:
         , timed_(motion)
         , frame_(timed_.formula()) {}
 
-    // Of `count` boxes, each with a point.
+    // Checks `count` boxes, each with a point.
     void check(int count, Counts& counts) {
         while (count > 0) {
             const int of_family = std::min(count, 37);

@@ -187,7 +187,7 @@ private:
         }
     }
 
-    // Of every pair of neighbours: all that one is, the other is.
+    // Each event of a pair of neighbours takes the other's kind, and all that goes with it.
     void swap_kinds() {
         const auto& events = truth_.timeline.events;
         for (std::size_t k = 1; k < events.size(); ++k) {

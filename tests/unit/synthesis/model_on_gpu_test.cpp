@@ -208,7 +208,7 @@ struct Errors {
 
 class Models : public gpu::EveryBackend {
 protected:
-    // Of a piece so long.
+    // Draws the inputs of a piece that is `size` long.
     static Inputs inputs(Random& random, double size, bool of_block) {
         Inputs all{};
         for (Coefficients& a : all.coordinates) {
