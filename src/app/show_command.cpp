@@ -84,7 +84,8 @@ void print_pass(const synthesis::Pass& pass) {
     print_result("// ----- {} shader\n{}\n", render::name(pass.stage), pass.text);
 }
 
-// What every frame runs, in order; then the names of what only some frames do.
+// Prints the passes that every frame runs, in order; then the names of those that only some frames
+// run.
 void print_passes(const synthesis::Passes& passes) {
     for (const synthesis::Pass& pass : passes.list) {
         if (!synthesis::is_exceptional(pass.when)) print_pass(pass);

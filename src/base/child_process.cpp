@@ -41,8 +41,8 @@ private:
     posix_spawn_file_actions_t actions_;
 };
 
-// What the program itself ignores, so that writes fail instead, is not ignored by others for it:
-// many count on SIGPIPE to end.
+// Signals that this program ignores, so that writes fail instead, are not ignored by the programs
+// that it starts: many count on SIGPIPE to end.
 class SpawnAttributes {
 public:
     SpawnAttributes() {

@@ -30,7 +30,7 @@ std::string place(const std::string& file, std::size_t line, const std::string& 
     return printable_line(key.empty() ? at : fmt::format("{}: {}", at, key));
 }
 
-// From TOML; notes the lines of all nodes.
+// Converts TOML, and notes the lines of all nodes.
 class Conversion {
 public:
     Conversion(const std::string& file, std::map<std::string, std::size_t>& lines)

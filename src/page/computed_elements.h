@@ -19,7 +19,7 @@
 
 namespace isomotion::page {
 
-// From so many elements on a page's script would take longer than its pictures.
+// More elements than these would take a page's script longer than its pictures.
 inline constexpr int most_computed = 1000;
 
 struct ComputedElements {

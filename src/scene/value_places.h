@@ -6,7 +6,7 @@
 
 namespace isomotion::scene {
 
-// By the names of tracks ("camera.fov") and of arrays' fields ("blobs.cx").
+// Places by the names of tracks ("camera.fov") and of arrays' fields ("blobs.cx").
 template<class Place> using PlacesByName = std::map<std::string, Place>;
 
 // The place of a value and what its name has beyond the key there: of one element ("blobs.cx[2]")

@@ -21,8 +21,9 @@ struct Known {
     bool point = false;        // `text` is a number, else an interval
     bool not_negative = false; // then no lower end is below 0 either
     bool positive_constant = false;
-    // Exactly 0 over some boxes, by a comparison: the slope of max(1, x) where x is less. It is to
-    // stay 0 until it meets a factor without bounds, such as the slope of a root at 0.
+    // Whether it may be exactly 0 over some boxes, by a comparison: the slope of max(1, x) where x
+    // is less. It is to stay 0 until it meets a factor without bounds, such as the slope of a root
+    // at 0.
     bool may_rest = false;
     bool may_be_subnormal = false; // a number that is given, which drivers may take for 0
 };

@@ -103,7 +103,7 @@ class SurfacePasses {
         return passed;
     }
 
-    // In one draw. Shadow rays go to one light after the other.
+    // The evaluations of a ray in one draw. Shadow rays go to one light after the other.
     evaluationsOf(role) {
         const { evaluations, shadowLights, degree } = this.about;
         return role === "shadow" ? Math.max(Math.floor(evaluations / shadowLights), degree + 1)

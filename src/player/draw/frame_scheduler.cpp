@@ -13,10 +13,10 @@ namespace {
 // person looks closer.
 constexpr double rests_after = 0.15;
 
-// A picture that takes longer is not waited for: what is newer may have it given up.
+// A new request waits so long for the picture in flight, and then has it given up.
 constexpr double longest_wait = 0.1;
 
-// What is shown at rest grows towards the whole picture if that takes longer, seconds.
+// If a whole picture at rest takes more seconds than this, the picture grows towards it.
 constexpr double grows_from = 0.25;
 
 // Rays of a picture at rest.

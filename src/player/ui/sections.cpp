@@ -167,8 +167,8 @@ void settings(scene::Isolation& isolation, const scene::Isolation& own) {
     integer("limit", isolation.limit, 1, 100'000, true);
 }
 
-// What a slider does: of a parameter it is the value; of an array's field it multiplies the values
-// of all `elements`.
+// What a slider does: it is the value of a parameter, or multiplies the values of an array's field
+// for all `elements`.
 std::string slider_tip(const Slider& of, std::optional<int> elements) {
     std::string tip;
     if (elements) {

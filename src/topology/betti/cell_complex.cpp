@@ -83,8 +83,8 @@ CellComplex::Packed CellComplex::packed(const CellKey& key) {
 
 CellComplex::Table::Table() { grow(); }
 
-// From the high bits of a product, which Fibonacci's multiplier mixes best, and on to the next
-// ones.
+// The slot of a key is searched for from the high bits of a product, which Fibonacci's multiplier
+// mixes best, and on to the next ones.
 CellComplex::Table::Slot& CellComplex::Table::slot(const Packed& key) {
     constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;
     const std::uint64_t mixed = (key[0] * golden ^ key[1]) * golden;

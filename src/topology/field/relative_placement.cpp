@@ -62,7 +62,7 @@ Vector product(Graph& g, const Matrix& a, const Vector& v) {
     return result;
 }
 
-// About the fixed axes x, then y, then z.
+// Turns about the fixed axes x, then y, then z.
 Matrix rotation(Graph& g, const Vector& degrees) {
     const auto [cx, sx] = turn(g, degrees[0]);
     const auto [cy, sy] = turn(g, degrees[1]);

@@ -225,7 +225,7 @@ Unresolved read_unresolved(const base::DocumentNode& node, animation::FrameRate 
     return place;
 }
 
-// What certainly comes before an earlier item of its list is out of order.
+// An item that certainly comes before an earlier one of its list is out of order.
 template<class Item, class Read>
 std::vector<Item> read_ordered(const base::DocumentNode& node, Read&& read) {
     std::vector<Item> items;
