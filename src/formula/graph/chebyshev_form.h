@@ -1,9 +1,9 @@
 // Chebyshev polynomials that are written by angles, as primitives.
 //
-// cos(n acos a) is T_n(a), and cosh(n acosh a), of a >= 1, is T_n(a) as well; with acosh a written
-// as log(a + sqrt(a^2 - 1)). Of one that counts inside [-1, 1] and one that counts outside, which
-// are 1 elsewhere, the product is T_n everywhere. Values on paper are the same. But intervals of
-// the slope of acos and of that root have no bound at 1, where the polynomial's slope is n^2.
+// cos(n acos a) is T_n(a), and so is cosh(n acosh a) for a >= 1; acosh a is written as
+// log(a + sqrt(a^2 - 1)). One counts inside [-1, 1], the other outside. If each is 1 elsewhere,
+// their product is T_n everywhere. Values on paper are the same. But intervals of the slope of acos
+// and of that root have no bound at 1, where the polynomial's slope is n^2.
 #pragma once
 
 #include <functional>
