@@ -33,7 +33,7 @@ std::string ball(double radius, const std::string& more, const std::string& plac
                        "sphere = {1:.17g} }}\ntransform = {{ translate = {2} }}\n{3}",
                        radius, 1.1 * radius, place, more);
 }
-// From y = `from` to y = `to`.
+// A slab from y = `from` to y = `to`.
 std::string slab(double from, double to, const std::string& more) {
     return fmt::format("[[surfaces]]\nformula = \"max({:.17g} - y, y - {:.17g})\"\nbounds = {{ box "
                        "= [[-9, -4, -9], [9, 4, 9]] }}\n{}",

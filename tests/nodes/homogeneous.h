@@ -17,7 +17,7 @@ struct Homogeneous {
     glm::dmat4 hessian{0};
 };
 
-// At the unit vector along (x, 1).
+// The derivatives of G at the unit vector along (x, 1).
 Homogeneous homogenise(const SecondOrder& f, const glm::dvec3& x, int degree);
 
 // The degree of a polynomial, from its growth far away. Throws std::invalid_argument for a field

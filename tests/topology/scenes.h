@@ -25,7 +25,7 @@ inline scene::Scene scene_of(const std::string& text) {
     return scene;
 }
 
-// With elements from the file "table.csv".
+// A scene with elements from the file "table.csv".
 inline scene::Scene scene_of(const std::string& text, const std::string& table) {
     setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1);
     const auto folder =

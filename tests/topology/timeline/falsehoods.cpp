@@ -44,7 +44,7 @@ private:
     template<class Edit> void lie(std::string what, Edit&& edit) {
         TimelineRecord record = truth_;
         edit(record.timeline);
-        // As a file has to be.
+        // The events are in order, as a file has to have them.
         std::ranges::stable_sort(record.timeline.events, {},
                                  [](const Event& e) { return e.time.lo; });
         if (record.timeline == truth_.timeline) return;

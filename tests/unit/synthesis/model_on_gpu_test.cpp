@@ -70,7 +70,7 @@ struct Inputs {
 
 struct Kind {
     const char *name, *file;
-    // From three vectors to a model, and back.
+    // GLSL that turns three vectors into a model, and back.
     const char* unpacked;
     const char* packed;
 };
