@@ -104,7 +104,7 @@ def write_tables(folder):
         table.writelines(f"{1 + row // 999_999},{row * 7919 % 10_000_019},1\n" for row in range(9_999_990))
 
 
-# With the exit codes that are right.
+# The commands, with the exit codes that are right.
 COMMANDS = [(["show"], [0]), (["topology", "--certify", "off"], [0, 2])]
 
 

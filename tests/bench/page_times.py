@@ -88,7 +88,7 @@ def of_children():
 
 
 def seconds_of_drawing(program, name, folder, side, last, first):
-    """By the clock, as it tells, and of processors, with all it does."""
+    """Seconds by the clock, as `render` tells them, and of processors, with all that it does."""
     before = of_children()
     told = run(program, "render", name, "--frames", f"{first}-{last}", "--size", f"{side}x{side}",
                "--audit", "off", "-o", os.path.join(folder, "r.####.png"), *ONE_PICTURE)
