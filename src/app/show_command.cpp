@@ -237,7 +237,7 @@ void add_show(CLI::App& app, Action& chosen) {
                      "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
         ->required();
     command->add_option("--frame,--frames", arguments->frames,
-                        "frame to show, counted from 1; of several the first (default: 1)");
+                        "frame to show, counted from 1; the first of several (default: 1)");
     command->add_option("-o,--output", arguments->output,
                         "write the scene with its settings as a scene file (.toml) instead");
     command->add_option("--set", arguments->settings, "name=value, as for render")

@@ -315,7 +315,7 @@ void add_topology(CLI::App& app, Action& chosen) {
     command
         ->add_option("--contact", a.contact,
                      "search what these two of the scene's [[surfaces]] have in common: it is born "
-                     "where they touch (default, of several: the contact of each two)")
+                     "where they touch (default with several surfaces: the contact of each two)")
         ->expected(2)
         ->excludes("--surface");
     command->add_option("--frames,--frame", a.frames,
