@@ -12,8 +12,8 @@
 namespace isomotion::render {
 namespace {
 
-// Elements that a list of those that matter in a beam is reckoned with; rays with longer ones take
-// more passes.
+// A list of the elements that matter in a beam is reckoned with so many; rays with longer lists
+// take more passes.
 constexpr int usual_list = 16;
 // A list of a cell of a grid is reckoned with so many elements.
 constexpr int usual_list_of_a_cell = 32;

@@ -38,7 +38,8 @@ std::string on_doubles(const std::string& glsl) {
     return std::regex_replace(glsl, std::regex(R"(\bvec(?=[24]\b))"), "dvec");
 }
 
-// A number; where it is none, or too large or small for those there are, what is around it.
+// A constant in doubles: the number itself, or an interval around one that is infinite or too
+// small. NaN gives the entire line.
 Known constant_on_doubles(double value) {
     Known known;
     known.not_negative = value >= 0;

@@ -103,7 +103,7 @@ const editingUnit = 31; // every WebGL2 has 32, and no pass reads this one
 
 // Textures of one size that passes draw into.
 class Target {
-    // `formats`: of textures to make, or textures.
+    // `formats` are those of textures to make, or textures that are there.
     constructor(gl, width, height, formats) {
         this.gl = gl;
         this.width = width;

@@ -16,7 +16,7 @@ class Look {
     frame(moment) {
         return frameAt(this.playback, moment);
     }
-    // `moment`: of the frame's, while the shutter is open.
+    // `moment` is one of the frame's, while the shutter is open.
     view(frame, fit = 1, moment = 0, surface = 0) {
         const own = this.data.view(frame, moment, surface);
         const held = this.held(frame, moment)?.surfaces[surface].view;

@@ -136,7 +136,7 @@ class Painter {
         this.uploaded = key;
     }
 
-    // How rays see the surfaces; gives the ranges of their beams.
+    // Sets how rays see the surfaces; gives the ranges of their beams.
     aimAt(views, { width, height, aim }) {
         return this.data.about.surfaces.map(({ settings, beams }, k) => {
             const table = this.tables[k], view = views[k];

@@ -184,8 +184,8 @@ bool CellComplex::list(const Limits& limits) {
     return true;
 }
 
-// A cell that S sinks in has of it what the facets have that it sinks to. These are a disc, an arc
-// or a point; of S they have what is made of their cells that it meets.
+// A cell in which S sinks holds of S what the facets hold that S sinks to. These facets are a disc,
+// an arc or a point; they hold of S what their cells that S meets make up.
 bool CellComplex::settle(const CellKey& key) {
     const CellFact fact = cell(key).fact;
     if (fact.kind != CellFact::Kind::sinking) {

@@ -266,7 +266,8 @@ std::vector<Counting::Checkpoint> known_frames(const Timeline& timeline, const K
     if (timeline.start && timeline.start_is_proved)
         known.push_back({0, timeline.range.lo, *timeline.start});
     if (proofs.frame) {
-        // Where something happens, and between: joined where they overlap.
+        // Times at which something happens, joined where they overlap. Frames are sought between
+        // them.
         std::vector<std::pair<Interval, bool>> moments; // true: degenerate
         for (const Event& event : timeline.events) moments.emplace_back(event.time, false);
         for (const Unresolved& place : timeline.unresolved) moments.emplace_back(place.time, true);
