@@ -45,7 +45,7 @@ void add_places(ShaderText& text, const Passes& passes) {
     text.file("march/copies.glsl");
 }
 
-// And those of the beams that a level's lie in.
+// Adds the places of the larger beams that this level's beams lie in.
 void add_larger(ShaderText& text, const Passes& passes, int level) {
     assert(level == 1 || level == 2);
     add_places(text, passes);

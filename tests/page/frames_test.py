@@ -427,7 +427,7 @@ def tally_of(rendered):
 
 
 def key_of(name):
-    """Of a parameter, of one surface or (SURFACE/NAME) of one of several."""
+    """The key of a parameter of the only surface, or (SURFACE/NAME) of one of several."""
     surface, _, own = name.rpartition("/")
     return f"surfaces.{surface}.parameters.{own}" if surface else name
 

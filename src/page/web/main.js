@@ -3,7 +3,8 @@
 function copyText(text) {
     const copied = navigator.clipboard?.writeText(text) ?? Promise.reject();
     return copied.catch(() => {
-        // Frames and old browsers let no page write to the clipboard, but a selection be copied.
+        // Frames and old browsers let no page write to the clipboard, but they let it copy a
+        // selection.
         const area = made("textarea", { value: text });
         document.body.append(area);
         area.select();

@@ -83,8 +83,8 @@ CellComplex::Packed CellComplex::packed(const CellKey& key) {
 
 CellComplex::Table::Table() { grow(); }
 
-// From the high bits of a product, which Fibonacci's multiplier mixes best, and on to the next
-// ones.
+// The slot of a key is searched for from the high bits of a product, which Fibonacci's multiplier
+// mixes best, and on to the next ones.
 CellComplex::Table::Slot& CellComplex::Table::slot(const Packed& key) {
     constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;
     const std::uint64_t mixed = (key[0] * golden ^ key[1]) * golden;
@@ -184,8 +184,8 @@ bool CellComplex::list(const Limits& limits) {
     return true;
 }
 
-// A cell that S sinks in has of it what the facets have that it sinks to. These are a disc, an arc
-// or a point; of S they have what is made of their cells that it meets.
+// A cell in which S sinks holds of S what the facets hold that S sinks to. These facets are a disc,
+// an arc or a point; they hold of S what their cells that S meets make up.
 bool CellComplex::settle(const CellKey& key) {
     const CellFact fact = cell(key).fact;
     if (fact.kind != CellFact::Kind::sinking) {

@@ -192,7 +192,7 @@ CertifiedFrame Octree::certify() {
     CertifiedFrame frame;
     frame.depth = depth_;
     frame.boxes = boxes_;
-    // As long as the longest of its sides: beyond the others there is no solid.
+    // The grid is as long as the longest of its sides: beyond the others there is no solid.
     int side = 0;
     for (Planes& planes : planes_) {
         planes.number();

@@ -202,7 +202,7 @@ private:
         }
     }
 
-    // By two enclosures of H over the box.
+    // Judges a box by two enclosures of H over it.
     void judge(One& one, const Interval& natural, const Interval& mean) const {
         const bool is_low = natural.hi < 0 || mean.hi < 0;
         const bool is_high = natural.lo > 0 || mean.lo > 0;
@@ -375,7 +375,7 @@ Sides sides_by_boxes(const SublevelSet& region, const Event& event,
                      const std::array<SpacePoint, 2>& starts, const PartingOptions& how) {
     const auto plane = parting_plane(region, event);
     if (!plane || event.stratum != 3) return Sides::unknown;
-    // Each on a side of its own.
+    // The two starts have to be on different sides of the plane.
     if (plane->side(point_box(starts[0])) * plane->side(point_box(starts[1])) != -1)
         return Sides::unknown;
     return Boxes(region, *plane, how).sides(starts);

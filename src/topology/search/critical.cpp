@@ -122,7 +122,7 @@ public:
     }
 
 private:
-    // In space.
+    // The place of a box in space.
     SpaceBox place(const MovingField& field, const Box& box) {
         if (sphere_) return sphere_->at(box[0], box[1], box[field.clock()]);
         return places(field.stratum()).at(field, box);
@@ -135,7 +135,7 @@ private:
         return *places_;
     }
 
-    // In another chart's part of the sphere: what is there is found by that one.
+    // Whether a box is in another chart's part of the sphere: what is there is found by that chart.
     bool is_beyond(const Box& box) const {
         return chart_ && SphereChart::is_beyond(box[0], box[1]);
     }

@@ -60,8 +60,8 @@ struct SearchResult {
 
 SearchResult search(const MovingField& field, const SearchOptions& searching);
 
-// Sorts the points by clock. Of points found twice, each in the box where the other is alone, one
-// remains.
+// Sorts the points by clock. Two points are one if each is in the box where the other is alone: one
+// of them remains.
 void put_together(SearchResult& found);
 
 // Merges boxes that touch or nearly do into few boxes around them.

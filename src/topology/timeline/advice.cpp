@@ -17,7 +17,7 @@ struct Advice {
     const char* words;
 };
 
-// What another search settles, spans_beside() says.
+// spans_beside() says which places another search settles.
 constexpr Advice of_places[] = {
     {unresolved::kink,
      "write smoothmin(a, b, k) for min(a, b), -smoothmin(-a, -b, k) for max(a, b) and sqrt(q + "

@@ -32,7 +32,7 @@
 namespace isomotion::topology {
 namespace {
 
-// Of the union of closed cubes whose value is 0; x runs fastest.
+// The Betti numbers of the union of closed cubes whose value is 0; x runs fastest.
 Betti betti_of_cubes(const std::vector<unsigned>& sizes, const std::vector<double>& cubes) {
     using Complex = Gudhi::cubical_complex::Bitmap_cubical_complex<
         Gudhi::cubical_complex::Bitmap_cubical_complex_base<double>>;

@@ -17,7 +17,7 @@ Timeline inside(Timeline timeline) {
     return timeline;
 }
 
-// Of one gyroid cell and a bit: points where all three products have their extremes.
+// Events inside one gyroid cell and a bit: at points where all three products have their extremes.
 std::vector<Group> gyroid_inside() {
     const double root = std::sqrt(2);
     return {{0.5, 8, 0, true}, {2 - root, 18, 1, true}, {2 + root, 18, 2, true}, {3.5, 8, 3, true}};

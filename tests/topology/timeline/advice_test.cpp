@@ -18,7 +18,7 @@ Timeline with_unresolved(std::vector<const char*> reasons) {
     return timeline;
 }
 
-// At ten frames a second, as the timelines made by hand have it: frames 1 to 101.
+// The advice at ten frames a second, as the timelines made by hand have it: frames 1 to 101.
 std::vector<std::string> told(const Timeline& timeline) { return advice(timeline, {10, 1}); }
 
 Unresolved between_frames(double from, double to, const char* why = unresolved::degenerate) {

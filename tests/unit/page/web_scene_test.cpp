@@ -49,7 +49,7 @@ TEST(WebScene, RefusesTooManyElementsAndSaysHowManyFit) {
                 AllOf(StartsWith("page.toml: an array has 20001 elements"), HasSubstr("20000"),
                       HasSubstr("isomotion render --movie")));
     EXPECT_EQ(refusal(balls(5000)), "");
-    // Of a scene that asks for all elements at every place.
+    // Fewer fit into a scene that asks for all elements at every place.
     const std::string all = "[isolation]\nbeam = false\n";
     EXPECT_THAT(refusal(balls(most_elements + 1) + all),
                 AllOf(HasSubstr("have 1001 elements"), HasSubstr("1000")));
