@@ -10,8 +10,3 @@ ivec2 beam_block(ivec2 texel, int bits) {
     ivec2 square = texel / SQUARES_APART;
     return texel - square * (SQUARES_APART - (1 << bits));
 }
-
-// Software renderers take half as long to sample a texel as to fetch it.
-vec4 beam_result(sampler2D results, ivec2 texel) {
-    return textureLod(results, (vec2(texel) + 0.5) / vec2(textureSize(results, 0)), 0.0);
-}

@@ -4,6 +4,6 @@ uniform sampler2D beam_texture;
 
 void main() {
     ivec2 at = beam_texel(ivec2(pixel_centre) / BLOCK, SQUARE_BITS);
-    vec4 part = beam_result(beam_texture, at);
+    vec4 part = IM_TEXEL(beam_texture, at);
     gl_FragDepth = part.x < part.y ? 1.0 : 0.0;
 }
