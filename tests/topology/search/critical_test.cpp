@@ -68,6 +68,15 @@ TEST(Events, OfWhatIsSingularAlongACurveOrAllTheTimeSaySo) {
     expect_reason("(x - T)^2 + (y + T)^2 - z^2", "T = \"t - 0.5\"", unresolved::lasting_point);
 }
 
+// Terms that have no bound don't make others negligible.
+TEST(Events, OfSumsOfPolesAreThoseOfTheSurface) {
+    const Moving poles{"0.5 - sum(b, 0.01/((x - cx)^2 + y^2 + z^2))",
+                       "{ box = [[-1.1, -1.2, -1.3], [1.4, 1.5, 1.2]] }", "s = \"0.5 - 0.4*t\"",
+                       "[arrays.b]\ncount = 2\nu = [1, -1]\ncx = \"u*s\""};
+    // Between them the sum is 0.02/s^2.
+    expect_events(events_of(poles, 0, 1), {{0.75, 1, 1, true}});
+}
+
 TEST(Events, OfACassiniOfRevolutionIsASplit) {
     const Moving cassini{"(x^2 + y^2 + z^2 + a^2)^2 - 4*a^2*x^2 - b^4", "{ sphere = 3 }",
                          "b = 1\na = \"0.5 + t\""};
