@@ -504,6 +504,30 @@ std::vector<Box> merged(std::vector<Box> boxes, const Box& domain, double gap) {
     return boxes;
 }
 
+namespace {
+
+std::vector<Box> smallest_within(const std::vector<Box>& wholes, const std::vector<Box>& parts,
+                                 const MovingField& field) {
+    const auto n = std::size_t(field.variables());
+    const auto size = [&](const Box& box) {
+        double most = 0;
+        for (std::size_t k = 0; k < n; ++k) {
+            const double whole = field.domain()[k].hi - field.domain()[k].lo;
+            if (whole > 0) most = std::max(most, (box[k].hi - box[k].lo) / whole);
+        }
+        return most;
+    };
+    std::vector<Box> smallest = wholes;
+    for (const Box& part : parts) {
+        for (std::size_t k = 0; k < wholes.size(); ++k) {
+            if (contains(wholes[k], part) && size(part) < size(smallest[k])) smallest[k] = part;
+        }
+    }
+    return smallest;
+}
+
+} // namespace
+
 SearchResult search(const MovingField& field, const SearchOptions& searching) {
     const std::vector<Box> boxes = tasks(field);
     std::vector<SearchResult> parts(boxes.size());
@@ -524,7 +548,9 @@ SearchResult search(const MovingField& field, const SearchOptions& searching) {
     // There may be thousands, and one who waits for the end is to wait no longer.
     const bool is_late = searching.stopped && searching.stopped();
     const double gap = is_late ? formula::infinity : 4 * searching.smallest;
+    const std::vector<Box> parts_of_these = all.unresolved;
     all.unresolved = merged(std::move(all.unresolved), field.domain(), gap);
+    if (!is_late) all.smallest = smallest_within(all.unresolved, parts_of_these, field);
     return all;
 }
 

@@ -55,6 +55,8 @@ struct SearchResult {
     std::vector<CriticalPoint> points; // by clock
     // There are no other points outside of these; each has a gap around it.
     std::vector<Box> unresolved;
+    // For each of these one of the smallest boxes that it was put together from, or none at all.
+    std::vector<Box> smallest{};
     Work work;
 };
 

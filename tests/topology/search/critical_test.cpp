@@ -54,6 +54,29 @@ TEST(Events, OfADegeneratePointOfASmoothSurfaceSaySo) {
     for (const Unresolved& place : found.unresolved) EXPECT_EQ(place.why, unresolved::degenerate);
 }
 
+// Reasons that a mathematician accepts: nothing of these is an event at a point.
+TEST(Events, OfWhatIsSingularAlongACurveOrAllTheTimeSaySo) {
+    const char* const box = "{ box = [[-2.1, -2.2, -2.3], [2.4, 2.5, 2.2]] }";
+    const auto expect_reason = [&](const std::string& formula, const std::string& parameters,
+                                   const char* why) {
+        const Timeline found = events_of({formula, box, parameters}, 0, 1);
+        SCOPED_TRACE(described(found));
+        EXPECT_FALSE(found.unresolved.empty());
+        for (const Unresolved& place : found.unresolved) EXPECT_STREQ(place.why.c_str(), why);
+    };
+    expect_reason("(x^2 + y^2 - 1)^2 + z^2 - T", "T = \"t - 0.5\"", unresolved::along_curve);
+    expect_reason("(x - T)^2 + (y + T)^2 - z^2", "T = \"t - 0.5\"", unresolved::lasting_point);
+}
+
+// Terms that have no bound don't make others negligible.
+TEST(Events, OfSumsOfPolesAreThoseOfTheSurface) {
+    const Moving poles{"0.5 - sum(b, 0.01/((x - cx)^2 + y^2 + z^2))",
+                       "{ box = [[-1.1, -1.2, -1.3], [1.4, 1.5, 1.2]] }", "s = \"0.5 - 0.4*t\"",
+                       "[arrays.b]\ncount = 2\nu = [1, -1]\ncx = \"u*s\""};
+    // Between them the sum is 0.02/s^2.
+    expect_events(events_of(poles, 0, 1), {{0.75, 1, 1, true}});
+}
+
 TEST(Events, OfACassiniOfRevolutionIsASplit) {
     const Moving cassini{"(x^2 + y^2 + z^2 + a^2)^2 - 4*a^2*x^2 - b^4", "{ sphere = 3 }",
                          "b = 1\na = \"0.5 + t\""};
