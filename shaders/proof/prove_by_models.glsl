@@ -43,9 +43,9 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
 
     // The root. The factors exceed float32's error in these lines by half a millionth. The
     // directions of the rays differ, in s, by at most `apart` times what the points do.
-    REAL turns = md_sum(f.turn), apart = min(half_piece * tube.y / tube.x * 1.00001, 1.0);
+    REAL apart = min(half_piece * tube.y / tube.x * 1.00001, 1.0);
     REAL bends = 2.0 * abs(f.c.z);
-    REAL rest = f.slope_error + apart * (md_sum(f.aside) + turns) + turns;
+    REAL rest = f.slope_error + apart * md_sum(f.aside);
     precise REAL steepness = abs(f.c.y) - 1.000001 * (bends + rest) - rounding;
     precise REAL off = uncertain / steepness * half_piece * 1.000002 + 4.76837158e-7 * abs(high);
     bool isolates = steepness > 0.0 && off <= tube.w && off <= PART_OF_ROOT * half_piece &&
@@ -90,10 +90,15 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     return s;
 }
 
-// Continues a proof by the pieces of a pass.
+// Continues a proof by the pieces of a pass. Software renderers go through neighbouring rays in step,
+// and once more through a loop whose condition comes first.
 ProofState prove_pieces(ProofState s, ProofRay ray, bool hit) {
     REAL uncertain = uncertain_at_root(s, value_at(ray, s.settled));
-    for (int turns = pieces_per_pass; turns > 0 && s.outcome == PROOF_UNFINISHED; --turns)
+    int turns = pieces_per_pass;
+    do {
+        if (s.outcome != PROOF_UNFINISHED) break;
         s = prove_piece(s, ray, hit, uncertain);
+        --turns;
+    } while (turns > 0 && s.outcome == PROOF_UNFINISHED);
     return s;
 }
