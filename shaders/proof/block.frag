@@ -56,7 +56,9 @@ void main() {
     bool open = has_way && low < high && hits + misses > 0;
     bool below = false, monotone = false, at_roots = false;
     float slope = 0.0;
-    for (int k = 0; k < block_pieces && open; ++k) {
+    int k = 0;
+    do { // as in prove.glsl
+        if (!open) break;
         float end = at_roots ? high : min(settled + piece, high);
         // Takes the whole box: where one ray enters the bounds, another's value is already known.
         box_around(way, settled, end, x, y, z);
@@ -81,7 +83,8 @@ void main() {
             open = settled < high && (!stuck || all_hit);
         }
         open = open && HAS_ELEMENTS_LEFT;
-    }
+        ++k;
+    } while (open && k < block_pieces);
     bool missed = all_miss && (!has_way || settled >= high);
     block_proof = vec4(settled, 0.0, 0.0, missed ? BLOCK_MISSES : monotone ? slope : 0.0);
 }

@@ -35,7 +35,9 @@ void main() {
     float way_length = first - low;
     float settled = 0.0, part = 1.0, slope = 0.0;
     bool roots_proved = false;
-    for (int k = 0; k < block_pieces && open; ++k) {
+    int pieces = 0;
+    do { // as in prove_by_models.glsl
+        if (!open) break;
         float to = min(settled + part, 1.0);
         float middle = 0.5 * (settled + to), half_part = 0.500001 * (to - settled) + IM_DRIVER_ERROR;
         float off = IM_DRIVER_ERROR * (abs(low) + abs(first)); // error of its ends
@@ -72,7 +74,8 @@ void main() {
             settled = is_free ? to : max(settled + done * (to - settled) - IM_DRIVER_ERROR, 0.0);
         }
         open = settled < 1.0 && part * way_length > 0.25 * beam.z;
-    }
+        ++pieces;
+    } while (open && pieces < block_pieces);
     bool settles = settled >= 1.0 || low >= high || all_miss && !has_way;
     if (!settles) slope = 0.0;
     if (settles && all_miss) slope = BLOCK_MISSES;

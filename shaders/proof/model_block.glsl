@@ -70,6 +70,17 @@ Model md_scale(float by, Model a, float rounding) {
                  md_up(size * (a.slope_error + most * (md_slope(a) + a.slope_error))));
 }
 
+// By a power of two.
+Model md_scale_by_power(float by, Model a) {
+    precise float c = by * a.c;
+    precise vec3 l = by * a.l;
+    precise vec3 d = by * a.d;
+    precise vec3 o = by * a.o;
+    float size = abs(by);
+    return Model(c, l, d, o, size * a.linear, size * a.square, md_up(size * a.error),
+                 md_up(size * a.slope_error));
+}
+
 Model md_multiply(Model a, Model b) {
     precise float c = a.c * b.c;
     precise vec3 l = a.c * b.l + b.c * a.l;

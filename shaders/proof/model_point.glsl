@@ -43,6 +43,13 @@ PointModel md_scale(REAL by, PointModel a, REAL rounding) {
     return PointModel(c, aside, md_up(abs(by) * off));
 }
 
+// By a power of two.
+PointModel md_scale_by_power(REAL by, PointModel a) {
+    precise REAL c = by * a.c;
+    precise REAL3 aside = by * a.aside;
+    return PointModel(c, aside, md_up(abs(by) * a.error));
+}
+
 PointModel md_multiply(PointModel a, PointModel b) {
     precise REAL c = a.c * b.c;
     precise REAL3 aside = a.c * b.aside + b.c * a.aside;

@@ -100,12 +100,14 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
     return s;
 }
 
-// Continues a proof by the pieces of a pass.
+// Continues a proof by the pieces of a pass. Software renderers go through neighbouring rays in step,
+// and once more through a loop whose condition comes first.
 ProofState prove_pieces(ProofState s, ProofRay ray, bool hit) {
     int turns = pieces_per_pass;
-    while (turns > 0 && s.outcome == PROOF_UNFINISHED) {
+    do {
+        if (s.outcome != PROOF_UNFINISHED) break;
         s = prove_piece(s, ray, hit);
         turns = HAS_ELEMENTS_LEFT ? turns - 1 : 0;
-    }
+    } while (turns > 0 && s.outcome == PROOF_UNFINISHED);
     return s;
 }

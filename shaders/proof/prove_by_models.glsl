@@ -43,9 +43,9 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
 
     // The root. The factors exceed float32's error in these lines by half a millionth. The
     // directions of the rays differ, in s, by at most `apart` times what the points do.
-    REAL turns = md_sum(f.turn), apart = min(half_piece * tube.y / tube.x * 1.00001, 1.0);
+    REAL apart = min(half_piece * tube.y / tube.x * 1.00001, 1.0);
     REAL bends = 2.0 * abs(f.c.z);
-    REAL rest = f.slope_error + apart * (md_sum(f.aside) + turns) + turns;
+    REAL rest = f.slope_error + apart * md_sum(f.aside);
     precise REAL steepness = abs(f.c.y) - 1.000001 * (bends + rest) - rounding;
     precise REAL off = uncertain / steepness * half_piece * 1.000002 + 4.76837158e-7 * abs(high);
     bool isolates = steepness > 0.0 && off <= tube.w && off <= PART_OF_ROOT * half_piece &&
@@ -72,7 +72,10 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
         s.settled = at_root || is_free ? float(low)
                                        : float(part_done + 4.76837158e-7 * abs(part_done));
         REAL length = high - s.settled;
-        s.piece = float(max((at_root ? 2.0 : is_free ? 2.5 : 1.0) * length, shortest_piece));
+        // What a model leaves out falls with the third power of its length, so that one which
+        // settled only its beginning was hardly too long.
+        REAL next = at_root ? 4.0 * length : is_free ? 2.2 * length : max(length, 0.6 * (high - low));
+        s.piece = float(max(next, shortest_piece));
         s.value = 0.0;
         s.at_root = false;
         if (s.settled <= ray.t_near) s = conclude(s, hit ? PROOF_HIT : PROOF_MISS);
@@ -80,7 +83,7 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
         succeeds = at_root || is_free || length >= 0.25 * shortest_piece;
     }
     if (!succeeds && s.outcome == PROOF_UNFINISHED) {
-        REAL part = at_root ? (shorter > 0.2 ? min(shorter, 0.7) : REAL(0.2)) : REAL(0.3);
+        REAL part = at_root ? (shorter > 0.1 ? min(shorter, 0.7) : REAL(0.1)) : REAL(0.4);
         s.piece = float(part * (at_root ? REAL(piece) : high - low));
         bool bounded = size + error < IM_SATURATION;
         int why = !bounded ? PROOF_UNBOUNDED : at_root ? PROOF_SIGN : PROOF_HIDDEN;
@@ -90,10 +93,15 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     return s;
 }
 
-// Continues a proof by the pieces of a pass.
+// Continues a proof by the pieces of a pass. Software renderers go through neighbouring rays in step,
+// and once more through a loop whose condition comes first.
 ProofState prove_pieces(ProofState s, ProofRay ray, bool hit) {
     REAL uncertain = uncertain_at_root(s, value_at(ray, s.settled));
-    for (int turns = pieces_per_pass; turns > 0 && s.outcome == PROOF_UNFINISHED; --turns)
+    int turns = pieces_per_pass;
+    do {
+        if (s.outcome != PROOF_UNFINISHED) break;
         s = prove_piece(s, ray, hit, uncertain);
+        --turns;
+    } while (turns > 0 && s.outcome == PROOF_UNFINISHED);
     return s;
 }

@@ -35,6 +35,13 @@ bool is_ordinary(double value) {
                           size <= double(std::numeric_limits<float>::max()));
 }
 
+// By which a float is multiplied exactly, but where it leaves their range.
+bool is_power_of_two(double value) {
+    int exponent = 0;
+    const double part = std::abs(std::frexp(value, &exponent));
+    return part == 0.5 && std::abs(exponent) < 20;
+}
+
 class ModelWriter {
 public:
     ModelWriter(const Program& program, std::string type, Numbers numbers)
@@ -88,7 +95,10 @@ private:
         case Op::add:
             return a.is_number ? shifted(b, a) : shifted(a, b);
         case Op::subtract:
-            return fmt::format("md_subtract({}, {})", model(a), model(b));
+            return b.is_number ? fmt::format("md_shift({}, -({}), {})", model(a), b.text, rounding(b))
+                   : a.is_number
+                       ? shifted({fmt::format("md_negate({})", b.text), false, false, 0}, a)
+                       : fmt::format("md_subtract({}, {})", model(a), model(b));
         case Op::multiply:
             if (now.operands[0] == now.operands[1]) return fmt::format("md_square({})", model(a));
             return a.is_number ? scaled(b, a) : scaled(a, b);
@@ -115,6 +125,8 @@ private:
     }
 
     std::string scaled(const KnownNumber& a, const KnownNumber& by) const {
+        if (by.is_constant && is_power_of_two(by.value))
+            return fmt::format("md_scale_by_power({}, {})", by.text, model(a));
         return by.is_number ? fmt::format("md_scale({}, {}, {})", by.text, model(a), rounding(by))
                             : fmt::format("md_multiply({}, {})", model(a), model(by));
     }
@@ -147,12 +159,12 @@ private:
     std::string text_;
 };
 
-// F with Chebyshev polynomials in the place of what is written by angles.
+// F with Chebyshev polynomials in the place of what is written by angles, and few products.
 Program modelled(const Field& field) {
     Graph graph = field.graph;
     graph.fold_exactly();
     const NodeId root = with_whole_chebyshev(graph, field.root, true);
-    return root == field.root ? field.value : schedule_lowered(graph, root);
+    return schedule(graph, std::array{lower_to_fewest_products(graph, root)});
 }
 
 std::optional<int> degree_of(const Field& field) {

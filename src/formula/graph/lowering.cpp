@@ -30,6 +30,15 @@ ChebyshevPair chebyshev_pair(Graph& g, int n, NodeId x) {
     return pair;
 }
 
+NodeId chebyshev_by_halves(Graph& g, int n, NodeId x) {
+    if (n == 0) return g.constant(1);
+    if (n == 1) return x;
+    const NodeId half = chebyshev_by_halves(g, n / 2, x);
+    const NodeId other = n % 2 == 0 ? half : chebyshev_by_halves(g, n / 2 + 1, x);
+    return g.subtract(g.multiply(g.constant(2), g.multiply(half, other)),
+                      n % 2 == 0 ? g.constant(1) : x);
+}
+
 // The k-th derivative for k >= 2: 2^(k-1) (k-1)! n C^(k)_{n-k}(x), Gegenbauer by its recurrence.
 NodeId chebyshev_derivative(Graph& g, int n, int k, NodeId x) {
     double factor = n;
@@ -46,21 +55,25 @@ NodeId chebyshev_derivative(Graph& g, int n, int k, NodeId x) {
     return g.multiply(g.constant(factor), now);
 }
 
-NodeId lower_chebyshev(Graph& g, int n, int k, NodeId a) {
+enum class Products { of_pairs, fewest };
+
+NodeId lower_chebyshev(Graph& g, int n, int k, NodeId a, Products products) {
     NodeId x = a;
     if (n > highest_whole_degree) {
         const NodeId reach = g.constant(chebyshev_reach(n));
         x = g.binary(Op::max, g.unary(Op::negate, reach), g.binary(Op::min, reach, a));
     }
     if (k >= 2) return chebyshev_derivative(g, n, k, x);
+    if (k == 0 && products == Products::fewest) return chebyshev_by_halves(g, n, x);
     const ChebyshevPair pair = chebyshev_pair(g, n, x);
     return k == 0 ? pair.t : g.multiply(g.constant(n), pair.u);
 }
 
-NodeId lower_one(Graph& g, const Node& node, const std::array<NodeId, 4>& children) {
+NodeId lower_one(Graph& g, const Node& node, const std::array<NodeId, 4>& children,
+                 Products products) {
     switch (node.op) {
     case Op::chebyshev:
-        return lower_chebyshev(g, node.index, node.second, children[0]);
+        return lower_chebyshev(g, node.index, node.second, children[0], products);
     case Op::sum:
         return g.sum(node.index, children[0]);
     case Op::least:
@@ -78,14 +91,7 @@ NodeId lower_one(Graph& g, const Node& node, const std::array<NodeId, 4>& childr
                            : g.binary(node.op, children[0], children[1]);
 }
 
-} // namespace
-
-double chebyshev_reach(int n) {
-    const double limit = double(Operations<float>::saturation()) / std::pow(n, 4);
-    return std::cosh(std::acosh(limit) / n);
-}
-
-std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots) {
+std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, Products products) {
     const std::size_t count = graph.size();
     std::vector<bool> live(count, false);
     for (const NodeId root : roots) live[root] = true;
@@ -105,11 +111,26 @@ std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots) {
             changed = changed || lowered[child] != child;
             child = lowered[child];
         }
-        if (changed) lowered[id] = lower_one(graph, node, children);
+        if (changed) lowered[id] = lower_one(graph, node, children, products);
     }
     std::vector<NodeId> result;
     for (const NodeId root : roots) result.push_back(lowered[root]);
     return result;
+}
+
+} // namespace
+
+double chebyshev_reach(int n) {
+    const double limit = double(Operations<float>::saturation()) / std::pow(n, 4);
+    return std::cosh(std::acosh(limit) / n);
+}
+
+std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots) {
+    return lower(graph, roots, Products::of_pairs);
+}
+
+NodeId lower_to_fewest_products(Graph& graph, NodeId root) {
+    return lower(graph, std::array{root}, Products::fewest).front();
 }
 
 Program schedule_lowered(Graph& graph, NodeId root) {

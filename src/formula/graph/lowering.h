@@ -24,6 +24,10 @@ inline constexpr int highest_whole_degree = 24;
 // Nodes equal to `roots` that have no chebyshev nodes below them.
 std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots);
 
+// The same with the fewest products for values alone: T_2n = 2 T_n^2 - 1 and T_2n+1 = 2 T_n T_n+1 -
+// x. Bounds on what is left out of T_n grow no faster by these, and T_14 takes 5 products, not 10.
+NodeId lower_to_fewest_products(Graph& graph, NodeId root);
+
 // Lowers and schedules one expression.
 Program schedule_lowered(Graph& graph, NodeId root);
 

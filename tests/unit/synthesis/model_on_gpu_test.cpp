@@ -79,9 +79,9 @@ constexpr Kind block{"block", "proof/model_block.glsl",
                      "md_model(a.x, a.yzw, b.xyz, c.xyz, b.w, c.w)",
                      "first = vec4(f.c, f.l); second = vec4(f.d, f.error); third = vec4(f.o, "
                      "f.slope_error);"};
-constexpr Kind ray{"ray", "proof/model_ray.glsl", "Model(a.xyz, b.xyz, c.xyz, a.w, b.w)",
+constexpr Kind ray{"ray", "proof/model_ray.glsl", "Model(a.xyz, b.xyz, a.w, b.w)",
                    "first = vec4(f.c, f.error); second = vec4(f.aside, f.slope_error); third = "
-                   "vec4(f.turn, 0.0);"};
+                   "vec4(0.0);"};
 
 std::string shader(const formula::Field& field, const FieldStorage& storage, const Kind& kind) {
     ShaderText text;
@@ -194,9 +194,8 @@ Along of_ray(const Coefficients& a, const Place& p) {
     const auto c = [&](std::size_t k) { return double(a[k]); };
     Along all{c(0) + p.s * (c(1) + p.s * c(2)), c(1) + 2 * c(2) * p.s};
     for (std::size_t k = 0; k < 3; ++k) {
-        const double by = p.points[k].at(p.s), turn = c(8 + k);
-        all.value += by * (c(4 + k) + p.s * turn);
-        all.slope += p.points[k].slope * (c(4 + k) + p.s * turn) + by * turn;
+        all.value += p.points[k].at(p.s) * c(4 + k);
+        all.slope += p.points[k].slope * c(4 + k);
     }
     return all;
 }
@@ -222,7 +221,6 @@ protected:
             } else {
                 a = {draw(1.3), draw(size), draw(0.3 * size * size), error};
                 for (const std::size_t k : {4u, 5u, 6u}) a[k] = draw(1e-3 * size);
-                for (const std::size_t k : {8u, 9u, 10u}) a[k] = draw(1e-4 * size);
                 a[7] = error;
             }
         }
