@@ -196,6 +196,15 @@ std::vector<Point> ways(SingularPoints& points, const Point& from, double distan
         length = std::sqrt(length);
         // The nearest point to a start beside a curve is nearer to where one began.
         if (length < 0.75 * distance || length > 1.5 * distance) continue;
+        // Another point at that distance is no way to it: half of the way is singular, too.
+        Point half = from;
+        for (std::size_t k = 0; k < d; ++k) half[k] = (from[k] + (*other)[k]) / 2;
+        const auto between = points.near(half, d, tolerance(distance));
+        if (!between) continue;
+        double off = 0;
+        for (std::size_t k = 0; k < d; ++k)
+            off = std::max(off, std::abs((*between)[k] - half[k]) / points.side(k));
+        if (off > 0.25 * length) continue;
         for (std::size_t k = 0; k < d; ++k) way[k] /= length;
         ways.push_back(way);
     }
