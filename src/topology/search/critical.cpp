@@ -148,7 +148,9 @@ public:
         }
         for (const Box& box : found.unresolved) {
             unresolved(*found.field, box,
-                       may_have_kink(*found.field, box) ? why::kinks_meet : why::degenerate);
+                       may_have_kink(*found.field, box)
+                           ? why::kinks_meet
+                           : reason(*found.field, box, why::degenerate));
         }
     }
 

@@ -149,22 +149,25 @@ std::optional<Point> one_in(SingularPoints& points, const Box& box, std::size_t 
 }
 
 double tolerance(double distance) {
-    const double part = distance / distances[0];
+    const double part = std::min(distance / distances[0], 1.0);
     return nearly * part * part;
 }
 
-bool lasts(SingularPoints& points, const Point& from) {
+// A point of another moment.
+std::optional<Point> at_another_moment(SingularPoints& points, const Point& from) {
     const std::size_t clock = points.clock();
-    for (const double distance : distances) {
+    for (const double distance : {1.0 / 4, 1.0 / 16, 1.0 / 64, 1.0 / 256}) {
         for (const double sign : {-1.0, 1.0}) {
             Point then = from;
             then[clock] += sign * distance * points.side(clock);
-            if (contains(points.times(), then[clock]) &&
-                points.near(then, clock, tolerance(distance)))
-                return true;
+            if (!contains(points.times(), then[clock])) continue;
+            // Off the place, where symmetry may hold fast.
+            for (std::size_t k = 0; k < clock; ++k)
+                then[k] += sign * distance * (0.3 - 0.11 * double(k)) * points.side(k);
+            if (const auto other = points.near(then, clock, tolerance(distance))) return other;
         }
     }
-    return false;
+    return std::nullopt;
 }
 
 // Ways from the point to others of its moment, about as long as the distance.
@@ -193,6 +196,15 @@ std::vector<Point> ways(SingularPoints& points, const Point& from, double distan
         length = std::sqrt(length);
         // The nearest point to a start beside a curve is nearer to where one began.
         if (length < 0.75 * distance || length > 1.5 * distance) continue;
+        // Another point at that distance is no way to it: half of the way is singular, too.
+        Point half = from;
+        for (std::size_t k = 0; k < d; ++k) half[k] = (from[k] + (*other)[k]) / 2;
+        const auto between = points.near(half, d, tolerance(distance));
+        if (!between) continue;
+        double off = 0;
+        for (std::size_t k = 0; k < d; ++k)
+            off = std::max(off, std::abs((*between)[k] - half[k]) / points.side(k));
+        if (off > 0.25 * length) continue;
         for (std::size_t k = 0; k < d; ++k) way[k] /= length;
         ways.push_back(way);
     }
@@ -224,7 +236,13 @@ std::optional<SingularSet> singular_set(const MovingField& field, const Box& box
     SingularPoints points(field, box);
     const auto one = one_in(points, box, n);
     if (!one) return std::nullopt;
-    return SingularSet{dimension(points, *one), lasts(points, *one)};
+    SingularSet set{dimension(points, *one)};
+    // A set that lasts may be more at one moment: lines where nodes meet.
+    if (const auto other = at_another_moment(points, *one)) {
+        set.lasts = true;
+        set.dimension = std::min(set.dimension, dimension(points, *other));
+    }
+    return set;
 }
 
 } // namespace isomotion::topology

@@ -66,6 +66,9 @@ TEST(Events, OfWhatIsSingularAlongACurveOrAllTheTimeSaySo) {
     };
     expect_reason("(x^2 + y^2 - 1)^2 + z^2 - T", "T = \"t - 0.5\"", unresolved::along_curve);
     expect_reason("(x - T)^2 + (y + T)^2 - z^2", "T = \"t - 0.5\"", unresolved::lasting_point);
+    // What divides is looked at as kinks are.
+    expect_reason("((x - T)^2 + (y + T)^2 - z^2)/(3 - T)", "T = \"t - 0.5\"",
+                  unresolved::lasting_point);
 }
 
 // Terms that have no bound don't make others negligible.

@@ -69,12 +69,17 @@ TEST(SingularSet, IsNearlyACurveInAWall) {
 
 // A box as a search leaves it around all sixteen nodes, at all times.
 TEST(SingularSet, IsFoundInALargeBox) {
-    const Moving kummer{"lam = (3*mu^2 - 1)/(3 - mu^2); (x^2 + y^2 + z^2 - mu^2)^2 - lam*(1 - z - "
-                        "sqrt(2)*x)*(1 - z + sqrt(2)*x)*(1 + z + sqrt(2)*y)*(1 + z - sqrt(2)*y)",
-                        "{ sphere = 2.6 }", "mu = \"1.2 + 0.3*t\""};
-    const MovingField field(
-        motions(kummer.scene(), Side::negative, {0, 1}, Clock::time).pieces.at(0), {});
-    expect_set(singular_set(field, field.domain()), 0, true);
+    const std::string kummer =
+        "lam = (3*mu^2 - 1)/(3 - mu^2); (x^2 + y^2 + z^2 - mu^2)^2 - lam*(1 - z - "
+        "sqrt(2)*x)*(1 - z + sqrt(2)*x)*(1 + z + sqrt(2)*y)*(1 + z - sqrt(2)*y)";
+    // In the middle of the second one nodes meet along three lines.
+    for (const char* mu : {"mu = \"1.2 + 0.3*t\"", "mu = \"0.8 + 0.4*t\""}) {
+        SCOPED_TRACE(mu);
+        const scene::Scene scene = Moving{kummer, "{ sphere = 2.6 }", mu}.scene();
+        const MovingField field(motions(scene, Side::negative, {0, 1}, Clock::time).pieces.at(0),
+                                {});
+        expect_set(singular_set(field, field.domain()), 0, true);
+    }
 }
 
 TEST(SingularSet, IsNoneOfARegularSurface) {
