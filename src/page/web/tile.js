@@ -3,6 +3,7 @@
 
 const nowhere = 1e30; // NO_END of shaders/surfaces/seen_way.glsl
 const mostPlaces = 64; // of tiles
+const mostPatience = 100; // milliseconds
 
 class TileDrawer {
     // `tables`: of each surface.
@@ -91,15 +92,20 @@ class TileDrawer {
     async anyUnfinished({ x, y, width, height }) {
         const [first] = this.surfaces;
         const place = [x, y, width, height].join(" "), begin = performance.now();
+        const patience = Math.min(0.85 * (this.lasted.get(place) ?? 0), mostPatience);
         first.table.bind("record", this.result.textures[1]);
         try {
-            return await first.countedBy("unfinished", { width, height }, undefined,
-                0.85 * (this.lasted.get(place) ?? 0));
+            return await first.countedBy("unfinished", { width, height }, undefined, patience);
         } finally {
             first.table.bind("record", null);
-            if (this.lasted.size > mostPlaces) this.lasted.clear();
-            this.lasted.set(place, performance.now() - begin);
+            this.note(place, performance.now() - begin, patience);
         }
+    }
+
+    // What was ready when it was first asked for may have taken much less.
+    note(place, took, patience) {
+        if (this.lasted.size > mostPlaces) this.lasted.clear();
+        if (!document.hidden) this.lasted.set(place, took < 1.1 * patience + 1 ? 0.5 * took : took);
     }
 
     // Rays by how they ended: miss, hit, step limit, NaN, zero gradient. Waits for the card.
