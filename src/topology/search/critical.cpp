@@ -188,7 +188,7 @@ private:
         return value != Interval(0.0);
     }
 
-    // Of so many unresolved places the reason is sought: each takes some thousand evaluations.
+    // Seeks the reason of so many unresolved places: each takes some thousand evaluations.
     static constexpr int most_reasons = 100;
 
     // Why a place is unresolved that has one of these sets; `otherwise` if it has none.

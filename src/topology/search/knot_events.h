@@ -22,7 +22,7 @@ struct KnotPoint {
     int part = 0;                             // the same for strata of one box, or of one chart
     int index_across = 0;                     // of its kinks
     std::vector<char> path;                   // identifies its formula among those of kinks
-    // Of the place in space, and when.
+    // When the point is there, and where it is in space.
     formula::Interval time;
     SpaceBox place;
 };

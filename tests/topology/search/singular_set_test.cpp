@@ -9,7 +9,7 @@ namespace {
 
 const char* const walls = "{ box = [[-2.1, -2.2, -2.3], [2.4, 2.5, 2.2]] }";
 
-// Of a place in the stratum and a time near which the surface is singular; T = t - 0.5.
+// Finds the singular set near a place in the stratum and a time; T = t - 0.5.
 std::optional<SingularSet> set_at(const std::string& formula, const std::vector<double>& place,
                                   double time, const Stratum& stratum = {},
                                   const char* bounds = walls) {
