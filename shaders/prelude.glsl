@@ -28,6 +28,9 @@ precision highp usampler2DArray;
 #define IM_BUFFER_OF_UINTS usamplerBuffer
 #define IM_BUFFER_AT(buffer, at) texelFetch(buffer, at)
 #endif
+// The texel `at` of a texture of floats whose size is of no more than 2^14 texels across. Software
+// renderers work out a level for each pixel of a fetch and take half as long to sample.
+#define IM_TEXEL(floats, at) textureLod(floats, (vec2(at) + 0.5) / vec2(textureSize(floats, 0)), 0.0)
 // Equals Operations<float>::saturation() on the CPU.
 #define IM_SATURATION 1.0e30
 // `condition ? then : otherwise` for a number and for two. It computes both, so use it for cheap

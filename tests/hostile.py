@@ -41,7 +41,7 @@ KINDS = [
 
 
 def cases(build, binary, selection, folder):
-    """Of a test binary: name, tried, held."""
+    """How often each case of a test binary was tried, and how often it held."""
     report = folder / "report.json"
     report.unlink(missing_ok=True)
     words = [str(build / "tests" / binary), f"--gtest_filter={selection}", f"--gtest_output=json:{report}"]

@@ -10,7 +10,7 @@ namespace isomotion::display {
 
 class XServer {
 public:
-    // In `folder` it keeps its screen, in a file; without one, in memory. Throws std::runtime_error
+    // Keeps its screen in a file of `folder`, or in memory without one. Throws std::runtime_error
     // where Xvfb is not installed or does not start.
     XServer(int width, int height, const std::filesystem::path& folder = {});
     ~XServer();

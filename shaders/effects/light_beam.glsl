@@ -37,15 +37,15 @@ void come_from_light(inout Ray ray, int k) {
     ivec2 pixel = clamp(ivec2(floor(at)), ivec2(0), ivec2(2.0 * right.w) - 1);
     pixel.y += k * int(2.0 * right.w);
     ivec2 texel = beam_texel(pixel / BLOCK, SQUARE_BITS);
-    vec4 part = texelFetch(light_beam_texture, texel, 0);
+    vec4 part = IM_TEXEL(light_beam_texture, texel);
     float here = dot(depth.xyz, place);
     vec4 t = (part - here) * depth.w + vec4(-origin.w, origin.w, -origin.w, -origin.w);
     ray = Ray(ray.anchor, -ray.direction, -ray.t_far, -ray.t_near, 0.0);
     ray.t_near = max(ray.t_near, t.x);
     ray.t_far = part.x < part.y ? min(ray.t_far, t.y) : ray.t_near - 1.0;
 #ifdef LISTS
-    vec4 lists = texelFetch(light_beam_lists_texture, texel, 0);
-    vec2 all = texelFetch(light_beam_all_texture, texel, 0).xy;
+    vec4 lists = IM_TEXEL(light_beam_lists_texture, texel);
+    vec2 all = IM_TEXEL(light_beam_all_texture, texel).xy;
     beam_lists = BeamLists(lists.xy, lists.zw, all, t.z, t.w);
     enter_list(all);
 #endif

@@ -5,7 +5,7 @@ uniform sampler2D surface_texture_2;
 
 SurfacePoint load_surface() {
     ivec2 at = ivec2(pixel_centre);
-    return unpack_surface(texelFetch(surface_texture_0, at, 0),
-                          texelFetch(surface_texture_1, at, 0),
-                          texelFetch(surface_texture_2, at, 0));
+    return unpack_surface(IM_TEXEL(surface_texture_0, at),
+                          IM_TEXEL(surface_texture_1, at),
+                          IM_TEXEL(surface_texture_2, at));
 }

@@ -2,6 +2,6 @@
 uniform sampler2D mirrored_shadow_texture;
 
 float mirrored_visibility(int k) {
-    int hidden = int(texelFetch(mirrored_shadow_texture, ivec2(pixel_centre), 0).y);
+    int hidden = int(IM_TEXEL(mirrored_shadow_texture, ivec2(pixel_centre)).y);
     return ((hidden >> k) & 1) == 0 ? 1.0 : 0.0;
 }

@@ -3,7 +3,7 @@ uniform sampler2D beam_texture;
 
 Part parent_part(ivec2 block) {
     ivec2 at = beam_texel(block * BLOCK / PARENT_BLOCK, PARENT_SQUARE_BITS);
-    vec4 part = texelFetch(beam_texture, at, 0);
+    vec4 part = IM_TEXEL(beam_texture, at);
 #ifdef LISTS
 #ifdef COPIES
     ivec2 larger = block * BLOCK / PARENT_BLOCK;

@@ -14,7 +14,7 @@ LIST stored_list(int level, ivec2 block, int which, int lists, int slots) {
     return LIST(textureLod(array0_lists, last, 0.0).x, at); // sampled as elements are
 }
 
-// Of the front of a block of the largest beams, or of all of it.
+// The list for the front of a block of the largest beams, or for all of the block.
 LIST list_of_first(ivec2 block, int which) {
     return stored_list(0, block, which, 2, FIRST_SLOTS);
 }

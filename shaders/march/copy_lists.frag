@@ -36,10 +36,10 @@ void main() {
     int row = at.y - block.y * rows;
     int slot = 16 * (row / TEXELS) + (at.x & 15), texel = row % TEXELS;
     int count = 0, before = 0, place = 0;
+    vec2 beam_at = (vec2(beam_texel(block, SQUARE_BITS)) + 0.5) / vec2(textureSize(beam_masks_texture, 0).xy);
     uint found = 0u;
     for (int k = 0; k < MASK_TEXELS; ++k) {
-        ivec3 mask = ivec3(beam_texel(block, SQUARE_BITS), which * MASK_TEXELS + k);
-        uvec4 words = texelFetch(beam_masks_texture, mask, 0);
+        uvec4 words = textureLod(beam_masks_texture, vec3(beam_at, which * MASK_TEXELS + k), 0.0);
         ivec4 ends = ivec4(bits_in(words)); // of the words' elements in the list
         ends.yw += ends.xz;
         ends.zw += ends.yy;
@@ -60,6 +60,6 @@ void main() {
     }
     copied = vec4(0.0);
     if (found == 0u) return;
-    enter_parent(block);
+    enter_parent(block, beam_at);
     copied = array0_texel(place + place_of_bit(found, slot - before), texel);
 }

@@ -3,7 +3,7 @@ uniform sampler2D beam_texture;
 
 void enter_beam(inout Ray ray) {
     ivec2 at = beam_texel(ivec2(pixel_centre) / BLOCK, SQUARE_BITS);
-    vec4 part = texelFetch(beam_texture, at, 0);
+    vec4 part = IM_TEXEL(beam_texture, at);
     ray.t_near = max(ray.t_near, part.x * ray.to_eye);
     ray.t_far = part.x < part.y ? min(ray.t_far, part.y * ray.to_eye) : ray.t_near - 1.0;
 #ifdef LISTS

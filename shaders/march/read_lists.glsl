@@ -2,6 +2,6 @@
 uniform sampler2D beam_lists_texture;
 uniform sampler2D beam_all_texture;
 
-LIST front_of_beam(ivec2 at) { return texelFetch(beam_lists_texture, at, 0).xy; }
-LIST middle_of_beam(ivec2 at) { return texelFetch(beam_lists_texture, at, 0).zw; }
-LIST all_of_beam(ivec2 at) { return texelFetch(beam_all_texture, at, 0).xy; }
+LIST front_of_beam(ivec2 at) { return IM_TEXEL(beam_lists_texture, at).xy; }
+LIST middle_of_beam(ivec2 at) { return IM_TEXEL(beam_lists_texture, at).zw; }
+LIST all_of_beam(ivec2 at) { return IM_TEXEL(beam_all_texture, at).xy; }

@@ -37,8 +37,8 @@ uniform sampler2D state_texture_2;
 
 RayState load_state() {
     ivec2 at = ivec2(pixel_centre);
-    vec4 a = texelFetch(state_texture_0, at, 0);
-    vec4 b = texelFetch(state_texture_1, at, 0);
+    vec4 a = IM_TEXEL(state_texture_0, at);
+    vec4 b = IM_TEXEL(state_texture_1, at);
     RayState s;
     s.low = a.x;
     s.f_low = a.yz;
@@ -48,7 +48,7 @@ RayState load_state() {
     s.evaluations = int(b.z);
     s.refinements = int(b.w);
 #ifdef THREE_SAMPLES
-    vec4 c = texelFetch(state_texture_2, at, 0);
+    vec4 c = IM_TEXEL(state_texture_2, at);
     s.other = c.xyz;
     s.open_end = c.w;
 #endif

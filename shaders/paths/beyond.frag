@@ -1,5 +1,5 @@
-// Tells of this surface whether its matter is behind the end of a ray. Surfaces draw over each other, the
-// one with the least rank last.
+// Tells whether this surface's matter is behind the end of a ray. Surfaces draw over each other,
+// the one with the least rank last.
 layout(location = 0) out vec4 beyond; // 1 + index
 
 void main() {

@@ -8,7 +8,7 @@ bool may_meet(Path path) {
 #endif
 }
 
-// From where on its ray it may meet it.
+// The place on the path's ray from which on it may meet this surface.
 float least_begin(Path path) {
 #ifdef GLASS
     return path.off;

@@ -1,4 +1,5 @@
-// Ends a path where it met a surface: seen.frag has the colour. Of the eye's ray it is that of shade().
+// Ends a path where it met a surface: seen.frag has the colour. For the eye's ray, shade() tells
+// it.
 Path meet(Path path, SurfacePoint p, float way, bool is_first) {
     path.state = is_first ? PATH_ENDED : PATH_ON_SURFACE;
     path.position = p.position;

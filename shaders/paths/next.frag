@@ -1,5 +1,5 @@
-// Continues the paths whose rays ended on this surface; of the first one also those that met none. Runs
-// for paths that go on. MOST_CROSSINGS: of bounds, beyond which a path ends.
+// Continues the paths whose rays ended on this surface, and on the first surface also those that
+// met none. Runs for paths that go on. A path ends after MOST_CROSSINGS crossings of bounds.
 void main() {
     vec4 end = texelFetch(surface_texture_3, ivec2(pixel_centre), 0);
     if (int(end.z) != SURFACE) discard;

@@ -34,15 +34,15 @@ uniform sampler2D glass_texture_4;
 uniform vec4 path_moves[3 * SURFACES]; // as surface_moves of surfaces/load_moved.glsl
 
 int owner_of_path() {
-    return (int(texelFetch(glass_texture_0, ivec2(pixel_centre), 0).w) >> 4) & 7;
+    return (int(IM_TEXEL(glass_texture_0, ivec2(pixel_centre)).w) >> 4) & 7;
 }
 
 // In the coordinates in which it is kept: those of owner_of_path().
 Path load_path_as_it_is() {
     ivec2 at = ivec2(pixel_centre);
-    vec4 a = texelFetch(glass_texture_0, at, 0), b = texelFetch(glass_texture_1, at, 0);
-    vec4 c = texelFetch(glass_texture_2, at, 0), d = texelFetch(glass_texture_3, at, 0);
-    vec4 e = texelFetch(glass_texture_4, at, 0);
+    vec4 a = IM_TEXEL(glass_texture_0, at), b = IM_TEXEL(glass_texture_1, at);
+    vec4 c = IM_TEXEL(glass_texture_2, at), d = IM_TEXEL(glass_texture_3, at);
+    vec4 e = IM_TEXEL(glass_texture_4, at);
     int code = int(a.w), rays = int(d.w);
     return Path(a.xyz, code & 7, b.xyz, int(b.w), c.w, c.xyz, d.xyz, rays & 31, rays >> 5,
                 ((code >> 7) & 15) - 1, e.xyz, (code & 8) != 0, ((code >> 11) & 15) - 1, e.w);

@@ -8,7 +8,7 @@ REAL4 bounds_of_piece(ProofRay ray, REAL low, REAL high) {
     precise REAL middle = 0.5 * (low + high);
     precise REAL3 p = ray_point(ray, middle);
     REAL2 there = field_directional_interval(REAL2(p.x), REAL2(p.y), REAL2(p.z), d.x, d.y, d.z).zw;
-    // Along this ray, and aside from it to the others.
+    // The slope's change along this ray, and its change aside, to the other rays.
     REAL2 along = im_add(im_add(im_scale(ray.direction.x, bx), im_scale(ray.direction.y, by)),
                          im_scale(ray.direction.z, bz));
     precise REAL aside = im_abs(bx).y + im_abs(by).y + im_abs(bz).y;

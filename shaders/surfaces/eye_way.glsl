@@ -1,4 +1,4 @@
-// Where on a pixel's ray a place is, as all surfaces have it: t of the first surface's ray. Rays of all
+// The place on a pixel's ray as all surfaces have it: t of the first surface's ray. Rays of all
 // surfaces are one in the world, and begin at planes of their own.
 uniform vec4 surface_way; // lengths of this surface's formula in the first one's; between the planes
 

@@ -1,5 +1,5 @@
-// Leaves what the surfaces before this one drew where it is not nearer, with the evaluations of all. Needs
-// seen_way.glsl, way_before(), keep_channels() and least_nearer().
+// Keeps what the surfaces before this one drew where this one is not nearer, and adds up the
+// evaluations of all. Needs seen_way.glsl, way_before(), keep_channels() and least_nearer().
 uniform sampler2D before_texture_0;
 uniform usampler2D before_texture_1;
 

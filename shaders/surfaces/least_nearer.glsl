@@ -1,6 +1,6 @@
-// How much nearer than those before it in the file, in lengths of the first one's formula, a surface has to
-// be to be seen: roots are not known better. Where surfaces coincide, the earlier is seen. Needs
-// surface_way.
+// The distance by which a surface has to be nearer than those before it in the file to be seen, in
+// lengths of the first one's formula: roots are not known better. Where surfaces coincide, the
+// earlier is seen. Needs surface_way.
 float least_nearer(vec3 position) {
     vec3 eye = ray_origin.xyz - ray_axis.xyz;
     float along = dot(position - eye, ray_axis.xyz) / dot(ray_axis.xyz, ray_axis.xyz);

@@ -1,5 +1,6 @@
-// How much of the light from everywhere one surface leaves at what is seen, itself of any surface: as
-// effects/occlusion.glsl, and of the surfaces so far the least.
+// The part of the light from everywhere that this surface leaves at what is seen, which is on any
+// surface. It is computed as in effects/occlusion.glsl, and the least of the surfaces so far
+// counts.
 layout(location = 0) out vec4 open;
 
 uniform vec4 occlusion; // reach in formula units, strength

@@ -2,5 +2,5 @@
 uniform sampler2D occlusion_texture;
 
 float openness(SurfacePoint p) {
-    return p.on_ground ? 1.0 : texelFetch(occlusion_texture, ivec2(pixel_centre), 0).x;
+    return p.on_ground ? 1.0 : IM_TEXEL(occlusion_texture, ivec2(pixel_centre)).x;
 }

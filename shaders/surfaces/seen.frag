@@ -1,4 +1,4 @@
-// Colours of this surface as it is seen in a mirror, itself on any surface.
+// Colours of this surface as it is seen in a mirror, which is on any surface.
 layout(location = 0) out vec4 seen;
 
 uniform sampler2D mirrored_texture_3;

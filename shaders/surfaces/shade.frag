@@ -1,5 +1,5 @@
-// The picture where this surface is seen, and of the first one also where none is: effects/shade.frag,
-// with the evaluations that all surfaces took.
+// The picture where this surface is seen, and for the first surface also where none is:
+// effects/shade.frag, with the evaluations that all surfaces took.
 
 layout(location = 0) out vec4 color;
 layout(location = 1) out uvec2 record; // and evaluations of shadow rays

@@ -1,4 +1,4 @@
-// How far the nearest end on the surfaces before this one is.
+// The distance to the nearest end on the surfaces before this one.
 uniform sampler2D surface_texture_3;
 
 float way_before() {

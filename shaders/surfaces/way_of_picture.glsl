@@ -1,4 +1,5 @@
-// How far what is seen of the surfaces before this one is, where each draws over those.
+// The distance to what is seen of the surfaces before this one, where each surface draws over the
+// ones before.
 uniform sampler2D way_texture;
 
 float way_before() {

@@ -19,7 +19,7 @@ bool is_hit(render::Verdict verdict) {
     return verdict == render::Verdict::hit || verdict == render::Verdict::zero_gradient;
 }
 
-// Whether what was proved of a pixel cannot be, by what is certain of its ray. A proof tells more
+// Whether what was proved of a pixel contradicts what is certain of its ray. A proof tells more
 // than judge() asks: its root is within an eighth of the pixel's width of where it was drawn, and
 // twice that is left to the rounding of positions.
 bool contradicts(render::Proof proof, bool hit, Fault fault, const truth::FirstRoot& root, double t,

@@ -60,7 +60,8 @@ std::string plotted(const std::string& script) {
     return picture;
 }
 
-// One line a point: time, wrong pixels in ppm (what is none at the foot of a logarithmic axis).
+// Writes one line a point: its time and its wrong pixels in ppm. A point without any is at the foot
+// of the logarithmic axis.
 void plot(const Report& report, const fs::path& folder) {
     const double pixels = double(report.measurements.front().errors.pixels);
     const double foot = 0.3e6 / pixels;

@@ -11,7 +11,7 @@ struct Way {
     double straight = 0, square = 0, cube = 0;
 };
 
-// By what it is at both ends and how fast it changes there, as u goes from 0 to 1.
+// The cubic with these values and these velocities at both ends, as u goes from 0 to 1.
 Way hermite(double from, double to, double from_velocity, double to_velocity) {
     const double way = to - from;
     return {from_velocity, 3 * way - 2 * from_velocity - to_velocity,
@@ -62,7 +62,7 @@ bool ElementSamples::is_curved(std::size_t column) const {
     return interpolation_ == Interpolation::hermite && source_->velocity_of(column).has_value();
 }
 
-// With the velocities of those that are read.
+// The columns that are read, and the velocities of those that need them.
 std::vector<bool> ElementSamples::needed() const {
     std::vector<bool> columns = reads_;
     for (std::size_t c = 0; c < reads_.size(); ++c) {

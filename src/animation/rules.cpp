@@ -20,6 +20,11 @@ std::map<double, bool> knots_of(const Keys& keys) {
     return knots;
 }
 
+NodeId part_of_time(formula::Graph& g, NodeId time, double from, double to) {
+    const NodeId length = g.subtract(g.constant(to), g.constant(from));
+    return g.divide(g.subtract(time, g.constant(from)), length);
+}
+
 } // namespace
 
 std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula::Interval range) {
@@ -56,6 +61,11 @@ std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula:
     knots.reserve(all.size());
     for (const auto& [time, jumps] : all) knots.push_back({time, jumps});
     return knots;
+}
+
+NodeId smooth_way(formula::Graph& g, NodeId time, double from, double to) {
+    const NodeId u = part_of_time(g, time, from, to);
+    return g.multiply(g.multiply(u, u), g.subtract(g.constant(3), g.multiply(g.constant(2), u)));
 }
 
 Rules::Rules(const Animation& animation, double within, formula::Graph& graph, NodeId time,
@@ -163,12 +173,11 @@ NodeId Rules::rule(const Keys& keys) {
     const Key &a = all[k], &b = all[k + 1];
     if (keys.ease == Ease::hold) return g.constant(a.value);
     const NodeId length = g.subtract(g.constant(b.time), g.constant(a.time));
-    const NodeId u = g.divide(g.subtract(time_, g.constant(a.time)), length);
+    const NodeId u = part_of_time(g, time_, a.time, b.time);
     const NodeId from = g.constant(a.value), to = g.constant(b.value);
     const NodeId way = g.subtract(to, from);
     if (keys.ease == Ease::linear) return g.add(from, g.multiply(way, u));
-    const NodeId u2 = g.multiply(u, u);
-    const NodeId smooth = g.multiply(u2, g.subtract(g.constant(3), g.multiply(g.constant(2), u)));
+    const NodeId smooth = smooth_way(g, time_, a.time, b.time);
     const NodeId rest_to_rest = g.add(from, g.multiply(way, smooth));
     if (keys.ease == Ease::smooth) return rest_to_rest;
     // Hermite's basis: velocities at the ends on top of what rests there.

@@ -40,6 +40,9 @@ struct Driver {
     formula::NodeId node = 0;
 };
 
+// The part of the way that keys that rest at `from` and `to` have made: smoothstep of the time.
+formula::NodeId smooth_way(formula::Graph& graph, formula::NodeId time, double from, double to);
+
 class Rules {
 public:
     // Rules that hold around the time `within`, which lies between two knots; if it is at a knot,

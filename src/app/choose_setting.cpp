@@ -66,7 +66,7 @@ private:
     std::vector<int> frames_;
 };
 
-// Of a scene with one surface.
+// Chooses the setting for a scene with one surface, and tells what it costs.
 std::optional<scene::Isolation> choose_setting(const Measuring& measuring,
                                                const scene::Scene& scene,
                                                const SettingChoice& choice, double max_wrong) {

@@ -17,10 +17,10 @@ struct SettingChoice {
     bool quiet = false;
 };
 
-// One setting for each surface, the first one's first. Measures against certified truth on up to
-// three of the frames, in a smaller picture. Of several surfaces each is measured alone and gets as
-// large a part of the wrong pixels as the others; then all are measured together. None if no
-// setting is accurate enough.
+// Chooses a setting for each surface, the first one's first. Measures against certified truth on up
+// to three of the frames, in a smaller picture. If there are several surfaces, each is measured
+// alone and gets as large a part of the wrong pixels as the others; then all are measured together.
+// None if no setting is accurate enough.
 std::optional<std::vector<scene::Isolation>> choose_settings(gpu::Context& context,
                                                              const scene::Scene& scene,
                                                              const std::vector<int>& frames,

@@ -45,7 +45,7 @@ void refuse_empty_words(CLI::App& app) {
     }
 }
 
-// Threads that draw are still at it: nothing is left to them.
+// Ends the process at once and destroys nothing, since threads still draw.
 [[noreturn]] void end_without_display() {
     write_message("the display is gone; what is written is whole\n");
     ::_exit(exit_machine);
@@ -157,9 +157,9 @@ void check_amount(std::string_view option, std::optional<double> amount, std::st
 
 int run(int argc, char** argv) {
     keep_standard_descriptors();
-    // A file beyond a limit is what a write fails with, not the end of the program.
+    // Writing beyond a limit of a file's size makes the write fail, and does not end the program.
     std::signal(SIGXFSZ, SIG_IGN);
-    // So is a reader that has gone: frames are written without one.
+    // A reader that has gone makes a write fail, too: frames are written without one.
     std::signal(SIGPIPE, SIG_IGN);
     // Whoever started the program may ignore this; then nobody could tell how encoders end.
     std::signal(SIGCHLD, SIG_DFL);
@@ -170,7 +170,7 @@ int run(int argc, char** argv) {
         write_message(error.what());
         write_message("\n");
     }
-    // Whoever takes the output for all of it is told that it isn't.
+    // If not all of the output could be written, the exit code tells so.
     return code == exit_done && !finish_output() ? int(exit_machine) : code;
 }
 

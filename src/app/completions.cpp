@@ -10,7 +10,7 @@ using Names = std::vector<std::string>;
 
 constexpr const char* continued = " \\\n                "; // on the script's next line
 
-// In single quotes, as all three shells read them.
+// Puts a text in single quotes, as all three shells read them.
 std::string quoted(const std::string& text) {
     std::string all = "'";
     for (const char c : text) all += c == '\'' ? std::string("'\\''") : std::string(1, c);

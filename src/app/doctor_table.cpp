@@ -90,7 +90,7 @@ std::string why_not(const Json& found, const Json& all) {
     return reason;
 }
 
-// Of hardware; that of software renderers, which takes long to measure, is not known.
+// The speed of hardware. That of software renderers is not known, as it takes long to measure.
 std::string speed(const Json& operations) {
     const double fragment = operations["fragment"].get<double>();
     const double compute = operations["compute"].get<double>();

@@ -8,7 +8,7 @@
 namespace isomotion::app {
 namespace {
 
-// Text that roff takes for what it is.
+// Writes a text so that roff takes all of it for text.
 std::string plain(const std::string& text) {
     std::string all;
     for (const char c : text) {
@@ -47,7 +47,7 @@ std::string synopsis(const std::string& program, const CommandText& command) {
     return text + ".RI [ options ]\n";
 }
 
-// In the words of docs/, which tell more.
+// These words are those of docs/, which tell more.
 constexpr const char* around = R"(.SH FILES
 Scenes are files of TOML, or names of the gallery that comes with the program:
 .B isomotion list

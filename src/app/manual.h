@@ -7,7 +7,7 @@
 
 namespace isomotion::app {
 
-// In roff's man macros.
+// The manual page in roff's man macros.
 std::string manual_page(const CommandTree& tree, const std::string& version);
 
 } // namespace isomotion::app

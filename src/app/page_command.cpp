@@ -129,7 +129,7 @@ int write_page(const PageArguments& arguments) {
     page::PageOptions options;
     options.warn = [](const std::string& text) { message("warning: {}\n", text); };
     if (!arguments.report.empty()) options.report = arguments.report;
-    // What is refused is so before anything is drawn.
+    // What is refused is refused before anything is drawn.
     std::string text =
         options.report ? page::page(scene, options) : page_with_report_beside(scene, options);
     if (arguments.video) {

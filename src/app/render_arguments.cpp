@@ -86,7 +86,7 @@ std::string output_of(const RenderArguments& arguments, const scene::Scene& scen
     return fmt::format("out/{}.####.png", sequence::stem_of_frames(scene.file.stem().string()));
 }
 
-// In one order, whatever the user's: it decides shader text and fingerprint.
+// The channels in one order, whatever the user's: the order decides shader text and fingerprint.
 std::vector<synthesis::Channel> parse_channels(const std::string& text) {
     std::vector<synthesis::Channel> channels;
     for (std::size_t begin = 0; begin < text.size();) {

@@ -85,7 +85,7 @@ std::string summary(const sequence::ExportTotals& totals, Seconds wall) {
 
 void warn(const std::string& text) { message("warning: {}\n", text); }
 
-// At the first frame asked for, of each surface: with what tells it from others.
+// What is known of each surface at the first frame asked for, with what tells it from others.
 std::vector<std::pair<std::string, scene::Sight>> sights_of(const sequence::Exporter& exporter) {
     const scene::Scene& scene = exporter.scene();
     const int frame = exporter.options().frames.front();

@@ -84,7 +84,8 @@ void print_pass(const synthesis::Pass& pass) {
     print_result("// ----- {} shader\n{}\n", render::name(pass.stage), pass.text);
 }
 
-// What every frame runs, in order; then the names of what only some frames do.
+// Prints the passes that every frame runs, in order; then the names of those that only some frames
+// run.
 void print_passes(const synthesis::Passes& passes) {
     for (const synthesis::Pass& pass : passes.list) {
         if (!synthesis::is_exceptional(pass.when)) print_pass(pass);
@@ -236,7 +237,7 @@ void add_show(CLI::App& app, Action& chosen) {
                      "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
         ->required();
     command->add_option("--frame,--frames", arguments->frames,
-                        "frame to show, counted from 1; of several the first (default: 1)");
+                        "frame to show, counted from 1; the first of several (default: 1)");
     command->add_option("-o,--output", arguments->output,
                         "write the scene with its settings as a scene file (.toml) instead");
     command->add_option("--set", arguments->settings, "name=value, as for render")

@@ -90,7 +90,7 @@ private:
         if (!arguments_.render.quiet) print_result(format, std::forward<Args>(args)...);
     }
 
-    // As they were asked for: a movie shows them in that order.
+    // The frames as they were asked for: a movie shows them in that order.
     std::string all_frames() const {
         return arguments_.render.frames.empty() ? animation::frame_range(frames_)
                                                 : arguments_.render.frames;

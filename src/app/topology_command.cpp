@@ -46,7 +46,7 @@ struct TopologyArguments {
     scene::Reach reach = scene::Reach::own_folder;
 };
 
-// What a picture of the subject shows: of two surfaces the whole scene.
+// The scene that a picture of the subject shows: for two surfaces it is the whole scene.
 scene::Scene load_seen(const TopologyArguments& arguments,
                        const std::vector<scene::Override>& settings) {
     scene::Scene scene = scene::load(arguments.scene, settings, arguments.reach);
@@ -80,7 +80,7 @@ void check_grid(const TopologyArguments& arguments) {
     }
 }
 
-// First and last of what is searched, all time in between included.
+// The first and the last frame of what is searched; all time in between is searched, too.
 std::pair<int, int> span_of(const std::string& text, const scene::Scene& scene) {
     if (text.empty()) {
         if (scene.timeline.frames > 1) return {1, scene.timeline.frames};
@@ -109,7 +109,7 @@ void write_text(const std::string& file, const std::string& text) {
     base::write_whole(file, std::as_bytes(std::span(text)));
 }
 
-// Pictures of the frames that tell most; those before one that cannot be drawn.
+// Pictures of the frames that tell most. If one cannot be drawn, only those before it.
 std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& arguments,
                                                const topology::TimelineRecord& record,
                                                const StopOnSignal& stop) {
@@ -139,7 +139,8 @@ std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& argument
     return thumbnails;
 }
 
-// Each file whatever becomes of the others. What the first that fails throws is thrown at the end.
+// Writes each file, whatever becomes of the others. What the first that fails throws is thrown at
+// the end.
 void write_files(const TopologyArguments& arguments, const topology::TimelineRecord& record,
                  const StopOnSignal& stop) {
     std::exception_ptr first;
@@ -202,14 +203,14 @@ int judged(const TopologyArguments& arguments, const topology::Expectation& expe
     return exit_incomplete;
 }
 
-// Without a check: whether all was proved that was asked for.
+// Tells, where there is no check, whether all was proved that was asked for.
 int whole_or_open(const TopologyArguments& arguments, const topology::TimelineRecord& record) {
     const bool was_to_be_proved = parse_certify(arguments.certify) == topology::Certify::full;
     const bool is_complete = topology::gaps(record.timeline, record.header.fps).empty();
     return was_to_be_proved && !is_complete ? exit_open : exit_done;
 }
 
-// What can be asked of each two surfaces at once.
+// Refuses options that ask for one surface, or for one pair of surfaces.
 void check_options_of_all(const TopologyArguments& arguments) {
     const std::pair<const char*, bool> of_one[] = {{"-o", !arguments.output.empty()},
                                                    {"--csv", !arguments.csv.empty()},
@@ -288,7 +289,7 @@ int topology_of(const TopologyArguments& arguments) {
     const bool is_whole = !stop.asked();
     if (!arguments.quiet) print_result("{}", topology::summary(record));
     if (!arguments.quiet && subject.second) print_result("{}", contact_text(subject, record));
-    // Judged first: no file that fails to be written keeps the judgement back.
+    // The judgement is told first, so that no file that fails to be written keeps it back.
     const int code =
         expectation ? judged(arguments, *expectation, record) : whole_or_open(arguments, record);
     write_files(arguments, record, stop);
@@ -314,7 +315,7 @@ void add_topology(CLI::App& app, Action& chosen) {
     command
         ->add_option("--contact", a.contact,
                      "search what these two of the scene's [[surfaces]] have in common: it is born "
-                     "where they touch (default, of several: the contact of each two)")
+                     "where they touch (default with several surfaces: the contact of each two)")
         ->expected(2)
         ->excludes("--surface");
     command->add_option("--frames,--frame", a.frames,

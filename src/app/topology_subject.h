@@ -17,7 +17,7 @@ struct Subject {
     std::string title;
 };
 
-// By indices among the scene's surfaces.
+// The pair of surfaces with these indices in the scene.
 Subject pair_of(const scene::Scene& scene, int first, int second);
 // The surface that is named, or the two of `contact`; the whole scene if neither is. Throws
 // SceneError for unknown names, and std::invalid_argument for two equal ones.

@@ -31,7 +31,8 @@ bool is_manifest(const fs::path& folder) {
     return fs::is_directory(folder) && fs::exists(sequence::sequence_file(folder));
 }
 
-// What is left of one that lost what its frames are: reading it fails, and so it should.
+// Whether a folder has what is left of a manifest that lost what its frames are: reading it fails,
+// and so it should.
 bool was_manifest(const fs::path& folder) {
     if (!fs::is_directory(folder)) return false;
     std::error_code error;

@@ -44,7 +44,7 @@ void arc(Ball& to, const Ball& a, void (*function)(arb_t, const arb_t, slong), s
     arb_union(to.get(), ends[0].get(), ends[1].get(), precision);
 }
 
-// Of one argument, by the names of their table (formula/graph/function_table.h).
+// Functions of one argument, named as in their table (formula/graph/function_table.h).
 namespace functions {
 
 void abs(Ball& to, const Ball& a, slong precision) {

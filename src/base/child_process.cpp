@@ -41,8 +41,8 @@ private:
     posix_spawn_file_actions_t actions_;
 };
 
-// What the program itself ignores, so that writes fail instead, is not ignored by others for it:
-// many count on SIGPIPE to end.
+// Signals that this program ignores, so that writes fail instead, are not ignored by the programs
+// that it starts: many count on SIGPIPE to end.
 class SpawnAttributes {
 public:
     SpawnAttributes() {
@@ -63,8 +63,8 @@ private:
     posix_spawnattr_t attributes_;
 };
 
-// Of a process whose end nobody can tell, as where the kernel was told to forget them (SIGCHLD
-// ignored): exit status 255, no success.
+// The status of a process whose end nobody can tell, as where the kernel was told to forget how
+// processes end (SIGCHLD ignored): exit status 255, no success.
 constexpr int unknown_ending = 255 << 8;
 
 [[noreturn]] void fail(const char* attempt, int code) {
@@ -254,7 +254,7 @@ std::string ChildProcess::last_words(std::size_t lines) const {
         const std::size_t newline = text.rfind('\n', begin - 1);
         begin = newline == std::string::npos ? 0 : newline;
     }
-    // Of more lines than were asked for, the others are none of the caller's business.
+    // It is said that words are left out only if fewer lines are here than were asked for.
     const bool lacks_some = !is_whole && begin == 0 && lines > 0;
     text.erase(0, text[begin] == '\n' ? begin + 1 : begin);
     return lacks_some ? "... earlier words left out\n" + text : text;

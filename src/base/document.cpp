@@ -30,7 +30,7 @@ std::string place(const std::string& file, std::size_t line, const std::string& 
     return printable_line(key.empty() ? at : fmt::format("{}: {}", at, key));
 }
 
-// From TOML; notes the lines of all nodes.
+// Converts TOML, and notes the lines of all nodes.
 class Conversion {
 public:
     Conversion(const std::string& file, std::map<std::string, std::size_t>& lines)
@@ -175,7 +175,7 @@ private:
         throw InputError(fmt::format("{}: {}", place(file_, count_.line, whole_key()), message));
     }
 
-    // Of an object's value it is the key's line that counts.
+    // An object's value is at the line of its key, which was compared already.
     void begin_value() {
         if (levels_.empty() || !levels_.back().is_list) return;
         name_ = fmt::format("[{}]", levels_.back().items.size());

@@ -10,7 +10,7 @@
 namespace isomotion::base {
 namespace {
 
-// From the opening quote at `begin` to behind the closing one.
+// The place behind the closing quote of the string whose opening quote is at `begin`.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
     const char quote = text[begin];
     const std::string_view three = text.substr(begin, 3);

@@ -119,7 +119,7 @@ std::vector<CellLists::Run> CellLists::meet(std::size_t part, CellSums& sums) co
     return runs;
 }
 
-// Which cells an element was found in by one of its sets, in a part of the grid.
+// The cells, in a part of the grid, in which an element was found by one of its sets.
 class CellLists::Seen {
 public:
     Seen(const CellLists& of, std::size_t part) {

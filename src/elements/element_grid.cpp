@@ -57,7 +57,8 @@ double entries(std::span<const LevelSet> sets, const Placing& placing) {
     return all;
 }
 
-// As fine as half of the sets' mean size, and coarser where limits ask for it.
+// A grid whose cells are as fine as half of the sets' mean size, or coarser where limits ask for
+// it.
 glm::ivec3 fitting(const Region& region, std::span<const LevelSet> sets, double most_cells,
                    const glm::bvec3& is_flat, const GridLimits& limits) {
     for (double side = wanted_side(sets, region);; side *= 1.2) {

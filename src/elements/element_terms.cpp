@@ -414,7 +414,7 @@ LevelSet ElementTerms::box(Boxes& boxes, int element, int k,
     return set;
 }
 
-// As a float that bounds it: of a key from below.
+// A float that bounds the size of a term; for a key it is a lower bound.
 float ElementTerms::size_of(const Interval& term) const {
     constexpr float infinite = std::numeric_limits<float>::infinity();
     constexpr double largest = 1e38;

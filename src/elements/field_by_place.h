@@ -27,7 +27,7 @@ public:
     static std::optional<FieldByPlace> of(const formula::Field& field,
                                           std::span<const int> elements_of_arrays);
 
-    // At one frame, for all threads. The FieldByPlace must outlive it.
+    // The field at one frame, for all threads. The FieldByPlace must outlive it.
     class Frame {
     public:
         const formula::EnclosuresApart& programs() const { return of_->programs_; }
@@ -74,9 +74,9 @@ class BoxesByPlace {
 public:
     BoxesByPlace(const formula::SumsApart& program, const FieldByPlace::Frame& frame);
 
-    // As Evaluator<Interval>::points(). The first three inputs are the box. For boxes with too many
-    // elements or cells all outputs are the entire line, since smaller boxes give more for less
-    // work.
+    // Evaluates like Evaluator<Interval>::points(). The first three inputs are the box. For boxes
+    // with too many elements or cells all outputs are the entire line, since smaller boxes give
+    // more for less work.
     void points(std::span<const std::span<const Interval>> inputs,
                 std::span<const std::span<Interval>> outputs);
 

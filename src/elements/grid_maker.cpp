@@ -13,7 +13,8 @@ namespace {
 
 constexpr int together = 1024; // elements that one thread takes at a time
 
-// The sizes of the level sets of some elements evenly out of all; infinite of one without bounds.
+// The sizes of the level sets of some elements, taken evenly out of all; infinite for a set without
+// bounds.
 std::vector<double> some_sizes(const ElementTerms& terms, std::span<const double> tolerance) {
     constexpr int asked = 16;
     std::vector<LevelSet> sets(std::size_t(terms.quadrics()));

@@ -128,7 +128,8 @@ public:
             const double scale = 1 / (set_->half[k] * set_->half[k]);
             for (int place = block_.first[k]; place <= block_.last[k]; ++place) {
                 const double off = middle(k, place);
-                // From the centre to the cell. The outermost cells hold everything beyond them.
+                // Distances from the centre to the cell. The outermost cells hold everything beyond
+                // them.
                 const double below = place == 0 ? 0 : off - half_cell;
                 const double above = place + 1 == of_.across_[k] ? 0 : -off - half_cell;
                 const double near = std::max({below, above, 0.0});

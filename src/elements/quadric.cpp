@@ -7,7 +7,7 @@ namespace {
 
 // Factor of distances: level sets are as much larger as coefficients may be rounded.
 constexpr double margin = 1 + 1e-6;
-// So far beyond the region levels are looked for: a support as large as the scene has its end
+// Levels are looked for so far beyond the region: a support as large as the scene has its end
 // there.
 constexpr double wider = 64;
 

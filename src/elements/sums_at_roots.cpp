@@ -31,7 +31,7 @@ formula::Bindings<float> without(const formula::Bindings<float>& bindings, std::
     return rest;
 }
 
-// F at places, by how much the sums are of their units.
+// Evaluates F at places, where the sums are given as multiples of their units.
 class Sampled {
 public:
     Sampled(const formula::Program& field, formula::Bindings<double> bindings,
@@ -40,7 +40,8 @@ public:
         , bindings_(std::move(bindings))
         , units_(units) {}
 
-    // By each of these multiples, together.
+    // The values of F at a place where the sums, all together, are each of these multiples of their
+    // units.
     std::vector<double> values(const glm::dvec3& p, std::span<const double> sums) {
         std::vector<std::vector<double>> inputs;
         inputs.reserve(3 + units_.size());

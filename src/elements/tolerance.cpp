@@ -37,8 +37,8 @@ std::vector<glm::dvec3> middles_of(const ElementTerms& terms, int quadric) {
     return middles;
 }
 
-// At most so many middles are nearer to any place than the second distance, the third, and on; and
-// their number.
+// For each distance but the first, the most middles that are nearer than it to any place; at last
+// the number of all middles.
 std::vector<double> counts_within(std::span<const glm::dvec3> middles,
                                   std::span<const double> distances) {
     const Crowding crowding(middles);

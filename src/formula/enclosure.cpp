@@ -37,7 +37,7 @@ struct Enclosed {
         const NodeId one = graph.constant(1), zero = graph.constant(0);
         along = slope(direction(graph));
         gradient = {slope({one, zero, zero}), slope({zero, one, zero}), slope({zero, zero, one})};
-        // Of F as it is written: what stands for it may be cut off elsewhere.
+        // F is searched for jumps as it is written: what stands for it may be cut off elsewhere.
         const NodeId jumping = jumps(graph, field.root);
         jump = jumping;
         none = within_gaps(graph, root);

@@ -99,7 +99,7 @@ private:
         return side.lo + (side.hi - side.lo) * double(random_() >> 11) * 0x1p-53;
     }
 
-    // From side to side of the box.
+    // Draws a line at random, from side to side of the box.
     void draw_line(const Box& box) {
         double begin = -HUGE_VAL, end = HUGE_VAL;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -137,7 +137,7 @@ private:
         return !is_0(decoration);
     }
 
-    // At one of the line's places, any.
+    // What the slopes do at one of the places that the line may meet, chosen at random.
     Met descend() {
         double a = 0, b = 1;
         while (b - a > place) {
@@ -179,7 +179,7 @@ public:
 
     Smoothness result() {
         const Roughness rough = roughness(graph_, field_.root);
-        // A few places may have all; many share.
+        // The operations allowed are shared: the more places there are, the fewer each may take.
         const std::size_t count = rough.kinks.size() + rough.jumps.size() + rough.poles.size();
         operations_ *= 4 / (3 + double(count));
         const auto any = [&](const std::vector<NodeId>& places, auto&& matters) {

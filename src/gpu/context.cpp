@@ -131,7 +131,7 @@ void Context::release() noexcept {
 }
 
 void Context::expect_alive() const {
-    // Of OpenGL 4.5; other contexts are not told.
+    // Only OpenGL 4.5 and later tell that a context is lost.
     if (!info_.has(4, 5) || !glGetGraphicsResetStatus) return;
     if (glGetGraphicsResetStatus() != GL_NO_ERROR) throw ContextLost();
 }

@@ -7,7 +7,7 @@ namespace {
 
 void (*end_process)() = nullptr;
 
-// Of Xlib: int handler(Display*).
+// Xlib calls this as int handler(Display*).
 int on_io_error(void*) {
     end_process();
     return 0;

@@ -50,7 +50,7 @@ std::vector<Layer> pyramid_of(const EnvironmentMap& map) {
     return pyramid;
 }
 
-// As shaders/effects/environment.glsl reads it; `u` and `v` from 0 to 1.
+// Reads a layer as shaders/effects/environment.glsl does; `u` and `v` are from 0 to 1.
 glm::vec3 filtered(const Layer& layer, float u, float v) {
     const float x = u * float(layer.width) - 0.5f, y = v * float(layer.height) - 0.5f;
     const float left = std::floor(x), above = std::floor(y);

@@ -15,10 +15,10 @@ namespace {
 
 using formula::Evaluator, formula::Instruction, formula::Interval, formula::Op, formula::Program;
 
-// Of a field's values: a field with more is kept whole.
+// The part of a field's values that its expression may miss; a field with more is kept whole.
 constexpr double most_exceptions = 1.0 / 8;
 
-// Powers are no functions of one argument, and browsers have had worse ones.
+// Powers are left out: they are no functions of one argument, and browsers have had worse ones.
 bool is_known(const Program& program) {
     return std::ranges::none_of(program.instructions,
                                 [](const Instruction& now) { return now.op == Op::power; });
@@ -51,7 +51,7 @@ public:
             slots_.push_back(slot_of(scene, array, order_[k]));
             can_be_computed_.push_back(can(k));
         }
-        // Fields that all elements share may be no elements' fields to the shaders.
+        // A field that all elements share may not be a field of elements to the shaders.
         const int slots = slots_.empty() ? 0 : 1 + std::ranges::max(slots_);
         stride_ = std::size_t(4 * std::max(1, (slots + 3) / 4));
     }
@@ -63,7 +63,7 @@ public:
     }
     const Program* program(std::size_t k) const { return animation_.program(array_, order_[k]); }
     bool can_be_computed(std::size_t k) const { return can_be_computed_[k]; }
-    // Among the program's parameters.
+    // The place of a field among the program's parameters.
     std::size_t parameter(std::size_t k) const { return animation_.nameable() + order_[k]; }
     // What is stated; none for a column of samples.
     std::optional<double> stated(std::size_t k, std::size_t element) const {

@@ -19,7 +19,7 @@
 
 namespace isomotion::page {
 
-// From so many elements on a page's script would take longer than its pictures.
+// More elements than these would take a page's script longer than its pictures.
 inline constexpr int most_computed = 1000;
 
 struct ComputedElements {
@@ -33,7 +33,7 @@ struct ComputedElements {
     std::vector<Exception> exceptions;
 };
 
-// `values`: of the array, row by row, which are at these times and have so many elements. None if
+// `values` are the array's, row by row. Rows are at these times and have so many elements. None if
 // no field can be worked out.
 std::optional<ComputedElements> computed_elements(const scene::Scene& scene, std::size_t array,
                                                   const ValueTable& values,

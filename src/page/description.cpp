@@ -30,7 +30,7 @@ using Json = nlohmann::ordered_json;
 using synthesis::Role;
 
 constexpr std::size_t longest_source = 200'000; // bytes
-// At rest a picture is refined to the mean of so many, as in the player.
+// A picture at rest is refined to the mean of so many samples, as in the player.
 constexpr int fewest_samples = 16;
 
 std::string name_of(Role role) {
@@ -219,7 +219,8 @@ Json markers_of(const scene::Scene& scene, const PageOptions& options) {
     const auto found = player::read_topology_markers(scene, player::timeline_path(scene));
     if (!found.refusal.empty() && options.warn) options.warn(found.refusal);
     for (const player::TimelineMarker& marker : found.markers) {
-        // What a page's shaders draw is another arithmetic: it says what was found, not how surely.
+        // A page's shaders draw in another arithmetic, so the label says what was found and not how
+        // surely.
         std::string label = marker.label;
         if (const auto note = label.find(" (not proved)"); note != label.npos)
             label.erase(note, std::string_view(" (not proved)").size());

@@ -43,8 +43,8 @@ public:
     std::vector<Place> places;
 };
 
-// What rays depend on: web/rays.js makes the block Frame of it, for the camera of whoever looks.
-// What all surfaces share:
+// Adds what the rays of all surfaces depend on: web/rays.js makes the block Frame of it, for the
+// camera of whoever looks.
 void add_camera(Row& row, const scene::SceneAt& now) {
     row.add("position", now.camera.position);
     row.add("target", now.camera.target);
@@ -59,7 +59,7 @@ void add_camera(Row& row, const scene::SceneAt& now) {
     row.add("lightRadius", std::span<const double>(radii));
 }
 
-// And what is of one.
+// Adds the values that are one surface's own.
 void add_surface(Row& row, const scene::SceneAt& now, double element_radius) {
     row.add("translate", now.placement.translate);
     row.add("rotate", now.placement.rotate);
@@ -119,7 +119,7 @@ public:
         : web_(web) {
         if (const auto array = synthesis::array_with_grid(web.passes))
             maker_ = elements::GridMaker::of(*web.scene.surface.field, *array);
-        // Rows of a texture of 1024 x 2048 hold as many, which every WebGL2 has.
+        // A texture of 1024 x 2048, which every WebGL2 has, holds as many.
         limits_.listed = 1 << 21;
         limits_.threads = int(std::max(1u, std::thread::hardware_concurrency()));
     }
@@ -203,7 +203,7 @@ double bytes_of(const SurfaceValues& values, std::size_t rows) {
     return 4.0 * double(columns) * double(rows) + double(values.grids.size());
 }
 
-// Columns that move go on moving: what is too much is so after few rows.
+// Columns that move go on moving: a few rows show whether there is too much.
 void expect_little_data(const scene::Scene& scene, const FrameValues& values, std::size_t rows) {
     double bytes = bytes_of(values, rows);
     for (const SurfaceValues& other : values.others) bytes += bytes_of(other, rows);

@@ -18,7 +18,7 @@ struct Place {
     int count = 1;
 };
 
-// Of one surface.
+// The tables of one surface.
 struct SurfaceValues {
     // One row for each moment of each frame:
     // Doubles, in the order of `view_places`: the camera is in the first surface's alone.

@@ -19,7 +19,7 @@
 
 namespace isomotion::page {
 
-// `elements`: of the array.
+// `elements`: the number of the array's elements.
 void pack(const elements::ElementGrid& grid, int elements, std::vector<std::byte>& into);
 
 } // namespace isomotion::page

@@ -12,7 +12,7 @@
 namespace isomotion::page {
 namespace {
 
-// In an order in which what runs at once comes last.
+// The scripts, in an order in which what runs at once comes last.
 constexpr const char* scripts[] = {
     "vectors.js",  "grid.js",         "data.js",    "rays.js",  "orbit.js", "lights.js",
     "playback.js", "rules.js",        "address.js", "look.js",  "gl.js",    "passes.js",

@@ -26,7 +26,7 @@ std::vector<std::size_t> fields_in_order(const scene::Scene& scene, std::size_t 
 // A field's place among those that the shaders read, or -1.
 int slot_of(const scene::Scene& scene, std::size_t array, std::size_t field);
 
-// Of a track that is an expression, as below.
+// The program of a track that is an expression, in the form below.
 nlohmann::ordered_json program_of_track(const animation::Animation& animation, int track);
 
 // {"seed": decimal text, "tracks": [[place, program]], "bounds": [[number of the bounds, program]],

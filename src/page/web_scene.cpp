@@ -60,7 +60,7 @@ WebSurface web_surface(scene::Scene scene) {
     return web;
 }
 
-// What render::plan_surfaces() does.
+// Makes surfaces agree as render::plan_surfaces() does.
 void agree(WebScene& web) {
     std::vector<synthesis::Passes*> passes{&web.passes};
     render::MarchPlan& plan = web.plan.march;

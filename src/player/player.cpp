@@ -44,9 +44,9 @@ constexpr double processes_every = 0.2; // and at processes that run
 constexpr double progress_every = 0.1;
 // A scene that has the driver reset as soon as it is drawn is not drawn once more.
 constexpr auto lives_at_least = std::chrono::seconds(2);
-// While pictures are drawn, widgets are drawn so often: as events come, and else. Both are
-// seldomer, the latter down to `least_widgets`, where widgets would take more than these parts of
-// the time.
+// While pictures are drawn, widgets are drawn at these intervals: as events come, and otherwise.
+// Both intervals grow, the latter to `least_widgets` at most, where widgets would take more than
+// the parts of the time below.
 constexpr double answers_every = 1.0 / 30, widgets_every = 0.1, least_widgets = 0.5;
 constexpr double part_of_answers = 0.3, part_of_widgets = 0.1;
 constexpr double newest = 0.2; // of a mean over draws
@@ -78,7 +78,7 @@ public:
     }
     ~Player() { remember(); }
 
-    // Until the window is closed. Throws gpu::ContextLost.
+    // Runs until the window is closed. Throws gpu::ContextLost.
     void run() {
         while (!window_.closing()) {
             window_.wait(sleep());
@@ -473,8 +473,8 @@ private:
         ImGui::End();
     }
 
-    // Of the picture shown, and as its camera saw it. With other parameters the events would be
-    // others.
+    // Rings mark the events in the picture shown, as its camera saw them. With other parameters
+    // there would be other events.
     void show_rings() {
         const std::optional<Shown>& shown = area_.shown();
         if (!rings_ || !shown || !shown->now || !scene_->session.look().overrides.empty()) return;
@@ -492,7 +492,7 @@ private:
         std::optional<Command> wish;
         view_section(look, session.scene(), area_.shown());
         if (const auto at = scene_now()) wish = camera_section(look, at->camera);
-        // Above what may be long.
+        // This section comes before those that may be long.
         export_.show(*scene_, frame(), size_);
         parameter_section(look, session, session.overridden().timeline.values(frame()));
         method_section(look, session.scene());
@@ -545,7 +545,7 @@ private:
     bool skipped_ = false; // what came since has not been drawn
 };
 
-// With the frames asked for; a scene that has fewer gets more.
+// Opens the scene with the frames asked for; a scene that has fewer gets more.
 std::unique_ptr<LiveScene> opened(const PlayOptions& options) {
     auto scene = std::make_unique<LiveScene>(options.scene, options.overrides, options.reach);
     if (!options.frames) return scene;

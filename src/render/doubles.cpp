@@ -27,7 +27,7 @@ constexpr int side = 64;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// That a constant of a formula is written as.
+// Literals as constants of a formula are written.
 constexpr std::array literals{0.1,
                               1.0 / 3,
                               0x1.fffffffffffffp-1,

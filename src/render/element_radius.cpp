@@ -94,7 +94,7 @@ double radius_around(Alone<double>& alone, const std::array<double, 3>& place, d
         return std::abs(alone.change(at)) >= enough;
     };
     double radius = narrowest * bounds;
-    // To the nearest side of all, in steps of an eighth.
+    // The radius goes to the nearest side of all, in steps of an eighth.
     for (; radius < widest * bounds; radius *= 1.125) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (!reaches(axis, radius) || !reaches(axis, -radius)) return radius;

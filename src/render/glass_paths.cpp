@@ -38,7 +38,7 @@ void GlassPaths::trace(PassTable& table, const RayMarcher& marcher, const gpu::R
     table.draw(first, tile, kept_);
     table.bind_numbered("glass_texture", kept_);
     for (int left = depth_ - 1; left >= 0 && any_goes_on(table, tile); --left) {
-        // What counts active rays is masked as they are: states elsewhere are older.
+        // Active rays are counted under the same mask: states elsewhere are older.
         mask_.apply(rays_.even,
                     [&] { marcher.march(table, Role::glass, tile, rays_, gone_on_, draws); });
         const gpu::Program& next = table.program(Role::glass_next);

@@ -59,7 +59,7 @@ void LightPaths::bind(SurfacePasses& one, const gpu::Target& ends,
     one.table.bind("beyond_texture", beyond_.texture(0));
 }
 
-// Paths that end at once, of pixels where none begins, have the eye's light alone.
+// Pixels where no path begins get a path that ends at once, with the eye's light alone.
 void LightPaths::begin(const gpu::Target& eye_ends, const gpu::Rectangle& tile,
                        const gpu::Texture* environment) {
     kept_.clear(0);
@@ -114,7 +114,7 @@ void LightPaths::find_ends(const gpu::Rectangle& tile, int& draws) {
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
         bind(one, ends_.last(), nullptr);
-        // What counts active rays is masked as they are: states elsewhere are older.
+        // Active rays are counted under the same mask: states elsewhere are older.
         mask_.apply(rays_[k].even, [&] {
             one.marcher.march(one.table, Role::glass, tile, rays_[k], gone_on_, draws, &open_);
         });

@@ -35,7 +35,7 @@ public:
     // Then the mask has these pixels, for targets that it serves.
     const gpu::Target& draw_ends(const gpu::Rectangle& tile);
     const gpu::DepthMask& mask() const { return mask_; }
-    // Served by it, for pixels that nothing reads.
+    // A target that the mask serves, for pixels that nothing reads.
     const gpu::Target& spare() const { return gone_on_; }
 
 private:

@@ -28,9 +28,9 @@ struct OpenSquares {
     }
 };
 
-// Of these areas, which are whole squares but at the picture's edges, the squares with a pixel for
-// which `is_open` is true of the first of its four numbers. `texels` has these area by area, each
-// row by row.
+// Finds the squares that have a pixel for which `is_open` is true of the first of its four numbers.
+// The areas are rows of whole squares, except at the picture's edges. `texels` has the numbers area
+// by area, each row by row.
 template<class IsOpen>
 OpenSquares open_squares(std::span<const gpu::Rectangle> areas, std::span<const float> texels,
                          const IsOpen& is_open) {

@@ -23,7 +23,7 @@ inline constexpr std::array<std::string_view, 7> proof_names{
     "not looked at", "hit", "miss", "may be hidden", "sign undecided", "budget", "unbounded"};
 using ProofCounts = std::array<std::int64_t, proof_names.size()>; // of pixels, by Proof
 
-// Of outcomes of four numbers each, the first of which is a Proof.
+// Counts outcomes of four numbers each, the first of which is a Proof.
 ProofCounts count_proofs(std::span<const float> record);
 constexpr bool is_proved(Proof proof) { return proof == Proof::hit || proof == Proof::miss; }
 double proved_part(const ProofCounts& counts); // 0 to 1

@@ -8,8 +8,8 @@
 namespace isomotion::render {
 namespace {
 
-// How many times the rounding of points and directions (scene/ray_rounding.h) a proof's boxes are
-// wider than its own ray.
+// By how many times the rounding of points and directions (scene/ray_rounding.h) a proof's boxes
+// are wider than its own ray.
 struct Roundings {
     double points, directions;
 };

@@ -46,7 +46,7 @@ formula::Cost cost_that_fits(const formula::Cost& piece) {
     return piece;
 }
 
-// That one draw may bound on each of so many rays.
+// The pieces that one draw may bound on each of so many rays.
 int pieces_of_draw(const formula::Cost& piece, double rays) {
     const double by_loops = loop_iterations_per_pass / (1 + piece.iterations);
     const double by_work = operations_per_draw / (rays * (piece.operations + 100));

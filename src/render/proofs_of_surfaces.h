@@ -22,7 +22,7 @@ public:
     // `all` must outlive it.
     ProofsOfSurfaces(std::vector<SurfacePasses*> all, bool in_doubles);
 
-    // As Proofs::prove, of all surfaces; `record` must not be empty.
+    // Does for all surfaces what Proofs::prove does; `record` must not be empty.
     ProofCounts prove(const PictureInputs& inputs, const gpu::Target& picture,
                       const gpu::Rectangle& tile, std::span<float> record);
 

@@ -192,7 +192,7 @@ struct Renderer::Parts {
             surfaces[k]->upload(inputs.others[k - 1], options.width, options.height);
     }
 
-    // Inputs are of pictures of one size.
+    // Inputs must be for pictures of this size.
     void expect_own_size(const PictureInputs& inputs) const {
         if (inputs.width == options.width && inputs.height == options.height) return;
         throw std::logic_error(fmt::format("inputs of {} x {} pixels for a picture of {} x {}",
@@ -362,7 +362,7 @@ struct Renderer::Parts {
         }
     }
 
-    // Of several surfaces each pixel has the velocity of the one that is seen there.
+    // Where there are several surfaces, a pixel has the velocity of the one that is seen there.
     void draw_velocities(const PictureInputs& inputs, const gpu::Rectangle& tile,
                          image::Frame& drawn) {
         const std::vector<int> seen = several->seen(tile);
@@ -380,9 +380,9 @@ struct Renderer::Parts {
 
     // ----- pictures on their way
 
-    // Pictures that one draw is enough for may be asked for before the one before is taken: they
-    // come by way of the driver's pixel buffers, and the next is drawn meanwhile. Software
-    // renderers, which draw with the processors that read back, gain and lose nothing by it.
+    // A picture that takes one draw may be asked for before the last one is taken: it comes by way
+    // of the driver's pixel buffers, and the next is drawn meanwhile. Software renderers, which
+    // draw with the processors that read back, gain and lose nothing by it.
     bool overlaps() const {
         return one_draw && !proofs && options.width <= plan.march.tile_width &&
                options.height <= plan.march.tile_height;
@@ -518,8 +518,8 @@ void Renderer::resize(int width, int height) {
 
 namespace {
 
-// One surface's settings after the first one's have changed: what are lengths or values of each
-// surface's own changes by the same factor, what has not changed stays.
+// The settings of one surface after those of the first one have changed. Lengths and values of each
+// surface's own change by the same factor; what has not changed stays.
 scene::Isolation changed_alike(scene::Isolation other, const scene::Isolation& before,
                                const scene::Isolation& now) {
     for (auto number : {&scene::Isolation::step, &scene::Isolation::near, &scene::Isolation::far,

@@ -34,8 +34,8 @@ public:
         }
     }
 
-    // About 0 instead of in [0, 1): the sequence begins with 0 and is periodic for all that
-    // matters.
+    // The number about 0 instead of in [0, 1): the sequence begins with 0 and is periodic for all
+    // that matters.
     double centred(std::uint32_t index) const {
         std::uint32_t sum = 0;
         for (unsigned k = 0; index >> k; ++k) {

@@ -12,10 +12,10 @@
 namespace isomotion::render {
 namespace {
 
-// Elements that a list of those that matter in a beam is reckoned with; rays with longer ones take
-// more passes.
+// A list of the elements that matter in a beam is reckoned with so many; rays with longer lists
+// take more passes.
 constexpr int usual_list = 16;
-// And one of a cell of a grid.
+// A list of a cell of a grid is reckoned with so many elements.
 constexpr int usual_list_of_a_cell = 32;
 
 // Part of the loops of a draw for what is gone through beside lists.
@@ -72,8 +72,8 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
                       const std::vector<int>& counts) {
     const formula::Field& field = *scene.surface.field;
     if (passes.has(synthesis::Role::surface)) {
-        // Up to eight samples at the end of a ray (shaders/effects/end_of_ray.glsl) and five of
-        // its surroundings, each in one draw.
+        // Occlusion takes up to eight samples at the end of a ray (shaders/effects/end_of_ray.glsl)
+        // and five of its surroundings, each in one draw.
         const double occlusion = passes.has(synthesis::Role::occlusion)
                                      ? 5 * loops_of(field.gradient, counts)
                                      : 0.0; // of several surfaces: six values and five gradients

@@ -15,7 +15,8 @@ int textures_of_ends(const scene::Scene& scene) {
     return kept_textures + int(synthesis::follows_paths(scene));
 }
 
-// From the eye along the camera's axis to the plane where t is 0, in formula coordinates.
+// The distance from the eye along the camera's axis to the plane where t is 0, in formula
+// coordinates.
 double depth_of(const scene::Rays& rays) {
     return glm::dot(rays.axis, glm::normalize(glm::cross(rays.up, rays.right)));
 }

@@ -52,9 +52,8 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     // ones.
     const auto finest = [&](double part) { return std::max(part * footprint, spacing); };
     block.limits = glm::dvec4(isolation.bisections, isolation.limit, finest(0x1p-13), eighth);
-    // The longest step is what waves of F may not hide in when they end before and begin after it:
-    // steps of half an element's radius lose some 10 pixels in a million of blobby75, those of a
-    // whole one a thousand, and take as long.
+    // No wave of F may hide within the longest step: steps of half an element's radius lose some 10
+    // pixels in a million of blobby75, those of a whole one a thousand, and take as long.
     block.cubics = glm::dvec4(isolation.safety, std::min(eighth, 0.5 * element_radius), spacing,
                               finest(0x1p-10));
     return block;

@@ -29,10 +29,10 @@ struct SectionAt {
     bool operator==(const SectionAt&) const = default;
 };
 
-// From world to formula coordinates.
+// Moves a section from world to formula coordinates.
 SectionAt in_formula_coordinates(const SectionAt& section, const PlacementAt& placement);
 
-// In the layout of the uniform `sections` of shaders/section/sections.glsl.
+// The sections in the layout of the uniform `sections` of shaders/section/sections.glsl.
 std::vector<glm::vec4> packed(std::span<const SectionAt> sections);
 
 // A longest part of a line anchor + t direction (unit length) that no section takes away. The cuts

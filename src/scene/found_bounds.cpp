@@ -145,7 +145,8 @@ bool reaches_out(const Box& box) {
            glm::any(glm::greaterThanEqual(box.high, everywhere.high));
 }
 
-// Closer about what is small, a few times. None where work ended before boxes kept off the reach.
+// Looks closer about what is small, a few times. None where work ended before boxes kept off the
+// reach.
 std::optional<std::vector<Box>> boxes_of(const formula::Program& program, const Values& values,
                                          double operations) {
     constexpr int levels = 6, turns = 6;
@@ -167,7 +168,7 @@ std::optional<std::vector<Box>> boxes_of(const formula::Program& program, const 
     return boxes;
 }
 
-// Numbers that a person would write, of a ball no smaller.
+// A radius that a person would write, and no smaller one.
 double rounded_up(double radius) {
     const double unit = std::pow(10.0, std::floor(std::log10(radius)) - 1);
     return std::ceil(radius / unit) * unit;

@@ -49,7 +49,7 @@ Rays rays(const SceneAt& scene, int width, int height, const Aim& aim) {
         const glm::dvec3 place =
             0.5 * scene.camera.aperture / scale *
             (aim.lens.x * glm::normalize(still.right) + aim.lens.y * glm::normalize(still.up));
-        // What was straight ahead now lies beside the lens' point; by how much, falls from all of
+        // What was straight ahead now lies beside the lens' point. How far beside falls from all of
         // it at the eye to nothing in focus.
         const double beyond = glm::length(still.axis) * scale / scene.camera.focus;
         moved.origin += (1 - beyond) * place;

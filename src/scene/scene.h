@@ -114,8 +114,8 @@ struct Light {
     bool shadow = false;
     bool headlight = false; // the default without lights: over the viewer's shoulder
     bool with_camera = false;
-    // Of the disc that faces the surface: degrees as seen from there; for a point light world
-    // units.
+    // The radius of the disc that faces the surface: in degrees as seen from there, or for a point
+    // light in world units.
     std::optional<TrackId> radius;
 };
 

@@ -23,7 +23,7 @@ Ball ball_about(const SceneAt& now) {
     return {now.placement.to_world(now.bounds.centre), now.bounds.radius * now.placement.scale};
 }
 
-// About the bounds of all surfaces.
+// A ball about the bounds of all surfaces.
 Ball ball_about_all(const SceneAt& now) {
     Ball ball = ball_about(now);
     if (now.others.empty()) return ball;
@@ -210,7 +210,7 @@ public:
     glm::dvec2 range(const Paint& paint) const {
         if (paint.shown) return {paint.shown->least, paint.shown->most};
         const glm::dvec2 ends(number(paint.low), number(paint.high));
-        // As floats: a shader divides by their difference.
+        // The ends are compared as floats: a shader divides by their difference.
         if (float(ends.x) == float(ends.y)) {
             const std::string& low = name(paint.low);
             fail(low.substr(0, low.rfind('.')),
@@ -348,7 +348,7 @@ private:
                std::sin(e) * pole;
     }
 
-    // What is `v` to the viewer's right, up and back, in world coordinates.
+    // The vector, in world coordinates, that is `v` to the viewer's right, up and back.
     static glm::dvec3 of_viewer(const CameraAt& camera, const glm::dvec3& v) {
         const glm::dvec3 back = glm::normalize(camera.position - camera.target);
         glm::dvec3 right = glm::cross(camera.up, back);

@@ -163,7 +163,7 @@ private:
                                                                    : std::nullopt;
     }
 
-    // At the ends of equal parts of the way from `low` to `high`.
+    // Values at the ends of equal parts of the way from `low` to `high`.
     std::vector<double> values(const Way& way, double low, double high, int parts) {
         std::array<std::vector<double>, 3> places;
         for (int k = 0; k <= parts; ++k) {

@@ -32,7 +32,7 @@ BoundsAt enlarged(BoundsAt bounds, double factor) {
     return bounds;
 }
 
-// Evenly over the faces, the k-th of a sequence.
+// The k-th place of a sequence that covers the faces evenly.
 glm::dvec3 on_faces(const BoundsAt& bounds, int k) {
     const double u = halton(k, 2), v = halton(k, 3);
     if (bounds.shape == Bounds::Shape::sphere) {
@@ -129,7 +129,8 @@ Sight sight(const Scene& scene, const SceneAt& now) {
         if (f < found.least) found.least = f;
         if (f > found.most) found.most = f;
     };
-    // The part of faces where F is below 0, of those where it has a value, if it has one at any.
+    // The part of places on faces where F is below 0, among those where it has a value; nothing if
+    // it has one at none.
     const auto below_0 = [&](const BoundsAt& bounds, auto&& take) -> std::optional<double> {
         int below = 0, known = 0;
         std::vector<glm::dvec3> places;

@@ -20,7 +20,7 @@ struct Sample {
     double distance() const { return std::abs(value) / slope; } // to the surface, to first order
 };
 
-// At points of the bounds, by arithmetic of T.
+// Samples of F at points of the bounds, by arithmetic of T.
 template<class T>
 std::vector<Sample> samples_of(const formula::Field& field, const SceneAt& scene) {
     // A large sum makes each sample dear; the median needs few.
@@ -83,7 +83,7 @@ Thresholds field_thresholds(double slope, double step) {
 }
 
 double field_scale(const formula::Field& field, const SceneAt& scene) {
-    // By floats, which are cut off at 10^30 where doubles go on.
+    // The slope is taken by floats, which are cut off at 10^30 where doubles go on.
     double slope = slope_near_surface(samples_of<float>(field, scene));
     if (slope == 0) slope = field_slope(field, scene);
     if (slope == 0) return 1;

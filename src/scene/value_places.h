@@ -6,11 +6,12 @@
 
 namespace isomotion::scene {
 
-// By the names of tracks ("camera.fov") and of arrays' fields ("blobs.cx").
+// Places by the names of tracks ("camera.fov") and of arrays' fields ("blobs.cx").
 template<class Place> using PlacesByName = std::map<std::string, Place>;
 
-// The place of a value and what its name has beyond the key there: of one element ("blobs.cx[2]")
-// the field's, of a vector or range its first number's. Null if the file states none.
+// The place of a value, and the part of its name beyond the key there. For one element
+// ("blobs.cx[2]") it is the field's place, for a vector or a range its first number's. Null if the
+// file states none.
 template<class Place> struct PlaceOfValue {
     const Place* place = nullptr;
     std::string key; // of the file, as far as the value's name tells more than the place

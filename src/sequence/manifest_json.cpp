@@ -37,7 +37,7 @@ public:
         for (const auto& [name, number] : numbers) all[name] = number;
         json_[key] = std::move(all);
     }
-    // As {"miss": 3, "hit": 4}.
+    // Counts by their names: {"miss": 3, "hit": 4}.
     template<class Counts, class Names>
     void counts(const char* key, const Counts& counts, const Names& names) {
         Json all = Json::object();

@@ -67,7 +67,8 @@ void SequenceWriter::write(Job job) const {
     const std::filesystem::path file = name_.path(job.frame);
     const image::Encoded encoded = image::encode_with_hash(job.image, format_);
     job.image = {}; // its memory is free for the next frame while this one goes to the disk
-    // A pipe or a device may be a lone picture's; in the place of one of many it would swallow it.
+    // A lone picture may go into a pipe or a device. In the place of one of many, a pipe would
+    // swallow the picture.
     if (name_.holds_many()) {
         base::PartialFile partial(file);
         partial.write(encoded.bytes);

@@ -22,10 +22,10 @@
 namespace isomotion::synthesis {
 namespace {
 
-// From so many elements on a grid finds those that matter faster than beams do.
+// With more elements than these, a grid finds those that matter faster than beams do.
 constexpr int most_by_lists = 500;
-// And where beams keep neither lists nor bits, in GLSL ES; from so many on a grid is faster than
-// beams that go through all.
+// The same in GLSL ES where beams keep neither lists nor bits: with more elements than these, a
+// grid is faster than beams that go through all.
 constexpr int most_in_beams_of_a_page = 24;
 
 // Whether rays ask for bounds of F over pieces of them.
@@ -101,7 +101,8 @@ bool pays_in(Stage stage, const scene::Scene& scene, bool makes_lists) {
     return stage == Stage::fragment || makes_lists || scene.isolation.beam.value_or(false);
 }
 
-// So long that compiling it shows: some 0.2 s on a software renderer, and growing with its length.
+// Whether a gradient is so long that compiling it is felt: some 0.2 s on a software renderer,
+// growing with its length.
 bool is_long(const formula::Program& gradient) { return gradient.instructions.size() > 1000; }
 
 } // namespace

@@ -22,8 +22,8 @@ bool is_last(const Passes& passes, int level) { return level + 1 == int(passes.b
 // lists lie in one texture, and WebGL2 promises 2048 rows.
 int slots(const Passes& passes, int level) {
     const int texels = passes.arrays[0].texels;
-    const int of_a_front = std::max(8 / texels, 1) * columns;
-    const int of_a_middle = std::max(16 / texels, 1) * columns;
+    const int of_a_front = std::max(4 / texels, 1) * columns;
+    const int of_a_middle = std::max(8 / texels, 1) * columns;
     const int all = (passes.arrays[0].capacity / columns + 1) * columns;
     if (level == 0) return all;
     return std::min(all, is_last(passes, level) ? of_a_front : of_a_middle);
@@ -45,7 +45,7 @@ void add_places(ShaderText& text, const Passes& passes) {
     text.file("march/copies.glsl");
 }
 
-// And those of the beams that a level's lie in.
+// Adds the places of the larger beams that this level's beams lie in.
 void add_larger(ShaderText& text, const Passes& passes, int level) {
     assert(level == 1 || level == 2);
     add_places(text, passes);

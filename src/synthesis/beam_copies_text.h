@@ -25,13 +25,13 @@ FieldStorage through_copies(const FieldStorage& storage);
 // The storage for the beams of a level and their lists: those of the first go through all elements.
 FieldStorage storage_at_level(const FieldStorage& storage, int level);
 
-// What a level of beams writes its bits by.
+// Adds what a level of beams writes its bits with.
 void add_masks(ShaderText& text, const FieldStorage& storage);
 
-// What the beams of a later level read.
+// Adds what the beams of a later level read.
 void add_copies_of_parent(ShaderText& text, const Passes& passes, int level);
 
-// What rays read.
+// Adds what rays read.
 void add_copies_of_ray(ShaderText& text, const Passes& passes);
 
 // Copies the elements that the bits of a level tell.

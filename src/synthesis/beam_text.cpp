@@ -20,7 +20,7 @@ constexpr int most_terms = 10'000;
 // The first beams all go through all elements.
 constexpr int most_terms_at_first = 20'000;
 
-// That a beam's way is bounded in, to make its lists.
+// The pieces that a beam's way is bounded in to make its lists.
 int pieces_of(const BeamLevel& beam) { return beam.lists == BeamLists::whole ? 10 : 6; }
 
 // What lists of elements need: the bound of F, and of what an element adds to its sum.
@@ -35,7 +35,7 @@ void add_bounds_of_sum(ShaderText& text, const formula::Field& field, const Fiel
               true);
 }
 
-// Around pieces of beams within those of `parent`, if it is not null.
+// Adds boxes around pieces of beams, within those of `parent` if it is not null.
 void add_boxes(ShaderText& text, const scene::Scene& scene, const Passes& passes,
                const BeamLevel* parent) {
     text.generated("generated: least and most tau, the shortest piece; rounding, a length",
@@ -171,7 +171,7 @@ std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest) {
     if (!has_lists(storage)) return {{finest, none, 1, bits}};
     // Fewer programs: a page shows its first picture when all are compiled. Beams of 16 pixels that
     // go through more elements than these take longer than two levels.
-    if (has_copies(storage) && storage.arrays[0].capacity <= 128)
+    if (has_copies(storage) && storage.arrays[0].capacity <= 32)
         return {{16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
     return {{64, whole, 0.3, 2}, {16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
 }

@@ -10,7 +10,7 @@ namespace {
 // g(1) = 1: the last sample is at the very end.
 constexpr double a = 1.570628, b = -0.643258, c = 1 - a - b;
 
-// Of B_i of `degree` at y.
+// The Bernstein polynomial B_i of `degree` at y.
 double bernstein(int degree, int i, double y) {
     double binomial = 1;
     for (int k = 0; k < i; ++k) binomial = binomial * (degree - k) / (k + 1);

@@ -33,7 +33,7 @@ const std::array table{
     EffectTraits{Effect::point_lights, "point-lights", "lights.position: lights at a place",
                  [](const Scene& s) { return any_light(s, &Light::is_point); },
                  [](Scene& s) {
-                     // As many lights, from over the viewer's shoulder.
+                     // There are as many lights without it, but from over the viewer's shoulder.
                      for (Light& light : s.lights) {
                          light.headlight |= light.is_point;
                          light.is_point = false;
@@ -64,7 +64,8 @@ const std::array table{
                  [](Scene& s) { s.material.paint.reset(); }, false, "", "",
                  [](const Scene& s, const SceneAt& now, Uniforms& to) {
                      to.push_back({"paint_range", glm::vec2(now.paint_range)});
-                     // Where it is not asked for, it would tell still frames apart.
+                     // The time is given only where it is asked for: it would tell still frames
+                     // apart.
                      if (s.material.paint->value->uses("t")) {
                          to.push_back({"paint_time", float(now.time)});
                      }

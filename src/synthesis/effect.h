@@ -62,9 +62,9 @@ inline std::string_view name(Effect effect) { return traits(effect).name; }
 std::vector<Effect> effects(const scene::Scene& scene);
 // The scene without the effect.
 scene::Scene without(Effect effect, scene::Scene scene);
-// Whether any that it calls for needs where rays ended.
+// Whether an effect that the scene calls for needs the ends of rays.
 bool calls_for_ends(const scene::Scene& scene);
-// And whether passes may: several surfaces need it, too.
+// Whether passes may need the ends of rays: several surfaces need them, too.
 bool keeps_surfaces(const scene::Scene& scene);
 // The plain uniforms of the scene's effects.
 Uniforms effect_uniforms(const scene::Scene& scene, const scene::SceneAt& now);

@@ -229,7 +229,7 @@ void define_grid_limits(ShaderText& text, const formula::Field& field, const Fie
     text.define("MOST_ELEMENTS", int(0.075 * loop_iterations_per_pass / loops));
 }
 
-// What lists leave out, of each own sum: so many times the grid's bound, as intervals.
+// What lists leave out of each own sum: so many times the grid's bound, as intervals.
 std::string declared_rest(const FieldStorage& storage) {
     const auto a = array_with_grid(storage);
     if (!a) return "";

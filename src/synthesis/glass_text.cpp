@@ -19,7 +19,7 @@ void add_far_away(ShaderText& text, const scene::Scene& scene) {
         text.file("effects/environment.glsl");
     }
     text.file(sky_file(scene));
-    // Mirrored is the map, also where another background is seen.
+    // The map is mirrored, also where another background is seen.
     const char* around = scene.environment ? "environment(direction)" : "sky(direction).rgb";
     const char* behind = scene.output.transparent ? around : "sky(direction).rgb";
     text.generated("generated: what is far away, mirrored and behind glass",

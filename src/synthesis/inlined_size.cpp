@@ -69,8 +69,8 @@ std::map<std::string_view, Function> functions_of(std::string_view shader) {
     return functions;
 }
 
-// How much of a function is left to compile, as fits the times of Mesa. Of bounds drivers throw
-// away ends whose signs they know; of sines and cosines operations on integers are cheap.
+// How much of a function is left to compile, as fits the times of Mesa. Drivers throw away ends of
+// bounds whose signs they know, and a part of sines and cosines is cheap operations on integers.
 double part_left(std::string_view name) {
     if (name == "im_sin_cos") return 0.4;
     const bool bounds = name.ends_with("_interval") || name.ends_with("_rough");

@@ -14,7 +14,7 @@
 
 namespace isomotion::synthesis {
 
-// Where matter begins or ends at the bounds of a surface, its path's ray goes on: so often.
+// How often a path's ray goes on where matter begins or ends at the bounds of a surface.
 inline constexpr int most_crossings = 32;
 
 // Whether any surface among several is of glass. Then mirrored rays are rays of paths, too.

@@ -69,9 +69,9 @@ void add_by_place(ShaderText& text, const Passes& passes) {
     text.file("proof/by_place.glsl");
 }
 
-// In doubles, where rounding no longer hides it, and where there are such bounds. Not where
-// elements are found by place: slopes of two lists differ by those of what either leaves out, which
-// have no bound.
+// Second derivatives are taken in doubles, where rounding no longer hides their gain, and where
+// there are such bounds. They are not taken where elements are found by place: slopes of two lists
+// differ by those of what either leaves out, which have no bound.
 bool takes_hessian(const formula::Field& field, const FieldStorage& storage, ProofBounds bounds) {
     return bounds == ProofBounds::in_doubles && !array_with_grid(storage) &&
            formula::hessian_program(field);
@@ -90,7 +90,8 @@ void add_inside_bounds(ShaderText& text, const scene::Scene& scene) {
     text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");
 }
 
-// What its proof begins with: the part it is of, the boxes around it, what F can be in one.
+// Adds what a ray's proof begins with: the part it is of, the boxes around it, what F can be in
+// one.
 void add_proof(ShaderText& text, const scene::Scene& scene, const Passes& passes,
                ProofBounds bounds) {
     add_ended_ray(text, scene);

@@ -174,12 +174,18 @@ Pass fused_pass(const scene::Scene& scene, const Passes& passes) {
 
 Pass mask_pass(const scene::Scene& scene, const Passes& passes) {
     ShaderText text;
-    text.file("math/bits.glsl");
-    add_ray(text, scene);
-    begin_entrance(text, scene, Origin::eye);
-    add_way(text, passes, !passes.beams.empty());
-    end_entrance(text, scene, Origin::eye, Draws::one);
-    text.file("march/mask.frag");
+    const bool by_beams = !passes.beams.empty();
+    if (by_beams && !is_among(scene)) {
+        define_blocks(text, passes.beams.back());
+        text.file("march/mask_of_blocks.frag");
+    } else {
+        text.file("math/bits.glsl");
+        add_ray(text, scene);
+        begin_entrance(text, scene, Origin::eye);
+        add_way(text, passes, by_beams);
+        end_entrance(text, scene, Origin::eye, Draws::one);
+        text.file("march/mask.frag");
+    }
     return std::move(text).pass(Role::mask, "mask", When::once_a_tile);
 }
 

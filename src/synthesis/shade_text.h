@@ -9,7 +9,8 @@ namespace isomotion::synthesis {
 
 // Shading, Hit and the record of a pixel.
 void add_picture(ShaderText& text, const scene::Scene& scene, Draws draws = Draws::several);
-// surface_color(): that of the matter, and over it, each by what is below, what else there is.
+// surface_color(): the colour of the matter, and over it whatever else colours the surface, each
+// made from what is below it.
 void add_color(ShaderText& text, const scene::Scene& scene);
 // surface_gradient().
 void add_gradient(ShaderText& text, const scene::Scene& scene, const Passes& passes);

@@ -16,7 +16,8 @@ struct KernelFile {
 
 using KernelTable = std::vector<KernelFile>;
 
-// In an order in which every file comes after what it needs; each file's first line says the same.
+// The kernels, in an order in which every file comes after what it needs; each file's first line
+// says the same.
 const KernelTable& kernel_table() {
     static const KernelTable table{
         {"math/bits.glsl", {}, {}},

@@ -36,7 +36,7 @@ private:
     std::vector<scene::SectionAt> all_; // formula coordinates, rounded to float32
 };
 
-// As RootFinder::find() for rays without sections.
+// Does what RootFinder::find() does for rays without sections.
 void find_first(RootFinder& finder, const Sections& sections, std::span<const Tube> tubes,
                 std::span<FirstRoot> roots);
 

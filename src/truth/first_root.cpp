@@ -312,7 +312,7 @@ void RootFinder::refine(Lane& lane, const Interval& f) const {
     } else if (sign == -lane.sign) {
         lane.high = middle;
     }
-    // Too near zero to be told from it: the enclosure is as narrow as the tube allows.
+    // F is too near zero to be told from it, or the enclosure is as narrow as the tube allows.
     if (sign == 0 || lane.high - lane.low <= budget_.bracket * lane.tube.footprint) {
         lane.end_crossing(true);
     }
@@ -389,8 +389,8 @@ void RootFinder::end_run(Lane& lane, int sign) {
     lane.end_crossing(breaks(lane.tube, lane.low, lane.high).is_continuous);
 }
 
-// On to the end of a piece where F has no value: what was uncertain ends before it, and what sign F
-// had before tells nothing of after.
+// Goes on to the end of a piece where F has no value: what was uncertain ends before it, and what
+// sign F had before tells nothing of after.
 void RootFinder::pass_gap(Lane& lane, const Interval& at_b) const {
     const double b = lane.b();
     if (lane.in_run && lane.run_begin < lane.a) lane.touch(lane.run_begin, lane.a);

@@ -124,7 +124,7 @@ TEST_P(Proofs, LongSumsAreSummedToTheirEnd) {
     }
 }
 
-// Of a surface that hides and mirrors itself; the sign test draws the same.
+// The surface hides and mirrors itself; the sign test draws the same.
 TEST_P(Proofs, ShadowsAndMirrorsAreThoseOfTheSignTest) {
     const std::string scene = R"(
 [surface]

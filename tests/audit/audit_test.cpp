@@ -130,7 +130,7 @@ TEST_P(Audits, EveryKindOfFaultIsFound) {
     EXPECT_EQ(faults.size(), 3u);
 }
 
-// Of the sample that was drawn first, not of the pixel's middle.
+// The audit follows the ray of the sample that was drawn first, not that of the pixel's middle.
 TEST_P(Audits, OfPicturesOfSeveralSamples) {
     const scene::Scene scene = render::scene_of(std::string(body) + "samples = 4\n");
     const render::Picture picture = with_endings(scene, 1500);

@@ -131,7 +131,7 @@ TEST(CountsTable, HasNoStrangers) {
     }
 }
 
-// Of one kind each: nodes, a double line, cancellation, a polynomial of degree 14, no polynomial.
+// Surfaces of every kind: nodes, a double line, cancellation, a polynomial of degree 14, none.
 INSTANTIATE_TEST_SUITE_P(Bench, Counts,
                          testing::Values("ding_dong", "cayley", "torus", "steiner", "barth_sextic",
                                          "chmutov_14", "blobby", "diamond", "superquadric"),

@@ -104,12 +104,12 @@ def write_tables(folder):
         table.writelines(f"{1 + row // 999_999},{row * 7919 % 10_000_019},1\n" for row in range(9_999_990))
 
 
-# With the exit codes that are right.
+# The commands, with the exit codes that are right.
 COMMANDS = [(["show"], [0]), (["topology", "--certify", "off"], [0, 2])]
 
 
 def cost(words):
-    """Of all its threads: seconds, megabytes, exit code."""
+    """What a command costs with all its threads, in seconds and megabytes, and its exit code."""
     run = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     _, status, used = os.wait4(run.pid, 0)
     seconds = used.ru_utime + used.ru_stime

@@ -1,9 +1,9 @@
 // What proved frames of an animation cost, by how far its events are.
 //
-//     frames_bench SCENE TIMELINE
+//     frames_bench SCENE TIMELINE [EVERY]
 //
-// TIMELINE holds the events (isomotion topology SCENE -o TIMELINE), whose frames are proved. Times
-// are the processor's.
+// TIMELINE holds the events (isomotion topology SCENE -o TIMELINE), whose frames are proved; with
+// EVERY, each so manieth. Times are the processor's.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -31,7 +31,7 @@ double to_nearest(const Timeline& timeline, double time) {
 
 int main(int count, char** words) {
     if (count < 3) {
-        fmt::print(stderr, "usage: frames_bench SCENE TIMELINE\n");
+        fmt::print(stderr, "usage: frames_bench SCENE TIMELINE [EVERY]\n");
         return 2;
     }
     setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1);
@@ -40,7 +40,8 @@ int main(int count, char** words) {
     const MovingScene frames(scene, solid_side(scene), timeline.range);
     double sum = 0;
     int proved = 0, all = 0;
-    for (std::int64_t f = 1; f <= scene.timeline.frames; ++f) {
+    const int every = count > 3 ? std::max(1, std::atoi(words[3])) : 1;
+    for (std::int64_t f = 1; f <= scene.timeline.frames; f += every) {
         const double time = scene.timeline.time(f);
         if (!contains(timeline.range, time)) continue;
         const std::clock_t start = std::clock();

@@ -29,7 +29,7 @@ KINDS = {
 
 
 def places(count):
-    """Even in the ball of radius 1, by a seed of their own."""
+    """Places spread evenly in the ball of radius 1, by a seed of their own."""
     draw = random.Random(3)
     made = []
     while len(made) < count:

@@ -55,14 +55,14 @@ def run(program, *words):
 
 
 def processor_seconds(process):
-    """Of a process that runs: user's and system's."""
+    """The processor time of a process that runs, the user's and the system's together."""
     with open(f"/proc/{process}/stat") as stat:
         fields = stat.read().rsplit(")", 1)[1].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def drawing_process(of_browser):
-    """Of all that a browser started, the one that draws."""
+    """The process that draws, among all that a browser started."""
     parents = {}
     for entry in filter(str.isdigit, os.listdir("/proc")):
         try:
@@ -88,7 +88,7 @@ def of_children():
 
 
 def seconds_of_drawing(program, name, folder, side, last, first):
-    """By the clock, as it tells, and of processors, with all it does."""
+    """Seconds by the clock, as `render` tells them, and of processors, with all that it does."""
     before = of_children()
     told = run(program, "render", name, "--frames", f"{first}-{last}", "--size", f"{side}x{side}",
                "--audit", "off", "-o", os.path.join(folder, "r.####.png"), *ONE_PICTURE)

@@ -13,7 +13,7 @@
 
 namespace {
 
-// As OpenVDB asks for particles.
+// The particles in the form that OpenVDB asks for.
 struct Balls {
     using PosType = openvdb::Vec3R;
 

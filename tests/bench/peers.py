@@ -57,7 +57,7 @@ class Object:
     example: pathlib.Path | None
 
     def scene(self, size):
-        """isomotion's, the picture 2 radii high from the first pixel's middle to the last one's."""
+        """isomotion's scene; its picture is 2 radii high from the first pixel's middle to the last one's."""
         if self.example:
             return scene_of(self.example, size)
         return "\n".join(
@@ -87,7 +87,7 @@ def of_jsurf(name):
 
 
 def blobby75(isomotion):
-    """As the animation's poster has it, seen from the axis x."""
+    """The blobs as the animation's poster has them, seen from the axis x."""
     surface = tomllib.loads((ROOT / "animations/surfaces/blinn_blobby.toml").read_text())
     animation = tomllib.loads((ROOT / "animations/blobby75.toml").read_text())
     shown = subprocess.run([isomotion, "show", ROOT / "animations/blobby75.toml", "--frame",
@@ -176,7 +176,7 @@ def max_gradient(object, most_accurate, folder):
         differ, lonely = differences(right, hits(drawn))
         if best is None or (lonely, differ) < best[:2]:
             best = (lonely, differ, 2.0**doubling)
-        # Of the processor: what else the machine does must not end the search.
+        # The processor's time counts: what else the machine does must not end the search.
         work = sum(map(float, WORKED.findall(text)))
         if lonely == 0 or work > SEARCH_PATIENCE:
             break

@@ -49,7 +49,7 @@ void report(const std::string& name, double from, double to, int threads) {
     }
 }
 
-// Of all threads together.
+// Prints the processor time that all threads together take for each phase.
 void report_phases(const std::string& name, int threads) {
     const scene::Scene scene = scene::load(name);
     std::vector<std::pair<std::string, double>> began; // what, and at which second

@@ -86,7 +86,7 @@ TEST_P(CatalogueField, IsTheTranscribedFormula) {
     EXPECT_LT(*middle, 1e-8 * GetParam().span());
 }
 
-// Of n points a share q within five standard errors should lie below the q-quantile: a field of
+// A share q of n points, within five standard errors, should lie below the q-quantile: a field of
 // another scale or of other bounds moves that share by more.
 TEST_P(CatalogueField, HasTheRecordedValues) {
     constexpr int points = 8000;

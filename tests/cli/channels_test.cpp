@@ -54,7 +54,7 @@ TEST_F(Channels, OfAUnitSphere) {
         EXPECT_NEAR(length(frame, "P", k), 1, 1e-3) << k;
         EXPECT_GE(depth, 2.999f) << k;
         EXPECT_LE(depth, 4) << k;
-        // Of a sphere about the origin, the normal is the position.
+        // On a unit sphere about the origin, the normal is the position.
         for (const std::string axis : {".X", ".Y", ".Z"}) {
             EXPECT_NEAR(frame.find("N" + axis)->samples[k], frame.find("P" + axis)->samples[k],
                         2e-3);

@@ -64,7 +64,7 @@ TEST_F(Doctor, MeasuresArithmetic) {
         SCOPED_TRACE(found.at("name"));
         EXPECT_FALSE(found.at("renderer").get<std::string>().empty());
         EXPECT_GE(found.at("limits").at("texture_size"), 16384);
-        // Of hardware alone: software renderers take too long for it.
+        // The speed is measured of hardware alone: software renderers take too long for it.
         const double speed = found.at("operations_a_second").at("fragment").get<double>();
         EXPECT_EQ(speed == 0, found.at("software").get<bool>()) << found;
         const json& arithmetic = found.at("arithmetic");

@@ -54,7 +54,7 @@ std::vector<Block> blocks_of(const fs::path& file) {
 
 class DocumentCommands : public Cli {};
 
-// In the order of the document, in one folder a document.
+// Commands run in the order of the document, in a folder for each document.
 TEST_F(DocumentCommands, Work) {
     const std::string program = ISOMOTION_PROGRAM;
     int count = 0;
@@ -81,7 +81,7 @@ TEST_F(DocumentCommands, Work) {
     EXPECT_GE(count, 6);
 }
 
-// As GitHub makes them of headings.
+// The anchor that GitHub makes of a heading.
 std::string anchor(const std::string& heading) {
     std::string text;
     for (const char c : heading) {

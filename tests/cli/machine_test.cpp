@@ -81,7 +81,7 @@ TEST_F(Machine, ASmallStack) {
     }
 }
 
-// As a shell redirects: {0} stands for the command.
+// Redirections of a shell; {0} stands for the command.
 TEST_F(Machine, OutputsThatCannotBeWritten) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
     const auto shell = [this](const std::string& redirection, Words words) {
@@ -167,7 +167,7 @@ TEST_F(Machine, WhatIsWhereAManifestBelongs) {
     EXPECT_EQ(bytes("a.manifest/sequence.json"), "{\"precious\": 1}");
 }
 
-// As under some daemons: the kernel forgets how children end.
+// Some daemons start programs so that the kernel forgets how children end.
 TEST_F(Machine, EndsOfChildrenThatAParentIgnored) {
     const auto ignoring = [this](Words words) {
         Words all{"/bin/sh", "-c", R"(trap '' CHLD; exec "$0" "$@")",

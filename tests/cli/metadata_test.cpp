@@ -8,7 +8,7 @@ namespace {
 
 class Metadata : public Cli, public testing::WithParamInterface<std::string> {
 protected:
-    // As text, whatever the type the format keeps.
+    // The metadata as text, whatever types the format keeps.
     static std::string text(const image::Metadata& metadata, const std::string& name) {
         const image::Value* value = image::find(metadata, name);
         return value ? image::to_text(*value) : "(missing)";

@@ -34,7 +34,7 @@ TEST_F(NewUser, HelpBeginsWithAnExample) {
     EXPECT_EQ(run({"list", "help"}).out, run({"list", "--help"}).out);
 }
 
-// Those that need neither a display nor minutes.
+// The examples that need neither a display nor minutes.
 TEST_F(NewUser, TheExamplesOfHelpWork) {
     for (const app::Example& example : app::examples) {
         if (example.command == "play" || example.command == "submit") continue;
@@ -112,7 +112,7 @@ TEST_F(NewUser, AFormulaMovesForEveryCommand) {
     render({formula, "--frames", "1-3x2", "--size", "8x8", "-o", "a.##.png"});
 }
 
-// Without any of the signs that only formulas have.
+// These have none of the signs that only formulas have.
 TEST_F(NewUser, AFormulaIsKnownByItsWords) {
     for (const char* formula : {"2x", "x y z", "5z", "x - y", "x/2"})
         EXPECT_EQ(run({"show", formula}).code, 0) << formula;

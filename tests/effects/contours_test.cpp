@@ -38,7 +38,7 @@ double of_column(const std::vector<double>& part, int column) {
     return sum;
 }
 
-// Of each line across a column, but for those that the picture's edge cuts.
+// The width of each line across a column, except those that the picture's edge cuts.
 std::vector<double> widths_in_column(const std::vector<double>& part, int column) {
     std::vector<double> widths;
     double width = 0;
@@ -59,7 +59,7 @@ std::vector<double> widths_in_column(const std::vector<double>& part, int column
 const std::string flat = "projection = \"orthographic\"\nposition = [3, 0, 0.0137]\n"
                          "target = [0, 0, 0.0137]\nheight = 1";
 
-// Of a plane that faces the eye, lines of z lie across its columns.
+// On a plane that faces the eye, lines of z lie across the picture's columns.
 TEST(Contours, AreAsWideAsTheySay) {
     for (const double width : {0.5, 1.0, 3.0}) {
         const auto part =

@@ -129,8 +129,8 @@ TEST(Glass, ABallIsALensWithItsFocusWhereItIs) {
         const int row = 8, column = side / 2;
         const double height = 0.06 * (0.5 - (row + 0.5) / side);
         const double red = color(picture, std::size_t(row * side + column)).x;
-        // Of what is reflected, too, slopes are known near the axis: 2 h / R at the front; at the
-        // back by h2 = h (2/n - 1) the mirror image of how the rest leaves.
+        // The slopes of what is reflected are known near the axis, too: 2 h / R at the front; at
+        // the back, by h2 = h (2/n - 1), the mirror image of how the rest leaves.
         const double front = std::pow((n - 1) / (n + 1), 2), through = 1 - front;
         const double focus = n / (2 * (n - 1)), behind = 2 / n - 1;
         const double leaves = -1 / focus;

@@ -22,7 +22,7 @@ struct Lit {
 
 class LightBeams : public testing::Test {
 protected:
-    // Of an animation's poster under these lights, white all around.
+    // Draws an animation's poster, white all over, under these lights, with beams and without.
     Lit drawn(const std::string& name, const std::string& lights, std::array<int, 2> size,
               const std::string& ground = {}, std::optional<MarchPlan> plan = {}) {
         std::ifstream file(scene::data_folder() / "animations" / (name + ".toml"));

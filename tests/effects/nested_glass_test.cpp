@@ -33,7 +33,7 @@ std::string ball(double radius, const std::string& more, const std::string& plac
                        "sphere = {1:.17g} }}\ntransform = {{ translate = {2} }}\n{3}",
                        radius, 1.1 * radius, place, more);
 }
-// From y = `from` to y = `to`.
+// A slab from y = `from` to y = `to`.
 std::string slab(double from, double to, const std::string& more) {
     return fmt::format("[[surfaces]]\nformula = \"max({:.17g} - y, y - {:.17g})\"\nbounds = {{ box "
                        "= [[-9, -4, -9], [9, 4, 9]] }}\n{}",
@@ -85,7 +85,7 @@ TEST(NestedGlass, ABallInABallOfTheSameIndexIsInvisible) {
           ball(0.5, material("ior = 1.7, priority = -1")) + water}) {
         EXPECT_LT(largest_difference(alone, drawn(text + view)), 2e-3);
     }
-    // Of equal priorities the earlier in the file.
+    // Where priorities are equal, the surface that is earlier in the file counts.
     EXPECT_LT(largest_difference(other, drawn(ball(0.5, material("ior = 1.7")) + water + view)),
               2e-3);
 }
@@ -171,7 +171,7 @@ TEST(NestedGlass, PriorityTellsWhoseBeersLawHoldsWhereSlabsOverlap) {
         EXPECT_NEAR(drawn_with(1, 0, turned).x, with_glass, tolerance);
         EXPECT_NEAR(drawn_with(0, 1, turned).x, with_water, tolerance);
         EXPECT_NEAR(drawn_with(-3, -7, turned).x, with_glass, tolerance);
-        // Of equal ones the earlier: glass, or turned, water.
+        // Where they are equal, the earlier slab counts: glass or, turned, water.
         EXPECT_NEAR(drawn_with(5, 5, turned).x, turned ? with_water : with_glass, tolerance);
         EXPECT_NEAR(drawn_with(1, 0, turned).y, 1, 1e-4); // clear there
     }
@@ -331,9 +331,9 @@ TEST(NestedGlass, AMirrorAndGlassMayPassThroughEachOther) {
         return ball(0.7, material(fmt::format("ior = {}, depth = 8", index)), place) +
                ball(0.6, chrome, "[0, 0, 0]") + seen_by(along_y(2.4), 48, sky_by_height);
     };
-    // Of the index of what is around nothing of the glass is seen.
+    // Glass with the index of what is around it is not seen, except at its very edge, where rays
+    // begin off their line.
     const Picture alone = drawn(scene("[0, 0, 9]", 1));
-    // But at its very edge, where rays begin off their line.
     const Picture clear = drawn(scene("[0.5, -0.2, 0.1]", 1));
     int other = 0;
     for (std::size_t pixel = 0; pixel < 48 * 48; ++pixel)

@@ -282,8 +282,8 @@ TEST_P(CatalogueShadow, IsWhatTruthSays) {
     EXPECT_LE(different(picture, finer, 0.03f), 96 * 96 / 200);
 }
 
-// Drivers end loops that go on for long, wherever a sum then is. Of these all but three elements
-// add nothing, but the last takes back what the first added.
+// Drivers end loops that go on for long, wherever a sum then is. All but three elements add nothing
+// here, but the last takes back what the first added.
 TEST(Shadow, OfSeveralLightsThroughLongSums) {
     const auto picture = [](int elements) {
         std::string text = fmt::format(R"toml(

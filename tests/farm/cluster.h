@@ -28,7 +28,7 @@ public:
     // What clients find it by, in $SLURM_CONF.
     std::string configuration() const { return folder_ / "slurm.conf"; }
 
-    // Of sinfo, squeue and their like.
+    // What a command of Slurm's, such as sinfo or squeue, prints.
     std::string output_of(std::vector<std::string> command) const;
 
     // Jobs that wait or run.

@@ -14,7 +14,7 @@ inline const std::vector<std::string> nasty_words = {
     "<",   ">",     "(",    ")",     "%",    "%j",       "%%",   "%A_%a", "-",    "--",    "-n",
     "=",   "a=b",   "\x01", "\x7f",  "\xff", "\xc3\xa4", ";;",   "esac",  "EOF",  " ",     "  a  "};
 
-// Up to 12 of them in one, or of single bytes.
+// A word of up to 12 of them, or of single bytes.
 template<class Random> std::string nasty_word(Random& random) {
     std::string word;
     for (auto n = random() % 12; n > 0; --n) {

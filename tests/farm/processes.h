@@ -17,7 +17,7 @@ struct Process {
     bool has_word(const std::string& word) const;
 };
 
-// Those that run and may be looked at, but for this one.
+// The processes that run and may be looked at, except this one.
 std::vector<Process> processes(const std::function<bool(const Process&)>& wanted);
 
 // `isomotion render` into a folder.

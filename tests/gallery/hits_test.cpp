@@ -43,7 +43,7 @@ bool changes_sign(std::span<const double> values) {
 TEST_P(GalleryHits, AreTheFirstRootsThatDenseSamplingFinds) {
     for (const std::string& name : animations_of(GetParam())) {
         SCOPED_TRACE(name);
-        // Of several surfaces the first; effects/surfaces_test.cpp asks of all.
+        // Only the first of several surfaces is drawn; effects/surfaces_test.cpp asks of all.
         scene::Scene scene =
             scene::alone(scene::load(name, {"look=none", "output.size=[48,48]"}), 0);
         scene.sections.clear(); // truth/cut_rays_test.cpp asks of what they leave

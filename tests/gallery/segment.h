@@ -15,7 +15,7 @@ struct Segment {
     double near = 1, far = 0;
 };
 
-// Of a square picture with `side` pixels a row; rows from the top.
+// The segment of a pixel in a square picture with `side` pixels a row; rows count from the top.
 inline Segment segment(const scene::SceneAt& now, const scene::Rays& rays, int side, int column,
                        int row) {
     const double u = 2 * (column + 0.5) / side - 1, v = 1 - 2 * (row + 0.5) / side;

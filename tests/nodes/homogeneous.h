@@ -17,7 +17,7 @@ struct Homogeneous {
     glm::dmat4 hessian{0};
 };
 
-// At the unit vector along (x, 1).
+// The derivatives of G at the unit vector along (x, 1).
 Homogeneous homogenise(const SecondOrder& f, const glm::dvec3& x, int degree);
 
 // The degree of a polynomial, from its growth far away. Throws std::invalid_argument for a field
@@ -27,7 +27,7 @@ int degree_of(SecondOrderField& field);
 // Columns: an orthonormal basis of what is orthogonal to the unit vector `p`.
 glm::dmat3x4 tangent_basis(const glm::dvec4& p);
 
-// Of a symmetric matrix, ascending; to the rounding of the largest.
+// The eigenvalues of a symmetric matrix, ascending, each to the rounding of the largest.
 glm::dvec3 eigenvalues(glm::dmat3 symmetric);
 
 } // namespace isomotion

@@ -104,8 +104,8 @@ TEST_P(SingularPoints, AreThoseExpected) {
     }
 }
 
-// Of Sarti's surface: where the line of (p, w) meets w = 1, for a sum of three neighbours among the
-// 600-cell's vertices. Its length is sqrt(3) phi.
+// How far from the origin a node of Sarti's surface is: where the line of (p, w) meets w = 1. Here
+// (p, w) is a sum of three neighbours among the 600-cell's vertices, and its length is sqrt(3) phi.
 double sarti_radius(double w) { return sqrt(3 * phi * phi / (w * w) - 1); }
 
 const std::vector<Expected> nodal{

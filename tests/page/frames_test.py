@@ -15,7 +15,6 @@ SIDE = 256
 # few evaluations of a draw make the page draw the picture again in passes.
 CAMERA = "camera={position=[6, 4, 3], target=[0, 0, 0], fov=36}"
 QUICK = [
-    ("blobby75", 40, []),
     ("blobby75_chrome", 40, []),
     ("blobby75", 20, [CAMERA], {"s": 1.45, "R": 0.3}),
     ("many.toml", 2, []),
@@ -25,6 +24,7 @@ QUICK = [
     ("glass.toml", 2, []),
 ]
 ALL = QUICK + [
+    ("blobby75", 40, []),
     ("over.toml", 2, []),
     ("blur.toml", 2, []),
     ("twisting_superquadric", 16, []),
@@ -427,7 +427,7 @@ def tally_of(rendered):
 
 
 def key_of(name):
-    """Of a parameter, of one surface or (SURFACE/NAME) of one of several."""
+    """The key of a parameter of the only surface, or (SURFACE/NAME) of one of several."""
     surface, _, own = name.rpartition("/")
     return f"surfaces.{surface}.parameters.{own}" if surface else name
 

@@ -31,7 +31,7 @@ def stays_inside(given, folder, driven, checks):
     more = "# </script></pre><img src=x onerror='window.broken = 2'> <!-- " + TITLE
     file = pages.made(given.program, scene(folder, "t.toml", TITLE, more=more),
                       os.path.join(folder, "t.html"))
-    page = driven.page()
+    page = driven.page(64, 64)
     page.open(file)
     page.until_at_rest()
     checks.equal(page.evaluate("document.title"), TITLE, "the title")
@@ -50,7 +50,7 @@ def names_with_meaning(given, folder, driven, checks):
     more = "[parameters]\n" + "".join(f"{name} = {k}\n" for k, name in enumerate(names))
     file = pages.made(given.program, scene(folder, "n.toml", formula=formula, more=more),
                       os.path.join(folder, "n.html"))
-    page = driven.page()
+    page = driven.page(64, 64)
     page.open(file, "", "#f=1&p.f=3&constructor=2")
     page.until_at_rest()
     checks.equal(page.evaluate("[...isomotion.look.values].sort()"),

@@ -62,8 +62,8 @@ def _paeth(left, up, corner):
 
 
 def differences(a, b, edge=24):
-    """Of two pictures of one size: how many pixels differ by more than 3 of 255, and how many of
-    those stand off edges, where no neighbour in either picture differs by more than `edge`."""
+    """How many pixels of two pictures of one size differ by more than 3 of 255, and how many of those
+    stand off edges, where no neighbour in either picture differs by more than `edge`."""
     assert (a.width, a.height) == (b.width, b.height)
     everywhere = off_edges = 0
     for y in range(a.height):

@@ -25,7 +25,7 @@ def scene(folder, name, title="A ring"):
 
 def told(driven, file):
     """What the panel says of accuracy; None where it says nothing."""
-    page = driven.page()
+    page = driven.page(64, 64)
     page.open(file, "?play=0")
     page.until_at_rest()
     found = page.evaluate("document.getElementById('accuracy').hidden ? null : "

@@ -59,7 +59,7 @@ def refines(driven, file, checks):
     page.close()
 
 
-# Of all text that is seen: how large it is, and where it ends to the right.
+# For each text that is seen: what it is, how large it is, and where it ends to the right.
 TEXTS = """[...document.querySelectorAll("body *")].filter((of) => of.checkVisibility() &&
     [...of.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.data.trim())).map((of) =>
     [of.tagName + "#" + of.id, parseFloat(getComputedStyle(of).fontSize),

@@ -45,7 +45,7 @@ protected:
     void mark() { mark_ = log().size(); }
 
     void key(const std::string& name) const;
-    // Of a widget the middle, or as far from its left as told; of the picture the middle.
+    // The middle of a widget, or the place at `across` of its width.
     std::array<int, 2> place_of(const std::string& widget, double across = 0.5);
     void click(std::array<int, 2> at) const;
     void drag(std::array<int, 2> from, std::array<int, 2> to) const;

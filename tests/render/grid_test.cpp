@@ -59,7 +59,7 @@ Difference difference(const Picture& a, const Picture& b) {
     return found;
 }
 
-// By a method that goes by bounds and finds first roots wherever it begins.
+// Draws by a method that goes by bounds and finds first roots wherever it begins.
 Difference beside_all_elements(gpu::Context& context, scene::Scene scene) {
     scene.isolation.method = scene::Method::interval;
     EXPECT_TRUE(synthesis::array_with_grid(synthesis::assemble(scene)));

@@ -7,7 +7,7 @@
 namespace isomotion::render {
 namespace {
 
-// Without beams, and with: both sides of a formula's default.
+// A view without beams and with them: both sides of a formula's default.
 struct View {
     double height = 2.4;
     int pixels = 64;

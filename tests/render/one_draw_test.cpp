@@ -17,7 +17,7 @@ protected:
         return draw(*context, scene, frame,
                     MarchPlan{scene.output.width, scene.output.height, evaluations});
     }
-    // For every method that can draw the scene.
+    // Expects the same picture of every method that can draw the scene.
     void expect_same(const char* name);
 };
 ISOMOTION_ON_EVERY_BACKEND(OneDraw);

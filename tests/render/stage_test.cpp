@@ -23,7 +23,7 @@ protected:
         }
     }
 
-    // With beams in both stages or in none: compute shaders have fewer by themselves.
+    // Draws with beams in both stages or in none: compute shaders have fewer by themselves.
     Picture draw_by(StageChoice stage, scene::Scene scene, int frame,
                     std::optional<MarchPlan> plan = {}) {
         scene.isolation.beam = synthesis::uses_beams(scene);

@@ -146,7 +146,8 @@ def run_tests(folder, target, filter_):
     try:
         done = subprocess.run(command, capture_output=True, text=True, errors="replace",
                               timeout=MOST_SECONDS,
-                              env=os.environ | {"ISOMOTION_DATA": str(folder / "sources")})
+                              env=os.environ | {"ISOMOTION_DATA": str(folder / "sources"),
+                                                "ISOMOTION_THOROUGH": "1"})
     except subprocess.TimeoutExpired:
         return "hangs"
     if done.returncode != 0:

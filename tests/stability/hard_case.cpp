@@ -123,7 +123,8 @@ int different_verdicts(const image::Frame& a, const image::Frame& b) {
     return different;
 }
 
-// Of depths, in parts of them or of what is near: drivers may order a product's factors otherwise.
+// The largest difference of depths, in parts of the depth, or of 0.1 where that is more. There are
+// differences: drivers may order a product's factors otherwise.
 double largest_difference(const image::Frame& a, const image::Frame& b) {
     const auto &x = a.find("Z")->samples, &y = b.find("Z")->samples;
     double largest = 0;

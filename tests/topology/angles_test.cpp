@@ -28,7 +28,7 @@ TEST(PolynomialsByAngles, HaveTheEventsOfThePolynomials) {
          "chebyshev(5, x) + (m - 4)*y^2 + 0.7*z^2 - c", unit, "m = 5\nc = \"0.9 - 2.5*t\""},
         {"cos(4*acos(x*z)) + 2*x + 0.3*y - c", "chebyshev(4, x*z) + 2*x + 0.3*y - c",
          "{ box = [[-1, -1, -0.9], [1, 1, 0.9]] }", "c = \"4*t - 2\""},
-        // Of walls that move up to 1.
+        // A wall moves up to 1.
         {"cos(3*acos(x)) + y^2 + z^2 - c", "chebyshev(3, x) + y^2 + z^2 - c",
          "{ box = [[-0.9, -2, -2], [\"t\", 2, 2]] }", "c = \"1.1 - t/2\""},
         {of_angles(3, "x") + " + y^2 + z^2 - c", "chebyshev(3, x) + y^2 + z^2 - c",

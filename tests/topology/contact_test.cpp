@@ -26,7 +26,8 @@ struct Contact {
     }
 };
 
-// What happens, all proved; at the start and at the end so many places of contact.
+// Expects what happens, all of it proved, and so many places of contact at the start and at the
+// end.
 void expect_told(const Timeline& timeline, int start, const std::vector<Told>& told, int end) {
     SCOPED_TRACE(described(timeline));
     EXPECT_TRUE(timeline.is_complete());

@@ -33,7 +33,7 @@ std::string list(Chance& chance, int count, double low, double high) {
     return text + "]";
 }
 
-// From one value to another within 2 s, in two to four parts of random lengths.
+// Keys from one value to another within 2 s, in two to four parts of random lengths.
 std::string keys(Chance& chance, double from, double to) {
     const int parts = 2 + chance.below(3);
     std::string text;

@@ -19,8 +19,8 @@ constexpr int side = 96;
 // So many spans and events of a long timeline, spread over it.
 constexpr std::size_t most_spans = 12, most_instants = 12;
 
-// From the middles of a cube's faces and edges and from its corners, all a little off: symmetric
-// surfaces hide one part behind another.
+// Directions from the middles of a cube's faces and edges and from its corners, all a little off:
+// symmetric surfaces hide one part behind another.
 std::vector<glm::dvec3> directions() {
     std::vector<glm::dvec3> all;
     for (int x = -1; x <= 1; ++x) {
@@ -140,7 +140,8 @@ protected:
         return view;
     }
 
-    // Those with the most time to their neighbours: what happens there is large enough to be seen.
+    // The instants with the most time to their neighbours: what happens there is large enough to be
+    // seen.
     std::vector<std::size_t> loneliest_instants() const {
         std::vector<std::size_t> some(steps.instants.size());
         std::iota(some.begin(), some.end(), 0u);

@@ -25,7 +25,7 @@ inline scene::Scene scene_of(const std::string& text) {
     return scene;
 }
 
-// With elements from the file "table.csv".
+// A scene with elements from the file "table.csv".
 inline scene::Scene scene_of(const std::string& text, const std::string& table) {
     setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1);
     const auto folder =
@@ -42,7 +42,7 @@ inline scene::Scene still(const std::string& formula, const std::string& bounds)
     return scene_of(fmt::format("[surface]\nformula = '''{}'''\nbounds = {}\n", formula, bounds));
 }
 
-// Of the repository.
+// A scene of the repository's animations.
 inline scene::Scene animated(const std::string& name) {
     setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1);
     return scene::load(fmt::format("{}/animations/{}.toml", ISOMOTION_SOURCE_DIR, name));

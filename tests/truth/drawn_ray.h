@@ -18,7 +18,7 @@ static_assert(FLT_EVAL_METHOD == 0, "float is to be rounded to float");
 class Random : public formula::Random {
 public:
     using formula::Random::Random;
-    // Of any size between these.
+    // A number of any magnitude between these.
     double size(double low, double high) { return std::exp(in(std::log(low), std::log(high))); }
     glm::dvec3 direction() {
         for (;;) {

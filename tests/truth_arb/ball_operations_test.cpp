@@ -98,7 +98,7 @@ TEST(Ball, IsInAnIntervalOrApart) {
     EXPECT_FALSE(wide.is_apart_from(0.5, 0.5));
     EXPECT_FALSE(wide.is_apart_from(1, 2));
     EXPECT_TRUE(wide.is_apart_from(1 + 1e-8, 2));
-    // Of numbers that no double tells from 1.
+    // A ball of numbers that no double tells from 1.
     Ball close(1.0);
     arb_add_error_2exp_si(close.get(), -3000);
     EXPECT_FALSE(close.is_in(1, 2));

@@ -77,7 +77,7 @@ std::string applied(const std::string& operation, const std::string& to) {
     return fmt::format(fmt::runtime(operation), to);
 }
 
-// On and next to where operations have poles, jumps, kinks, ends and cuts.
+// A number on or next to a place where operations have poles, jumps, kinks, ends and cuts.
 double special(Random& random) {
     static constexpr std::array fixed{0.0,  1.0,   0.5,     2.0,      3.0,   69.07755278982137,
                                       99.0, 690.8, 1e-3,    1e-15,    1e8,   1.2345,

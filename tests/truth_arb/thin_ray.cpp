@@ -8,7 +8,7 @@
 namespace isomotion::truth_arb {
 namespace {
 
-// Of balls over pieces: their radius, not rounding, is what makes them wide.
+// The precision of balls over pieces: their radius, not rounding, is what makes them wide.
 constexpr slong of_pieces = 64;
 
 Ball coordinate(const Ray& ray, const Ball& t, int axis, slong precision) {

@@ -57,7 +57,7 @@ Fluid dam_break(int particles, unsigned threads) {
 }
 
 Fluid ball_into_pool(int particles, unsigned threads) {
-    // Of 100,000 particles the tank is 100 across, the pool 10 deep and the ball 36 thick.
+    // 100,000 particles make a tank 100 spacings across, a pool 10 deep and a ball 36 thick.
     const float n = std::round(100 * std::cbrt(float(particles) / 100000)), spacing = 2 / n;
     const auto whole = [&](float length) { return std::round(length / spacing) * spacing; };
     Tank tank;

@@ -12,7 +12,7 @@ float outside_of(const Box& box, Vec3 p) {
                      box.low.z - p.z, p.z - box.high.z});
 }
 
-// From the axis of a round tank, level.
+// The level vector from the axis of a round tank.
 Vec3 from_axis(const Box& inside, Vec3 p) {
     return {p.x - (inside.low.x + inside.high.x) / 2, p.y - (inside.low.y + inside.high.y) / 2, 0};
 }

@@ -21,8 +21,9 @@ struct Known {
     bool point = false;        // `text` is a number, else an interval
     bool not_negative = false; // then no lower end is below 0 either
     bool positive_constant = false;
-    // Exactly 0 over some boxes, by a comparison: the slope of max(1, x) where x is less. It is to
-    // stay 0 until it meets a factor without bounds, such as the slope of a root at 0.
+    // Whether it may be exactly 0 over some boxes, by a comparison: the slope of max(1, x) where x
+    // is less. It is to stay 0 until it meets a factor without bounds, such as the slope of a root
+    // at 0.
     bool may_rest = false;
     bool may_be_subnormal = false; // a number that is given, which drivers may take for 0
 };
@@ -37,7 +38,8 @@ std::string on_doubles(const std::string& glsl) {
     return std::regex_replace(glsl, std::regex(R"(\bvec(?=[24]\b))"), "dvec");
 }
 
-// A number; where it is none, or too large or small for those there are, what is around it.
+// A constant in doubles: the number itself, or an interval around one that is infinite or too
+// small. NaN gives the entire line.
 Known constant_on_doubles(double value) {
     Known known;
     known.not_negative = value >= 0;

@@ -146,7 +146,7 @@ private:
         return doubles_ ? glsl_double_literal(value) : glsl_literal(value);
     }
 
-    // Relative.
+    // The relative rounding of a number.
     const char* rounding(const KnownNumber& known) const {
         const bool is_exact =
             doubles_ || !known.is_constant || double(float(known.value)) == known.value;

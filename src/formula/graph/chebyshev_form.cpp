@@ -17,7 +17,7 @@ struct Range {
     double low = -infinity, high = infinity;
 };
 
-// What can be seen from the expression, looked at so deep.
+// The range that the expression shows, looked at down to this depth.
 Range range(const Graph& g, NodeId id, int depth = 8) {
     const Node& node = g[id];
     if (node.op == Op::constant && std::isfinite(node.value)) return {node.value, node.value};
@@ -54,7 +54,8 @@ NodeId within_unit(Graph& g, NodeId a) {
     return low < -1 ? g.binary(Op::max, g.constant(-1), a) : a;
 }
 
-// Of degree 2 at most, by ascending powers, in whole numbers that are too small to be rounded.
+// A polynomial of degree 2 at most: its coefficients by ascending powers, which are whole numbers
+// too small to be rounded.
 using Quadratic = std::array<double, 3>;
 
 std::optional<Quadratic> if_exact(const Quadratic& q) {
@@ -87,7 +88,7 @@ std::optional<Quadratic> quadratic(const Graph& g, NodeId id, NodeId u, int dept
     return if_exact({(*a)[0] + sign * (*b)[0], (*a)[1] + sign * (*b)[1], (*a)[2] + sign * (*b)[2]});
 }
 
-// What of u, where u >= 1, is the root: by its radicand, or by those of two factors.
+// The radicand of a root as a polynomial in u, where u >= 1. The root may be a product of two.
 std::optional<Quadratic> radicand(const Graph& g, NodeId root, NodeId u) {
     const Node& node = g[root];
     if (node.op == Op::sqrt) return quadratic(g, node.children[0], u);
@@ -143,7 +144,7 @@ std::optional<Multiple> whole_multiple(const Graph& g, NodeId id, const NumberOf
     return std::nullopt;
 }
 
-// Something that is cut off: from there on, and without end.
+// Something that is cut off at its end, or goes on without end.
 NodeId cut_off(Graph& g) { return g.unary(Op::cosh, g.constant(100)); }
 
 // Where saturation cuts off at the latest.
@@ -151,13 +152,13 @@ NodeId end_of_cut_off(Graph& g) {
     return g.constant(0.999 * double(Operations<float>::saturation()));
 }
 
-// cosh is cut off where T_n is not: beyond, it is either.
+// cosh may be cut off where T_n is not: beyond the end it is either of both.
 NodeId cut_off(Graph& g, NodeId t) {
     const NodeId end = end_of_cut_off(g);
     return g.select(t, end, t, cut_off(g));
 }
 
-// The same of T_n with T_n(-1), which may be negative, times what is cut off.
+// The same for T_n where T_n(-1), which may be negative, times what is cut off stands to the left.
 NodeId cut_off_at_both_ends(Graph& g, NodeId t) {
     const NodeId end = end_of_cut_off(g);
     const NodeId below = g.unary(Op::negate, cut_off(g));
@@ -171,7 +172,7 @@ std::optional<NodeId> inside_cut_off(Graph& g, NodeId id) {
     return is_cut_off ? std::optional(node.children[0]) : std::nullopt;
 }
 
-// Two different operands in either order, one of them that constant: the other one.
+// The other operand of two different ones, of which one is that constant, in either order.
 std::optional<NodeId> other_than(const Graph& g, const Node& node, double constant) {
     for (const std::size_t k : {0u, 1u})
         if (g.is_constant(node.children[k], constant)) return node.children[1 - k];
@@ -194,7 +195,8 @@ bool is_within_unit_of(const Graph& g, NodeId p, NodeId a) {
     return p == a && stops_below && stops_above;
 }
 
-// What both are of, if `inside` is T_n where it counts inside and `outside` where it does outside.
+// The argument of both, if `inside` is T_n where it counts inside and `outside` where it does
+// outside.
 std::optional<NodeId> joined(Graph& g, NodeId inside, NodeId outside) {
     const Node t = g[inside], far = g[outside]; // copies: the graph may grow
     const auto is_polynomial = [](const Node& node) {

@@ -15,7 +15,7 @@ NodeId unless_without_kink(Graph& g, NodeId id) {
     const Node node = g[id];
     if (node.op == Op::least || node.op == Op::pick) return unless_one_is_least(g, node);
     if (node.op != Op::min && node.op != Op::max && node.op != Op::select) return g.constant(0);
-    // By how the comparison of the first two comes out.
+    // What is chosen depends on how the comparison of the first two comes out.
     return unless_one_value(g, g.unary(Op::sign, g.subtract(node.children[0], node.children[1])));
 }
 
@@ -42,7 +42,7 @@ NodeId unless_gap(Graph& g, NodeId id, const std::vector<bool>& is_resting) {
         return has_sign(g, a) ? zero : g.select(a, zero, entire(g), zero);
     case Op::divide: { // 0/0
         const NodeId unless_by_0 = g.select(zero, g.unary(Op::abs, b), zero, entire(g));
-        // By a number is looked at once, and what is divided at every place.
+        // A divisor at rest is looked at once; the numerator would be looked at everywhere.
         if (is_resting[b] || g.is_constant(unless_by_0)) return unless_by_0;
         return g.select(zero, g.unary(Op::abs, a), zero, unless_by_0);
     }

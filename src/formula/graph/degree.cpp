@@ -8,7 +8,7 @@ namespace {
 constexpr int highest = 1 << 20;
 constexpr int no_polynomial = -1;
 
-// From the degrees of the children, which are polynomials.
+// The degree of a node, from those of its children, which are polynomials.
 int degree_of(const Node& node, const std::array<int, 4>& children) {
     const auto [a, b, c, d] = children;
     switch (node.op) {

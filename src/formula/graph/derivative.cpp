@@ -12,7 +12,7 @@
 namespace isomotion::formula {
 namespace {
 
-// Whether it can be seen from the expression, looked at so deep, that its values are 0 or more.
+// Whether the expression, looked at down to this depth, shows that its values are 0 or more.
 bool is_never_negative(const Graph& g, NodeId id, int depth = 12) {
     if (depth == 0) return false;
     const Node& node = g[id];

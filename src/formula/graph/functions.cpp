@@ -47,13 +47,13 @@ constexpr std::array table{
     Function{"min", "a, b, ...", 2, true, folded<Op::min>, nullptr},
     Function{"max", "a, b, ...", 2, true, folded<Op::max>, nullptr},
     Function{"smoothmin", "a, b, k", 3, false, of_three<smoothmin>, nullptr},
-    // The parser's own: a power fails as ^ does; a degree and an array are no values.
+    // The parser reads these itself: a power fails as ^ does; a degree and an array are no values.
     Function{"pow", "a, b", 2, false, nullptr, nullptr},
     Function{"chebyshev", "n, a", 2, false, nullptr, nullptr},
     Function{"sum", "array, expression", 2, false, nullptr, nullptr},
     Function{"least", "array, expression", 2, false, nullptr, nullptr},
     Function{"greatest", "array, expression", 2, false, nullptr, nullptr},
-    // In animations alone.
+    // This one is for animations alone.
     Function{"random", "i, k", 2, false, folded<Op::random>, nullptr},
 };
 // clang-format on

@@ -180,7 +180,7 @@ private:
         return number ? std::optional(is_negative ? -*number : *number) : std::nullopt;
     }
 
-    // Up to a closing character; bars that are open outside are not closed in here.
+    // Parses up to a closing character; bars that are open outside are not closed in here.
     NodeId inside(char closing, std::string_view why) {
         const int outside = std::exchange(open_bars_, 0);
         const NodeId value = expression();
@@ -339,7 +339,7 @@ private:
         return graph_.chebyshev(int(n), argument);
     }
 
-    // sum(array, a), least(array, a), greatest(array, a); of the last two with what is asked of
+    // sum(array, a), least(array, a), greatest(array, a); for the last two also what is asked of
     // that element.
     NodeId over_elements(std::string_view function, std::size_t begin) {
         skip_space();

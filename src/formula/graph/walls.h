@@ -10,8 +10,8 @@ namespace isomotion::formula {
 
 // The gradient of `root`. But closer than `distance` to a place where an operation may jump or has
 // a pole it is a normal of that place, towards larger F. The place is where the jump happens: u = 0
-// for sign(u), a whole u for floor(u), a = b for a selection by a < b, b = 0 for a / b. Of several
-// places the nearest counts.
+// for sign(u), a whole u for floor(u), a = b for a selection by a < b, b = 0 for a / b. If there
+// are several places, the nearest counts.
 std::array<NodeId, 3> wall_gradient(Graph& graph, NodeId root, double distance);
 
 } // namespace isomotion::formula

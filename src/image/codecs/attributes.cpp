@@ -54,7 +54,7 @@ bool describes_file(const OIIO::ParamValue& attribute) {
         "compression",        "PixelAspectRatio",  "ResolutionUnit", "XResolution",
         "screenWindowCenter", "screenWindowWidth", "YResolution"};
     const std::string_view name(attribute.name().c_str(), attribute.name().size());
-    // Files of before had this date where their metadata had none.
+    // Files of earlier versions have this date where their metadata had none.
     if (name == "DateTime") return attribute.get_string() == "1970:01:01 00:00:00";
     return name.starts_with("oiio:") || name.starts_with("openexr:") || name.starts_with("png:") ||
            std::ranges::find(names, name) != names.end();

@@ -60,8 +60,8 @@ Colour colour_of(const std::filesystem::path& file, const std::vector<std::strin
                            fmt::join(names, ", ")));
 }
 
-// From decoded samples to light; decoding has done what a file calls sRGB already.
-// Colour of integers is meant for a screen unless the file says otherwise.
+// Turns decoded samples into light; a file that says sRGB is decoded accordingly already. Colour of
+// integers is meant for a screen unless the file says otherwise.
 class Decoding {
 public:
     explicit Decoding(const OIIO::ImageSpec& spec) {

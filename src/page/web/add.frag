@@ -5,12 +5,10 @@ precision highp sampler2D;
 uniform sampler2D result; // of the tile
 uniform sampler2D sum;
 uniform ivec2 tile_origin;
-uniform int begins; // 1: there is nothing before
 
 layout(location = 0) out vec4 color;
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    color = texelFetch(result, at - tile_origin, 0);
-    if (begins == 0) color += texelFetch(sum, at, 0);
+    color = texelFetch(sum, at, 0) + texelFetch(result, at - tile_origin, 0);
 }

@@ -63,11 +63,11 @@ function named(numbers, places) {
     return all;
 }
 
-// As src/animation/timeline.h has it.
+// The time in seconds, as src/animation/timeline.h has it.
 const secondsOf = ({ fps, moments }, frame, moment) =>
     ((frame - 1) * fps[1]) / fps[0] + (moments[moment] * fps[1]) / fps[0];
 
-// By rows, the columns and words that expressions may miss: src/page/computed_elements.h.
+// The columns and words that expressions may miss, by rows: src/page/computed_elements.h.
 function exceptionsOf(reader) {
     const rows = new Map();
     for (let left = reader.word(); left > 0; --left) {
@@ -101,7 +101,7 @@ class SurfaceData {
     floats(table, frame, moment) {
         return new Float32Array(this.row(table, frame, moment).buffer);
     }
-    // Of an array, as the shaders read them: some fields by their expressions.
+    // An array's elements, as the shaders read them. Expressions compute some of the fields.
     elements(array, frame, moment) {
         const texels = this.floats(`array${array}`, frame, moment);
         const { rules, arrays } = this.about, { computed } = arrays[array];

@@ -22,7 +22,7 @@ class LongTexture {
     }
 }
 
-// Of one surface.
+// Holds the textures of one surface's elements and of its grid.
 class ElementTextures {
     constructor(gl, table, data) {
         this.table = table;
@@ -35,7 +35,7 @@ class ElementTextures {
         this.listed = new LongTexture(gl, gl.R32UI, gl.RED_INTEGER, gl.UNSIGNED_INT, 1);
     }
 
-    // `elements`: of each array, packed.
+    // `elements` are those of each array, packed.
     upload(elements) {
         const { table, data } = this;
         data.about.arrays.forEach(({ name }, k) => {

@@ -8,7 +8,7 @@ class FurtherRays {
         if (surface.table.has("glass")) this.glass = new GlassPaths(gl, surface, glassDepth);
     }
 
-    // From the states of the eye's rays, which are bound.
+    // Traces from the states of the eye's rays, which are bound.
     async trace(size, go) {
         const { surface, ends, mirrorEnds, glass } = this;
         const { table } = surface;

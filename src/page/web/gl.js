@@ -39,7 +39,7 @@ class Program {
         return this.gl.getProgramParameter(this.program, extension.COMPLETION_STATUS_KHR);
     }
 
-    // Once it is ready; throws where it did not compile.
+    // Finishes a program that is ready; throws where it did not compile.
     finish(units, bindings) {
         const { gl, program } = this;
         if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) {
@@ -80,7 +80,7 @@ class Program {
     }
 }
 
-// Of several layers where they are told.
+// Makes a texture, or an array of textures where `layers` is given.
 function textureOf(gl, internal, width, height, layers = 0) {
     const kind = layers ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
     const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
@@ -103,7 +103,7 @@ const editingUnit = 31; // every WebGL2 has 32, and no pass reads this one
 
 // Textures of one size that passes draw into.
 class Target {
-    // `formats`: of textures to make, or textures.
+    // `formats` are those of textures to make, or textures that are there.
     constructor(gl, width, height, formats) {
         this.gl = gl;
         this.width = width;
@@ -121,19 +121,20 @@ class Target {
     with(format) {
         return new Target(this.gl, this.width, this.height, [...this.textures, format]);
     }
-    // Copies these pixels of another target with the same formats.
-    copy({ framebuffer }, { width, height }) {
+    // Copies these pixels of another target with the same formats, from as many of its textures,
+    // the first ones, as this one has.
+    copy({ framebuffer }, { x = 0, y = 0, width, height }) {
         const { gl } = this;
         gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
         gl.activeTexture(gl.TEXTURE0 + editingUnit);
         this.textures.forEach((texture, k) => {
             gl.readBuffer(gl.COLOR_ATTACHMENT0 + k);
             gl.bindTexture(gl.TEXTURE_2D, texture);
-            gl.copyTexSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 0, 0, width, height);
+            gl.copyTexSubImage2D(gl.TEXTURE_2D, 0, x, y, 0, 0, width, height);
         });
         gl.readBuffer(gl.COLOR_ATTACHMENT0);
     }
-    // So many more textures, the layers of one.
+    // Adds so many textures, which are the layers of one array.
     withLayers(format, count) {
         const { gl } = this;
         this.layerCount = count;
@@ -198,7 +199,7 @@ class DepthMask {
         draw();
         this.gl.disable(this.gl.DEPTH_TEST);
     }
-    // The same for what waits for the card.
+    // Does the same for a draw that waits for the card.
     async applyTo(draw) {
         this.testing(this.gl.LESS, false);
         try {
@@ -217,7 +218,8 @@ class DepthMask {
 
 const soon = (milliseconds = 0) => new Promise((go) => setTimeout(go, milliseconds));
 
-// In a millisecond. Timers that a timer's task sets wait at least 4, those of a message's task do not.
+// Resolves after a millisecond. Timers that a timer's task sets wait at least 4, those of a
+// message's task do not.
 const atOnce = async () => {
     const { port1, port2 } = new MessageChannel();
     await new Promise((go) => {
@@ -228,13 +230,15 @@ const atOnce = async () => {
     await soon(1);
 };
 
-// Whether any sample of a draw passed, once the card has drawn it; the page goes on meanwhile.
-async function anyPassed(gl, draw) {
+// Whether any sample of a draw passed, once the card has drawn it; the page goes on meanwhile. It
+// asks after `patience` milliseconds: asking takes time from what draws in software.
+async function anyPassed(gl, draw, patience = 0) {
     const query = gl.createQuery();
     gl.beginQuery(gl.ANY_SAMPLES_PASSED, query);
     draw();
     gl.endQuery(gl.ANY_SAMPLES_PASSED);
     gl.flush();
+    if (patience > 0) await soon(patience);
     do {
         await atOnce();
         if (gl.isContextLost()) throw new Stopped();

@@ -20,7 +20,7 @@ class GlassPaths {
         return mask.applyTo(() => surface.countedBy("glassActive", size, counter));
     }
 
-    // From where the eye's rays ended, which is bound. Leaves the light found bound.
+    // Traces from where the eye's rays ended, which is bound. Leaves the light found bound.
     async trace(size, go) {
         const { surface, mask, kept, goneOn, counter } = this;
         const { table } = surface;
@@ -29,7 +29,7 @@ class GlassPaths {
         surface.run("glassFirst", kept, size);
         table.bindNumbered("glass_texture", kept);
         for (let left = this.depth - 1; left >= 0 && await this.anyGoesOn(size); --left) {
-            // What counts rays that still march is masked as they are: states elsewhere are older.
+            // Active rays are counted under the same mask: states elsewhere are older.
             await mask.applyTo(() => surface.march("glass", size, go, "glass", counter));
             table.program("glassNext").set("rays_left", left);
             mask.apply(() => surface.run("glassNext", goneOn, size));

@@ -10,7 +10,7 @@ function chessboardDistances([nx, ny, nz], is) {
     for (let k = 0; k < is.length; ++k) steps[k] = is[k] ? mostFree : 0;
     const at = (x, y, z) => x >= 0 && y >= 0 && z >= 0 && x < nx && y < ny && z < nz
         ? steps[(z * ny + y) * nx + x] : mostFree;
-    // By the 13 neighbours that come before, or after.
+    // Lowers a cell's step by the 13 neighbours that come before, or after.
     const lower = (k, x, y, z, sign) => {
         if (steps[k] <= 1) return;
         let least = at(x - sign, y, z);
@@ -42,7 +42,8 @@ function forEachPlace(reader, [nx, ny], elements, at) {
     }
 }
 
-// As the shaders read it: two words a cell, the elements of all lists, and how many the longest has.
+// The grid as the shaders read it: two words a cell, the elements of all lists, and how many the
+// longest has.
 function unpackedGrid(bytes, across, elements) {
     const count = across[0] * across[1] * across[2];
     const reader = new Reader(bytes);

@@ -28,7 +28,7 @@ class Hands {
         this.changed();
     }
 
-    // In heights of the picture, to the right and up, from its middle.
+    // The place of an event in heights of the picture, to the right and up, from its middle.
     placeOf({ clientX, clientY }) {
         const { left, top, width, height } = this.canvas.getBoundingClientRect();
         return [(clientX - left - width / 2) / height, (top + height / 2 - clientY) / height];

@@ -4,7 +4,7 @@
 const isSameCamera = (a, b) => ["position", "target", "up"].every((part) =>
     a[part].every((x, k) => x === b[part][k]));
 
-// From the viewer's right, up and back in one view to those in another.
+// Takes a direction from the viewer's right, up and back in one view to those in another.
 function goneAlong(direction, from, to) {
     const [before, after] = [pictureAxes(from), pictureAxes(to)];
     const world = turned(from.rotate, direction);

@@ -16,7 +16,7 @@ class Look {
     frame(moment) {
         return frameAt(this.playback, moment);
     }
-    // `moment`: of the frame's, while the shutter is open.
+    // `moment` is one of the frame's, while the shutter is open.
     view(frame, fit = 1, moment = 0, surface = 0) {
         const own = this.data.view(frame, moment, surface);
         const held = this.held(frame, moment)?.surfaces[surface].view;
@@ -26,7 +26,7 @@ class Look {
         if (wasAtTarget) view.focus = distanceOf(view);
         return view;
     }
-    // Of all surfaces.
+    // The views of all surfaces.
     views(frame, fit, moment) {
         return this.data.surfaces.map((_, k) => this.view(frame, fit, moment, k));
     }

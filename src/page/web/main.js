@@ -3,7 +3,8 @@
 function copyText(text) {
     const copied = navigator.clipboard?.writeText(text) ?? Promise.reject();
     return copied.catch(() => {
-        // Frames and old browsers let no page write to the clipboard, but a selection be copied.
+        // Frames and old browsers let no page write to the clipboard, but they let it copy a
+        // selection.
         const area = made("textarea", { value: text });
         document.body.append(area);
         area.select();
@@ -88,6 +89,7 @@ async function main() {
     const canvas = element("picture");
     const fragments = {};
     for (const name of ["add", "show", "unfinished"]) fragments[name] = textOf(`${name}.frag`);
+    fragments.enlarge = fragments.show.replace("\n", "\n#define ENLARGED\n");
     let panel, hands;
     const painter = new Painter(canvas, data, look,
         { vertex: textOf("screen.vert"), fragments },

@@ -84,13 +84,13 @@ function dollied(view, amount, at = [0, 0]) {
         height: view.height * factor }, view);
 }
 
-// About the bounds of a surface, in the world.
+// A ball about the bounds of a surface, in the world.
 const ballAbout = (view) => ({
     centre: add(view.translate, times(view.scale, turned(view.rotate, view.centre))),
     radius: view.radius * view.scale,
 });
 
-// About those of all, as src/scene/scene_at.cpp has it.
+// A ball about the bounds of all surfaces, as src/scene/scene_at.cpp has it.
 function ballAboutAll(views) {
     const balls = views.map(ballAbout);
     if (balls.length === 1) return balls[0];

@@ -72,7 +72,7 @@ class Painter {
     untilWoken() {
         return new Promise((go) => (this.wake = go));
     }
-    // Until it is woken, or as long.
+    // Waits until it is woken, and at most so long.
     pause(milliseconds) {
         return Promise.race([this.untilWoken(), soon(milliseconds)]);
     }
@@ -113,7 +113,7 @@ class Painter {
             upload("environment_levels", environmentLevels, about.environmentLevels);
     }
 
-    // What does not depend on the camera, and the lights.
+    // Uploads what does not depend on the camera, and the lights.
     upload({ frame, moment, aim }, views) {
         const held = this.look.held(frame, moment);
         const middle = ballAbout(views[0]).centre;
@@ -136,7 +136,7 @@ class Painter {
         this.uploaded = key;
     }
 
-    // How rays see the surfaces; gives the ranges of their beams.
+    // Sets how rays see the surfaces; gives the ranges of their beams.
     aimAt(views, { width, height, aim }) {
         return this.data.about.surfaces.map(({ settings, beams }, k) => {
             const table = this.tables[k], view = views[k];

@@ -77,7 +77,7 @@ class PassTable {
         return this.lists[ofBeams ? level - 1 : this.lists.length - 1];
     }
 
-    // Those that most pictures need, or all.
+    // Compiles the passes that most pictures need, or all.
     async compile(exceptional = false) {
         const wanted = [...this.own.values(),
             ...this.passes.filter((pass) => exceptional || !pass.exceptional)];

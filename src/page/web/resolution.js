@@ -13,8 +13,8 @@ const tries = 40; // pictures of one size, after which another tells a from b
 const compiled = 2; // pictures, of which the first ones wait for the card's compiler
 const scaleOf = (rung) => 2 ** (-rung / 4);
 
-// Least squares of relative errors, neither below 0. Pictures of one size do not tell a from b: then
-// the shape of before stays.
+// Fits a and b by least squares of relative errors, neither below 0. Pictures of one size do not
+// tell a from b: then the shape of before stays.
 function costOf(pictures, before) {
     let x = 0, y = 0, xx = 0, xy = 0, yy = 0;
     const areas = pictures.map(({ scale }) => scale * scale);

@@ -17,14 +17,18 @@ class Screen {
         this.next = new Target(this.gl, width, height, [this.gl.RGBA32F]).expectComplete();
     }
 
+    // The first of them is copied.
     add(tile) {
         const { table } = this;
-        const before = this.count > 0 ? this.shown : null;
+        const { result } = this.tile;
+        if (this.count === 0) {
+            this.next.copy(result, tile);
+            return;
+        }
         const program = table.program("add");
-        table.bind("result", this.tile.result.textures[0]);
-        table.bind("sum", before ? before.textures[0] : null);
+        table.bind("result", result.textures[0]);
+        table.bind("sum", this.shown.textures[0]);
         program.set("tile_origin", [tile.x, tile.y]);
-        program.set("begins", before ? 0 : 1);
         this.next.bind();
         table.draw(program, tile);
         table.bind("result", null);
@@ -46,8 +50,9 @@ class Screen {
     show() {
         const { gl, table, shown } = this;
         if (!shown) return;
-        const program = table.program("show");
         const { width, height } = gl.canvas;
+        const isSame = shown.width === width && shown.height === height;
+        const program = table.program(isSame ? "show" : "enlarge");
         gl.bindFramebuffer(gl.FRAMEBUFFER, null);
         table.bind("sum", shown.textures[0]);
         program.set("count", this.shownCount);

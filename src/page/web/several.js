@@ -31,7 +31,7 @@ class SeveralSurfaces {
         if (first.table.has("occlusion")) this.open = new Relay(first, 1);
     }
 
-    // Into `result`; `ranges`: of the beams of each surface.
+    // Draws into `result`. `ranges` are those of the beams of each surface.
     async draw(ranges, size, result, go) {
         await this.findEnds(ranges, size, go);
         if (this.mirrored) await this.seeInMirrors(size, go);

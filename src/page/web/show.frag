@@ -1,6 +1,6 @@
 #version 300 es
-// The mean of pictures on the screen: light becomes sRGB, and a picture that is smaller than the
-// screen is filtered, as float textures need not be by the card.
+// The mean of pictures on the screen: light becomes sRGB. A picture of another size than the screen
+// (ENLARGED) is filtered, as float textures need not be by the card.
 precision highp float;
 precision highp sampler2D;
 uniform sampler2D sum;
@@ -17,8 +17,8 @@ vec4 texel(ivec2 at) {
     return min(max(light, 0.0), 65504.0);
 }
 
+#ifdef ENLARGED
 vec4 light_at(vec2 place) {
-    if (picture_size == screen_size) return texel(ivec2(place));
     vec2 at = place * picture_size / screen_size - 0.5;
     ivec2 low = ivec2(floor(at));
     vec2 part = at - floor(at);
@@ -26,6 +26,9 @@ vec4 light_at(vec2 place) {
     vec4 above = mix(texel(low + ivec2(0, 1)), texel(low + ivec2(1, 1)), part.x);
     return mix(below, above, part.y);
 }
+#else
+vec4 light_at(vec2 place) { return texel(ivec2(place)); }
+#endif
 
 vec3 srgb(vec3 light) {
     light = clamp(light, 0.0, 1.0);

@@ -33,7 +33,7 @@ class SurfacePasses {
     newTarget(formats) {
         return new Target(this.gl, this.side, this.side, formats).expectComplete();
     }
-    // Of so many textures of four floats.
+    // A target with `count` textures of four floats a pixel.
     newFloats(count) {
         return this.newTarget(Array(count).fill(this.gl.RGBA32F));
     }
@@ -95,15 +95,15 @@ class SurfacePasses {
     }
 
     // Whether the draw of this role leaves any fragment, once the card has drawn it.
-    countedBy(role, size, counter = this.counter) {
+    countedBy(role, size, counter = this.counter, patience = 0) {
         const { gl } = this;
         gl.colorMask(false, false, false, false);
-        const passed = anyPassed(gl, () => this.run(role, counter, size));
+        const passed = anyPassed(gl, () => this.run(role, counter, size), patience);
         gl.colorMask(true, true, true, true);
         return passed;
     }
 
-    // In one draw. Shadow rays go to one light after the other.
+    // The evaluations of a ray in one draw. Shadow rays go to one light after the other.
     evaluationsOf(role) {
         const { evaluations, shadowLights, degree } = this.about;
         return role === "shadow" ? Math.max(Math.floor(evaluations / shadowLights), degree + 1)

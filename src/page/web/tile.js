@@ -2,6 +2,7 @@
 // draw of each surface, or rays in as many passes as they take and what is lit from their ends.
 
 const nowhere = 1e30; // NO_END of shaders/surfaces/seen_way.glsl
+const mostPlaces = 64; // of tiles
 
 class TileDrawer {
     // `tables`: of each surface.
@@ -18,6 +19,7 @@ class TileDrawer {
         this.result = first.newTarget(formats);
         this.drawsOver = this.isFused && tables.length > 1;
         if (this.drawsOver) this.prepareDrawingOver(formats);
+        this.lasted = new Map(); // milliseconds of the last draw of a tile
         if (this.isFused) this.mask = new DepthMask(gl, [this.over ?? this.result]);
         else this.prepareForPasses();
     }
@@ -46,7 +48,7 @@ class TileDrawer {
         for (const surface of this.surfaces) surface.begin(tile);
         if (this.isFused) {
             this.drawFused(inputs, size);
-            if (!(await this.anyUnfinished(size))) return;
+            if (!(await this.anyUnfinished(tile))) return;
             // Some ray takes longer than a draw may; others of this scene will too.
             this.isFused = false;
             for (const { table } of this.surfaces) await table.compile(true);
@@ -85,12 +87,19 @@ class TileDrawer {
         });
     }
 
-    // Answers when the card has drawn the tile.
-    async anyUnfinished(size) {
+    // Answers when the card has drawn the tile, which takes about as long as it took before.
+    async anyUnfinished({ x, y, width, height }) {
         const [first] = this.surfaces;
+        const place = [x, y, width, height].join(" "), begin = performance.now();
         first.table.bind("record", this.result.textures[1]);
-        return first.countedBy("unfinished", size)
-            .finally(() => first.table.bind("record", null));
+        try {
+            return await first.countedBy("unfinished", { width, height }, undefined,
+                0.85 * (this.lasted.get(place) ?? 0));
+        } finally {
+            first.table.bind("record", null);
+            if (this.lasted.size > mostPlaces) this.lasted.clear();
+            this.lasted.set(place, performance.now() - begin);
+        }
     }
 
     // Rays by how they ended: miss, hit, step limit, NaN, zero gradient. Waits for the card.

@@ -7,6 +7,8 @@ uniform usampler2D record;
 layout(location = 0) out vec4 unused;
 
 void main() {
-    if ((texelFetch(record, ivec2(gl_FragCoord.xy), 0).r & 7u) != 7u) discard;
+    // Software renderers take twice as long to fetch a texel as to sample one.
+    vec2 at = gl_FragCoord.xy / vec2(textureSize(record, 0));
+    if ((textureLod(record, at, 0.0).r & 7u) != 7u) discard;
     unused = vec4(1.0);
 }

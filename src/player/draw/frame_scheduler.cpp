@@ -13,10 +13,10 @@ namespace {
 // person looks closer.
 constexpr double rests_after = 0.15;
 
-// A picture that takes longer is not waited for: what is newer may have it given up.
+// A new request waits so long for the picture in flight, and then has it given up.
 constexpr double longest_wait = 0.1;
 
-// What is shown at rest grows towards the whole picture if that takes longer, seconds.
+// If a whole picture at rest takes more seconds than this, the picture grows towards it.
 constexpr double grows_from = 0.25;
 
 // Rays of a picture at rest.
@@ -73,7 +73,8 @@ void FrameScheduler::post(const Session& session, double scale, int samples, boo
     thread_.draw(std::move(request));
 }
 
-// Of a picture at rest, after one of the last request's. What grows costs a third more in all.
+// The scale of the next picture at rest, after one of the last request's scale. Pictures that grow
+// cost a third more in all.
 double FrameScheduler::next_scale(int samples) const {
     const double whole = 1e-3 * samples * resolution_.model.at(1);
     return whole > grows_from ? std::min(2 * scale_, 1.0) : 1;

@@ -20,7 +20,7 @@ struct PlacedEvent {
     int surface = 0;     // of the scene's surfaces
 };
 
-// So many frames before and after an event its ring is in the picture.
+// The ring of an event is in the picture for so many frames before and after it.
 inline constexpr double ring_frames = 4;
 inline constexpr std::size_t most_rings = 60;
 

@@ -67,7 +67,8 @@ LiveScene::News LiveScene::look(double now) {
     News news;
     news.shaders = !shader_files_.changed().empty();
     if (!scene_files_.changed().empty()) {
-        // Also what the text names now: were it what makes the scene fail, it would mend it.
+        // The files that the text names now are watched, too: if one of them makes the scene fail,
+        // mending that file mends the scene.
         scene_files_.watch(files_of(session.scene()));
         try {
             session.reload(scene::load(scene::word_of(session.scene()), overrides_, reach_), now);

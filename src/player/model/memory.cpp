@@ -40,7 +40,7 @@ int integer(const json& value, int least, int most) {
     return int(number);
 }
 
-// Above `least`, below `most`; everything ends as a float.
+// A number above `least` and below `most`; everything ends as a float.
 double number(const json& value, double least = -std::numeric_limits<float>::max(),
               double most = std::numeric_limits<float>::max()) {
     const double number = value.get<double>();

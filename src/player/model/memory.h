@@ -64,7 +64,7 @@ private:
     Warn warn_;
 };
 
-// From the environment; empty if neither XDG_STATE_HOME nor HOME is an absolute path.
+// Taken from the environment; empty if neither XDG_STATE_HOME nor HOME is an absolute path.
 std::filesystem::path state_folder();
 // For files that can be regenerated: XDG_CACHE_HOME, otherwise ~/.cache.
 std::filesystem::path cache_folder();

@@ -20,7 +20,7 @@ double slope(const CameraAt& camera) {
     return std::tan(glm::radians(camera.fov) / 2) / camera.zoom;
 }
 
-// What stays in focus at the target when the camera is somewhere else.
+// Keeps the target in focus if it was in focus before the camera moved.
 void keep_focus(CameraAt& camera, double before) {
     if (std::abs(camera.focus - before) <= 1e-9 * before) camera.focus = distance(camera);
 }

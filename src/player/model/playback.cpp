@@ -16,7 +16,7 @@ double rate(const Playback& p) {
     return p.speed() * double(p.fps.numerator) / double(p.fps.denominator);
 }
 
-// As one number that still shows the frame, however near its part is to 1.
+// The place as one number that still shows the frame, however near its part is to 1.
 double number(std::int64_t frame, double part) {
     return std::min(double(frame) + part, std::nextafter(double(frame + 1), 0.0));
 }
@@ -64,7 +64,7 @@ Playback playback_of(const animation::Timeline& timeline) {
 Position frame_at(const Playback& p, double now) {
     if (!p.playing) return at(p, p.anchor);
     const double elapsed = now - p.moment;
-    // No number, or a clock that ran back: as if none had gone by.
+    // If the time is no number or the clock ran back, no time has gone by.
     const double gone = elapsed > 0 && elapsed < infinity ? elapsed * rate(p) : 0;
     const double position = p.anchor + gone;
     if (p.loop) {

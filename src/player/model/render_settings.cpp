@@ -59,7 +59,7 @@ void add_overrides(const animation::Animation& animation, const Overrides& overr
                    const std::string& surface, std::vector<scene::Override>& all) {
     const char* of_parameters = surface.empty() ? "" : "parameters.";
     for (const auto& [name, value] : overrides.values) {
-        // A scene that was read again may have it no more: then it holds nothing.
+        // A scene that was read again may no longer have the parameter: then nothing is held.
         if (!animation.find(name)) continue;
         const bool of_array = name.find('.') != name.npos;
         all.push_back(

@@ -8,7 +8,7 @@
 namespace isomotion::player {
 namespace {
 
-// At rest, where the scene itself asks for fewer.
+// A picture at rest has so many samples where the scene itself asks for fewer.
 constexpr int smooth_samples = 16;
 
 // The most different method at hand: the paper's.

@@ -35,7 +35,7 @@ TopologyMarkers topology_markers(const scene::Scene& scene, const topology::Time
 TopologyMarkers read_topology_markers(const scene::Scene& scene, const std::filesystem::path& file);
 // NAME.timeline.json beside NAME.toml.
 std::filesystem::path timeline_path(const scene::Scene& scene);
-// Of one of several surfaces, by its name: NAME.SURFACE.timeline.json.
+// The same for one of several surfaces, by its name: NAME.SURFACE.timeline.json.
 std::filesystem::path timeline_path(const scene::Scene& scene, const std::string& surface);
 // What such files of each surface hold, together; labels begin with the surface's name.
 TopologyMarkers read_topology_markers_of_each(const scene::Scene& scene);

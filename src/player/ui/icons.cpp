@@ -16,7 +16,7 @@ public:
         , radius_(radius)
         , color_(color) {}
 
-    // In radii from the middle, x to the right and y down.
+    // Lengths are in radii from the middle, x to the right and y down.
     void triangle(float tip, float base, float half) {
         const ImVec2 a = at(tip, 0), b = at(base, -half), c = at(base, half);
         if (tip > base) {

@@ -9,8 +9,8 @@
 
 namespace isomotion::player {
 
-// In Dear ImGui's current window, over the picture at this corner and of this size, pixels. Words
-// are left out where they would cover other rings or words.
+// Draws in Dear ImGui's current window, over the picture at this corner and of this size, in
+// pixels. Words are left out where they would cover other rings or words.
 void draw_rings(const std::vector<Ring>& rings, const std::vector<PlacedEvent>& events,
                 glm::ivec2 corner, glm::ivec2 size);
 

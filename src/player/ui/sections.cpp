@@ -167,8 +167,8 @@ void settings(scene::Isolation& isolation, const scene::Isolation& own) {
     integer("limit", isolation.limit, 1, 100'000, true);
 }
 
-// What a slider does: of a parameter it is the value; of an array's field it multiplies the values
-// of all `elements`.
+// What a slider does: it is the value of a parameter, or multiplies the values of an array's field
+// for all `elements`.
 std::string slider_tip(const Slider& of, std::optional<int> elements) {
     std::string tip;
     if (elements) {
@@ -439,7 +439,7 @@ void reading_line(const std::optional<Shown>& shown, const std::optional<Audited
         1e3 * tally.drawing.count(), double(tally.evaluations) / rays);
     const std::string found = audited ? audit_text(audited->findings) : drawn;
     ImGui::SameLine();
-    // Of both, where there is room for one alone, what was found.
+    // Where there is no room for both texts, only what was found is shown.
     for (const std::string& text : {audited ? drawn + "   " + found : drawn, found}) {
         const float begin =
             ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x;

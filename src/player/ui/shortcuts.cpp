@@ -20,7 +20,7 @@ constexpr Binding bindings[] = {
     {GLFW_KEY_ESCAPE, Command::dismiss},
 };
 
-// By the character on the key, wherever the keyboard's layout has it.
+// A key found by its character, wherever the keyboard's layout has it.
 struct Letter {
     char32_t character;
     Command command;

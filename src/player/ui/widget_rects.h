@@ -8,7 +8,7 @@
 
 namespace isomotion::player {
 
-// In pixels of the window: left, top, width, height.
+// Rectangles in pixels of the window: left, top, width, height.
 using WidgetRects = std::map<std::string, std::array<int, 4>>;
 
 // Records the place of the last widget; has no effect before recording has started.

@@ -110,7 +110,7 @@ FileFrames::FramePointer FileFrames::read(std::size_t k, const std::vector<bool>
     frame->columns.resize(from.size());
     if (table.count == 0) return frame;
     if (id) {
-        // Also as a field, before it is taken.
+        // The ids may be a field as well; that is copied before they are taken.
         std::vector<double> as_field;
         for (std::size_t c = 0; c < from.size(); ++c) {
             if (from[c] != id) continue;

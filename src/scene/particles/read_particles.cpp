@@ -69,7 +69,7 @@ Reader reader_of(std::string_view bytes, const ParticleRequest& request) {
     return reader;
 }
 
-// Nothing of what cannot be read.
+// The beginning of a file; nothing if it cannot be read.
 std::string beginning_of(const ParticleRequest& request, std::size_t most) {
     std::string bytes(most, '\0');
     try {

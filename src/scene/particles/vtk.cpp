@@ -146,7 +146,7 @@ private:
         std::size_t components = 1;
         if (key == "TEXTURE_COORDINATES" || key == "COLOR_SCALARS")
             components = words_.count("an attribute's number of components");
-        // From 0 to 1 as a text, from 0 to 255 else.
+        // Colours are from 0 to 1 in a text, and from 0 to 255 in binary.
         if (key == "COLOR_SCALARS")
             return array(name, components, is_ascii ? "float" : "unsigned_char", tuples_);
         const std::string_view type = words_.need("an attribute's type");

@@ -120,7 +120,7 @@ public:
     explicit Tables(const animation::Timeline& timeline)
         : timeline_(timeline) {}
 
-    // Before the first is read.
+    // Call this for all tables before the first is read.
     void add(const TableOptions& options) {
         File& file = file_of(options);
         if (std::ranges::find(file.asked, options) == file.asked.end())

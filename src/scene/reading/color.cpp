@@ -25,8 +25,8 @@ std::optional<ParseError> mistake_in(const std::string& text,
     return std::nullopt;
 }
 
-// Whether a part names the place, or an array's elements. A mistake either way is told by what went
-// on farther in the text.
+// Whether a part names the place, or an array's elements. If it is wrong as either, the reading
+// that went on farther in the text tells the mistake.
 bool is_of_place(const std::string& text, const toml::node& node, const std::string& key,
                  const SurfaceParts& parts) {
     formula::Vocabulary of_time;
@@ -68,7 +68,7 @@ bool is_read(const SurfaceParts& parts, const animation::Animation& animation, s
     });
 }
 
-// Where an array has the three fields and they are free.
+// The three fields of an array, if it has them and they are free.
 std::optional<std::array<int, 3>> free_fields(const SurfaceParts& parts,
                                               const animation::Animation& animation,
                                               std::size_t array,

@@ -283,7 +283,7 @@ ElementTable read_frames(const TableOptions& options, const animation::Timeline&
         const ColumnChoice choice = choose_columns(names, options.columns, false);
         SampledColumns columns = sampled_columns(choice, names, options.interpolation);
         rule = rule_of(options.interpolation, columns);
-        // What no field reads is there to be shown.
+        // Columns that no field reads are there to be shown.
         for (std::size_t k = 0; k < names.size(); ++k) {
             if (std::ranges::find(columns.from, k) == columns.from.end()) columns.from.push_back(k);
         }

@@ -17,7 +17,7 @@ struct SampledColumns {
 
 SampledColumns sampled_columns(const ColumnChoice& choice, const std::vector<std::string>& names,
                                std::optional<Interpolation> interpolation);
-// By velocities if no rule was asked for and there are some. Throws NamedColumn.
+// The rule asked for; without one, by velocities if there are some. Throws NamedColumn.
 Interpolation rule_of(std::optional<Interpolation> asked, const SampledColumns& columns);
 
 // The part of a file that one array reads.

@@ -48,7 +48,7 @@ std::vector<Word> words_of(std::string_view formula) {
     return words;
 }
 
-// What a window and a page are headed by: of a long formula the beginning.
+// The title of a window and a page; for a long formula, its beginning.
 std::string title_of(std::string_view formula) {
     constexpr std::size_t longest = 200; // bytes
     std::string title;

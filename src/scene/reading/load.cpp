@@ -192,7 +192,8 @@ void check_arrays(const animation::Animation& animation, const TrackTable& track
                                most));
 }
 
-// What would take minutes to read, or to be at one frame, is no scene but a slip of the pen.
+// Refuses what would take minutes to read, or to be at one frame: it is no scene but a slip of the
+// pen.
 void check_work(const Scene& scene, const SurfaceParts& parts, const TrackTable& tracks) {
     const animation::Animation& animation = scene.timeline.animation;
     const std::vector<int> counts = animation.counts();
@@ -220,7 +221,7 @@ SceneAt first_frame(const Scene& scene, const TrackTable& tracks) {
     }
 }
 
-// What caps show is of a solid, which may be all of space.
+// A scene with sections needs no surface: caps show a solid, which may be all of space.
 void expect_surface(const Scene& scene, const SurfaceParts& parts) {
     const formula::Field& field = *parts.surface.field;
     if (formula::degree(field.graph, field.root) != 0 || !scene.sections.empty()) return;
@@ -229,7 +230,7 @@ void expect_surface(const Scene& scene, const SurfaceParts& parts) {
          "and z");
 }
 
-// As near to a jump as a root may be told from it in pictures of 64 pixels across.
+// How near to a jump counts as at it: as near as pictures of 64 pixels across tell a root from it.
 constexpr double wall_part = 0x1p-15;
 
 // Values that float32 doesn't hold well are multiplied by a power of two.
@@ -472,7 +473,7 @@ bool is_there(const std::string& name) {
     return type != fs::file_type::not_found && type != fs::file_type::none; // too long for a file
 }
 
-// What load() takes.
+// Finds the document that load() is asked for.
 SceneDocument find_document(const std::string& name, Reach reach) {
     if (is_formula(name) && !is_there(name)) {
         return {scene_of_formula(name), "", "formula.toml",

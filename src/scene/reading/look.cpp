@@ -37,7 +37,7 @@ void take_out(toml::table& look, std::string_view section,
     }
 }
 
-// What would contradict the scene.
+// Leaves out of a look what would contradict the scene.
 void leave_out(toml::table& look, const toml::table& document) {
     if (has(document, "material", "model"))
         take_out(look, "material", {"model", "shininess", "specular", "roughness", "metallic"});

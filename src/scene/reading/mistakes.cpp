@@ -43,7 +43,7 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
     return std::ranges::count(words, word) > 0;
 }
 
-// The formula itself, or that there is none.
+// Whether the mistake is in the formula itself, or is that there is none.
 bool is_of_formula(const Path& path) {
     return !path.empty() && path[0] == "surface" &&
            (path.size() == 1 || is_one_of(path[1], {"formula", "use"}));
@@ -55,8 +55,8 @@ bool is_field(const Path& path) {
            !is_one_of(path[2], {"count", "file", "columns", "first_file"});
 }
 
-// What all that follows is read by, and nothing can stand in for: an array, and a formula that
-// colours of elements depend on.
+// Whether all that follows is read by it and nothing can stand in for it: an array, and a formula
+// that colours of elements depend on.
 bool decides_all(const toml::table& root, const Path& path) {
     if (path.empty()) return true;
     if (is_of_formula(path)) return root.contains("arrays");
@@ -94,9 +94,9 @@ Path value_of(const toml::table& root, const Path& path) {
     return value;
 }
 
-// A right value in place of one that others are read by: parameters and fields are named in other
-// values, frames are counted, unless their seconds are, a camera with a position has no orbit, and
-// a light comes from somewhere.
+// Puts a right value in place of one that others are read by: parameters and fields are named in
+// other values, frames are counted, unless their seconds are, a camera with a position has no
+// orbit, and a light comes from somewhere.
 void put_stand_in(toml::table& table, const Path& path) {
     const std::string& key = path.back();
     const auto put = [&](auto value) { table.insert_or_assign(key, std::move(value)); };
@@ -116,13 +116,13 @@ void put_stand_in(toml::table& table, const Path& path) {
     if (path[0] == "sections" && key == "sphere") put(0);
 }
 
-// A right one in place of a table of a list: the others keep their numbers.
+// A right table in place of one of a list, whose others keep their numbers.
 toml::table listed_stand_in(const Path& path) {
     if (path[0] == "sections") return toml::table{{"sphere", 0}};
     return toml::table{{"direction", toml::array{0, 0, 1}}};
 }
 
-// Keys that only some values of another one know.
+// Takes out the keys that only some values at this path know.
 void take_out_with(toml::table& parent, const Path& path) {
     if (path == Path{"material", "model"}) {
         for (const char* key : {"shininess", "roughness", "metallic", "specular"})
@@ -216,7 +216,8 @@ Mistakes all_mistakes(toml::table& root, const PlacedError& first,
         const bool is_here = find_path(root, mistake.at(), path);
         const auto is_below = [&](const Path& other) { return begins_with(other, path); };
         if (std::ranges::any_of(out, is_below) && !std::ranges::count(out, path)) {
-            // What misses a key that was taken out goes as well, untold.
+            // A value that lacks a key that was taken out is taken out as well, and its mistake is
+            // not told.
             if (!is_here || path.empty() || decides_all(root, path)) return false;
             put_out(path, false);
             return true;

@@ -91,7 +91,7 @@ void override_key(toml::table& document, const std::string& setting) {
     } catch (const toml::parse_error&) {
         parsed.insert("value", value);
     }
-    // A whole camera instead of the scene's; another look.
+    // A value may be a whole camera instead of the scene's, or another look.
     const bool is_camera = path == "camera" && parsed.get("value")->is_table();
     const bool is_parameter = path.find('.') == path.npos;
     if (!is_camera && is_parameter && put_own_parameter(document, path, *parsed.get("value")))

@@ -14,7 +14,7 @@ struct PaintParts {
     std::string value;
     const toml::node* value_node = nullptr;
     std::string value_key, range_key; // for messages
-    // Of the range, if it is the range that the surface shows.
+    // The node of `range = "auto"`, the range that the surface shows; null for another range.
     const toml::node* shown_node = nullptr;
 };
 

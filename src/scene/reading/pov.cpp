@@ -128,7 +128,7 @@ private:
         at_.take_if(";");
     }
 
-    // What those of POV-Ray declare that is read, is known.
+    // Passes over files of POV-Ray's own: what they declare is known, if it is read.
     void include() {
         static constexpr std::string_view known[] = {"colors.inc",  "functions.inc", "textures.inc",
                                                      "shapes.inc",  "metals.inc",    "math.inc",
@@ -223,7 +223,7 @@ private:
             put(line, "output.size", fmt::format("[{}, {}]", width, height));
     }
 
-    // Upwards, where POV-Ray's angle is across.
+    // The field of view upwards, where POV-Ray's angle is across.
     static std::string fov_text(const std::optional<PovNumber>& angle, double right, double up,
                                 double ahead) {
         using std::numbers::pi;

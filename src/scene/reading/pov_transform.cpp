@@ -83,7 +83,7 @@ void PovTransform::rotate(const std::vector<PovNumber>& angles, const PovCursor&
         still_ != glm::dvec3(0)) {
         at.fail("rotate", "one that moves is read about one axis, as the first transformation");
     }
-    // About a swapped axis the other way round.
+    // A rotation about a swapped axis goes the other way round.
     turn_ = std::vector<PovNumber>{angles[0], angles[2], angles[1]};
     for (PovNumber& angle : *turn_) {
         if (is_zero(angle)) continue;

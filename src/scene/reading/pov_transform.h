@@ -11,7 +11,7 @@
 
 namespace isomotion::scene {
 
-// In this program's axes (scene/reading/pov.h). Transforms apply in order, as in POV-Ray.
+// Transforms in this program's axes (scene/reading/pov.h). They apply in order, as in POV-Ray.
 class PovTransform {
 public:
     // Reads one transform, if there is one here. Fails for a transform that changes angles.

@@ -95,7 +95,7 @@ public:
         const auto found = numbers(key, 3);
         return found ? glm::dvec3((*found)[0], (*found)[1], (*found)[2]) : otherwise;
     }
-    // Row by row.
+    // Reads a matrix row by row.
     glm::dmat4 matrix(const std::string& key, const glm::dmat4& otherwise) const {
         const auto found = numbers(key, 16);
         if (!found) return otherwise;

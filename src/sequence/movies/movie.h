@@ -42,7 +42,7 @@ struct MoviePictures {
 bool write_movie(const std::filesystem::path& movie, const MoviePictures& pictures,
                  image::Rational frames_per_second, const std::function<bool()>& stop = {});
 
-// The same of files. Throws the errors of decode() for a picture that cannot be read, too.
+// The same with files. Throws the errors of decode() for a picture that cannot be read, too.
 bool write_movie(const std::filesystem::path& movie,
                  std::span<const std::filesystem::path> pictures, image::Rational frames_per_second,
                  const std::function<bool()>& stop = {});

@@ -4,6 +4,8 @@
 #include <bit>
 #include <map>
 #include <numeric>
+#include <span>
+#include <utility>
 
 namespace isomotion::topology {
 namespace {
@@ -83,11 +85,11 @@ CellComplex::Packed CellComplex::packed(const CellKey& key) {
 
 CellComplex::Table::Table() { grow(); }
 
-// From the high bits of a product, which Fibonacci's multiplier mixes best, and on to the next
-// ones.
+// The slot of a key is searched for from the high bits of a product, which Fibonacci's multiplier
+// mixes best, and on to the next ones.
 CellComplex::Table::Slot& CellComplex::Table::slot(const Packed& key) {
     constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;
-    const std::uint64_t mixed = (key[0] * golden ^ key[1]) * golden;
+    const std::uint64_t mixed = (key.first * golden ^ key.second) * golden;
     for (std::size_t at = std::size_t(mixed >> (64 - bits_));; at = (at + 1) % slots_.size()) {
         Slot& here = slots_[at];
         if (here.key == key || here.key == no_key) return here;
@@ -121,6 +123,13 @@ void CellComplex::Table::list_none() {
 
 CellComplex::Cell& CellComplex::cell(const CellKey& key) { return cells_[packed(key)]; }
 
+// What it is made of is to be listed in its place.
+void CellComplex::divide(const CellKey& key) {
+    Cell& now = cell(key);
+    now.is_divided = true;
+    if (std::exchange(now.is_listed, false)) open_[std::size_t(key.dimension())].push_back(key);
+}
+
 // Whatever a new cell is a part of is divided.
 void CellComplex::add(const CellKey& key) {
     cell(key);
@@ -130,9 +139,8 @@ void CellComplex::add(const CellKey& key) {
         for (std::size_t k = 0; k < 3; ++k) {
             if (whole.is_along(k)) whole.at[k] &= ~(whole.length() - 1);
         }
-        Cell& above = cell(whole);
-        if (above.is_divided) return;
-        above.is_divided = true;
+        if (cell(whole).is_divided) return;
+        divide(whole);
     }
 }
 
@@ -145,11 +153,10 @@ void CellComplex::smallest(const CellKey& key, Cells& found) {
 }
 
 bool CellComplex::list(const Limits& limits) {
-    cells_.list_none();
-    for (Cells& cells : listed_) cells.clear();
-    Cells open{CellKey{}};
     for (int dimension = 3; dimension >= 0; --dimension) {
-        Cells& listed = listed_[std::size_t(dimension)];
+        const auto d = std::size_t(dimension);
+        Cells &open = open_[d], &listed = listed_[d];
+        const std::size_t before = listed.size();
         while (!open.empty()) {
             const CellKey key = open.back();
             open.pop_back();
@@ -169,23 +176,23 @@ bool CellComplex::list(const Limits& limits) {
             if (now.is_divided) {
                 for (const CellKey& part : key.parts()) open.push_back(part);
             } else {
-                now.number = int(listed.size());
                 listed.push_back(key);
             }
         }
-        if (dimension == 0) break;
-        for (const CellKey& key : listed) {
+        const auto fresh = std::span(listed).subspan(before);
+        unsettled_[d].insert(unsettled_[d].end(), fresh.begin(), fresh.end());
+        for (const CellKey& key : fresh) {
             for (const CellKey& facet : key.facets()) {
                 add(facet);
-                open.push_back(facet);
+                open_[d - 1].push_back(facet);
             }
         }
     }
     return true;
 }
 
-// A cell that S sinks in has of it what the facets have that it sinks to. These are a disc, an arc
-// or a point; of S they have what is made of their cells that it meets.
+// A cell in which S sinks holds of S what the facets hold that S sinks to. These facets are a disc,
+// an arc or a point; they hold of S what their cells that S meets make up.
 bool CellComplex::settle(const CellKey& key) {
     const CellFact fact = cell(key).fact;
     if (fact.kind != CellFact::Kind::sinking) {
@@ -242,6 +249,10 @@ bool CellComplex::settle(const CellKey& key) {
 // chi_c(X on B's walls) - chi_c(X), for X is a manifold of three dimensions; b_2 counts, by
 // Alexander's duality, what X parts the rest into, all that is outside of B being one.
 Betti CellComplex::count() {
+    for (Cells& cells : listed_) {
+        std::erase_if(cells, [&](const CellKey& key) { return cell(key).is_divided; });
+        for (std::size_t k = 0; k < cells.size(); ++k) cell(cells[k]).number = int(k);
+    }
     std::array<std::size_t, 5> first{}; // number of the first cell of each dimension
     for (std::size_t d = 0; d < 4; ++d) first[d + 1] = first[d] + listed_[d].size();
     const std::size_t count = first[4], outside = count;
@@ -278,22 +289,32 @@ Betti CellComplex::count() {
     return betti;
 }
 
-std::optional<Betti> CellComplex::betti(const Limits& limits) {
-    for (;;) {
-        if (!list(limits)) return std::nullopt;
+// What is settled remains so, however finely its facets are divided.
+bool CellComplex::settle_listed(const Limits& limits) {
+    for (Cells& cells : unsettled_) { // ascending dimension
         bool is_settled = true;
-        for (const Cells& cells : listed_) { // ascending dimension
-            for (const CellKey& key : cells) {
-                if (settle(key)) continue;
-                failed_ = key;
-                if (key.level >= limits.depth_of(key.dimension())) return std::nullopt;
-                cell(key).is_divided = true;
-                is_settled = false;
-            }
-            if (!is_settled) break;
+        for (const CellKey& key : cells) {
+            if (cell(key).is_divided) continue;
+            if (settle(key)) continue;
+            failed_ = key;
+            if (key.level >= limits.depth_of(key.dimension())) return false;
+            divide(key);
+            is_settled = false;
         }
-        if (is_settled) return count();
+        cells.clear();
+        if (!is_settled) break;
     }
+    return true;
+}
+
+std::optional<Betti> CellComplex::betti(const Limits& limits) {
+    cells_.list_none();
+    for (auto* cells : {&open_, &listed_, &unsettled_}) *cells = {};
+    open_[3] = {CellKey{}};
+    do {
+        if (!list(limits) || !settle_listed(limits)) return std::nullopt;
+    } while (std::ranges::any_of(open_, [](const Cells& cells) { return !cells.empty(); }));
+    return count();
 }
 
 } // namespace isomotion::topology

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -82,13 +83,17 @@ public:
 private:
     struct Cell {
         CellFact fact;
-        bool is_divided = false, is_listed = false;
-        bool is_in_s = false; // S meets it
-        int number = 0;       // among the listed cells
+        bool is_divided = false;
+        bool is_listed = false; // or its parts are, if it is divided
+        bool is_in_s = false;   // S meets it
+        int number = 0;         // among the listed cells
     };
     using Cells = std::vector<CellKey>;
     // A key that identifies a cell.
-    using Packed = std::array<std::uint64_t, 2>;
+    struct Packed {
+        std::uint64_t first, second;
+        auto operator<=>(const Packed&) const = default;
+    };
     static Packed packed(const CellKey& key);
 
     // The cells asked for, in one contiguous table, since looking them up dominates the time.
@@ -116,16 +121,22 @@ private:
     };
 
     Cell& cell(const CellKey& key); // as in Table
+    void divide(const CellKey& key);
+    // Lists what the cells are made of that were divided since the last call, and facets of these.
     bool list(const Limits& limits);
     void add(const CellKey& key);
     // The undivided cells that make up a cell; the cell itself if it is undivided.
     void smallest(const CellKey& key, Cells& found);
     bool settle(const CellKey& key); // whether S meets it in something contractible
+    // Divides the cells of the least dimension that has some which can't be settled. False if they
+    // must not be divided.
+    bool settle_listed(const Limits& limits);
     Betti count();
 
     Ask ask_;
     Table cells_;
-    std::array<Cells, 4> listed_; // by dimension
+    // By dimension. Of those listed, some may be divided since; some are not settled yet.
+    std::array<Cells, 4> open_, listed_, unsettled_;
     CellKey failed_;
     std::size_t asked_ = 0;
     int depth_ = 0;

@@ -16,8 +16,9 @@ using formula::Interval;
 // There is no other proof of a formula with kinks, nor of a surface that reaches a sphere.
 constexpr std::size_t most_cells = 100'000, most_cells_without_other_proof = 400'000;
 
-// Where the cells are. What is symmetric or has round numbers would touch faces of equal cells:
-// sides are divided a little off the middle. Of a sphere they fill a box that it doesn't touch.
+// The places of cells. What is symmetric or has round numbers would touch faces of equal cells:
+// sides are divided a little off the middle. If the bounds are a sphere, the cells fill a box that
+// it doesn't touch.
 class CellPlaces {
 public:
     explicit CellPlaces(const scene::BoundsAt& bounds)
@@ -34,7 +35,8 @@ public:
         return box;
     }
 
-    // Places outside of and inside of the bounds, if these are a sphere. It is outside itself.
+    // Whether a place is outside of the bounds, or inside of them, if these are a sphere. The
+    // sphere itself is outside.
     bool is_outside(const SpaceBox& box) const {
         return is_sphere() && squared_distance(box).lo >= squared_radius().hi;
     }
@@ -124,7 +126,7 @@ private:
     std::map<std::pair<int, std::array<int, 3>>, Elements> known_;
 };
 
-// The solid in cells: where G < 0 inside of the bounds. Of a sphere that is where the greater one
+// The solid in cells: where G < 0 inside of the bounds. For a sphere that is where the greater one
 // of G and h, the squared distance from its centre less its radius squared, is negative.
 class SolidInCells {
 public:

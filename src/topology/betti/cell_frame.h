@@ -10,8 +10,8 @@
 
 namespace isomotion::topology {
 
-// As certify_frame(), which calls this if its own method fails. Ignores `depth` and `boxes` of the
-// limits.
+// Certifies as certify_frame() does, which calls this if its own method fails. Ignores `depth` and
+// `boxes` of the limits.
 CertifiedFrame certify_by_cells(const SpaceFormula& formula, const scene::BoundsAt& bounds,
                                 const FrameLimits& limits);
 

@@ -1,12 +1,11 @@
 #include "topology/betti/certified_frame.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <vector>
 
 #include "topology/betti/cell_frame.h"
-#include "topology/betti/column.h"
+#include "topology/betti/leaf_columns.h"
 #include "topology/betti/planes.h"
 #include "topology/betti/sign_grid.h"
 
@@ -25,6 +24,8 @@ constexpr double rim = 0x1p-30;
 // Elements are chosen for cells whose depth is a multiple of this one, and shared by those in them.
 // Many boxes evaluated together cost less than each alone.
 constexpr int choice_of_elements = 2;
+// About so many columns of vertices are asked together.
+constexpr std::size_t columns_together = 1024;
 
 // One value of each enclosure. The topology is the same for all (docs/topology-proofs.md), so the
 // signs may be those of any.
@@ -169,9 +170,14 @@ private:
     // The least distance of vertices next to each other in a cell.
     double least_step(const Cell& cell, std::size_t axis) const;
     void fill(const Cell& cell, SignGrid& grid) const;
-    // The signs of the grid's vertices in a crossed leaf; false if one is lost in rounding that
-    // matters.
-    bool draw(const Crossed& leaf, SignGrid& grid);
+    LeafColumns columns_of(const Crossed& leaf) const;
+    // The columns of the first leaves, as many as have elements in common.
+    std::vector<LeafColumns> asked_together(std::span<const Crossed> leaves) const;
+    // Until all columns are known.
+    void ask(std::span<LeafColumns> leaves, const Elements& near);
+    // Draws the signs of the grid's vertices in the first crossed leaves, and says in how many. It
+    // fails where a sign is lost in rounding that matters.
+    std::size_t draw(std::span<const Crossed> leaves, SignGrid& grid);
 
     FrameField& field_;
     FrameField& one_;
@@ -192,7 +198,7 @@ CertifiedFrame Octree::certify() {
     CertifiedFrame frame;
     frame.depth = depth_;
     frame.boxes = boxes_;
-    // As long as the longest of its sides: beyond the others there is no solid.
+    // The grid is as long as the longest of its sides: beyond the others there is no solid.
     int side = 0;
     for (Planes& planes : planes_) {
         planes.number();
@@ -202,12 +208,9 @@ CertifiedFrame Octree::certify() {
     if (!failure_) {
         SignGrid grid(side);
         for (const Cell& cell : solid_) fill(cell, grid);
-        for (const Crossed& leaf : crossed_) {
-            if (!is_interrupted(leaf.cell) && draw(leaf, grid)) continue;
-            if (failure_) break;
-            failure_ = Failure{"a sign is lost in rounding", leaf.cell};
-            break;
-        }
+        for (std::span<const Crossed> left = crossed_;
+             !left.empty() && !is_interrupted(left[0].cell);)
+            left = left.subspan(draw(left, grid));
         if (!failure_) frame.betti = betti(grid);
     }
     if (failure_) {
@@ -308,50 +311,55 @@ void Octree::fill(const Cell& cell, SignGrid& grid) const {
     }
 }
 
-bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
-    // Some component of agreeing gradients keeps its sign: along that axis G is monotone, and each
-    // column of vertices changes sign once at most.
+LeafColumns Octree::columns_of(const Crossed& leaf) const {
+    // Some component of agreeing gradients keeps its sign.
     std::size_t axis = 0;
     for (std::size_t i = 1; i < 3; ++i) {
         if (mignitude(leaf.gradient[i]) > mignitude(leaf.gradient[axis])) axis = i;
     }
     assert(mignitude(leaf.gradient[axis]) > 0);
-    const bool rises = leaf.gradient[axis].lo > 0;
-    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const std::array<std::array<int, 2>, 3> range{vertices(leaf.cell, 0), vertices(leaf.cell, 1),
-                                                  vertices(leaf.cell, 2)};
-    const auto steps = [&](std::size_t along) { return range[along][1] - range[along][0]; };
-    const int last_of_column = steps(axis), wide = steps(u), high = steps(v);
+    return {{vertices(leaf.cell, 0), vertices(leaf.cell, 1), vertices(leaf.cell, 2)},
+            axis,
+            leaf.gradient[axis].lo > 0};
+}
 
-    std::vector<Column> columns(std::size_t(wide + 1) * std::size_t(high + 1));
-    const auto column = [&](int i, int j) -> Column& {
-        return columns[std::size_t(j) * std::size_t(wide + 1) + std::size_t(i)];
+std::vector<LeafColumns> Octree::asked_together(std::span<const Crossed> leaves) const {
+    std::vector<LeafColumns> columns;
+    std::size_t count = 0;
+    for (const Crossed& leaf : leaves) {
+        if (leaf.close != leaves[0].close || count >= columns_together) break;
+        count += columns.emplace_back(columns_of(leaf)).count();
+    }
+    return columns;
+}
+
+void Octree::ask(std::span<LeafColumns> leaves, const Elements& near) {
+    struct Asked {
+        LeafColumns* leaf;
+        LeafColumns::At column;
     };
-    // Index of the vertex with this number in a column.
-    const auto index = [&](int i, int j, int number) {
-        std::array<int, 3> at{};
-        at[axis] = rises ? range[axis][0] + number : range[axis][1] - number;
-        at[u] = range[u][0] + i;
-        at[v] = range[v][0] + j;
-        return at;
-    };
-    const Elements near = one_of(*leaf.close);
-    std::vector<std::array<int, 2>> open;
+    std::vector<Asked> open;
     std::vector<SpaceBox> points;
+    std::vector<std::size_t> blurred;
     std::vector<Interval> values, sharp;
-    // The columns of a level all at once.
-    const auto search = [&] {
+    int stride = 1;
+    for (const LeafColumns& leaf : leaves) stride = std::max(stride, leaf.coarsest());
+    for (; stride > 0; stride /= 2) {
+        for (LeafColumns& leaf : leaves) {
+            if (stride > leaf.coarsest()) continue;
+            leaf.begin(stride, [&](const LeafColumns::At& at) { open.push_back({&leaf, at}); });
+        }
         while (!open.empty()) {
             points.clear();
-            for (const auto& [i, j] : open) {
-                const auto at = index(i, j, column(i, j).next(last_of_column));
+            for (const Asked& one : open) {
+                const LeafColumns::Vertex at = one.leaf->asked(one.column);
                 SpaceBox& point = points.emplace_back();
                 for (std::size_t k = 0; k < 3; ++k) point[k] = coordinate(k, at[k]);
             }
             values.resize(open.size());
             one_.values(near, points, values);
             // What is left out of sums blurs signs.
-            std::vector<std::size_t> blurred;
+            blurred.clear();
             for (std::size_t k = 0; k < open.size(); ++k) {
                 if (!contains(values[k], 0.0)) continue;
                 points[blurred.size()] = points[k];
@@ -362,58 +370,33 @@ bool Octree::draw(const Crossed& leaf, SignGrid& grid) {
                 one_.values(all_of_one_, std::span(points).first(blurred.size()), sharp);
             }
             for (std::size_t k = 0; k < blurred.size(); ++k) values[blurred[k]] = sharp[k];
-            for (std::size_t k = 0; k < open.size(); ++k)
-                column(open[k][0], open[k][1]).learn(values[k], last_of_column);
-            std::erase_if(open, [&](const auto& c) { return column(c[0], c[1]).is_known(); });
-        }
-    };
-    // Coarse to fine: each column is guessed from those about it.
-    const auto coarsest = int(std::bit_ceil(unsigned(std::max(wide, high)) + 1));
-    for (int stride = coarsest; stride > 0; stride /= 2) {
-        for (int j = 0; j <= high; j += stride) {
-            for (int i = 0; i <= wide; i += stride) {
-                Column& made = column(i, j);
-                if (made.is_known()) continue;
-                made.not_solid = last_of_column + 1;
-                made.guess = last_of_column / 2;
-                if (stride < coarsest) {
-                    const int di = i / stride % 2 ? stride : 0, dj = j / stride % 2 ? stride : 0;
-                    const int before = column(i - di, j - dj).solid;
-                    const bool has_after = i + di <= wide && j + dj <= high;
-                    made.guess = has_after ? (before + column(i + di, j + dj).solid) / 2 : before;
-                }
-                open.push_back({i, j});
+            std::size_t left = 0;
+            for (std::size_t k = 0; k < open.size(); ++k) {
+                const Asked one = open[k];
+                if (!one.leaf->learn(one.column, values[k])) open[left++] = one;
             }
+            open.resize(left);
         }
-        search();
     }
+}
 
-    // Vertices beyond are taken for G >= 0; where G is below, by `lost` at most.
-    double lost = 0;
-    for (int j = 0; j <= high; ++j) {
-        for (int i = 0; i <= wide; ++i) {
-            const Column& done = column(i, j);
-            if (done.not_solid <= last_of_column) lost = std::max(lost, -done.beyond.lo);
-            if (done.solid == 0) continue;
-            const auto first = index(i, j, 0), last = index(i, j, done.solid - 1);
-            if (axis == 0) {
-                grid.set_run(std::min(first[0], last[0]), std::max(first[0], last[0]), first[1],
-                             first[2]);
-                continue;
-            }
-            for (int number = 0; number < done.solid; ++number) {
-                const auto at = index(i, j, number);
-                grid.set(at[0], at[1], at[2]);
-            }
+std::size_t Octree::draw(std::span<const Crossed> leaves, SignGrid& grid) {
+    std::vector<LeafColumns> columns = asked_together(leaves);
+    ask(columns, one_of(*leaves[0].close));
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        const Crossed& leaf = leaves[k];
+        columns[k].draw(grid);
+        const double lost = columns[k].lost();
+        if (lost == 0) continue;
+        std::array<Interval, 3> gradient = leaf.gradient;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Interval change = Interval(-lost, lost) / Interval(least_step(leaf.cell, i) / 2);
+            gradient[i] = gradient[i] + change;
         }
+        if (!agree(leaf.cell, leaf.gradient, gradient) && !failure_)
+            failure_ = Failure{"a sign is lost in rounding", leaf.cell};
     }
-    if (lost == 0) return true;
-    std::array<Interval, 3> gradient = leaf.gradient;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Interval change = Interval(-lost, lost) / Interval(least_step(leaf.cell, i) / 2);
-        gradient[i] = gradient[i] + change;
-    }
-    return agree(leaf.cell, leaf.gradient, gradient);
+    return columns.size();
 }
 
 } // namespace

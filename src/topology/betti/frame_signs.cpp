@@ -20,7 +20,8 @@ namespace {
 
 constexpr int whole = 8, part = 4; // vertices along the edge of a block, and of its eight parts
 
-// An element that is looked up, of that in its place; and what a block's lists hold, of one list.
+// How many times as dear an element is that is looked up as one in its place; and a block's lists
+// as one list.
 constexpr int looked_up = 4, lists_of_box = 16;
 
 // What one evaluation takes, in operations on numbers.
@@ -73,7 +74,7 @@ struct Block {
     std::array<int, 3> first, last;
 };
 
-// One thread's work: a layer of blocks, `whole` vertices high. Of most blocks an enclosure tells
+// One thread's work: a layer of blocks, `whole` vertices high. For most blocks an enclosure tells
 // the sign at all of their vertices; in the others these are evaluated.
 class BlockSigns {
 public:
@@ -140,7 +141,7 @@ private:
                glm::distance(p, bounds_.centre) <= bounds_.radius;
     }
 
-    // Those with vertices on both sides, as far as is known.
+    // The blocks with vertices on both sides, as far as is known.
     std::vector<Block> undecided(std::span<const Block> blocks) {
         work_.add(double(blocks.size()) * frame_.near.of_box);
         if (work_.is_over()) return {};
@@ -163,7 +164,7 @@ private:
         return open;
     }
 
-    // Those whose sign the elements near them do not tell.
+    // The vertices whose sign the elements near them do not tell.
     std::vector<std::array<int, 3>> undecided_near(std::span<const std::array<int, 3>> vertices) {
         work_.add(double(vertices.size()) * frame_.near.of_point);
         if (work_.is_over()) return {};

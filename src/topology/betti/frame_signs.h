@@ -54,8 +54,8 @@ public:
         : FrameSigns(field, {}) {}
     ~FrameSigns();
 
-    // As frame_signs(). Adds its operations to `work`; none if that is over. Whether the work
-    // becomes too much is the same for any number of threads.
+    // Finds what frame_signs() finds. Adds its operations to `work`; none if that is over. Whether
+    // the work becomes too much is the same for any number of threads.
     std::optional<SignGrid> at(const formula::Bindings<double>& bindings,
                                const scene::BoundsAt& bounds, Side solid, int side, int threads,
                                Work& work) const;

@@ -17,11 +17,11 @@ public:
         is_one_.front() = is_one_.back() = true;
     }
 
-    // Of the plane with this number among those of a depth.
+    // The place of the plane with this number among those of a depth.
     static int place(int index, int depth) { return index << (deepest - depth); }
 
     void add(int place) { is_one_[std::size_t(place)] = true; }
-    // Once all are added.
+    // Call this once all planes are added.
     void number() {
         for (int place = 0; place <= whole; ++place) {
             numbers_.push_back(int(places_.size()));

@@ -126,7 +126,7 @@ int components(const SignGrid& grid, Part part) {
     const int side = grid.side();
     DisjointSets sets;
     const int outside = part == Part::complement ? sets.add() : -1;
-    // By y, of this z and the one before.
+    // The runs by y, of this z and of the one before.
     std::vector<std::vector<Run>> rows(static_cast<std::size_t>(side)), below = rows;
     for (int z = 0; z < side; ++z) {
         std::swap(rows, below);

@@ -58,7 +58,7 @@ private:
 
     double inset() const { return 1e-7 * size_; } // of walls that a way keeps to
 
-    // At a wall that H falls out of, as along the wall.
+    // The jet as it is along the wall, where H falls out of the bounds.
     PointJet within(PointJet jet, const SpacePoint& p) const {
         if (!ground_.is_solid) return jet;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -111,7 +111,7 @@ private:
         }
         tried_ = along(at_, 1, by);
         if (!ground_.is_solid || ground_.is_inside(tried_)) return;
-        // Along a wall.
+        // A step that leaves the bounds goes on along a wall.
         for (std::size_t i = 0; i < 3; ++i) {
             const formula::Interval wall = ground_.box[i];
             tried_[i] = std::clamp(tried_[i], wall.lo + inset(), wall.hi - inset());

@@ -32,7 +32,8 @@ void settle(Event& event, Kind kind, const char* proof) {
     event.kind_proof = proof;
 }
 
-// Some time is in the enclosures of all of them, so that none is known to come before another.
+// Whether some time is in the enclosures of all of them, so that none is known to come before
+// another.
 bool is_one_moment(std::span<const Interval> times) {
     double last_begin = -formula::infinity, first_end = formula::infinity;
     for (const Interval& time : times) {
@@ -161,8 +162,8 @@ public:
     int frames_left() const { return frames_left_; }
 
 private:
-    // Where a frame would part the open events: the widest first, if they leave events of both
-    // directions apart.
+    // The gaps where a frame would part the open events: the widest first, if they leave events of
+    // both directions apart.
     std::vector<Gap> gaps(const Checkpoint& from, const Checkpoint& to) const {
         std::vector<Gap> found;
         double end = from.time; // of all events so far
@@ -221,8 +222,8 @@ void prove_ends(Timeline& timeline, const KindProofs& proofs) {
     prove(timeline.range.hi, last, timeline.end, timeline.end_is_proved);
 }
 
-// Frames near ends that have no proof, in the widest of the gaps between the events next to them:
-// a frame close to an event is hard to prove.
+// Adds frames near ends that have no proof, in the widest of the gaps between the events next to
+// them: a frame close to an event is hard to prove.
 void add_frames_near_ends(const Timeline& timeline, const KindProofs& proofs,
                           std::vector<Counting::Checkpoint>& known) {
     constexpr std::size_t nearest = 12, most_tries = 3;
@@ -265,7 +266,8 @@ std::vector<Counting::Checkpoint> known_frames(const Timeline& timeline, const K
     if (timeline.start && timeline.start_is_proved)
         known.push_back({0, timeline.range.lo, *timeline.start});
     if (proofs.frame) {
-        // Where something happens, and between: joined where they overlap.
+        // Times at which something happens, joined where they overlap. Frames are sought between
+        // them.
         std::vector<std::pair<Interval, bool>> moments; // true: degenerate
         for (const Event& event : timeline.events) moments.emplace_back(event.time, false);
         for (const Unresolved& place : timeline.unresolved) moments.emplace_back(place.time, true);
@@ -298,7 +300,7 @@ std::vector<Counting::Checkpoint> known_frames(const Timeline& timeline, const K
     return known;
 }
 
-// Betti numbers beside degenerate places, where no event lies between these and the frame.
+// Sets Betti numbers beside degenerate places, where no event lies between these and the frame.
 void describe_unresolved(Timeline& timeline, std::span<const Counting::Checkpoint> frames) {
     for (Unresolved& place : timeline.unresolved) {
         const auto is_quiet = [&](double from, double to) {
@@ -322,7 +324,7 @@ void describe_unresolved(Timeline& timeline, std::span<const Counting::Checkpoin
     }
 }
 
-// From a known frame on, as far as kinds are known.
+// Sets Betti numbers from a known frame on, as far as kinds are known.
 void read_off(Timeline& timeline, const Counting::Checkpoint& frame) {
     const auto ok = [&](const Event& event) { return event.kind != Kind::unknown; };
     const auto add = [](Betti a, const Betti& b, int sign) {
@@ -380,7 +382,7 @@ std::string text(const Betti& b) {
     return fmt::format("({}, {}, {})", b.components, b.tunnels, b.voids);
 }
 
-// Every count that must come out.
+// Checks every count that must come out.
 void check(Timeline& timeline) {
     const auto doubt = [&](std::string words) { timeline.doubts.push_back(std::move(words)); };
     int euler = 0;

@@ -54,7 +54,7 @@ std::optional<Route> MorseGraph::route(const DescentPath& from, const DescentPat
         tree[std::size_t(b)].push_back(k);
     }
     if (root(parts, first) != root(parts, last)) return std::nullopt;
-    // Back from the last one, each node knows by which pass it was come to.
+    // The search goes back from the last node; each node knows by which pass it was reached.
     std::vector<std::optional<std::size_t>> by(parts.size());
     std::vector<int> reached{last};
     for (std::size_t next = 0; next < reached.size(); ++next) {

@@ -171,6 +171,7 @@ private:
     void add(const BoxKey& key, const SpaceBox& where) {
         numbers_.emplace(key.packed(), boxes_.size());
         boxes_.push_back({key, where});
+        marks_.emplace_back();
         about_.emplace_back();
     }
 
@@ -199,10 +200,11 @@ private:
                 value = value + over[k].gradient[i] * (boxes[k][i] - middles[k][i]);
             add(keys[k], boxes[k]);
             judge(boxes_.back(), over[k].value, value);
+            marks_.back() = {boxes_.back().state == State::in, boxes_.back().is_parted};
         }
     }
 
-    // By two enclosures of H over the box.
+    // Judges a box by two enclosures of H over it.
     void judge(One& one, const Interval& natural, const Interval& mean) const {
         const bool is_low = natural.hi < 0 || mean.hi < 0;
         const bool is_high = natural.lo > 0 || mean.lo > 0;
@@ -249,7 +251,8 @@ private:
             const std::size_t now = open.back();
             open.pop_back();
             if (!boxes_[now].is_divided) {
-                found.push_back(now);
+                // What is out of the region stays so, and no way leads there.
+                if (boxes_[now].state != State::out) found.push_back(now);
                 continue;
             }
             const BoxKey whole = boxes_[now].key;
@@ -301,12 +304,11 @@ private:
         const One& one = boxes_[number];
         if (one.may_leave) found.push_back(outside);
         for (const std::size_t other : about(number)) {
-            const One& next = boxes_[other];
-            if (next.state == State::out) continue;
-            if (!one.is_parted && !next.is_parted) {
+            if (!one.is_parted && !marks_[other].is_parted) {
                 found.push_back(half(other, false));
                 continue;
             }
+            const One& next = boxes_[other];
             SpaceBox face;
             for (std::size_t k = 0; k < 3; ++k) face[k] = intersect(one.where[k], next.where[k]);
             const int side = plane_.side(face);
@@ -343,7 +345,7 @@ private:
             }
             neighbours(now, next_to);
             for (const Half next : next_to) {
-                const bool is_free = next == outside || boxes_[box_of(next)].state == State::in;
+                const bool is_free = next == outside || marks_[box_of(next)].is_in;
                 const int there = reached_[now].cost + (is_free ? 0 : 1);
                 if (reached_[next].cost <= there) continue;
                 reached_[next].cost = there;
@@ -364,6 +366,10 @@ private:
     };
 
     std::vector<One> boxes_;
+    struct Mark {
+        bool is_in = false, is_parted = false;
+    };
+    std::vector<Mark> marks_; // of each box: small, since searches for ways ask for them most
     std::vector<std::optional<std::vector<std::size_t>>> about_; // of each box, where it is known
     std::vector<Reached> reached_;                               // each half, by the last search
     std::unordered_map<std::uint64_t, std::size_t> numbers_;
@@ -375,7 +381,7 @@ Sides sides_by_boxes(const SublevelSet& region, const Event& event,
                      const std::array<SpacePoint, 2>& starts, const PartingOptions& how) {
     const auto plane = parting_plane(region, event);
     if (!plane || event.stratum != 3) return Sides::unknown;
-    // Each on a side of its own.
+    // The two starts have to be on different sides of the plane.
     if (plane->side(point_box(starts[0])) * plane->side(point_box(starts[1])) != -1)
         return Sides::unknown;
     return Boxes(region, *plane, how).sides(starts);

@@ -20,7 +20,8 @@ Interval curvature(const SpaceHessian& h, const SpaceBox& d) {
 
 bool curves_down(const SpaceHessian& h, const SpaceBox& d) { return curvature(h, d).hi < 0; }
 
-// Proved of all of a box, by its value or by its gradient from the middle.
+// Whether all of a box is proved to be in the region, by H over it or by H's gradient from the
+// middle.
 bool holds(const SublevelSet& region, const SpaceBox& box) {
     const SpacePoint at = middle(box);
     const ValueAndGradient h = region.over({&box, 1}).front();

@@ -22,7 +22,7 @@ struct Saddle {
     bool is_young = true; // its speed is not known
 };
 
-// From one time to another; those that are lost on the way are left out.
+// Moves saddles from one time to another; those that are lost on the way are left out.
 std::vector<Saddle> moved(const FieldAt& field, std::span<const Saddle> saddles, double from,
                           double to, double size, int halvings = 0) {
     std::vector<SpacePoint> guesses;

@@ -285,9 +285,12 @@ Elements BoxEvaluator::cull(const Box& box, const Elements& from, Size&& size, M
 }
 
 Elements BoxEvaluator::near(const Box& box, const Elements& from, double negligible) {
+    // Beside a pole, which is kept, no other term is negligible for that.
     const auto largest = [](std::span<const Interval> terms) {
         double most = 0;
-        for (const Interval& term : terms) most = std::max(most, magnitude(term));
+        for (const Interval& term : terms) {
+            if (!std::isinf(magnitude(term))) most = std::max(most, magnitude(term));
+        }
         return most;
     };
     return cull(box, from, largest, [&](const Interval& term, double most, bool) {

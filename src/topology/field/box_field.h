@@ -94,8 +94,8 @@ private:
 struct Elements {
     formula::Bindings<formula::Interval> bindings;
     std::vector<formula::Interval> rest;
-    // Of expanded ones, whose remainders are among the parameters instead: how many parameters are
-    // the field's own, before these.
+    // Set if the elements are expanded. The remainders are then among the parameters, behind the
+    // field's own, of which there are so many.
     std::optional<std::size_t> own_parameters{};
 
     bool are_expanded() const { return own_parameters.has_value(); }

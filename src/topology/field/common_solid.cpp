@@ -20,8 +20,9 @@ using formula::Node;
 using formula::NodeId;
 using formula::Op;
 
-// Negative inside the bounds. Of a box the products of the distances from opposite faces: three
-// functions that are smooth where six distances would meet in more kinks.
+// A function that is negative inside the bounds. For a box it is made of the products of the
+// distances from opposite faces: three functions that are smooth where six distances would meet in
+// more kinks.
 NodeId within_bounds(Graph& g, const Motion& motion) {
     const auto x = [&](std::size_t k) { return g.input(int(k)); };
     if (motion.shape == scene::Bounds::Shape::sphere) {
@@ -98,7 +99,7 @@ private:
     double operations_;
 };
 
-// Contains the first one's bounds at all times of the clock.
+// A domain that contains the first one's bounds at all times of the clock.
 std::array<Interval, 4> domain_of(const Motion& motion) {
     std::array<Interval, 4> box{};
     box[3] = motion.clock;
@@ -195,7 +196,7 @@ void expect_few_arrays(const Motions& a, const Motions& b) {
         arrays, formula::max_arrays));
 }
 
-// All of both, each once.
+// Joins two lists, each item once.
 template<class T> void join(std::vector<T>& all, const std::vector<T>& more) {
     for (const T& one : more) {
         if (std::ranges::find(all, one) == all.end()) all.push_back(one);

@@ -18,9 +18,9 @@ struct Body {
     Side side = Side::negative;
 };
 
-// By time. Coordinates and bounds are those of the first body, whose placement counts as at rest.
-// The second body's bounds are a part of the formula, unless it is proved that they don't matter.
-// Throws SceneError if the two have too many arrays.
+// The motions go by time. Coordinates and bounds are those of the first body, whose placement
+// counts as at rest. The second body's bounds are a part of the formula, unless it is proved that
+// they don't matter. Throws SceneError if the two have too many arrays.
 Motions common_motions(const Body& first, const Body& second, formula::Interval range);
 
 } // namespace isomotion::topology

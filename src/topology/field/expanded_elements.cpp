@@ -21,9 +21,12 @@ void raise(std::vector<double>& shares, const std::vector<double>& blurs, double
     }
 }
 
+// Without poles: beside them anything would seem narrow.
 double total_width(std::span<const Interval> of_elements) {
     double all = 0;
-    for (const Interval& term : of_elements) all += width(term);
+    for (const Interval& term : of_elements) {
+        if (std::isfinite(width(term))) all += width(term);
+    }
     return all;
 }
 

@@ -1,4 +1,4 @@
-// A frame's field over boxes of space, with its gradient. Of sums it evaluates only the elements
+// A frame's field over boxes of space, with its gradient. In sums it evaluates only the elements
 // that matter.
 //
 // G is F if the solid is {F < 0}, otherwise -F. Slopes are generalized (formula/enclosure.h): a

@@ -8,7 +8,7 @@ namespace isomotion::topology {
 // Leaves the motion's field as it is at all places of the bounds, at all times of its clock. Where
 // a <= b at all of these, T_n(min(a, b)) becomes T_n(a). cos(n*acos(x)) is T_n(min(1, max(-1, x))),
 // and walls often are at x = 1, where the clamp would count as a kink. Beyond the bounds
-// polynomials are as smooth; what else a clamp is in might end there.
+// polynomials are as smooth; another expression with a clamp might end there.
 void drop_idle_clamps(Motion& motion);
 
 } // namespace isomotion::topology

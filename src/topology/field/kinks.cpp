@@ -136,7 +136,7 @@ void unroll(BoundFormula& formula) {
             std::vector<NodeId> keys;
             for (std::size_t i = 0; i < std::size_t(count); ++i)
                 keys.push_back(key_of(to, node, i));
-            // As a tree: what is far is left out of it by halves.
+            // Builds the least as a tree: what is far is left out of it by halves.
             for (std::size_t step = 1; step < keys.size(); step *= 2) {
                 for (std::size_t k = 0; k + step < keys.size(); k += 2 * step)
                     keys[k] = to.binary(Op::min, keys[k], keys[k + step]);

@@ -107,7 +107,7 @@ std::optional<Interval> MonotoneTrack::crossing(const Run& run, Interval value) 
     return Interval{before, first_after(before, run.range.hi)};
 }
 
-// Times without a direction that a run tells more of.
+// Settles times without a direction where a run tells more of them.
 void MonotoneTrack::settle_in_runs(std::vector<Time>& times, Interval value) const {
     for (const Run& run : runs_) {
         const auto is_in_run = [&](const Time& time) {
@@ -194,7 +194,7 @@ std::vector<MonotoneTrack::Time> MonotoneTrack::times(Interval value) const {
     }
     std::sort(found.begin(), found.end(),
               [](const Time& a, const Time& b) { return a.at.lo < b.at.lo; });
-    // Pieces that touch: one doubt, or one crossing seen from both sides.
+    // Pieces that touch have one doubt, or one crossing seen from both sides.
     std::vector<Time> times;
     for (const Time& time : found) {
         if (times.empty() || time.at.lo > times.back().at.hi) {

@@ -174,6 +174,48 @@ std::optional<Motion> through_one_track(const scene::Scene& scene, const animati
     return std::nullopt;
 }
 
+// The piece with the way between two keys for its clock, if all tracks that move ease between
+// these. By time nothing moves at the keys.
+std::optional<Motion> by_easing(const Motion& piece, const animation::Animation& animation,
+                                const animation::Parts& parts) {
+    std::optional<Easing> easing;
+    for (const int k : parts.tracks) {
+        const auto* keys = std::get_if<animation::Keys>(&animation.tracks()[std::size_t(k)].source);
+        if (!keys || keys->ease != animation::Ease::smooth) continue;
+        for (std::size_t at = 1; at < keys->keys.size(); ++at) {
+            const animation::Key &from = keys->keys[at - 1], &to = keys->keys[at];
+            if (piece.clock.hi <= from.time || to.time <= piece.clock.lo) continue;
+            if (easing && (easing->from != from.time || easing->to != to.time)) return std::nullopt;
+            easing = {from.time, to.time, piece.clock};
+        }
+    }
+    if (!easing) return std::nullopt;
+    Motion eased = piece;
+    Graph& g = eased.graph;
+    const Node way = g[animation::smooth_way(g, g.input(clock_input), easing->from, easing->to)];
+    // Once to tell what else reads the time, then by the clock's own name.
+    const auto replace = [&](auto&& in_place) {
+        const auto all = [&](NodeId& root) {
+            root = formula::substitute(g, g, std::array{root}, in_place)[0];
+        };
+        all(eased.field);
+        all(eased.radius);
+        for (auto* corner : {&eased.low, &eased.high, &eased.centre})
+            std::ranges::for_each(*corner, all);
+    };
+    replace([&](Graph& to, const Node& node, NodeId rebuilt) {
+        return node == way ? to.input(time_input) : rebuilt;
+    });
+    if (reads(eased, clock_input)) return std::nullopt;
+    replace([&](Graph& to, const Node& node, NodeId rebuilt) {
+        const bool is_way = node.op == Op::input && node.index == time_input;
+        return is_way ? to.input(clock_input) : rebuilt;
+    });
+    eased.easing = easing;
+    eased.clock = easing->way(piece.clock);
+    return eased;
+}
+
 // Spans of the piece's clock, which is the time, in which the bounds may be empty or turned inside
 // out: scenes are refused for that at the times of frames only.
 void find_collapses(const Motion& motion, std::vector<Interval>& collapses) {
@@ -283,7 +325,11 @@ Motions motions(const scene::Scene& scene, Side side, Interval range, Clock cloc
                 drop_idle_clamps(*motion);
                 all.pieces.clear();
                 all.pieces.push_back(std::move(*motion));
+                return all;
             }
+        }
+        for (Motion& motion : all.pieces) {
+            if (auto eased = by_easing(motion, animation, parts)) motion = std::move(*eased);
         }
     }
     return all;

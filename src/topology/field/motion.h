@@ -6,7 +6,8 @@
 //
 // The clock is the time or, if everything moves by one track, that track. Then an animation that
 // swings to and fro is searched only once, and a turn of the track, where everything rests, needs
-// no special treatment.
+// no special treatment. Where several tracks ease from keys to keys together, the clock is the part
+// of the way that they have made.
 #pragma once
 
 #include <array>
@@ -19,6 +20,7 @@
 #include "formula/evaluate/evaluate.h"
 #include "formula/interval/interval.h"
 #include "scene/scene.h"
+#include "topology/field/easing.h"
 #include "topology/field/solid.h"
 
 namespace isomotion::topology {
@@ -37,7 +39,8 @@ struct Motion {
     formula::Bindings<double> bindings; // values for elements in the graph
 
     formula::Interval clock;
-    std::optional<int> driver; // the track that is the clock
+    std::optional<int> driver;    // the track that is the clock
+    std::optional<Easing> easing; // where the clock is a part of the way between keys
     bool moves = true;
 };
 

@@ -18,7 +18,7 @@ struct Turn {
     NodeId cosine, sine;
 };
 
-// Of an angle in degrees. Quarter turns are exact, so that boxes stay boxes along the axes.
+// Turns by an angle in degrees. Quarter turns are exact, so that boxes stay boxes along the axes.
 Turn turn(Graph& g, NodeId degrees) {
     if (g.is_constant(degrees)) {
         const double angle = std::remainder(g[degrees].value, 360.0);
@@ -62,7 +62,7 @@ Vector product(Graph& g, const Matrix& a, const Vector& v) {
     return result;
 }
 
-// About the fixed axes x, then y, then z.
+// Turns about the fixed axes x, then y, then z.
 Matrix rotation(Graph& g, const Vector& degrees) {
     const auto [cx, sx] = turn(g, degrees[0]);
     const auto [cy, sy] = turn(g, degrees[1]);

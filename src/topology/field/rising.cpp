@@ -62,7 +62,7 @@ Point nearest_by_steps(std::span<const Point> points) {
 }
 
 // The point of the hull of some points in space that is nearest to 0; if that is outside, it is on
-// a point, a segment or a triangle of them. Of many points it is nearly that (Gilbert 1966).
+// a point, a segment or a triangle of them. For many points it is nearly that (Gilbert 1966).
 Point nearest_to_0(std::span<const Point> points) {
     const std::size_t n = points.size();
     if (n > few) return nearest_by_steps(points);

@@ -22,7 +22,8 @@ Invariants invariants(const SpaceMatrix& a) {
 
 } // namespace
 
-// By Descartes' rule, which is exact for the characteristic polynomial: all its roots are real.
+// Counts signs by Descartes' rule, which is exact for the characteristic polynomial: all its roots
+// are real.
 Inertia inertia(const SpaceMatrix& a) {
     const auto [trace, minors, determinant] = invariants(a);
     const auto changes = [](const std::array<double, 4>& coefficients) {
@@ -55,7 +56,7 @@ std::optional<SpacePoint> solve(const SpaceMatrix& a, const SpacePoint& b) {
     return x;
 }
 
-// By Jacobi's rotations.
+// Finds the direction by Jacobi's rotations.
 SpacePoint least_direction(SpaceMatrix a, const std::array<bool, 3>& free) {
     SpaceMatrix columns{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     double size = 0;

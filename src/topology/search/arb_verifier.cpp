@@ -236,7 +236,7 @@ ArbVerifier::System ArbVerifier::on_chart(const Motion& motion, const SphereChar
     return made;
 }
 
-// Those of all points in the event's box of place and time.
+// The unknowns of all points in the event's box of place and time.
 Balls ArbVerifier::unknowns(const System& system, const Event& event, long precision) {
     std::array<Ball, 4> inputs;
     for (std::size_t k = 0; k < 3; ++k) inputs[k] = Ball(event.where[k].lo, event.where[k].hi);
@@ -247,7 +247,7 @@ Balls ArbVerifier::unknowns(const System& system, const Event& event, long preci
     return found;
 }
 
-// What the unknowns stand for against the event's box of place and time.
+// Compares what the unknowns stand for with the event's box of place and time.
 ArbVerifier::Answer ArbVerifier::in_box(const System& system, const Event& event,
                                         std::span<const Ball> unknowns, long precision) {
     std::array<Ball, 4> inputs;

@@ -14,10 +14,12 @@
 #include "topology/search/comoving_fit.h"
 #include "topology/search/critical_system.h"
 #include "topology/search/kinked_search.h"
+#include "topology/search/knot_events.h"
 #include "topology/search/krawczyk.h"
 #include "topology/search/morse.h"
 #include "topology/search/search.h"
 #include "topology/search/seeded.h"
+#include "topology/search/singular_set.h"
 #include "topology/search/stratum_places.h"
 #include "topology/timeline/advice.h"
 
@@ -88,41 +90,72 @@ std::vector<Part> parts_of(const Motion& motion) {
     return parts;
 }
 
+Event event_of(int stratum, int index, bool grows, bool changes_solid) {
+    Event event;
+    event.stratum = stratum;
+    event.index = index;
+    event.grows = grows;
+    event.is_proved = true;
+    const std::vector<Kind> kinds = kinds_of(index, grows);
+    if (!changes_solid) {
+        event.kind = Kind::none;
+    } else if (kinds.size() == 1) {
+        event.kind = kinds[0];
+    }
+    if (event.kind != Kind::unknown) event.kind_proof = "index";
+    return event;
+}
+
+// Points at the ends of a piece of the motion.
+struct AtEnds {
+    std::vector<KnotPoint> first, last;
+};
+
 // Searches the strata of one part, and turns points into events.
 class Stratified {
 public:
-    // `whole` is the motion that the part is of.
-    Stratified(const Part& part, const Motion& whole, const MonotoneTrack* driven,
-               Timeline& timeline, OnSphere& on_sphere)
+    // `whole` is the motion that the part is of, the part's number `number`.
+    Stratified(const Part& part, int number, const Motion& whole, const MonotoneTrack* driven,
+               Timeline& timeline, OnSphere& on_sphere, AtEnds& at_ends)
         : motion_(part.motion)
+        , whole_(whole)
+        , number_(number)
         , chart_(part.chart)
         , track_(driven)
         , timeline_(timeline)
-        , on_sphere_(on_sphere) {
+        , on_sphere_(on_sphere)
+        , at_ends_(at_ends) {
         if (chart_) sphere_.emplace(whole, *chart_);
     }
 
     void add(const MovingField& field, const SearchResult& found) {
         Enclosures enclosures(field);
         for (const CriticalPoint& point : found.points) add(field, enclosures, point);
-        for (const Box& box : found.unresolved) {
-            unresolved(field, box, may_have_kink(field, box) ? why::kink : why::degenerate);
+        for (std::size_t k = 0; k < found.unresolved.size(); ++k) {
+            const Box& box = found.unresolved[k];
+            const Box& part = found.smallest.empty() ? box : found.smallest[k];
+            unresolved(field, box,
+                       may_have_kink(field, box) ? why::kink
+                                                 : reason(field, part, why::degenerate));
         }
     }
 
     void add(const KinkedResult& found) {
         for (const KinkedPoint& kinked : found.points) {
             Enclosures enclosures(kinked.of->field());
-            add(kinked.of->field(), enclosures, kinked.point, kinked.index_across, kinked.path);
+            add(kinked.of->field(), enclosures, kinked.point, kinked.index_across, kinked.path,
+                {kinked.of, &kinked.of->field()});
         }
         for (const Box& box : found.unresolved) {
             unresolved(*found.field, box,
-                       may_have_kink(*found.field, box) ? why::kinks_meet : why::degenerate);
+                       may_have_kink(*found.field, box)
+                           ? why::kinks_meet
+                           : reason(*found.field, box, why::degenerate));
         }
     }
 
 private:
-    // In space.
+    // The place of a box in space.
     SpaceBox place(const MovingField& field, const Box& box) {
         if (sphere_) return sphere_->at(box[0], box[1], box[field.clock()]);
         return places(field.stratum()).at(field, box);
@@ -135,7 +168,7 @@ private:
         return *places_;
     }
 
-    // In another chart's part of the sphere: what is there is found by that one.
+    // Whether a box is in another chart's part of the sphere: what is there is found by that chart.
     bool is_beyond(const Box& box) const {
         return chart_ && SphereChart::is_beyond(box[0], box[1]);
     }
@@ -155,10 +188,33 @@ private:
         return value != Interval(0.0);
     }
 
+    // Of so many unresolved places the reason is sought: each takes some thousand evaluations.
+    static constexpr int most_reasons = 100;
+
+    // Why a place is unresolved that has one of these sets; `otherwise` if it has none.
+    const char* reason(const MovingField& field, const Box& box, const char* otherwise) {
+        if (reasons_told_ == most_reasons) return otherwise;
+        ++reasons_told_;
+        const auto set = singular_set(field, box);
+        if (!set) return otherwise;
+        if (set->lasts) return set->dimension == 0 ? why::lasting_point : why::lasting_curve;
+        const std::array at_a_moment{otherwise, why::along_curve, why::along_surface};
+        return at_a_moment[std::size_t(set->dimension)];
+    }
+
+    // Why a place on the bounds is, where F's derivative across them may be 0 as well.
+    const char* reason_at_edge(const MovingField& field, const Box& box) {
+        if (!in_space_) in_space_.emplace(whole_, Stratum{});
+        const SpaceBox at = place(field, box);
+        return reason(*in_space_, {at[0], at[1], at[2], box[field.clock()]}, why::touches_edge);
+    }
+
     std::vector<MonotoneTrack::Time> times(Interval clock) const {
         if (track_) return track_->times(clock);
-        const bool is_inside = motion_.clock.lo < clock.lo && clock.hi < motion_.clock.hi;
-        return {{clock, is_inside ? 1 : 0}};
+        const Interval whole = motion_.easing ? motion_.easing->span : motion_.clock;
+        const Interval time = motion_.easing ? motion_.easing->time(clock) : clock;
+        const bool is_inside = whole.lo < time.lo && time.hi < whole.hi;
+        return {{time, is_inside ? 1 : 0}};
     }
 
     // A turn of the track takes no longer than doubles need to tell it.
@@ -171,9 +227,31 @@ private:
         }
     }
 
-    // `across` is the part of the index that kinks have.
+    // It may be an event with a point of the next piece, or of the one before.
+    void keep_at_end(const MovingField& field, const Box& where, int across,
+                     std::span<const char> path, std::shared_ptr<const MovingField> shared,
+                     Interval time, const SpaceBox& place) {
+        KnotPoint point;
+        point.field =
+            shared ? std::move(shared) : std::make_shared<MovingField>(motion_, field.stratum());
+        point.where = where;
+        for (std::size_t k = 0; k < std::size_t(field.dimension()); ++k)
+            point.where[k] = field.x(where, k);
+        const Interval clock = where[field.clock()];
+        const bool is_last = mid(clock) > mid(motion_.clock);
+        point.knot = is_last ? motion_.clock.hi : motion_.clock.lo;
+        point.part = number_;
+        point.index_across = across;
+        point.path.assign(path.begin(), path.end());
+        point.time = time;
+        point.place = place;
+        (is_last ? at_ends_.last : at_ends_.first).push_back(std::move(point));
+    }
+
+    // `across` is the part of the index that kinks have; `shared`, if any, is the field.
     void add(const MovingField& field, Enclosures& enclosures, const CriticalPoint& point,
-             int across = 0, std::span<const char> path = {}) {
+             int across = 0, std::span<const char> path = {},
+             const std::shared_ptr<const MovingField>& shared = {}) {
         if (is_beyond(point.where)) return;
         const std::size_t d = field.clock();
         const int multipliers = int(d) - field.dimension();
@@ -196,7 +274,7 @@ private:
         bool changes_solid = true;
         for (const Interval& inward : enclosures.inward(point.where)) {
             if (sign_of(inward) == 0) {
-                return unresolved(field, point.where, why::touches_edge);
+                return unresolved(field, point.where, reason_at_edge(field, point.where));
             }
             changes_solid &= inward.lo > 0;
         }
@@ -209,35 +287,27 @@ private:
         }
         for (const MonotoneTrack::Time& time : times(clock)) {
             const std::array<Interval, 3> where = place(field, point.where);
-            if (time.direction == 0) {
-                timeline_.unresolved.push_back({time.at,
-                                                where,
-                                                !track_          ? why::rule_changes
-                                                : rests(time.at) ? why::rests
-                                                                 : why::turns,
-                                                {},
-                                                {}});
+            if (time.direction == 0 && !track_) {
+                keep_at_end(field, point.where, across, path, shared, time.at, where);
                 continue;
             }
-            Event event;
+            if (time.direction == 0) {
+                timeline_.unresolved.push_back(
+                    {time.at, where, rests(time.at) ? why::rests : why::turns, {}, {}});
+                continue;
+            }
+            Event event = event_of(field.dimension(), *index - multipliers + across,
+                                   by_clock * time.direction < 0, changes_solid);
             event.time = time.at;
             event.where = where;
-            event.stratum = field.dimension();
-            event.index = *index - multipliers + across;
-            event.grows = by_clock * time.direction < 0;
-            event.is_proved = true;
-            const std::vector<Kind> kinds = kinds_of(event.index, event.grows);
-            if (!changes_solid) {
-                event.kind = Kind::none;
-            } else if (kinds.size() == 1) {
-                event.kind = kinds[0];
-            }
-            if (event.kind != Kind::unknown) event.kind_proof = "index";
             timeline_.events.push_back(event);
         }
     }
 
-    const Motion& motion_;
+    const Motion &motion_, &whole_;
+    int number_;
+    int reasons_told_ = 0;
+    std::optional<MovingField> in_space_; // once it was asked for
     std::optional<SphereChart> chart_;
     std::optional<SpherePlaces> sphere_;  // with the chart
     std::optional<StratumPlaces> places_; // of the stratum that was asked for last
@@ -245,8 +315,38 @@ private:
     const MonotoneTrack* track_;
     Timeline& timeline_;
     OnSphere& on_sphere_;
+    AtEnds& at_ends_;
     std::optional<formula::Program> rough_; // once it was asked for
 };
+
+// What is at the knot between two pieces of the motion, which may both have moved up to it.
+void add_at_knot(std::vector<KnotPoint> before, std::vector<KnotPoint> after, bool jumps,
+                 Timeline& timeline) {
+    const auto leave = [&](const KnotPoint& point, const char* why) {
+        timeline.unresolved.push_back({point.time, point.place, why, {}, {}});
+    };
+    for (const KnotPoint& point : before) {
+        std::optional<AtKnot> met;
+        const auto same = std::ranges::find_if(
+            after, [&](const KnotPoint& other) { return !jumps && (met = meet(point, other)); });
+        if (same == after.end()) {
+            leave(point, why::rule_changes);
+            continue;
+        }
+        if (met->rises == 0) {
+            leave(point, why::turns);
+            leave(*same, why::turns);
+        } else {
+            Event event =
+                event_of(point.field->dimension(), met->index, met->rises < 0, met->changes_solid);
+            event.time = hull(point.time, same->time);
+            event.where = hull_of(point.place, same->place);
+            timeline.events.push_back(event);
+        }
+        after.erase(same);
+    }
+    for (const KnotPoint& point : after) leave(point, why::rule_changes);
+}
 
 // About how much of the time a stratum takes.
 double effort(const Stratum& stratum) { return std::pow(8, stratum.dimension()); }
@@ -267,8 +367,19 @@ Timeline found_in(const Motions& all, const scene::Scene* scene, Interval range,
     }
     const auto is_stopped = [&] { return how.stopped && how.stopped(); };
     double done = 0;
+    std::vector<KnotPoint> at_last; // the last moment of the piece before
     for (const Motion& motion : all.pieces) {
-        if (!motion.moves || is_stopped()) continue;
+        AtEnds at_ends;
+        const auto end_piece = [&] {
+            const double knot = (motion.easing ? motion.easing->span : motion.clock).lo;
+            const bool jumps = std::ranges::find(all.jumps, knot) != all.jumps.end();
+            add_at_knot(std::move(at_last), std::move(at_ends.first), jumps, timeline);
+            at_last = std::move(at_ends.last);
+        };
+        if (!motion.moves || is_stopped()) {
+            end_piece();
+            continue;
+        }
         std::optional<MonotoneTrack> driven;
         assert(scene || !motion.driver); // what two surfaces have in common moves by time
         if (scene && motion.driver) driven.emplace(*scene, *motion.driver, range);
@@ -280,8 +391,10 @@ Timeline found_in(const Motions& all, const scene::Scene* scene, Interval range,
         whole *= double(all.pieces.size());
         const bool is_kinked = how.seeds == 0 && KinkTree(bound_formula(motion), 3).has_kinks();
         OnSphere on_sphere;
-        for (const Part& part : parts) {
-            Stratified events(part, motion, driven ? &*driven : nullptr, timeline, on_sphere);
+        for (std::size_t number = 0; number < parts.size(); ++number) {
+            const Part& part = parts[number];
+            Stratified events(part, int(number), motion, driven ? &*driven : nullptr, timeline,
+                              on_sphere, at_ends);
             for (const Stratum& stratum : part.strata) {
                 if (is_stopped()) break;
                 const double share = effort(stratum) / whole;
@@ -309,7 +422,9 @@ Timeline found_in(const Motions& all, const scene::Scene* scene, Interval range,
                 events.add(field, found);
             }
         }
+        end_piece();
     }
+    add_at_knot(std::move(at_last), {}, false, timeline);
     if (is_stopped()) timeline.doubts.emplace_back("the search was interrupted");
     if (!timeline.doubts.empty() || !timeline.unresolved.empty()) timeline.is_proved = false;
     const auto earlier = [](const auto& a, const auto& b) { return mid(a.time) < mid(b.time); };

@@ -36,7 +36,7 @@ struct SearchCost {
 // frames are drawn. Spherical bounds have two strata, the inside and the sphere.
 Timeline find_events(const scene::Scene& scene, Side side, formula::Interval range,
                      const EventSearchOptions& how = {}, SearchCost* cost = nullptr);
-// Of a solid whose motions go by time.
+// The same for a solid whose motions go by time.
 Timeline find_events(const Motions& all, formula::Interval range,
                      const EventSearchOptions& how = {}, SearchCost* cost = nullptr);
 

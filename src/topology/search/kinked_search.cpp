@@ -160,7 +160,7 @@ private:
         const bool are_settled = std::ranges::all_of(*strata, [&](const Branch* branch) {
             return !is_stopped() && solve(box, *branch) != Verdict::open;
         });
-        // Found again when the halves are searched.
+        // The points are found again when the halves are searched.
         if (!are_settled) found_.points.resize(before);
         return are_settled;
     }
@@ -180,7 +180,7 @@ private:
         return own;
     }
 
-    // No 0 in a hull of slopes of those pieces that may be 0 in the box.
+    // Whether 0 is in no hull of slopes of those pieces that may be 0 in the box.
     bool is_regular(const Box& box, std::span<const Branch* const> pieces) {
         std::vector<Box> gradients;
         std::vector<Jet<Interval>> jets, at_middle;
@@ -352,7 +352,7 @@ private:
         });
     }
 
-    // Some equation has no root, by mean values.
+    // Whether some equation has no root, by mean values.
     static bool is_off(const Box& x, const Point& m, const Box& at_m, const IntervalMatrix& slopes,
                        std::size_t n) {
         for (std::size_t i = 0; i < n; ++i) {
@@ -405,7 +405,7 @@ private:
     KinkedResult found_;
 };
 
-// Each point once: those of one formula, found from several boxes.
+// Keeps each point once: points of one formula may be found from several boxes.
 void put_together(KinkedResult& all) {
     std::map<std::vector<char>, std::vector<KinkedPoint>> by_formula;
     for (KinkedPoint& point : all.points) by_formula[point.path].push_back(std::move(point));

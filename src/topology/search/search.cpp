@@ -15,7 +15,7 @@ using IntervalJet = Jet<Interval>;
 
 // A box is divided into this many tasks, whatever the number of threads.
 constexpr std::size_t tasks_at_least = 64;
-// So many boxes near each other share their elements at most.
+// At most so many boxes near each other share their elements.
 constexpr std::size_t family_size = 96;
 // A family that takes up no more than this part of the place that its elements were chosen for gets
 // elements of its own; and when it has become so small, they are chosen from fewer.
@@ -117,7 +117,7 @@ private:
                           enclosures_.expanded(around, *family.kept.elements, blur)),
                       extent};
     }
-    // As a part of the domain's.
+    // The volume of a box, as a part of the domain's.
     double volume(const Box& box) const {
         double product = 1;
         for (std::size_t k = 0; k < n_; ++k) {
@@ -135,14 +135,14 @@ private:
         return all;
     }
 
-    // By halves of the longest side, until each family is small or few.
+    // Splits a family by halves of its longest side, until each family is small or has few boxes.
     void split_family(std::vector<Box> boxes, const Family& of,
                       std::vector<Family>& families) const {
         if (boxes.size() <= family_size) {
             if (!boxes.empty()) families.push_back({std::move(boxes), of.kept, of.own});
             return;
         }
-        // Along the side on which the most boxes fit side by side.
+        // The family is split along the side on which the most boxes fit side by side.
         std::size_t side = 0;
         double most = 0, at = 0;
         for (std::size_t k = 0; k < n_; ++k) {
@@ -207,7 +207,7 @@ private:
         return m;
     }
 
-    // By F and first derivatives; what is left and worth it waits for second ones.
+    // Sifts boxes by F and first derivatives; what is left and worth it waits for second ones.
     void sift(const Elements& elements, std::vector<Box>& wave, bool inside) {
         std::erase_if(wave, [&](const Box& box) {
             ++found_.work.boxes;
@@ -286,7 +286,7 @@ private:
             if (is_empty(jet.gradient[i]) || !contains(jet.gradient[i], 0.0)) return false;
         }
         if (!contains(mean_value(box, at_point(m), at_m.value, jet.gradient), 0.0)) return false;
-        // In space to second order.
+        // F is enclosed to second order in space.
         Interval second = at_m.value + jet.gradient[d_] * off[d_];
         for (std::size_t i = 0; i < d_; ++i) {
             Interval gradient = at_m.gradient[i] + Interval(0.5) * jet.hessian[i][i] * off[i];
@@ -326,9 +326,9 @@ private:
         divide(box, slopes);
     }
 
-    // Halves twice the side by which the equations vary most: of each equation its part by each
-    // side, summed. Into four since second derivatives cost more than they exclude: they are worth
-    // evaluating at every other halving.
+    // Halves twice the side by which the equations vary most, where each equation counts by its
+    // part that each side has. A box is divided into four since second derivatives cost more than
+    // they exclude: they are worth evaluating at every other halving.
     void divide(const Box& box, const IntervalMatrix& slopes) {
         Smear smear{};
         for (std::size_t i = 0; i < n_; ++i) {
@@ -504,6 +504,30 @@ std::vector<Box> merged(std::vector<Box> boxes, const Box& domain, double gap) {
     return boxes;
 }
 
+namespace {
+
+std::vector<Box> smallest_within(const std::vector<Box>& wholes, const std::vector<Box>& parts,
+                                 const MovingField& field) {
+    const auto n = std::size_t(field.variables());
+    const auto size = [&](const Box& box) {
+        double most = 0;
+        for (std::size_t k = 0; k < n; ++k) {
+            const double whole = field.domain()[k].hi - field.domain()[k].lo;
+            if (whole > 0) most = std::max(most, (box[k].hi - box[k].lo) / whole);
+        }
+        return most;
+    };
+    std::vector<Box> smallest = wholes;
+    for (const Box& part : parts) {
+        for (std::size_t k = 0; k < wholes.size(); ++k) {
+            if (contains(wholes[k], part) && size(part) < size(smallest[k])) smallest[k] = part;
+        }
+    }
+    return smallest;
+}
+
+} // namespace
+
 SearchResult search(const MovingField& field, const SearchOptions& searching) {
     const std::vector<Box> boxes = tasks(field);
     std::vector<SearchResult> parts(boxes.size());
@@ -524,7 +548,9 @@ SearchResult search(const MovingField& field, const SearchOptions& searching) {
     // There may be thousands, and one who waits for the end is to wait no longer.
     const bool is_late = searching.stopped && searching.stopped();
     const double gap = is_late ? formula::infinity : 4 * searching.smallest;
+    const std::vector<Box> parts_of_these = all.unresolved;
     all.unresolved = merged(std::move(all.unresolved), field.domain(), gap);
+    if (!is_late) all.smallest = smallest_within(all.unresolved, parts_of_these, field);
     return all;
 }
 

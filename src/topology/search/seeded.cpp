@@ -12,7 +12,7 @@ namespace {
 
 using formula::Interval;
 
-// From close by Newton's method is there sooner.
+// Newton's method is there sooner if it begins close by.
 constexpr int most_steps = 25;
 // Parts of the domain: how far outside of it a newton to a root may lead; what a step is at a
 // limit; what two limits of one root differ by at most; and half the side of the box of its proof.

@@ -17,7 +17,7 @@ struct Advice {
     const char* words;
 };
 
-// What another search settles, spans_beside() says.
+// spans_beside() says which places another search settles.
 constexpr Advice of_places[] = {
     {unresolved::kink,
      "write smoothmin(a, b, k) for min(a, b), -smoothmin(-a, -b, k) for max(a, b) and sqrt(q + "
@@ -30,6 +30,19 @@ constexpr Advice of_places[] = {
      "the surface may be singular along a curve, or several singular points may be one: a small "
      "term such as + 0.001*x + 0.002*y - 0.0015*z after the formula parts them, and each event is "
      "proved"},
+    {unresolved::along_curve,
+     "a small term such as + 0.001*x + 0.002*y - 0.0015*z after the formula leaves points of the "
+     "curve, and each event is proved; where the curve is in a wall of the bounds, take others, a "
+     "little larger or smaller"},
+    {unresolved::along_surface,
+     "a small term such as + 0.001*x + 0.002*y - 0.0015*z after the formula leaves points, and "
+     "each event is proved"},
+    {unresolved::lasting_point,
+     "what is singular at all times has no moment: a small number after the formula, + 0.001 or - "
+     "0.001, opens or closes all such points, and each event is proved"},
+    {unresolved::lasting_curve,
+     "what is singular at all times has no moment: a small number after the formula, + 0.001 or - "
+     "0.001, opens or closes all along the curve, and each event is proved"},
     {unresolved::index,
      "the surface may be singular along a curve: a small term such as + 0.001*x + 0.002*y - "
      "0.0015*z after the formula leaves points of it, and each event is proved"},

@@ -13,6 +13,15 @@ namespace isomotion::topology {
 namespace unresolved {
 inline constexpr const char degenerate[] =
     "a critical point may be degenerate, or there may be several";
+// These are told from numbers, and not proved.
+inline constexpr const char along_curve[] =
+    "the surface is singular, or nearly so, along a curve at this moment";
+inline constexpr const char along_surface[] =
+    "a part of the surface is singular, or nearly so, at all of its points at this moment";
+inline constexpr const char lasting_point[] =
+    "the surface has a singular point, or nearly one, that stays, as a node does";
+inline constexpr const char lasting_curve[] =
+    "the surface is singular, or nearly so, along a curve that stays, as where it crosses itself";
 inline constexpr const char kink[] =
     "the formula has a kink (min, max, abs, sqrt at 0 or the like) where the surface may change";
 inline constexpr const char kinks_meet[] =

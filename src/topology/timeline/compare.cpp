@@ -88,9 +88,8 @@ private:
         }
     }
 
-    // An expectation that says two things of one, and is right in all that is compared with what
-    // was found: it is wrong in one of them. Where something differs anyway, that is all that is
-    // told.
+    // Tells where the expectation contradicts itself. It may be right in all that is compared with
+    // what was found, and is wrong all the same. Where something differs anyway, only that is told.
     void tell_contradictions() {
         if (!check_.differences.empty()) return;
         for (const std::string& reason : contradictions(expected_, fps_)) {
@@ -104,7 +103,8 @@ private:
                least_distance(a.time, b.time) <= dt_ && place_distance(a, b) <= tolerance_.place;
     }
 
-    // Most events of most checks; what is left is matched in more than linear time.
+    // Pairs events that are equal: most events of most checks. What is left is matched in more than
+    // linear time.
     void pair_equals() {
         std::vector<std::size_t> alone;
         std::vector<char> taken(found_.events.size(), 0);
@@ -211,7 +211,7 @@ private:
         }
     }
 
-    // Of events that have a kind only together, as many must be of each.
+    // Compares events that have a kind only together: there must be as many of each kind.
     void compare_moments() {
         while (!together_.empty()) {
             const Event &wanted = *together_.front().first, &event = *together_.front().second;
@@ -240,7 +240,8 @@ private:
         bool is_proved = false;
         std::string_view why = "not known"; // where there is none
     };
-    // At an end of the search, what was found of that end; else what holds between two events.
+    // The numbers that were found at an end of the search, or else those that hold between two
+    // events.
     Numbers found_at(double time, bool is_start, const Steps& steps) const {
         if (is_start && time == found_.range.lo) return {found_.start, found_.start_is_proved};
         if (!is_start && time == found_.range.hi) return {found_.end, found_.end_is_proved};

@@ -12,7 +12,7 @@ namespace {
 
 using formula::Interval;
 
-// Between the farthest members.
+// The distance between the farthest members.
 double most_distance(Interval a, Interval b) { return std::max(a.hi - b.lo, b.hi - a.lo); }
 
 template<class Distance> double distance(const Event& a, const Event& b, Distance&& along) {

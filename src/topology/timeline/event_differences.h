@@ -22,7 +22,7 @@ double diagonal(const TimelineHeader& header);
 // its own tolerance.
 Tolerance tolerance_of(const TimelineRecord& found, double dt);
 
-// Between the nearest members of two intervals, and between the nearest members of two places.
+// The distance between the nearest members of two intervals, and of two events' places.
 double least_distance(formula::Interval a, formula::Interval b);
 double place_distance(const Event& a, const Event& b);
 

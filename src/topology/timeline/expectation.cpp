@@ -109,8 +109,8 @@ Claims read_claims(const base::Document& document, const std::string& file,
     return claims;
 }
 
-// All that happens in the instant is known, and none of it changes the number: it is the same all
-// the time, in whatever order things happen.
+// Whether all that happens in the instant is known, and none of it changes the number: then it is
+// the same all the time, in whatever order things happen.
 bool keeps(const Timeline& timeline, const Instant& instant, int Betti::*number) {
     return instant.unresolved.empty() &&
            std::ranges::all_of(instant.events, [&](const std::size_t k) {
@@ -120,8 +120,8 @@ bool keeps(const Timeline& timeline, const Instant& instant, int Betti::*number)
            });
 }
 
-// At one frame, or at all of a span: each step that lasts in it says the number, and no instant in
-// it may change that.
+// Judges a claim at one frame, or at all of a span: each step that lasts in it has to say the
+// number, and no instant in it may change that.
 Judgement judge(const BettiClaim& claim, const TimelineRecord& found, const Steps& steps) {
     const auto fps = found.header.fps;
     const Timeline& timeline = found.timeline;
@@ -142,7 +142,7 @@ Judgement judge(const BettiClaim& claim, const TimelineRecord& found, const Step
         return frames.lo <= asked.hi && asked.lo <= frames.hi;
     };
     const bool is_moment = is_point(asked);
-    // Of a span, a step that is over as it begins says nothing.
+    // A step that is over as it begins says nothing about a span.
     const auto lasts_in = [&](Interval time) {
         const Interval frames = frames_at(fps, time);
         return touches(time) &&

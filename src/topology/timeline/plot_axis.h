@@ -11,7 +11,7 @@ struct PlotAxis {
 
     double unit() const { return (right - left) / (last - first); } // of the picture, a frame
     double x(double frame) const { return left + (frame - first) * unit(); }
-    // Of what may be outside.
+    // The same, with a frame outside moved to the nearer end.
     double clamped(double frame) const { return x(std::clamp(frame, first, last)); }
 };
 

@@ -73,7 +73,7 @@ void draw_head(Svg& svg, const PlotAxis& axis, const KindMark& mark, std::size_t
     svg.text(name_x, y + 4, name_of(mark));
 }
 
-// Beside marks that have room for it, to the right or to the left: where their frames are.
+// Writes the frames of marks beside those that have room for it, to the right or to the left.
 void label_places(Svg& svg, const PlotAxis& axis, const Lane& lane, double y) {
     constexpr double size = 11, reach = sign_width / 2;
     const auto x_of = [&](std::size_t k) { return axis.x(lane.places[k].frame); };
@@ -106,7 +106,7 @@ void draw_sparse(Svg& svg, const PlotAxis& axis, const Lane& lane, double y) {
     label_places(svg, axis, lane, y);
 }
 
-// Above the highest bars, as far as there is room: how many events they count.
+// Writes above the highest bars, as far as there is room, how many events they count.
 void label_peaks(Svg& svg, const PlotAxis& axis, const Lane& lane, double bin, double scale,
                  double y) {
     constexpr int most_labels = 6;

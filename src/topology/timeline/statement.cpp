@@ -19,7 +19,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
-// As a sentence may have them: "No merges." is "no merges", "the end" is "end", "2 seconds" "2 s".
+// Simplifies words that a sentence may have: "No merges." is "no merges", "the end" is "end", "2
+// seconds" is "2 s".
 void simplify(std::vector<std::string>& words) {
     std::string* last = words.empty() ? nullptr : &words.back();
     if (last && last->size() > 1 && last->ends_with('.') && !last->ends_with(".."))
@@ -68,7 +69,7 @@ std::vector<std::string> words_of(std::string_view text) {
     return words;
 }
 
-// As digits or, up to twelve, in words.
+// The number that a word says in digits or, up to twelve, in letters.
 std::optional<int> whole(std::string_view word) {
     constexpr std::array<std::string_view, 13> names{"zero", "one",    "two",   "three", "four",
                                                      "five", "six",    "seven", "eight", "nine",
@@ -337,7 +338,8 @@ private:
         const double off = take("+-") ? tolerance_here(unit) : tolerance_.value_or(moment.half);
         span(moment.frame - off, moment.frame + off);
     }
-    // In frames: of "+- 2 frames", "+- 0.1 s", and "+- 2", which counts what "at" counts.
+    // Reads a tolerance and returns it in frames: "+- 2 frames", "+- 0.1 s", or "+- 2", which
+    // counts what "at" counts.
     double tolerance_here(Unit unit) {
         const auto number = written(peek());
         if (!number || number->value < 0) {

@@ -38,8 +38,8 @@ bool parts_moment(const Statement& statement, const Event& event, const Timeline
     return has_inside && has_outside;
 }
 
-// Its time is certainly one that the statement speaks of. An open end is the range's: an event
-// whose enclosure reaches over it may be out of it.
+// Whether its time is certainly one that the statement speaks of. An open end is the range's: an
+// event whose enclosure reaches over it may be out of it.
 bool is_inside(const Statement& statement, const Event& event, Interval range,
                animation::FrameRate fps) {
     return formula::contains(statement.frames, frames_at(fps, event.time)) &&
@@ -164,7 +164,7 @@ Judgement judge(const Statement& statement, const std::vector<Statement>& all,
     if (n.certain >= statement.least && !n.is_open && n.possible <= statement.most) {
         return {Truth::holds, ""};
     }
-    // More can be of no harm to "at least".
+    // More events do no harm to "at least".
     if (n.certain >= statement.least && statement.most == INT_MAX && timeline.doubts.empty()) {
         return {Truth::holds, ""};
     }

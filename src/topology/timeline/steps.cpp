@@ -31,9 +31,10 @@ std::vector<Instant> instants_of(const Timeline& timeline) {
     return merged;
 }
 
-// Before the first event of an instant, and after the last. Numbers follow from event to event in
-// the order they are listed in, whatever their enclosures: those between two of an instant are none
-// of its ends. Where that event has none, a place says what is before or after all of the instant.
+// The numbers before the first event of an instant, and those after the last. Numbers follow from
+// event to event in the order of the list, whatever the enclosures of the times: numbers between
+// two events of an instant are not at its ends. Where that event has none, an unresolved place says
+// what is before or after all of the instant.
 std::optional<Betti> before(const Timeline& timeline, const Instant& instant) {
     if (!instant.events.empty()) {
         if (const auto& found = timeline.events[instant.events.front()].before) return found;
@@ -64,7 +65,7 @@ std::optional<Betti> after(const Timeline& timeline, const Instant& instant) {
     return found;
 }
 
-// Of all its events together; empty if some are of unknown kind.
+// What the instant's events change together; empty if some are of unknown kind.
 std::optional<Betti> change(const Timeline& timeline, const Instant& instant) {
     if (!instant.unresolved.empty()) return std::nullopt;
     Betti all;
@@ -75,8 +76,8 @@ std::optional<Betti> change(const Timeline& timeline, const Instant& instant) {
     return all;
 }
 
-// What happens in it is known, and that it happens in the range: of an enclosure that reaches over
-// an end of the range the event may be on either side.
+// Whether it is known what happens in the instant, and that it happens in the range. Where an
+// enclosure reaches over an end of the range, the event may be on either side.
 bool is_certain(const Timeline& timeline, const Instant& instant) {
     return instant.unresolved.empty() && formula::contains(timeline.range, instant.time) &&
            std::ranges::all_of(instant.events, [&](const std::size_t k) {

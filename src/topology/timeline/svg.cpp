@@ -5,7 +5,7 @@
 namespace isomotion::topology {
 namespace {
 
-// Of the font's size.
+// The width of a character, in parts of the font's size.
 double advance(char c) {
     if (std::string_view("ijlI.,:;'!| ").find(c) != std::string_view::npos) return 0.35;
     if (std::string_view("ftr()[]-/\\\"").find(c) != std::string_view::npos) return 0.47;

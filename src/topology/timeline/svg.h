@@ -9,7 +9,7 @@
 
 namespace isomotion::topology {
 
-// Of a picture, in its units; y counts down.
+// A rectangle in a picture, in the picture's units; y counts down.
 struct Rect {
     double left = 0, top = 0, right = 0, bottom = 0;
 
@@ -35,7 +35,7 @@ std::string cut_to(const std::string& utf8, double width, double size, bool is_b
 // ends in an ellipsis where there was more.
 std::vector<std::string> wrapped(const std::string& utf8, double width, double size,
                                  std::size_t most);
-// With the characters that mean something in SVG written out.
+// The text with the characters that mean something in SVG written out.
 std::string escaped(const std::string& text);
 
 class Svg {
@@ -48,7 +48,7 @@ public:
     template<class... Args> void draw(fmt::format_string<Args...> format, Args&&... args) {
         body_ += fmt::format(format, std::forward<Args>(args)...) + "\n";
     }
-    // Under all else.
+    // Draws under all else.
     template<class... Args> void draw_behind(fmt::format_string<Args...> format, Args&&... args) {
         behind_ += fmt::format(format, std::forward<Args>(args)...) + "\n";
     }

@@ -39,7 +39,7 @@ Json point(const Point& where) {
     return Json::array({mid(where[0]), mid(where[1]), mid(where[2])});
 }
 
-// Of a ball about point(where) that holds the box.
+// The radius of a ball about point(where) that holds the box.
 double radius(const Point& where) {
     double sum = 0;
     for (const Interval side : where) {
@@ -117,7 +117,7 @@ Betti read_betti(const base::DocumentNode& node) {
     return {count(numbers[0]), count(numbers[1]), count(numbers[2])};
 }
 
-// Of the solid; the surface's follow.
+// The solid's numbers. Those of the surface follow from them, and are checked if they are there.
 Betti read_solid(base::DocumentTable& object) {
     const Betti solid = read_betti(object.at("solid"));
     if (const auto surface = object.find("surface")) {
@@ -225,7 +225,7 @@ Unresolved read_unresolved(const base::DocumentNode& node, animation::FrameRate 
     return place;
 }
 
-// What certainly comes before an earlier item of its list is out of order.
+// An item that certainly comes before an earlier one of its list is out of order.
 template<class Item, class Read>
 std::vector<Item> read_ordered(const base::DocumentNode& node, Read&& read) {
     std::vector<Item> items;

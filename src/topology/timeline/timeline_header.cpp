@@ -54,7 +54,7 @@ TimelineHeader::Box box_of(const scene::BoundsAt& bounds) {
     return box;
 }
 
-// Of what determines topology and, if it counts, the placement.
+// The fingerprint of what determines topology and, if it counts, of the placement.
 std::string fingerprint_of(const scene::Scene& scene, bool with_placement) {
     const Animation& animation = scene.timeline.animation;
     const scene::Bounds& bounds = scene.surface.bounds;

@@ -13,7 +13,7 @@ namespace {
 
 using formula::Interval;
 
-// Of the whole time: shorter is a moment, at an end or between.
+// A group within this part of the whole time from an end is at that end.
 constexpr double least_part = 1e-3;
 
 bool touch(const Interval& a, const Interval& b) { return a.lo <= b.hi && b.lo <= a.hi; }

@@ -14,7 +14,7 @@ struct UnresolvedGroup {
     std::vector<const Unresolved*> places; // not empty; of one `why`
 };
 
-// By time. Groups of one reason have times that don't touch.
+// The groups, ordered by time. Groups of one reason have times that don't touch.
 std::vector<UnresolvedGroup> unresolved_groups(const Timeline& timeline);
 
 // When, of a search from its first to its last frame.

@@ -36,7 +36,7 @@ struct Coherence {
     std::vector<Carried> rows;
 };
 
-// With the method hermite. Times are of frames whose starts are there already. Throws
+// Measures with the method hermite. Times are of frames whose starts are there already. Throws
 // std::logic_error if the picture takes more than one tile.
 Coherence coherence(gpu::Context& context, const Certified& on, int repeat);
 

@@ -9,7 +9,7 @@
 
 namespace isomotion::bench {
 
-// Of its own: distributions of the standard library differ from one to the other.
+// Has distributions of its own: those of one standard library differ from those of another.
 class Draw {
 public:
     explicit Draw(std::uint64_t seed)

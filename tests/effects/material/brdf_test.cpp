@@ -73,7 +73,8 @@ private:
 class Brdf : public EveryBackend {};
 ISOMOTION_ON_EVERY_BACKEND(Brdf);
 
-// At the horizon, below it, opposite to each other, along the normal, and next to all of these.
+// Directions at the horizon, below it, opposite to each other, along the normal, and next to all of
+// these.
 std::vector<Geometry> nasty_places() {
     std::vector<float> cosines = {-1,     -0.5f, -1e-3f, -1e-7f, -1e-30f, -0.0f,      0, 1e-38f,
                                   1e-30f, 1e-7f, 1e-4f,  1e-3f,  0.5f,    0.9999999f, 1};

@@ -25,6 +25,7 @@
 #include <gudhi/Simplex_tree.h>
 #pragma GCC diagnostic pop
 
+#include "thorough.h"
 #include "topology/betti/sign_grid.h"
 #include "topology/solids.h"
 #include "unit/formula/testing.h"
@@ -32,7 +33,7 @@
 namespace isomotion::topology {
 namespace {
 
-// Of the union of closed cubes whose value is 0; x runs fastest.
+// The Betti numbers of the union of closed cubes whose value is 0; x runs fastest.
 Betti betti_of_cubes(const std::vector<unsigned>& sizes, const std::vector<double>& cubes) {
     using Complex = Gudhi::cubical_complex::Bitmap_cubical_complex<
         Gudhi::cubical_complex::Bitmap_cubical_complex_base<double>>;
@@ -125,7 +126,7 @@ SignGrid waves(int side, std::uint64_t seed, double reach, double level) {
 }
 
 TEST(Gudhi, Noise) {
-    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    for (std::uint64_t seed = 1; seed <= std::uint64_t(trials(4, 10)); ++seed) {
         formula::Random random(seed);
         const double density = random.in(0.1, 0.9);
         const SignGrid grid =

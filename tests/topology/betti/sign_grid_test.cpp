@@ -39,8 +39,8 @@ private:
         each([&](const Vertex& v) { chi += chains(v, 0); });
         return chi;
     }
-    // Of simplices that begin with v + corner and go on along chains of corners, by dimension's
-    // parity.
+    // Counts simplices that begin with v + corner and go on along chains of corners. Those of odd
+    // dimension count as -1.
     int chains(const Vertex& v, int corner) const {
         const Vertex at{v[0] + (corner & 1), v[1] + (corner >> 1 & 1), v[2] + (corner >> 2)};
         if (!solid(at)) return 0;

@@ -9,7 +9,7 @@
 namespace isomotion::topology {
 namespace {
 
-// Of each event, in order of time.
+// The sides of each event, in order of time.
 std::vector<Sides> sides_of(const Moving& moving, double from, double to) {
     const scene::Scene scene = moving.scene();
     const Timeline timeline = find_events(scene, Side::negative, {from, to});

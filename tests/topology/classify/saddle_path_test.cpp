@@ -149,7 +149,7 @@ TEST(SaddlePath, RandomSegments) {
     EXPECT_GT(refused, 50);
 }
 
-// Of bounds that move only what lies inside, or outside, at all times of a span is said to.
+// Where bounds move, only what lies inside, or outside, at all times of a span is said to.
 TEST(SaddlePath, BoundsOfAWholeSpan) {
     for (const std::string bounds : {"{ sphere = 'r' }", "{ box = [[-1, -1, -1], ['r', 1, 1]] }"}) {
         SCOPED_TRACE(bounds);

@@ -13,7 +13,7 @@ namespace {
 using formula::Interval;
 using Times = std::vector<MonotoneTrack::Time>;
 
-// Of the track c, which is this in a scene.
+// The times at which the track c has the value, where `source` is what a scene has for c.
 Times times(const std::string& source, Interval range, Interval value) {
     const scene::Scene scene =
         scene_of(fmt::format("[surface]\nformula = \"x^2 + y^2 + z^2 - c\"\nbounds = {{ sphere = 3 "

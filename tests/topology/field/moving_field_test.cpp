@@ -286,7 +286,7 @@ TEST(MovingField, EnclosesHowMuchItsSlopesChange) {
             for (std::size_t i = 0; i < 3; ++i) {
                 const double change = (to.gradient[i] - from.gradient[i]) / (q[j] - p[j]);
                 if (!std::isfinite(change)) continue;
-                // Of doubles: their rounding, over the distance.
+                // The rounding of doubles, over the distance.
                 const double slack = 1e-12 *
                                      (1 + std::abs(from.gradient[i]) + std::abs(to.gradient[i])) /
                                      std::abs(q[j] - p[j]);

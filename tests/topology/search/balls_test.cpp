@@ -103,7 +103,7 @@ public:
         , timed_(motion)
         , frame_(timed_.formula()) {}
 
-    // Of `count` boxes, each with a point.
+    // Checks `count` boxes, each with a point.
     void check(int count, Counts& counts) {
         while (count > 0) {
             const int of_family = std::min(count, 37);
@@ -216,7 +216,7 @@ Moving random_scene(std::uint64_t number) {
                         field(), field(), field(), field())};
 }
 
-// As many boxes for each piece that no more than its share of the containments is missing.
+// Checks so many boxes of each piece that no more than its share of the containments is missing.
 Counts check(const std::vector<Motion>& pieces, std::int64_t containments,
              formula::Random& random) {
     constexpr int a_box = 38;

@@ -17,7 +17,7 @@ Timeline inside(Timeline timeline) {
     return timeline;
 }
 
-// Of one gyroid cell and a bit: points where all three products have their extremes.
+// Events inside one gyroid cell and a bit: at points where all three products have their extremes.
 std::vector<Group> gyroid_inside() {
     const double root = std::sqrt(2);
     return {{0.5, 8, 0, true}, {2 - root, 18, 1, true}, {2 + root, 18, 2, true}, {3.5, 8, 3, true}};
@@ -52,6 +52,32 @@ TEST(Events, OfADegeneratePointOfASmoothSurfaceSaySo) {
     const Timeline found = events_of(smooth, 0, 1);
     ASSERT_FALSE(found.unresolved.empty());
     for (const Unresolved& place : found.unresolved) EXPECT_EQ(place.why, unresolved::degenerate);
+}
+
+// Reasons that a mathematician accepts: nothing of these is an event at a point.
+TEST(Events, OfWhatIsSingularAlongACurveOrAllTheTimeSaySo) {
+    const char* const box = "{ box = [[-2.1, -2.2, -2.3], [2.4, 2.5, 2.2]] }";
+    const auto expect_reason = [&](const std::string& formula, const std::string& parameters,
+                                   const char* why) {
+        const Timeline found = events_of({formula, box, parameters}, 0, 1);
+        SCOPED_TRACE(described(found));
+        EXPECT_FALSE(found.unresolved.empty());
+        for (const Unresolved& place : found.unresolved) EXPECT_STREQ(place.why.c_str(), why);
+    };
+    expect_reason("(x^2 + y^2 - 1)^2 + z^2 - T", "T = \"t - 0.5\"", unresolved::along_curve);
+    expect_reason("(x - T)^2 + (y + T)^2 - z^2", "T = \"t - 0.5\"", unresolved::lasting_point);
+    // What divides is looked at as kinks are.
+    expect_reason("((x - T)^2 + (y + T)^2 - z^2)/(3 - T)", "T = \"t - 0.5\"",
+                  unresolved::lasting_point);
+}
+
+// Terms that have no bound don't make others negligible.
+TEST(Events, OfSumsOfPolesAreThoseOfTheSurface) {
+    const Moving poles{"0.5 - sum(b, 0.01/((x - cx)^2 + y^2 + z^2))",
+                       "{ box = [[-1.1, -1.2, -1.3], [1.4, 1.5, 1.2]] }", "s = \"0.5 - 0.4*t\"",
+                       "[arrays.b]\ncount = 2\nu = [1, -1]\ncx = \"u*s\""};
+    // Between them the sum is 0.02/s^2.
+    expect_events(events_of(poles, 0, 1), {{0.75, 1, 1, true}});
 }
 
 TEST(Events, OfACassiniOfRevolutionIsASplit) {

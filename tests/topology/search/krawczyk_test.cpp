@@ -8,7 +8,7 @@ namespace {
 
 using formula::Interval;
 
-// Of x^2 - c over x.
+// Krawczyk's operator of x^2 - c over x.
 Krawczyk of_square(Interval x, double c) {
     const double m = mid(x);
     const IntervalMatrix slopes{{{Interval(2) * x}}};

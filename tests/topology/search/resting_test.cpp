@@ -85,6 +85,75 @@ TEST(Resting, ForAMomentOnItsWayIsAnEvent) {
     }
 }
 
+// Each track's own keys, which say nothing of the others; the way between keys is the clock then.
+TEST(Resting, OfSeveralTogetherForAMomentIsAnEvent) {
+    const std::string balls = "min((x - d)^2 + (y - e)^2 + z^2 - 1, x^2 + y^2 + z^2 - 1)",
+                      balls_box = "{ box = [[-2, -2, -2], [4, 4, 2]] }";
+    const auto keys = [](const char* ease) {
+        return fmt::format("d = {{ keys = [[0, 2.25], [1, 1.25], [3, 1]], ease = \"{0}\" }}\n"
+                           "e = {{ keys = [[0, 2], [1, 1.5612494995995996], [3, 0.5]], "
+                           "ease = \"{0}\" }}",
+                           ease);
+    };
+    const Moving passing[] = {
+        drops("c = { keys = [[0, -0.5], [1, 0], [3, 0.5]], ease = \"smooth\" }\n"
+              "d = { keys = [[0, 0.3], [1, 0.1], [3, 0.5]], ease = \"smooth\" }",
+              "(x - d)"),
+        {balls, balls_box, keys("smooth")},
+        // A corner of the way, at full speed.
+        {balls, balls_box, keys("linear")},
+        {balls, balls_box, keys("cubic")},
+        // Bounds reach a ball.
+        {"(x - d)^2 + y^2 + z^2 - 0.09", "{ sphere = \"R\" }",
+         "R = { keys = [[0, 0.5], [1, 0.7], [3, 0.9]], ease = \"smooth\" }\n"
+         "d = { keys = [[0, 1.2], [1, 1], [3, 0.8]], ease = \"smooth\" }"},
+    };
+    for (const Moving& moving : passing) {
+        SCOPED_TRACE(moving.formula + moving.parameters);
+        const Timeline timeline = analyse(with_time(moving).scene());
+        SCOPED_TRACE(described(timeline));
+        EXPECT_TRUE(timeline.is_complete());
+        ASSERT_EQ(timeline.events.size(), 1u);
+        EXPECT_NEAR(mid(timeline.events[0].time), 1, 1e-6);
+        EXPECT_LT(width(timeline.events[0].time), 1e-6);
+        EXPECT_NE(timeline.start, timeline.end);
+        EXPECT_EQ(timeline.events[0].before, timeline.start);
+        EXPECT_EQ(timeline.events[0].after, timeline.end);
+    }
+}
+
+TEST(Resting, OfSomeWhileOthersGoByTimeIsSolvedInTime) {
+    // A quarter of the time is 0.15625 of the way.
+    const Moving ball{"(x - d)^2 + y^2 + z^2 + c + 1.375*w", "{ sphere = 4 }",
+                      "c = { keys = [[0, -1], [2, 1]], ease = \"smooth\" }\n"
+                      "d = { keys = [[0, 0], [2, 1]], ease = \"smooth\" }\nw = \"t\""};
+    expect_events(events_of(ball, 0, 2), {{0.5, 1, 0, false}});
+}
+
+TEST(Resting, OfSeveralTogetherAndBackIsATouch) {
+    for (const char* ease : {"smooth", "linear"}) {
+        const std::string keys =
+            fmt::format("d = {{ keys = [[0, 2.25], [1, 1.25], [3, 3]], ease = \"{0}\" }}\n"
+                        "e = {{ keys = [[0, 2], [1, 1.5612494995995996], [3, 1.75]], "
+                        "ease = \"{0}\" }}",
+                        ease);
+        const Timeline timeline =
+            analyse(with_time({"min((x - d)^2 + (y - e)^2 + z^2 - 1, x^2 + y^2 + z^2 - 1)",
+                               "{ box = [[-2, -2, -2], [5, 4, 2]] }", keys})
+                        .scene());
+        SCOPED_TRACE(described(timeline));
+        EXPECT_FALSE(timeline.is_complete());
+        EXPECT_TRUE(timeline.events.empty());
+        ASSERT_FALSE(timeline.unresolved.empty());
+        for (const Unresolved& place : timeline.unresolved) {
+            EXPECT_NEAR(mid(place.time), 1, 1e-6);
+            EXPECT_EQ(place.before, (Betti{2, 0, 0}));
+            EXPECT_EQ(place.after, (Betti{2, 0, 0}));
+            EXPECT_EQ(place.why, "the motion turns, rests or ends where the surface is singular");
+        }
+    }
+}
+
 // It comes to the critical value and goes back: the same on both sides, and said to be so.
 TEST(Resting, ForAMomentAndBackIsATouch) {
     for (const auto& [keys, solid] : {std::pair{"[[0, -0.5], [1, 0], [3, -0.5]]", Betti{1, 0, 0}},

@@ -18,7 +18,7 @@ Timeline with_unresolved(std::vector<const char*> reasons) {
     return timeline;
 }
 
-// At ten frames a second, as the timelines made by hand have it: frames 1 to 101.
+// The advice at ten frames a second, as the timelines made by hand have it: frames 1 to 101.
 std::vector<std::string> told(const Timeline& timeline) { return advice(timeline, {10, 1}); }
 
 Unresolved between_frames(double from, double to, const char* why = unresolved::degenerate) {
@@ -29,10 +29,11 @@ TEST(Advice, IsNoneForWhatIsComplete) { EXPECT_THAT(told(story().timeline), IsEm
 
 TEST(Advice, IsOneSentenceForEachReason) {
     const std::vector<const char*> reasons{
-        unresolved::degenerate,   unresolved::kink,     unresolved::kinks_meet,
-        unresolved::on_edge,      unresolved::index,    unresolved::touches_edge,
-        unresolved::rule_changes, unresolved::rests,    unresolved::turns,
-        unresolved::jumps,        unresolved::no_bounds};
+        unresolved::degenerate,    unresolved::kink,          unresolved::kinks_meet,
+        unresolved::on_edge,       unresolved::index,         unresolved::touches_edge,
+        unresolved::rule_changes,  unresolved::rests,         unresolved::turns,
+        unresolved::jumps,         unresolved::no_bounds,     unresolved::along_curve,
+        unresolved::along_surface, unresolved::lasting_point, unresolved::lasting_curve};
     // One more says beside which frames.
     for (const char* why : reasons)
         EXPECT_THAT(told(with_unresolved({why, why})), SizeIs(2)) << why;

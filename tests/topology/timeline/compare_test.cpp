@@ -223,7 +223,7 @@ TEST(Compare, ATimeKnownTooCoarselyDecidesNothing) {
 }
 
 TEST(Compare, OnlyTheTimeThatTheExpectationSpansCounts) {
-    // Of frames 1 to 31 there are two events; the longer search has them and two more.
+    // Frames 1 to 31 have two events; the longer search has them and two more.
     TimelineRecord expected =
         complete({3, 0, 0}, {story().timeline.events[0], story().timeline.events[1]});
     expected.timeline.range.hi = 3;

@@ -179,7 +179,7 @@ TEST(Expectation, TomlMistakesNameTheLine) {
     EXPECT_THAT(mistake("[tunnels]\n1 = 0\n\nx = 2\n", "e.toml"),
                 StartsWith("e.toml:4: tunnels.x: 'x' is no frame"));
     EXPECT_THAT(mistake("\n\ntunnels = 3\n", "e.toml"), StartsWith("e.toml:3: tunnels: "));
-    // Of the whole, none.
+    // A mistake of the whole file has no line.
     EXPECT_THAT(mistake("component = 1\n", "e.toml"),
                 StartsWith("e.toml: unknown key 'component'; did you mean 'components'?"));
 }

@@ -44,7 +44,7 @@ private:
     template<class Edit> void lie(std::string what, Edit&& edit) {
         TimelineRecord record = truth_;
         edit(record.timeline);
-        // As a file has to be.
+        // The events are in order, as a file has to have them.
         std::ranges::stable_sort(record.timeline.events, {},
                                  [](const Event& e) { return e.time.lo; });
         if (record.timeline == truth_.timeline) return;
@@ -187,7 +187,7 @@ private:
         }
     }
 
-    // Of every pair of neighbours: all that one is, the other is.
+    // Each event of a pair of neighbours takes the other's kind, and all that goes with it.
     void swap_kinds() {
         const auto& events = truth_.timeline.events;
         for (std::size_t k = 1; k < events.size(); ++k) {

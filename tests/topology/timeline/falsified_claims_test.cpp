@@ -213,7 +213,7 @@ TEST_P(Claimed, EachEvent) {
 }
 
 TEST_P(Claimed, HowManyThereAreOfEachKind) {
-    // Of events that may be outside, how many there are is not known.
+    // If some events may be outside, how many there are is not known.
     const auto expect_known = [&](const std::string& statement, std::optional<Kind> kind) {
         is_inside(kind) ? expect_true(statement) : expect_false(statement);
     };

@@ -19,7 +19,7 @@ Outcome outcome(const TimelineRecord& expected, const TimelineRecord& found, dou
     return check(Expectation(expected), found, dt).outcome();
 }
 
-// As the file that somebody would write of it. What cannot be read does not pass.
+// Whether it passes as the file that somebody would write of it. What cannot be read does not pass.
 bool passes_as_text(const std::string& text, const TimelineRecord& found) {
     try {
         return outcome(parse_timeline(text, "lie.json"), found) == Outcome::passes;
@@ -138,7 +138,7 @@ TEST_P(IncompleteTimeline, NeverPassesNorIsPassed) {
 INSTANTIATE_TEST_SUITE_P(True, IncompleteTimeline, testing::ValuesIn(incomplete_timelines()),
                          [](const auto& timeline) { return timeline.param.name; });
 
-// As a search of a part of the time would find it.
+// The record as a search of a part of the time would find it.
 TimelineRecord part_of(TimelineRecord record, formula::Interval range) {
     Timeline& timeline = record.timeline;
     const Steps steps = steps_of(timeline);

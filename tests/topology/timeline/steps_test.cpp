@@ -60,7 +60,7 @@ TEST(Steps, OfEventsThatOverlapTheOrderOfTheListCounts) {
     record.timeline.start = std::nullopt;
     all = steps_of(record.timeline);
     EXPECT_EQ(all.steps[0].solid, (Betti{3, 0, 0}));
-    // Of unknown kind, the first leaves only what is between them: no end of the instant.
+    // If the first is of unknown kind, only what is between them is known: no end of the instant.
     record.timeline.events[0].kind = Kind::unknown;
     record.timeline.events[0].before = std::nullopt;
     EXPECT_EQ(steps_of(record.timeline).steps[0].solid, std::nullopt);

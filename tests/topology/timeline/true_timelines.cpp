@@ -22,7 +22,7 @@ TimelineRecord every_kind() {
     return complete({2, 1, 1}, std::move(events));
 }
 
-// On faces, edges and at corners; each event of as high an index as there is room for.
+// Events on faces, edges and at corners; each has as high an index as there is room for.
 TimelineRecord every_stratum() {
     std::vector<Event> events;
     for (int stratum = 0; stratum <= 3; ++stratum) {

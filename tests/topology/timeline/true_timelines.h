@@ -20,7 +20,8 @@ struct NamedTimeline {
 };
 
 std::vector<NamedTimeline> complete_timelines();
-// With a place that is unresolved, an event that is not proved and the like: nothing passes.
+// Timelines with a place that is unresolved, an event that is not proved and the like: nothing
+// passes.
 std::vector<NamedTimeline> incomplete_timelines();
 
 // Writes all numbers anew by the start and the kinds, as somebody does who keeps a file in itself

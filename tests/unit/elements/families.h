@@ -103,7 +103,7 @@ inline constexpr Family families[] = {
      true},
 };
 
-// Of the least element, of many bodies joined.
+// Families of the least element: many bodies joined.
 inline constexpr Family least_families[] = {
     {"balls", "least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2) - 0.4*r)", true},
     {"squares", "least(p, (x-cx)^2 + (y-cy)^2 + (z-cz)^2 - (0.4*r)^2)", true},

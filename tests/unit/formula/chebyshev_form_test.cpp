@@ -179,7 +179,7 @@ TEST(ChebyshevForm, HoldsWhatIsCutOff) {
         EXPECT_GT(value.lo, 0.9 * floats) << x;
         EXPECT_TRUE(contains(slope, 0)) << x; // of what is cut off
     }
-    // Of odd n it is cut off at both ends.
+    // Where n is odd, F is cut off at both ends.
     const Field odd =
         make_field("cos(7*acos(x))*" + outside("max(1, abs(x))", "7") + " - a", test_vocabulary());
     const EnclosurePrograms of_odd = enclosure_programs(odd);

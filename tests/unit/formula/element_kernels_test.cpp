@@ -1,4 +1,4 @@
-// Of which sums the terms are kernels of a distance.
+// Which sums have terms that are kernels of a distance.
 #include "formula/element_kernels.h"
 
 #include "testing.h"

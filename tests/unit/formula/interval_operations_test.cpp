@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "random_interval.h"
+#include "thorough.h"
 
 namespace isomotion::formula {
 namespace {
@@ -57,11 +58,11 @@ testing::AssertionResult encloses(Op op, Interval result, const Exact& value) {
     return testing::AssertionSuccess();
 }
 
-// 700 000 members of 140 000 intervals.
+// Five members of each interval.
 TEST(IntervalOperations, EncloseFunctionsOfOneArgument) {
     constexpr std::uint64_t seed = 60;
     IntervalGenerator random(seed);
-    for (int trial = 0; trial < 140'000; ++trial) {
+    for (int trial = 0; trial < trials(35'000, 140'000); ++trial) {
         const Unary& f = unary[std::size_t(trial) % unary.size()];
         const Interval a = random.interval(), result = f.enclose(a);
         for (int k = 0; k < 5; ++k) {
@@ -77,7 +78,7 @@ TEST(IntervalOperations, EncloseFunctionsOfOneArgument) {
 TEST(IntervalOperations, EncloseFunctionsOfTwoArguments) {
     constexpr std::uint64_t seed = 61;
     IntervalGenerator random(seed);
-    for (int trial = 0; trial < 100'000; ++trial) {
+    for (int trial = 0; trial < trials(25'000, 100'000); ++trial) {
         const Binary& f = binary[std::size_t(trial) % binary.size()];
         Interval a = random.interval(), b = random.interval();
         if (f.op == Op::power) {
@@ -118,7 +119,7 @@ bool overflows(Interval a, Interval b) { return std::isinf(mignitude(a) * mignit
 TEST(IntervalOperations, GrowWithTheirArguments) {
     constexpr std::uint64_t seed = 63;
     IntervalGenerator random(seed);
-    for (int trial = 0; trial < 100'000; ++trial) {
+    for (int trial = 0; trial < trials(25'000, 100'000); ++trial) {
         const Interval a = random.interval(), b = random.interval();
         const Interval less_a = random.part(a), less_b = random.part(b);
         SCOPED_TRACE(testing::Message()
@@ -171,7 +172,7 @@ double slack_of(Op op) {
 TEST(IntervalOperations, AreTightWhereTheyRiseOrFall) {
     constexpr std::uint64_t seed = 64;
     Random random(seed);
-    for (int trial = 0; trial < 60'000; ++trial) {
+    for (int trial = 0; trial < trials(15'000, 60'000); ++trial) {
         const Unary& f = unary[std::size_t(trial) % unary.size()];
         const double start = f.op == Op::log ? 1e-6 : f.op == Op::cos || f.op == Op::cosh ? 0 : -1;
         const double end = f.op == Op::cos   ? 3.1
@@ -268,7 +269,7 @@ TEST(IntervalOperations, ExponentialIsWithinItsBound) {
     constexpr std::uint64_t seed = 66;
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> any(-708, 709), small(-1, 1);
-    for (int trial = 0; trial < 200'000; ++trial) {
+    for (int trial = 0; trial < trials(50'000, 200'000); ++trial) {
         double x = any(random);
         if (trial % 4 == 1) x = (std::floor(x) + 0.5) * 0.69314718055994531 + 1e-13 * small(random);
         if (trial % 4 == 2) x = small(random);

@@ -133,7 +133,7 @@ private:
         open_[array] = true;
         auto key = make(depth - 1);
         open_[array] = false;
-        // Of no elements it would be too large for what is compared.
+        // The least of no elements would be too large for what is compared.
         return {fmt::format("min(9, least({}, {}))", array == 0 ? "blobs" : "links", key.text),
                 [array, value = key.value](Meaning& m) {
                     double least = 9;

@@ -11,7 +11,7 @@
 namespace isomotion::formula {
 namespace {
 
-// Of x, y and z, with the slope along dx, dy and dz.
+// smoothmin(x, y, z), with its slope along dx, dy and dz.
 struct Smoothmin {
     Graph graph;
     Program value, slope, gradient, bend;

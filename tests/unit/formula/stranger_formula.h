@@ -17,8 +17,8 @@ public:
     explicit StrangerFormula(std::uint64_t seed)
         : random_(seed) {}
 
-    // Of x, y, z, in a sphere of radius 1.5 about the origin, of depth 2 to 4. Most have a surface
-    // there.
+    // A formula in x, y and z of depth 2 to 4. Most have a surface in a sphere of radius 1.5 about
+    // the origin.
     std::string text() { return text(2 + random_.below(3)); }
     std::string text(int depth) {
         const std::string body = part(depth);

@@ -23,7 +23,7 @@ TEST(NodesBelow, AreAllThatARootNeedsChildrenFirst) {
         seen[id] = true;
     }
     EXPECT_FALSE(seen[other]);
-    // Of each node but the root some parent is below too.
+    // Each node but the root has some parent that is below, too.
     for (const NodeId id : below) {
         const bool has_parent = std::ranges::any_of(below, [&](NodeId parent) {
             const Node& node = g[parent];

@@ -72,7 +72,7 @@ TEST(EnvironmentLevels, EvenLightStaysAsItIs) {
     }
 }
 
-// Of 1 + z a lobe about n leaves 1 + s n.z, and so along every other axis.
+// A lobe about n makes 1 + s n.z of 1 + z, and the like along every other axis.
 TEST(EnvironmentLevels, LightThatGrowsAlongAnAxisIsFlattenedAsTheLobeSays) {
     constexpr int widest = 128;
     const EnvironmentMap up =
@@ -107,7 +107,7 @@ TEST(EnvironmentLevels, RoughMirrorsSpreadALamp) {
         EXPECT_GT(seen, 0.0f);
         last = seen;
     }
-    // Of the roughest, z over the half sphere: 1000 times the lamp's part of it.
+    // The roughest level weighs by z over the half sphere: it has 1000 times the lamp's part of z.
     EXPECT_NEAR(last, 2, 0.6);
 }
 

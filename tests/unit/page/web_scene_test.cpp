@@ -49,7 +49,7 @@ TEST(WebScene, RefusesTooManyElementsAndSaysHowManyFit) {
                 AllOf(StartsWith("page.toml: an array has 20001 elements"), HasSubstr("20000"),
                       HasSubstr("isomotion render --movie")));
     EXPECT_EQ(refusal(balls(5000)), "");
-    // Of a scene that asks for all elements at every place.
+    // Fewer fit into a scene that asks for all elements at every place.
     const std::string all = "[isolation]\nbeam = false\n";
     EXPECT_THAT(refusal(balls(most_elements + 1) + all),
                 AllOf(HasSubstr("have 1001 elements"), HasSubstr("1000")));
@@ -176,13 +176,13 @@ TEST(Description, ReadsNoTimelineOfSeveralSurfaces) {
 // Beams tell which elements matter, and a pass copies those, where all rays begin at the eye.
 TEST(WebScene, UpTo384ElementsAreCopiedToListsOfBeams) {
     using synthesis::Role;
-    for (const int count : {9, 75, 128, 129, 384}) {
+    for (const int count : {9, 32, 33, 75, 129, 384}) {
         SCOPED_TRACE(count);
         const synthesis::Passes passes = web_scene(scene_of(balls(count))).passes;
         EXPECT_TRUE(synthesis::has_copies(passes));
         EXPECT_FALSE(synthesis::array_with_grid(passes));
         // From many elements on in three levels, as `render` finds them.
-        ASSERT_EQ(passes.beams.size(), count <= 128 ? 2u : 3u);
+        ASSERT_EQ(passes.beams.size(), count <= 32 ? 2u : 3u);
         const int last = int(passes.beams.size()) - 1;
         // A beam and its bits are drawn at once; browsers have 8 textures for that, of which WebGL2
         // promises 4.

@@ -36,7 +36,7 @@ protected:
                            keys.radius);
     }
 
-    // Of how it moves and is seen.
+    // The fingerprint of how a scene moves and is seen.
     static std::string print(const Scene& scene) {
         base::Fingerprint print;
         const animation::Animation& animation = scene.timeline.animation;

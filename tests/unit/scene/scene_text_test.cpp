@@ -53,7 +53,7 @@ TEST(FormulaScene, FindsTheTimeInAFormula) {
     EXPECT_THAT(values, testing::UnorderedElementsAre(0.25, 1));
 }
 
-// Of formulas and of the gallery: read again, text and values are the same.
+// Scenes of formulas and of the gallery have the same text and values when they are read again.
 TEST(SceneFileText, IsReadAgainAsTheSameScene) {
     for (const char* name : {"x^2/4 + (y-1)^2 + z^2 = 1 + 0.1*sin(t)", "z = x*y", "blobby75",
                              "torus", "barth_sextic"}) {

@@ -100,7 +100,7 @@ TEST_F(SectionsOfScenes, ContoursTellTheirMistakes) {
                 testing::HasSubstr("did you mean 'width'?"));
 }
 
-// Of lines drawn at random, every point is either in a part or in what some section takes away.
+// Every point of lines drawn at random is either in a part or in what some section takes away.
 TEST(PartsLeft, AreAllThatNoSectionTakesAway) {
     const unsigned seed = std::random_device{}();
     SCOPED_TRACE(seed);

@@ -123,7 +123,7 @@ TEST_F(RecordingTest, AnotherSequenceIsRefusedWhileSomebodyIsAtWork) {
     EXPECT_EQ(read_sequence(manifest()).format.width, 64);
 }
 
-// Of many who want different things at once one kind has its way, and all others are told.
+// When many want different things at once, one kind has its way, and all others are told.
 TEST_F(RecordingTest, OfManyDifferentOnesOneWins) {
     std::atomic<int> joined = 0, refused = 0;
     std::latch all_tried(16);

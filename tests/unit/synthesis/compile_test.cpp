@@ -4,6 +4,7 @@
 #include "gpu/compute.h"
 #include "scene/method.h"
 #include "scenes.h"
+#include "thorough.h"
 #include "unit/gpu/every_backend.h"
 
 namespace isomotion::synthesis {
@@ -32,11 +33,9 @@ std::vector<Text> fragment_texts() {
         }
     };
     const std::string formula = std::string(all_operations) + " - sum(links, px*z)";
-    for (const auto& method : every_method) {
-        for (const auto& bounds : every_bounds) {
-            const auto scene = scene_of(surface_text(formula, bounds, method) + two_arrays);
-            add(method + " in " + bounds, assemble(scene, every_channel));
-        }
+    for (const auto& [method, bounds] : pairs_of(every_method, every_bounds)) {
+        const auto scene = scene_of(surface_text(formula, bounds, method) + two_arrays);
+        add(method + " in " + bounds, assemble(scene, every_channel));
     }
     constexpr const char* knife = "[[sections]]\nnormal = [1, 0, 't']\n[[sections]]\nsphere = 1\n";
     constexpr const char* lines = "[material]\ncap_color = [1, 0, 0]\n[material.contours]\n"
@@ -188,11 +187,8 @@ TEST_F(CompileWithGlslang, EveryPassOfBrowsers) {
         }
     };
     const std::string formula = std::string(all_operations) + " - sum(links, px*z)";
-    for (const auto& method : every_method) {
-        for (const auto& bounds : every_bounds) {
-            add_passes(surface_text(formula, bounds, method) + two_arrays);
-        }
-    }
+    for (const auto& [method, bounds] : pairs_of(every_method, every_bounds))
+        add_passes(surface_text(formula, bounds, method) + two_arrays);
     add_passes(surface_text("x^4 + y^2*z - 1", every_bounds[0], "chebyshev"));
     add_passes(surface_text("(x^2 + y^2 - z)^2", every_bounds[0], "hermite"));
     for (const int elements : {9, 32, 33, 128, 129})

@@ -11,7 +11,7 @@
 namespace isomotion::synthesis {
 namespace {
 
-// On whichever back end comes first: they share their compiler.
+// Runs on whichever back end comes first: they share their compiler.
 class CompileTime : public testing::Test {
 protected:
     void SetUp() override {

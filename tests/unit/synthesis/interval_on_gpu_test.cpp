@@ -438,7 +438,7 @@ TEST_P(IntervalOnGpu, RoundingOfDoublesIsCounted) {
     }
 }
 
-// Of points, where the width is that of rounding alone: what doubles are taken for.
+// The bounds at points are no wider than rounding makes them, which is what doubles are taken for.
 TEST_P(IntervalOnGpu, RationalOperationsOnDoublesAreDoubles) {
     if (!context->info().has(4, 0)) GTEST_SKIP() << "no doubles";
     formula::Vocabulary vocabulary;

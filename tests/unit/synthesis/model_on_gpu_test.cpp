@@ -70,7 +70,7 @@ struct Inputs {
 
 struct Kind {
     const char *name, *file;
-    // From three vectors to a model, and back.
+    // GLSL that turns three vectors into a model, and back.
     const char* unpacked;
     const char* packed;
 };
@@ -215,7 +215,7 @@ struct Errors {
 
 class Models : public gpu::EveryBackend {
 protected:
-    // Of a piece so long.
+    // Draws the inputs of a piece that is `size` long.
     static Inputs inputs(Random& random, double size, const Kind& kind) {
         Inputs all{};
         for (Coefficients& a : all.coordinates) {

@@ -140,7 +140,7 @@ inline Lines lines_of(const std::string& text) {
     return lines;
 }
 
-// What `a` has more than `b`.
+// The lines that `a` has and `b` does not have.
 inline Lines without(const Lines& a, const Lines& b) {
     Lines rest;
     std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::inserter(rest, rest.end()));
@@ -165,7 +165,7 @@ inline std::set<std::string> shader_files() {
     return names;
 }
 
-// Without effects: drawn over each other.
+// Surfaces without effects, which are drawn over each other.
 inline scene::Scene two_plain_surfaces(const std::string& value) {
     const std::string one =
         "[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - r\"\nbounds = { sphere = 2 "

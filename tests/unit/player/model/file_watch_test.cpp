@@ -19,7 +19,7 @@ using testing::UnorderedElementsAre;
 
 class Watching : public testing::Test {
 protected:
-    // In place, as a text that is saved at this second.
+    // Writes a file in place, as a text that is saved at this second.
     fs::path write(const std::string& name, const std::string& text, int second) const {
         const fs::path file = folder / name;
         std::ofstream(file) << text;

@@ -20,7 +20,7 @@ glm::dvec3 random_vector(Random& random, double reach) {
     return {p[0], p[1], p[2]};
 }
 
-// Of any size, anywhere within a hundred times its own.
+// A camera of any size, anywhere within a hundred times its size.
 CameraAt random_camera(Random& random) {
     const double size = std::exp(random.in(-10, 10));
     CameraAt camera;
@@ -273,7 +273,7 @@ TEST(Fit, ASphereAboutTheBoundsTouchesTheNearerEdges) {
         const glm::dvec3 middle = placement.to_world(bounds.centre);
         EXPECT_EQ(moved.target, middle);
         EXPECT_LT(glm::length(picture_axes(moved).forward - picture_axes(camera).forward), 1e-9);
-        // Of the sphere's points that which is seen farthest out lies on a ray that touches it.
+        // The point of the sphere that is seen farthest out lies on a ray that touches the sphere.
         const double radius = bounds.radius * placement.scale, away = distance(moved);
         const double half = moved.projection == Projection::orthographic
                                 ? radius / shown_height(moved)
