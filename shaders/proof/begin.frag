@@ -27,9 +27,7 @@ void main() {
     int outcome = hits ? PROOF_HIT : misses ? PROOF_MISS : PROOF_UNFINISHED;
     if (outcome == PROOF_UNFINISHED && t < ray.t_near) outcome = ended.hit ? PROOF_SIGN : PROOF_MISS;
     if (!ended.hit && !ended.miss) outcome = PROOF_NONE;
-    // A root's first piece is some pixels long: from there its proof tells how long others may be.
-    float piece = ended.hit ? min(t - ray.t_near, 24.0 * tube.w) : t - ray.t_near;
-    proof = packed_proof(ProofState(t, ended.hit ? uncertain : 0.0, max(piece, shortest_piece),
-                                    outcome, ended.hit, 0));
+    proof = packed_proof(ProofState(t, ended.hit ? uncertain : 0.0,
+                                    max(t - ray.t_near, shortest_piece), outcome, ended.hit, 0));
     gl_FragDepth = outcome == PROOF_UNFINISHED ? 1.0 : 0.0;
 }

@@ -4,7 +4,7 @@ Model coordinate_of(REAL anchor, REAL direction, REAL middle, REAL half_piece, R
     precise REAL c = anchor + way;
     precise REAL l = half_piece * direction;
     REAL off = md_up(2.0 * IM_ROUNDING * (abs(way) + abs(c) + abs(l)));
-    return Model(REAL3(c, l, 0.0), tube.x * axis, off, off);
+    return md_coordinate(c, l, tube.x * axis, off);
 }
 
 Model model_of_piece(ProofRay ray, REAL middle, REAL half_piece) {

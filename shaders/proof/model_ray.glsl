@@ -33,6 +33,16 @@ REAL md_off(Model a) {
     return md_up(a.error + md_sum(a.aside));
 }
 
+// The same of its slope, where the slopes of the points' coordinates are `apart` times their
+// sizes.
+REAL md_slope_off(Model a, REAL apart) {
+    return a.slope_error + apart * md_sum(a.aside);
+}
+
+Model md_coordinate(REAL c, REAL l, REAL3 aside, REAL off) {
+    return Model(REAL3(c, l, 0.0), aside, off, off);
+}
+
 Model md_of_Model(REAL value, REAL rounding) {
     return Model(REAL3(value, 0.0, 0.0), REAL3(0.0), md_up(rounding * abs(value)), md_up(0.0));
 }

@@ -25,27 +25,25 @@ ProofState resume_proof(ProofState s) {
 // The part of a root's piece, to both sides, that its proof settles; the rest is for rounding.
 const float PART_OF_ROOT = 0.98;
 
-// `uncertain`: how large F can be at the root, while the proof is about the root.
-ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
-    bool at_root = s.at_root;
+// `uncertain`: how large F can be at the root.
+ProofState prove_root(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     REAL high = s.settled;
     // A root's piece should hardly extend beyond the ray, where tube.x holds.
     REAL beyond = max(ray.t_far, -ray.t_near) - high;
-    float piece = at_root ? float(min(s.piece, max(beyond, tube.w))) : s.piece;
+    // The first one is some pixels long: it tells how long others may be.
+    float longest = s.pieces == 0 ? max(24.0 * tube.w, shortest_piece) : s.piece;
+    float piece = float(min(min(s.piece, longest), max(beyond, tube.w)));
     REAL low = float(max(s.settled - piece, ray.t_near));
-    REAL middle = at_root ? high : 0.5 * (low + high);
-    // A piece before the root is slightly longer than its ends need.
-    REAL half_piece = at_root ? REAL(piece / PART_OF_ROOT)
-                              : 0.500001 * (high - low) + IM_DRIVER_ERROR * abs(middle);
-    Model f = model_of_piece(ray, middle, half_piece);
+    REAL half_piece = REAL(piece / PART_OF_ROOT);
+    Model f = model_of_piece(ray, high, half_piece);
     s.pieces += 1;
-    REAL error = md_off(f), size = md_size(f), rounding = 8.0 * IM_ROUNDING * size;
+    REAL size = md_size(f), rounding = 8.0 * IM_ROUNDING * size;
 
-    // The root. The factors exceed float32's error in these lines by half a millionth. The
-    // directions of the rays differ, in s, by at most `apart` times what the points do.
+    // The factors exceed float32's error in these lines by half a millionth. The directions of the
+    // rays differ, in s, by at most `apart` times what the points do.
     REAL apart = min(half_piece * tube.y / tube.x * 1.00001, 1.0);
     REAL bends = 2.0 * abs(f.c.z);
-    REAL rest = f.slope_error + apart * md_sum(f.aside);
+    REAL rest = md_slope_off(f, apart);
     precise REAL steepness = abs(f.c.y) - 1.000001 * (bends + rest) - rounding;
     precise REAL off = uncertain / steepness * half_piece * 1.000002 + 4.76837158e-7 * abs(high);
     bool isolates = steepness > 0.0 && off <= tube.w && off <= PART_OF_ROOT * half_piece &&
@@ -57,7 +55,34 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     REAL by_bend = 0.5 * abs(f.c.y) / bends, by_rest = 0.5 * sqrt(abs(f.c.y) / rest);
     REAL shorter = min(by_bend, by_rest);
 
-    // The part before, with signs flipped so that F > 0 at its end; y runs backwards from there.
+    if (isolates) {
+        s.settled = float(low);
+        s.piece = float(max(4.0 * (high - low), shortest_piece));
+        s.value = 0.0;
+        s.at_root = false;
+        if (s.settled <= ray.t_near) s = conclude(s, hit ? PROOF_HIT : PROOF_MISS);
+    } else {
+        s.piece = float((shorter > 0.1 ? min(shorter, 0.7) : REAL(0.1)) * REAL(piece));
+        bool bounded = size + md_off(f) < IM_SATURATION;
+        if (hopeless || !(s.piece >= shortest_piece))
+            s = conclude(s, bounded ? PROOF_SIGN : PROOF_UNBOUNDED);
+    }
+    if (s.outcome == PROOF_UNFINISHED && s.pieces >= most_pieces) s = conclude(s, PROOF_BUDGET);
+    return s;
+}
+
+// A piece of the part before the root.
+ProofState prove_before(ProofState s, ProofRay ray, bool hit) {
+    REAL high = s.settled;
+    REAL low = float(max(s.settled - s.piece, ray.t_near));
+    REAL middle = 0.5 * (low + high);
+    // Slightly longer than its ends need.
+    Model f = model_of_piece(ray, middle,
+                             0.500001 * (high - low) + IM_DRIVER_ERROR * abs(middle));
+    s.pieces += 1;
+    REAL error = md_off(f), size = md_size(f);
+
+    // With signs flipped so that F > 0 at its end; y runs backwards from there.
     bool below = f.c.x + f.c.y + f.c.z < 0.0;
     REAL3 c = below ? -f.c : f.c;
     precise REAL g0 = c.x + c.y + c.z - error;
@@ -65,42 +90,42 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     REAL reach = first_reach(g0, g1, c.z, 64.0 * IM_ROUNDING * size);
     bool is_free = reach >= 2.0;
 
-    bool succeeds = at_root ? isolates : reach > 0.05;
+    bool succeeds = reach > 0.05;
     if (succeeds) {
         // Settles a part of the piece, less the rounding of its ends, to a float no lower.
         REAL part_done = high - 0.499 * reach * (high - low) + IM_DRIVER_ERROR * abs(middle);
-        s.settled = at_root || is_free ? float(low)
-                                       : float(part_done + 4.76837158e-7 * abs(part_done));
+        s.settled = is_free ? float(low) : float(part_done + 4.76837158e-7 * abs(part_done));
         REAL length = high - s.settled;
         // What a model leaves out falls with the third power of its length, so that one which
         // settled only its beginning was hardly too long.
-        REAL next = at_root ? 4.0 * length : is_free ? 2.2 * length : max(length, 0.6 * (high - low));
+        REAL next = is_free ? 2.2 * length : max(length, 0.6 * (high - low));
         s.piece = float(max(next, shortest_piece));
-        s.value = 0.0;
-        s.at_root = false;
         if (s.settled <= ray.t_near) s = conclude(s, hit ? PROOF_HIT : PROOF_MISS);
         // Otherwise the proof hardly advanced.
-        succeeds = at_root || is_free || length >= 0.25 * shortest_piece;
+        succeeds = is_free || length >= 0.25 * shortest_piece;
     }
     if (!succeeds && s.outcome == PROOF_UNFINISHED) {
-        REAL part = at_root ? (shorter > 0.1 ? min(shorter, 0.7) : REAL(0.1)) : REAL(0.4);
-        s.piece = float(part * (at_root ? REAL(piece) : high - low));
+        s.piece = float(0.4 * (high - low));
         bool bounded = size + error < IM_SATURATION;
-        int why = !bounded ? PROOF_UNBOUNDED : at_root ? PROOF_SIGN : PROOF_HIDDEN;
-        if (at_root && hopeless || !(s.piece >= shortest_piece)) s = conclude(s, why);
+        if (!(s.piece >= shortest_piece)) s = conclude(s, bounded ? PROOF_HIDDEN : PROOF_UNBOUNDED);
     }
     if (s.outcome == PROOF_UNFINISHED && s.pieces >= most_pieces) s = conclude(s, PROOF_BUDGET);
     return s;
 }
 
-// Continues a proof by the pieces of a pass. Software renderers go through neighbouring rays in step,
-// and once more through a loop whose condition comes first.
+// Continues a proof by the pieces of a pass. Software renderers go through neighbouring rays in
+// step, and once more through a loop whose condition comes first.
 ProofState prove_pieces(ProofState s, ProofRay ray, bool hit) {
     REAL uncertain = uncertain_at_root(s, value_at(ray, s.settled));
     int turns = pieces_per_pass;
     do {
-        if (s.outcome != PROOF_UNFINISHED) break;
-        s = prove_piece(s, ray, hit, uncertain);
+        if (s.outcome != PROOF_UNFINISHED || !s.at_root) break;
+        s = prove_root(s, ray, hit, uncertain);
+        --turns;
+    } while (turns > 0 && s.outcome == PROOF_UNFINISHED && s.at_root);
+    do {
+        if (turns <= 0 || s.outcome != PROOF_UNFINISHED) break;
+        s = prove_before(s, ray, hit);
         --turns;
     } while (turns > 0 && s.outcome == PROOF_UNFINISHED);
     return s;

@@ -116,7 +116,9 @@ void add_value_at(ShaderText& text, ProofBounds bounds) {
 // Proofs of single rays by models.
 void add_ray_models(ShaderText& text, const formula::Field& field, formula::Numbers numbers) {
     add_value_models(text, field, numbers);
-    add_piece_models(text, field, "proof/model_ray.glsl", numbers);
+    const bool again = numbers == formula::Numbers::doubles;
+    add_piece_models(text, field, again ? "proof/model_turning_ray.glsl" : "proof/model_ray.glsl",
+                     numbers);
     text.file("proof/model_of_piece.glsl");
     text.file("proof/prove_by_models.glsl");
 }

@@ -239,17 +239,19 @@ bool is_counted(const std::string& head) {
 
 // Those that end for a reason of their own. `turns` begins at evaluations_per_pass,
 // pieces_per_pass or MOST_SPLITS and loses one a round; shadow.glsl's outer loop takes the next
-// light each round, or breaks; `searches` ends when its turns do; `k` and `pieces` of blocks gain one
-// a round; a word of a mask has 32 bits, of which each round takes one.
-const std::set<std::string> other_loops{"while (turns > 0 && s.phase != PHASE_DONE)",
-                                        "while (turns > 0 && s.phase < PHASE_DONE)",
-                                        "while (turns > 0 && s.outcome == PROOF_UNFINISHED)",
-                                        "while (turns > 0 && outcome == RAY_GOES_ON)",
-                                        "while (open && k < block_pieces)",
-                                        "while (open && pieces < block_pieces)",
-                                        "while (true)",
-                                        "while (searches)",
-                                        "for (uint bits = listed_bits(word)"};
+// light each round, or breaks; `searches` ends when its turns do; `k` and `pieces` of blocks gain
+// one a round; a word of a mask has 32 bits, of which each round takes one.
+const std::set<std::string> other_loops{
+    "while (turns > 0 && s.phase != PHASE_DONE)",
+    "while (turns > 0 && s.phase < PHASE_DONE)",
+    "while (turns > 0 && s.outcome == PROOF_UNFINISHED)",
+    "while (turns > 0 && s.outcome == PROOF_UNFINISHED && s.at_root)",
+    "while (turns > 0 && outcome == RAY_GOES_ON)",
+    "while (open && k < block_pieces)",
+    "while (open && pieces < block_pieces)",
+    "while (true)",
+    "while (searches)",
+    "for (uint bits = listed_bits(word)"};
 
 std::vector<std::string> loop_heads(const std::string& code) {
     static const std::regex head(R"(\b(for|while) *\([^)]*\))");

@@ -95,7 +95,8 @@ private:
         case Op::add:
             return a.is_number ? shifted(b, a) : shifted(a, b);
         case Op::subtract:
-            return b.is_number ? fmt::format("md_shift({}, -({}), {})", model(a), b.text, rounding(b))
+            return b.is_number
+                       ? fmt::format("md_shift({}, -({}), {})", model(a), b.text, rounding(b))
                    : a.is_number
                        ? shifted({fmt::format("md_negate({})", b.text), false, false, 0}, a)
                        : fmt::format("md_subtract({}, {})", model(a), model(b));

@@ -1,6 +1,7 @@
 // T_n and its derivatives: the primitive, its definition, and its lowering to products.
 #include "testing.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "formula/field.h"
@@ -182,6 +183,32 @@ TEST(Lowering, ReachesEveryPlace) {
                 std::max(t(3, x), t(3, y)), 1e-14);
     EXPECT_NEAR(value_of("sum(blobs, chebyshev(2, x-cx))", {x, y, 0}),
                 t(2, x - 0.25) + t(2, x + 0.125) + t(2, x + 0.5), 1e-14);
+}
+
+// Halving amplifies doubles' errors as T_n' does, by n^2 at most.
+TEST(Lowering, ToFewestProductsKeepsValues) {
+    constexpr std::uint64_t seed = 32;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    for (int n = 2; n <= 100; ++n) {
+        Graph g;
+        const NodeId lowered = lower_to_fewest_products(g, chebyshev_node(g, n, 0));
+        const Program program = schedule(g, std::array{lowered});
+        for (const auto& now : program.instructions) EXPECT_NE(now.op, Op::chebyshev);
+        for (int trial = 0; trial < 20; ++trial) {
+            const double x = random.in(-1, 1);
+            EXPECT_NEAR(run(program, {x, 0, 0}), std::cos(n * std::acos(x)), 1e-15 * n * n + 1e-13)
+                << "n " << n << " x " << x;
+        }
+    }
+    const auto products = [](int n) {
+        Graph g;
+        const NodeId lowered = lower_to_fewest_products(g, chebyshev_node(g, n, 0));
+        const Program program = schedule(g, std::array{lowered});
+        return std::ranges::count(program.instructions, Op::multiply, &Instruction::op);
+    };
+    EXPECT_EQ(products(8), 6); // three squares, doubled
+    EXPECT_EQ(products(14), 10);
 }
 
 TEST(Lowering, LeavesTheRestAlone) {

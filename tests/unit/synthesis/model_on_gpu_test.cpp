@@ -83,6 +83,13 @@ constexpr Kind ray{"ray", "proof/model_ray.glsl", "Model(a.xyz, b.xyz, a.w, b.w)
                    "first = vec4(f.c, f.error); second = vec4(f.aside, f.slope_error); third = "
                    "vec4(0.0);"};
 
+constexpr Kind turning_ray{"turning ray", "proof/model_turning_ray.glsl",
+                           "Model(a.xyz, b.xyz, c.xyz, a.w, b.w)",
+                           "first = vec4(f.c, f.error); second = vec4(f.aside, f.slope_error); "
+                           "third = vec4(f.turn, 0.0);"};
+
+constexpr std::array kinds{&block, &ray, &turning_ray};
+
 std::string shader(const formula::Field& field, const FieldStorage& storage, const Kind& kind) {
     ShaderText text;
     add_enclosures(text, field, storage, {});
@@ -194,8 +201,9 @@ Along of_ray(const Coefficients& a, const Place& p) {
     const auto c = [&](std::size_t k) { return double(a[k]); };
     Along all{c(0) + p.s * (c(1) + p.s * c(2)), c(1) + 2 * c(2) * p.s};
     for (std::size_t k = 0; k < 3; ++k) {
-        all.value += p.points[k].at(p.s) * c(4 + k);
-        all.slope += p.points[k].slope * c(4 + k);
+        const double by = p.points[k].at(p.s), turn = c(8 + k); // 0 where rays don't turn
+        all.value += by * (c(4 + k) + p.s * turn);
+        all.slope += p.points[k].slope * (c(4 + k) + p.s * turn) + by * turn;
     }
     return all;
 }
@@ -208,12 +216,12 @@ struct Errors {
 class Models : public gpu::EveryBackend {
 protected:
     // Draws the inputs of a piece that is `size` long.
-    static Inputs inputs(Random& random, double size, bool of_block) {
+    static Inputs inputs(Random& random, double size, const Kind& kind) {
         Inputs all{};
         for (Coefficients& a : all.coordinates) {
             const auto draw = [&](double most) { return float(most * random.in(-1, 1)); };
             const auto error = float(1e-6 * random.in(0, 1));
-            if (of_block) {
+            if (&kind == &block) {
                 a = {draw(1.3), draw(size), draw(size), draw(size)};
                 for (const std::size_t k : {4u, 5u, 6u, 8u, 9u, 10u})
                     a[k] = draw(0.3 * size * size);
@@ -221,6 +229,8 @@ protected:
             } else {
                 a = {draw(1.3), draw(size), draw(0.3 * size * size), error};
                 for (const std::size_t k : {4u, 5u, 6u}) a[k] = draw(1e-3 * size);
+                const double turn = &kind == &turning_ray ? 1e-4 * size : 0;
+                for (const std::size_t k : {8u, 9u, 10u}) a[k] = draw(turn);
                 a[7] = error;
             }
         }
@@ -229,9 +239,9 @@ protected:
 
     // Expects what models tell of F, and returns how many times the largest that F was seen to be
     // off them they allow, in the mean.
-    static double hold(Random& random, const std::string& text, bool is_block,
+    static double hold(Random& random, const std::string& text, const Kind& kind,
                        const std::vector<double>& sizes) {
-        const Kind& kind = is_block ? block : ray;
+        const bool is_block = &kind == &block;
         const Errors errors = is_block ? Errors{7, 11} : Errors{3, 7};
         const auto of_model = is_block ? of_block : of_ray;
         const formula::Field field = formula::make_field(text, {});
@@ -240,7 +250,7 @@ protected:
         const formula::Bindings<double> nothing;
         std::vector<Inputs> all;
         for (std::size_t k = 0; k < 96; ++k) {
-            all.push_back(inputs(random, sizes[k % sizes.size()], is_block));
+            all.push_back(inputs(random, sizes[k % sizes.size()], kind));
         }
         const std::vector<Coefficients> models = on_gpu(field, kind, all);
         double logarithms = 0;
@@ -278,20 +288,19 @@ TEST_P(Models, FIsOffThemByNoMoreThanTheyTell) {
     Random random;
     for (int k = 0; k < 8 && !HasFailure(); ++k) {
         const std::string text = polynomial(random, 4) + " + x*y*z";
-        for (const bool is_block : {true, false}) hold(random, text, is_block, {0.3, 0.01, 1e-5});
+        for (const Kind* kind : kinds) hold(random, text, *kind, {0.3, 0.01, 1e-5});
     }
     for (const char* text : {"chebyshev(14, x) + chebyshev(7, y) + z", "chebyshev(50, x) + y + z",
                              "((x^2 + y^2 + z^2 - 1)^2*x - 0.1*y^3)^2 - 1e-3"}) {
-        for (const bool is_block : {true, false}) hold(random, text, is_block, {0.01});
+        for (const Kind* kind : kinds) hold(random, text, *kind, {0.01});
     }
 }
 
 // Else nothing would be proved by them.
 TEST_P(Models, AllowLittleMoreThanFIsOff) {
     Random random;
-    for (const bool is_block : {true, false}) {
-        EXPECT_LT(hold(random, "(x^2 + y^2 + z^2 + 0.3)^3 - x^2*z^3 - y*z + x", is_block, {0.02}),
-                  30);
+    for (const Kind* kind : kinds) {
+        EXPECT_LT(hold(random, "(x^2 + y^2 + z^2 + 0.3)^3 - x^2*z^3 - y*z + x", *kind, {0.02}), 30);
     }
 }
 
