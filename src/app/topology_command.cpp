@@ -1,3 +1,4 @@
+#include <array>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -41,6 +42,7 @@ struct TopologyArguments {
                                         backend = "auto";
     std::vector<std::string> settings;
     std::vector<std::string> contact; // none, or two surfaces
+    std::vector<std::string> solids;
     std::optional<int> grid;
     bool quiet = false;
     scene::Reach reach = scene::Reach::own_folder;
@@ -160,8 +162,10 @@ void write_files(const TopologyArguments& arguments, const topology::TimelineRec
 }
 
 topology::TimelineRecord analysed(const TopologyArguments& arguments, const Subject& subject,
+                                  const std::array<topology::Side, 2>& solids,
                                   std::pair<int, int> frames, const StopOnSignal& stop) {
     topology::AnalyseOptions how;
+    how.solids = {solids[0], solids[1]};
     how.certify = parse_certify(arguments.certify);
     how.first = frames.first;
     how.last = frames.second;
@@ -246,14 +250,18 @@ int contacts_of(const TopologyArguments& arguments, const scene::Scene& scene) {
         for (int second = first + 1; second < count; ++second)
             header_of(pair_of(scene, first, second), range);
     }
+    const std::vector<SolidChoice> choices = parse_solids(arguments.solids, scene);
     const StopOnSignal stop;
     bool is_complete = true;
     for (int first = 0; first < count && !stop.asked(); ++first) {
         for (int second = first + 1; second < count && !stop.asked(); ++second) {
             const Subject subject = pair_of(scene, first, second);
-            const topology::TimelineRecord record = analysed(arguments, subject, frames, stop);
+            const auto solids = solids_of(subject, choices);
+            const topology::TimelineRecord record =
+                analysed(arguments, subject, solids, frames, stop);
             is_complete = is_complete && topology::gaps(record.timeline, record.header.fps).empty();
-            if (!arguments.quiet) print_result("{}", contact_text(subject, record));
+            if (!arguments.quiet)
+                print_result("{}{}", solid_text(subject, solids), contact_text(subject, record));
         }
     }
     if (stop.asked()) {
@@ -284,10 +292,12 @@ int topology_of(const TopologyArguments& arguments) {
     if (!arguments.check.empty()) {
         expectation = topology::read_expectation(arguments.check, scene.timeline.fps);
     }
+    const auto solids = solids_of(subject, parse_solids(arguments.solids, loaded));
     const StopOnSignal stop;
-    const topology::TimelineRecord record = analysed(arguments, subject, frames, stop);
+    const topology::TimelineRecord record = analysed(arguments, subject, solids, frames, stop);
     const bool is_whole = !stop.asked();
-    if (!arguments.quiet) print_result("{}", topology::summary(record));
+    if (!arguments.quiet)
+        print_result("{}{}", solid_text(subject, solids), topology::summary(record));
     if (!arguments.quiet && subject.second) print_result("{}", contact_text(subject, record));
     // The judgement is told first, so that no file that fails to be written keeps it back.
     const int code =
@@ -318,6 +328,13 @@ void add_topology(CLI::App& app, Action& chosen) {
                      "where they touch (default with several surfaces: the contact of each two)")
         ->expected(2)
         ->excludes("--surface");
+    command
+        ->add_option(
+            "--solid", a.solids,
+            "negative or positive: the solid is where F < 0, or where F > 0; NAME=negative "
+            "for one of several surfaces (default: the side that the bounds don't touch at "
+            "the first frame; negative if they touch both)")
+        ->allow_extra_args(false);
     command->add_option("--frames,--frame", a.frames,
                         "1-10: from frame 1 to frame 10 with all time between (default: all)");
     command->add_option("--certify", a.certify,

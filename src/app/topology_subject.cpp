@@ -44,6 +44,56 @@ topology::Timeline analyse(const Subject& subject, const topology::AnalyseOption
                           : topology::analyse(subject.first, how);
 }
 
+std::vector<SolidChoice> parse_solids(const std::vector<std::string>& texts,
+                                      const scene::Scene& scene) {
+    std::vector<SolidChoice> choices;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.rfind('=');
+        const bool is_named = equals != std::string::npos;
+        const std::string name = is_named ? text.substr(0, equals) : "";
+        const std::string side = is_named ? text.substr(equals + 1) : text;
+        if (side != "negative" && side != "positive") {
+            throw std::invalid_argument(fmt::format(
+                "--solid {}: write negative, where F < 0 is the solid, or positive, where F > 0 "
+                "is; for one of several surfaces NAME=negative",
+                text));
+        }
+        if (is_named && scene.others.empty()) {
+            throw std::invalid_argument(
+                fmt::format("--solid {}: the scene has one surface; write --solid {}", text, side));
+        }
+        if (is_named) scene::surface_named(scene, name, "--solid");
+        choices.push_back(
+            {name, side == "negative" ? topology::Side::negative : topology::Side::positive});
+    }
+    return choices;
+}
+
+std::array<topology::Side, 2> solids_of(const Subject& subject,
+                                        const std::vector<SolidChoice>& choices) {
+    const auto solid = [&](const scene::Scene& scene) {
+        std::optional<topology::Side> chosen;
+        for (const SolidChoice& choice : choices) {
+            if (choice.surface.empty() || choice.surface == scene.surface.label)
+                chosen = choice.side;
+        }
+        return chosen ? *chosen : topology::solid_side(scene);
+    };
+    const topology::Side first = solid(subject.first);
+    return {first, subject.second ? solid(*subject.second) : first};
+}
+
+std::string solid_text(const Subject& subject, const std::array<topology::Side, 2>& solids) {
+    const auto line = [](const scene::Scene& scene, topology::Side side, bool is_named) {
+        if (side == topology::Side::negative) return std::string();
+        const std::string& name = scene.surface.label;
+        return fmt::format("{}the solid is F > 0; --solid {}negative takes F < 0\n",
+                           is_named ? name + ": " : "", is_named ? name + "=" : "");
+    };
+    if (!subject.second) return line(subject.first, solids[0], false);
+    return line(subject.first, solids[0], true) + line(*subject.second, solids[1], true);
+}
+
 std::string contact_text(const Subject& subject, const topology::TimelineRecord& record) {
     const scene::Scene& first = subject.first;
     const auto to_world = [&first](double time, const std::array<double, 3>& place) {

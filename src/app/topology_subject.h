@@ -1,6 +1,7 @@
 // What `topology` searches: one surface, or what two surfaces of a scene have in common.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,23 @@ Subject subject_of(const scene::Scene& scene, const std::string& surface,
 
 topology::TimelineHeader header_of(const Subject& subject, formula::Interval range);
 topology::Timeline analyse(const Subject& subject, const topology::AnalyseOptions& how);
+
+// Which side of a surface is the solid, as `--solid` says: SIDE for each surface, or NAME=SIDE for
+// one of several.
+struct SolidChoice {
+    std::string surface; // empty: each
+    topology::Side side;
+};
+// Throws std::invalid_argument for other words, and SceneError for unknown names.
+std::vector<SolidChoice> parse_solids(const std::vector<std::string>& texts,
+                                      const scene::Scene& scene);
+
+// The solids of the subject's surfaces: the last choice that is for the surface, otherwise what
+// topology::solid_side() says.
+std::array<topology::Side, 2> solids_of(const Subject& subject,
+                                        const std::vector<SolidChoice>& choices);
+// A line for each solid that is {F > 0}; empty if there is none.
+std::string solid_text(const Subject& subject, const std::array<topology::Side, 2>& solids);
 
 // When and where two surfaces touch, in the world's coordinates.
 std::string contact_text(const Subject& subject, const topology::TimelineRecord& record);

@@ -171,11 +171,15 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
     return timeline;
 }
 
+Side solid(const scene::Scene& scene, std::optional<Side> given) {
+    return given ? *given : solid_side(scene);
+}
+
 } // namespace
 
 Timeline analyse(const scene::Scene& scene, const AnalyseOptions& how) {
     const int last = how.last == 0 ? scene.timeline.frames : how.last;
-    const Side side = solid_side(scene);
+    const Side side = solid(scene, how.solids[0]);
     const SerialCallbacks callbacks(how);
     if (how.certify == Certify::off) {
         Sampling sampling;
@@ -200,8 +204,8 @@ Timeline analyse_contact(const scene::Scene& first, const scene::Scene& second,
     const int last = how.last == 0 ? first.timeline.frames : how.last;
     const Interval range{first.timeline.time(how.first), first.timeline.time(last)};
     const SerialCallbacks callbacks(how);
-    const Motions motions =
-        common_motions({first, solid_side(first)}, {second, solid_side(second)}, range);
+    const Motions motions = common_motions({first, solid(first, how.solids[0])},
+                                           {second, solid(second, how.solids[1])}, range);
     return proved(find_events(motions, range, event_search(how, callbacks)), motions, how, range,
                   callbacks);
 }

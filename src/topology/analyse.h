@@ -1,11 +1,13 @@
 // Computes the timeline of a scene: every change of the topology of its surface within the bounds.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
 
 #include "scene/scene.h"
+#include "topology/field/solid.h"
 #include "topology/timeline/event.h"
 
 namespace isomotion::topology {
@@ -23,6 +25,8 @@ struct AnalyseOptions {
     // Vertices along each side of grids. Unset: as sampling.h says for `off`, 128 for `fast`.
     std::optional<int> grid;
     int threads = 0; // 0: as many as the machine runs at once
+    // The solids of the surface, or of both surfaces of a contact. Unset: as solid_side() says.
+    std::array<std::optional<Side>, 2> solids{};
     // Called from one thread at a time. `part` in [0, 1] is the finished part of the step `what`;
     // it never decreases.
     std::function<void(const std::string& what, double part)> progress;

@@ -36,6 +36,9 @@ TEST_F(Topology, AMistakeIsToldBeforeAnythingIsSearched) {
         {{"--csv", "a"}, "--csv a: the name must end in .csv: a.csv"},
         {{"--plot", "new/a.png"}, "--plot new/a.png: the name must end in .svg: new/a.svg"},
         {{"--backend", "dx"}, "unknown back end 'dx'"},
+        {{"--solid", "up"}, "--solid up: write negative, where F < 0 is the solid"},
+        {{"--solid", "ball=negative"},
+         "--solid ball=negative: the scene has one surface; write --solid negative"},
         {{"--dt", "-1"}, "--dt -1: write seconds, 0 or more: 1e-9"},
         {{"--dt", "nan"}, "--dt nan: write seconds"},
         {{"--dt", "inf"}, "--dt inf: write seconds"},
@@ -212,6 +215,12 @@ TEST_F(Topology, TellsWhenEachTwoSurfacesTouch) {
     EXPECT_EQ(later.code, 0) << later;
     EXPECT_THAT(later.out, StartsWith("ball and pea are in contact at the start, proved\n"
                                       "ball and pea: complete, all proved\n"));
+    // A solid of F > 0 is named, whoever chose it.
+    const Ending outside = run({"topology", "passing.toml", "--contact", "ball", "cube", "--solid",
+                                "cube=positive", "--frames", "10-12"});
+    EXPECT_THAT(outside.out,
+                StartsWith("cube: the solid is F > 0; --solid cube=negative takes F < 0"
+                           "\nPassing (ball, cube): "));
     // Parting at the very end is not told apart from staying.
     const Ending open = run({"topology", "passing.toml", "--frames", "10-24"});
     EXPECT_EQ(open.code, 4) << open;
@@ -252,6 +261,8 @@ TEST_F(Topology, SeveralSurfacesAreAskedOneByOneOrTwoByTwo) {
         {{"--contact", "ball", "pea", "--certify", "fast"},
          "--certify fast: contact of surfaces is proved or not found"},
         {{"--certify", "off"}, "name one surface by --surface NAME"},
+        {{"--solid", "bal=negative"},
+         "--solid bal: the scene has no such surface; it has ball, pea, cube"},
         {{"-o", "a.json"}, "-o: the scene has several surfaces; name one by --surface NAME"},
         {{"--check", "two.json"}, "--check: the scene has several surfaces"},
     };

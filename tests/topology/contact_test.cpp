@@ -1,6 +1,8 @@
 // Contact of two solids against closed forms: when and where they touch and part.
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -17,12 +19,16 @@ struct Contact {
     std::string first, second; // keys of [[surfaces]]
     std::string rest = "";     // more tables, before them
     int frames = 31;           // 10 a second
+    std::array<std::optional<Side>, 2> solids{};
 
     Timeline timeline(bool is_turned_round = false) const {
         const scene::Scene scene = scene_of(fmt::format(
             "[time]\nfps = 10\nframes = {}\n{}\n[[surfaces]]\n{}\n[[surfaces]]\n{}\n", frames, rest,
             is_turned_round ? second : first, is_turned_round ? first : second));
-        return analyse_contact(scene::alone(scene, 0), scene::alone(scene, 1));
+        AnalyseOptions how;
+        how.solids = solids;
+        if (is_turned_round) std::swap(how.solids[0], how.solids[1]);
+        return analyse_contact(scene::alone(scene, 0), scene::alone(scene, 1), how);
     }
 };
 
@@ -56,6 +62,30 @@ void expect_near(const Event& event, const std::array<double, 3>& place) {
 }
 
 const std::string ball = "formula = \"x^2 + y^2 + z^2 - 0.25\"\nbounds = { sphere = 0.7 }\n";
+
+// A block with a hollow, whose bounds touch F < 0: unless told, F > 0 is the solid, the hollow's
+// ball.
+TEST(Contact, IsOfTheSolidsThatAreChosen) {
+    Contact hollow{"formula = \"1 - x^2 - y^2 - z^2\"\nbounds = { box = [[-2, -2, -2], [2, 2, 2]] "
+                   "}\n",
+                   "formula = \"x^2 + y^2 + z^2 - 0.04\"\nbounds = { sphere = 0.5 }\n"
+                   "transform = { translate = [\"0.5*t\", 0.1, 0.05] }\n"};
+    // The ball of radius 0.2 leaves the hollow's ball at t = 2.39, and reaches the block at 1.58.
+    expect_told_both_ways(hollow, 1, {{2 * std::sqrt(1.44 - 0.0125), Kind::death}}, 0);
+    hollow.solids[0] = Side::negative;
+    hollow.frames = 21;
+    expect_told_both_ways(hollow, 0, {{2 * std::sqrt(0.64 - 0.0125), Kind::birth}}, 1);
+    // A ball that its bounds cut is empty for F > 0, and as large as its bounds for F < 0.
+    const std::string formula = "formula = \"x^2 + y^2 + z^2 - 1\"\n";
+    Contact cut{formula + "bounds = { sphere = 0.9 }\n",
+                formula +
+                    "bounds = { sphere = 1.5 }\ntransform = { translate = [\"2.5 - t\", 0, 0] "
+                    "}\n",
+                "", 21};
+    expect_told_both_ways(cut, 0, {}, 0);
+    cut.solids[0] = Side::negative;
+    expect_told_both_ways(cut, 0, {{0.6, Kind::birth}}, 1);
+}
 
 TEST(Contact, OfTwoBallsIsWhereTheirCentresAreTheSumOfTheirRadiiApart) {
     const Contact contact{ball, "formula = \"(x - s)^2 + y^2 + z^2 - 0.09\"\n"

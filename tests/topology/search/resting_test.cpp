@@ -60,6 +60,20 @@ Moving with_time(Moving moving) {
     return moving;
 }
 
+// Expects one event at the key of t = 1, between the numbers of both ends.
+void expect_one_event_at_the_key(const Moving& moving) {
+    SCOPED_TRACE(moving.formula + moving.parameters);
+    const Timeline timeline = analyse(with_time(moving).scene());
+    SCOPED_TRACE(described(timeline));
+    EXPECT_TRUE(timeline.is_complete());
+    ASSERT_EQ(timeline.events.size(), 1u);
+    EXPECT_NEAR(mid(timeline.events[0].time), 1, 1e-6);
+    EXPECT_LT(width(timeline.events[0].time), 1e-6);
+    EXPECT_NE(timeline.start, timeline.end);
+    EXPECT_EQ(timeline.events[0].before, timeline.start);
+    EXPECT_EQ(timeline.events[0].after, timeline.end);
+}
+
 // Smoothstep comes to rest at each key: dF/dt is 0 at the event, dF/dc is not.
 TEST(Resting, ForAMomentOnItsWayIsAnEvent) {
     const Moving passing[] = {
@@ -71,18 +85,7 @@ TEST(Resting, ForAMomentOnItsWayIsAnEvent) {
         {"min((x - d)^2, (x + d)^2) + y^2 + z^2 - 1", "{ box = [[-4, -2, -2], [4, 2, 2]] }",
          "d = { keys = [[0, 1.6], [1, 1], [3, 0.5]], ease = \"smooth\" }"},
     };
-    for (const Moving& moving : passing) {
-        SCOPED_TRACE(moving.formula);
-        const Timeline timeline = analyse(with_time(moving).scene());
-        SCOPED_TRACE(described(timeline));
-        EXPECT_TRUE(timeline.is_complete());
-        ASSERT_EQ(timeline.events.size(), 1u);
-        EXPECT_NEAR(mid(timeline.events[0].time), 1, 1e-6);
-        EXPECT_LT(width(timeline.events[0].time), 1e-6);
-        EXPECT_NE(timeline.start, timeline.end);
-        EXPECT_EQ(timeline.events[0].before, timeline.start);
-        EXPECT_EQ(timeline.events[0].after, timeline.end);
-    }
+    for (const Moving& moving : passing) expect_one_event_at_the_key(moving);
 }
 
 // Each track's own keys, which say nothing of the others; the way between keys is the clock then.
@@ -108,18 +111,7 @@ TEST(Resting, OfSeveralTogetherForAMomentIsAnEvent) {
          "R = { keys = [[0, 0.5], [1, 0.7], [3, 0.9]], ease = \"smooth\" }\n"
          "d = { keys = [[0, 1.2], [1, 1], [3, 0.8]], ease = \"smooth\" }"},
     };
-    for (const Moving& moving : passing) {
-        SCOPED_TRACE(moving.formula + moving.parameters);
-        const Timeline timeline = analyse(with_time(moving).scene());
-        SCOPED_TRACE(described(timeline));
-        EXPECT_TRUE(timeline.is_complete());
-        ASSERT_EQ(timeline.events.size(), 1u);
-        EXPECT_NEAR(mid(timeline.events[0].time), 1, 1e-6);
-        EXPECT_LT(width(timeline.events[0].time), 1e-6);
-        EXPECT_NE(timeline.start, timeline.end);
-        EXPECT_EQ(timeline.events[0].before, timeline.start);
-        EXPECT_EQ(timeline.events[0].after, timeline.end);
-    }
+    for (const Moving& moving : passing) expect_one_event_at_the_key(moving);
 }
 
 TEST(Resting, OfSomeWhileOthersGoByTimeIsSolvedInTime) {
