@@ -292,7 +292,9 @@ int topology_of(const TopologyArguments& arguments) {
     if (!arguments.check.empty()) {
         expectation = topology::read_expectation(arguments.check, scene.timeline.fps);
     }
-    const auto solids = solids_of(subject, parse_solids(arguments.solids, loaded));
+    const std::vector<SolidChoice> choices = parse_solids(arguments.solids, loaded);
+    expect_searched(subject, choices);
+    const auto solids = solids_of(subject, choices);
     const StopOnSignal stop;
     const topology::TimelineRecord record = analysed(arguments, subject, solids, frames, stop);
     const bool is_whole = !stop.asked();

@@ -69,15 +69,26 @@ std::vector<SolidChoice> parse_solids(const std::vector<std::string>& texts,
     return choices;
 }
 
+void expect_searched(const Subject& subject, const std::vector<SolidChoice>& choices) {
+    for (const SolidChoice& choice : choices) {
+        const std::string& name = choice.surface;
+        if (name.empty() || name == subject.first.surface.label) continue;
+        if (subject.second && name == subject.second->surface.label) continue;
+        throw std::invalid_argument(
+            fmt::format("--solid {}: that surface is not searched", choice.surface));
+    }
+}
+
 std::array<topology::Side, 2> solids_of(const Subject& subject,
                                         const std::vector<SolidChoice>& choices) {
     const auto solid = [&](const scene::Scene& scene) {
-        std::optional<topology::Side> chosen;
-        for (const SolidChoice& choice : choices) {
-            if (choice.surface.empty() || choice.surface == scene.surface.label)
-                chosen = choice.side;
+        topology::Side side = topology::solid_side(scene);
+        for (const std::string& name : {std::string(), scene.surface.label}) {
+            for (const SolidChoice& choice : choices) {
+                if (choice.surface == name) side = choice.side;
+            }
         }
-        return chosen ? *chosen : topology::solid_side(scene);
+        return side;
     };
     const topology::Side first = solid(subject.first);
     return {first, subject.second ? solid(*subject.second) : first};

@@ -38,8 +38,12 @@ struct SolidChoice {
 std::vector<SolidChoice> parse_solids(const std::vector<std::string>& texts,
                                       const scene::Scene& scene);
 
-// The solids of the subject's surfaces: the last choice that is for the surface, otherwise what
-// topology::solid_side() says.
+// Throws std::invalid_argument if a choice names a surface that the subject has not.
+void expect_searched(const Subject& subject, const std::vector<SolidChoice>& choices);
+
+// The solids of the subject's surfaces: the last choice that names the surface, otherwise the last
+// that is for each, otherwise what topology::solid_side() says. A subject of one surface has it
+// twice.
 std::array<topology::Side, 2> solids_of(const Subject& subject,
                                         const std::vector<SolidChoice>& choices);
 // A line for each solid that is {F > 0}; empty if there is none.

@@ -221,6 +221,10 @@ TEST_F(Topology, TellsWhenEachTwoSurfacesTouch) {
     EXPECT_THAT(outside.out,
                 StartsWith("cube: the solid is F > 0; --solid cube=negative takes F < 0"
                            "\nPassing (ball, cube): "));
+    // A choice that names a surface holds, wherever one for each stands.
+    const Ending named = run({"topology", "passing.toml", "--contact", "ball", "cube", "--solid",
+                              "cube=positive", "--solid", "negative", "--frames", "10-12"});
+    EXPECT_EQ(named.out, outside.out);
     // Parting at the very end is not told apart from staying.
     const Ending open = run({"topology", "passing.toml", "--frames", "10-24"});
     EXPECT_EQ(open.code, 4) << open;
@@ -263,6 +267,8 @@ TEST_F(Topology, SeveralSurfacesAreAskedOneByOneOrTwoByTwo) {
         {{"--certify", "off"}, "name one surface by --surface NAME"},
         {{"--solid", "bal=negative"},
          "--solid bal: the scene has no such surface; it has ball, pea, cube"},
+        {{"--surface", "pea", "--solid", "ball=negative"},
+         "--solid ball: that surface is not searched"},
         {{"-o", "a.json"}, "-o: the scene has several surfaces; name one by --surface NAME"},
         {{"--check", "two.json"}, "--check: the scene has several surfaces"},
     };

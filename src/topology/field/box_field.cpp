@@ -285,7 +285,8 @@ Elements BoxEvaluator::cull(const Box& box, const Elements& from, Size&& size, M
 }
 
 Elements BoxEvaluator::near(const Box& box, const Elements& from, double negligible) {
-    // Beside a pole, which is kept, no other term is negligible for that.
+    // An infinite term, beside a pole, is kept; what is negligible is told by the largest finite
+    // one.
     const auto largest = [](std::span<const Interval> terms) {
         double most = 0;
         for (const Interval& term : terms) {

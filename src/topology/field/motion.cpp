@@ -175,7 +175,8 @@ std::optional<Motion> through_one_track(const scene::Scene& scene, const animati
 }
 
 // The piece with the way between two keys for its clock, if all tracks that move ease between
-// these. By time nothing moves at the keys.
+// these. By time F would not move at the keys, where events are then degenerate; by the way it
+// does.
 std::optional<Motion> by_easing(const Motion& piece, const animation::Animation& animation,
                                 const animation::Parts& parts) {
     std::optional<Easing> easing;
@@ -193,7 +194,8 @@ std::optional<Motion> by_easing(const Motion& piece, const animation::Animation&
     Motion eased = piece;
     Graph& g = eased.graph;
     const Node way = g[animation::smooth_way(g, g.input(clock_input), easing->from, easing->to)];
-    // Once to tell what else reads the time, then by the clock's own name.
+    // First by another input than the clock, so that what else reads the clock shows; then by the
+    // clock.
     const auto replace = [&](auto&& in_place) {
         const auto all = [&](NodeId& root) {
             root = formula::substitute(g, g, std::array{root}, in_place)[0];

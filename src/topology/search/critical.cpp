@@ -287,7 +287,8 @@ private:
         }
         for (const MonotoneTrack::Time& time : times(clock)) {
             const std::array<Interval, 3> where = place(field, point.where);
-            if (time.direction == 0 && !track_) {
+            // A root that may be at both ends would be compared at one of them only.
+            if (time.direction == 0 && !track_ && !contains(clock, motion_.clock)) {
                 keep_at_end(field, point.where, across, path, shared, time.at, where);
                 continue;
             }

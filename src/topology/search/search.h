@@ -55,15 +55,15 @@ struct SearchResult {
     std::vector<CriticalPoint> points; // by clock
     // There are no other points outside of these; each has a gap around it.
     std::vector<Box> unresolved;
-    // For each of these one of the smallest boxes that it was put together from, or none at all.
+    // For each of these one of the smallest boxes that it was put together from; empty if not kept.
     std::vector<Box> smallest{};
     Work work;
 };
 
 SearchResult search(const MovingField& field, const SearchOptions& searching);
 
-// Sorts the points by clock. Two points are one if each is in the box where the other is alone: one
-// of them remains.
+// Sorts the points by clock. Two points are one if either is in the box where the other is alone:
+// one of them remains.
 void put_together(SearchResult& found);
 
 // Merges boxes that touch or nearly do into few boxes around them.
