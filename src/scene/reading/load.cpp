@@ -284,6 +284,8 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     std::uint64_t seed = 0;
     read_time(document, scene, seed);
     const auto parts = read_surface(document, scene.timeline, tracks, within);
+    tracks.place("surface.formula", parts->catalogue ? "formula" : "surface.formula",
+                 parts->formula_node);
     read_space(document, *parts, tracks);
     scene.camera = read_camera(document, tracks);
     read_lights(document, scene, tracks);
