@@ -190,7 +190,11 @@ topology::TimelineRecord analysed(const TopologyArguments& arguments, const Subj
     // A mistake in the last frame is told before minutes of searching.
     const scene::Scene& scene = subject.first;
     const formula::Interval range{scene.timeline.time(how.first), scene.timeline.time(how.last)};
-    const topology::TimelineHeader header = header_of(subject, range);
+    topology::TimelineHeader header = header_of(subject, range);
+    for (const topology::Side side : solids) {
+        if (header.solids.empty() || subject.second)
+            header.solids.push_back(side == topology::Side::positive ? 1 : -1);
+    }
     warn_of_unbounded(subject, frames.first);
     try {
         return {header, analyse(subject, how)};
