@@ -26,7 +26,8 @@ scene::Scene apply(const Setting& setting, scene::Scene scene);
 
 // Each method once: methods with steps at each step, hermite with several safeties; the scene's own
 // method and step also with other thresholds and numbers of bisections. Without `methods`: all that
-// can draw the scene. Without `steps`: the scene's step, times 4 and 2, and down to 1/8 of it.
+// can draw the scene. Throws SceneError, with the surface's place, for a method that cannot draw
+// one of the surfaces. Without `steps`: the scene's step, times 4 and 2, and down to 1/8 of it.
 std::vector<Setting> sweep(const scene::Scene& scene, std::vector<scene::Method> methods,
                            std::vector<double> steps);
 

@@ -39,7 +39,12 @@ int output_error = 0; // of the first result that could not be written
 
 } // namespace
 
-void write_message(std::string_view text) { control_terminal(base::printable(text)); }
+// A result that was told before comes before it, where both go to one terminal or file.
+void write_message(std::string_view text) {
+    errno = 0;
+    if (std::fflush(stdout) != 0 && !output_error) output_error = errno ? errno : EIO;
+    control_terminal(base::printable(text));
+}
 
 void control_terminal(std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), stderr);

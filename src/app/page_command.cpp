@@ -190,6 +190,7 @@ int write_gallery(const PageArguments& arguments) {
 }
 
 int write_pages(const PageArguments& arguments) {
+    gpu::parse_backend(arguments.backend);
     if (arguments.gallery == !arguments.scene.empty()) {
         throw std::invalid_argument("page: name a scene, or write --gallery for all animations");
     }

@@ -11,6 +11,7 @@
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "base/extension.h"
+#include "scene/limits.h"
 #include "scene/method.h"
 #include "sequence/names/sequence_name.h"
 #include "synthesis/channel.h"
@@ -31,6 +32,11 @@ std::string size_key(const std::string& text) {
         throw std::invalid_argument(
             fmt::format("--size {}: write WIDTHxHEIGHT, {}", text,
                         is_one ? fmt::format("{0}x{0}", width) : "1920x1080"));
+    }
+    constexpr int most = scene::limits::picture_side;
+    if (width > most || height > most) {
+        throw std::invalid_argument(
+            fmt::format("--size {}: a picture has at most {} pixels along each side", text, most));
     }
     return fmt::format("output.size=[{},{}]", width, height);
 }

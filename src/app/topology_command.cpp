@@ -22,6 +22,7 @@
 #include "render/renderer.h"
 #include "scene/reading/load.h"
 #include "scene/surfaces.h"
+#include "scene/unbounded.h"
 #include "topology/timeline/betti_csv.h"
 #include "topology/timeline/expectation.h"
 #include "topology/timeline/plot.h"
@@ -161,6 +162,16 @@ void write_files(const TopologyArguments& arguments, const topology::TimelineRec
     if (first) std::rethrow_exception(first);
 }
 
+// Where F has no bounds, all that the search tells is that it could not prove anything.
+void warn_of_unbounded(const Subject& subject, int frame) {
+    for (const scene::Scene* scene :
+         {&subject.first, subject.second ? &*subject.second : nullptr}) {
+        if (!scene) continue;
+        const scene::SceneAt now = scene::at(*scene, scene->timeline.values(frame));
+        if (const auto why = scene::why_unbounded(*scene, now)) message("warning: {}\n", *why);
+    }
+}
+
 topology::TimelineRecord analysed(const TopologyArguments& arguments, const Subject& subject,
                                   const std::array<topology::Side, 2>& solids,
                                   std::pair<int, int> frames, const StopOnSignal& stop) {
@@ -179,7 +190,12 @@ topology::TimelineRecord analysed(const TopologyArguments& arguments, const Subj
     // A mistake in the last frame is told before minutes of searching.
     const scene::Scene& scene = subject.first;
     const formula::Interval range{scene.timeline.time(how.first), scene.timeline.time(how.last)};
-    const topology::TimelineHeader header = header_of(subject, range);
+    topology::TimelineHeader header = header_of(subject, range);
+    for (const topology::Side side : solids) {
+        if (header.solids.empty() || subject.second)
+            header.solids.push_back(side == topology::Side::positive ? 1 : -1);
+    }
+    warn_of_unbounded(subject, frames.first);
     try {
         return {header, analyse(subject, how)};
     } catch (const std::bad_alloc&) {

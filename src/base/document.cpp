@@ -361,9 +361,11 @@ void DocumentTable::refuse_rest() const {
         const std::vector<std::string> candidates(known_.begin(), known_.end());
         const std::string nearest = nearest_name(item.key(), candidates);
         const std::string hint = nearest.empty()
-                                     ? fmt::format("known: {}", fmt::join(candidates, ", "))
+                                     ? fmt::format("known here: {}", fmt::join(candidates, ", "))
                                      : fmt::format("did you mean '{}'?", nearest);
-        node_.fail(fmt::format("unknown key '{}'; {}", item.key(), hint));
+        const std::string key =
+            node_.key_.empty() ? item.key() : fmt::format("{}.{}", node_.key_, item.key());
+        DocumentNode(*node_.document_, item.value(), key).fail("unknown key; " + hint);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "page/description.h"
 #include "page/embedded_files.h"
 #include "page/html.h"
+#include "scene/unbounded.h"
 
 namespace isomotion::page {
 namespace {
@@ -61,10 +62,20 @@ std::string movie_element(std::span<const std::byte> movie) {
            base::base64(movie) + "\"></video>";
 }
 
+// A page that stays empty would tell nobody why.
+void warn_of_unbounded(const WebScene& web, const PageOptions& options) {
+    if (!options.warn) return;
+    for (const WebSurface* one : web.surfaces()) {
+        const scene::SceneAt first = scene::at(one->scene, one->scene.timeline.values(1));
+        if (const auto why = scene::why_unbounded(one->scene, first)) options.warn(*why);
+    }
+}
+
 } // namespace
 
 std::string page(const scene::Scene& scene, const PageOptions& options) {
     const WebScene web = web_scene(scene);
+    warn_of_unbounded(web, options);
     const auto files = embedded_files();
     std::string script;
     for (const char* name : scripts) script.append(files.at(name)).append("\n");

@@ -15,22 +15,34 @@
 namespace isomotion::page {
 namespace {
 
-[[noreturn]] void refuse(const scene::Scene& scene, const std::string& message) {
-    throw scene::SceneError(fmt::format("{}: {}", scene.file.string(), message));
+// `name`: of the value that is to be changed.
+[[noreturn]] void refuse(const scene::Scene& scene, const std::string& name,
+                         const std::string& message) {
+    throw scene::SceneError(fmt::format("{}: {}", scene::place_of(scene, name), message));
+}
+
+std::string count_of(const scene::Scene& scene, int array) {
+    return scene.timeline.animation.arrays()[std::size_t(array)].name + ".count";
 }
 
 void expect_few_elements(const scene::Scene& scene, const synthesis::Passes& passes) {
     constexpr const char* instead =
         "draw fewer (count), or share a movie (isomotion render --movie)";
-    std::int64_t by_place = 0, others = 0;
-    for (const synthesis::ArrayStorage& array : passes.arrays)
-        (array.has_grid ? by_place : others) += array.capacity;
-    if (by_place > most_elements_by_place) {
-        refuse(scene, fmt::format("an array has {} elements; a page shows at most {}: {}", by_place,
-                                  most_elements_by_place, instead));
+    std::int64_t others = 0;
+    int largest = 0; // of the others
+    for (int k = 0; k < int(passes.arrays.size()); ++k) {
+        const synthesis::ArrayStorage& array = passes.arrays[std::size_t(k)];
+        if (array.has_grid && array.capacity > most_elements_by_place) {
+            refuse(scene, count_of(scene, k),
+                   fmt::format("the array has {} elements; a page shows at most {}: {}",
+                               array.capacity, most_elements_by_place, instead));
+        }
+        if (array.has_grid) continue;
+        others += array.capacity;
+        if (array.capacity > passes.arrays[std::size_t(largest)].capacity) largest = k;
     }
     if (others > most_elements) {
-        refuse(scene,
+        refuse(scene, count_of(scene, largest),
                fmt::format("arrays whose elements a page cannot find by place have {} elements; it "
                            "shows at most {} of them: {}",
                            others, most_elements, instead));
@@ -38,12 +50,15 @@ void expect_few_elements(const scene::Scene& scene, const synthesis::Passes& pas
 }
 
 void expect_known(const scene::Scene& scene) {
-    bool has_glass = scene.material.glass.has_value();
-    for (const scene::Scene& other : scene.others) has_glass |= other.material.glass.has_value();
-    if (!has_glass || scene.others.empty()) return;
-    refuse(scene,
-           "material.transmission: a page shows glass of one surface alone; leave it out, or "
-           "share a movie (isomotion render --movie)");
+    if (scene.others.empty()) return;
+    const auto expect_no_glass = [](const scene::Scene& surface) {
+        if (!surface.material.glass) return;
+        refuse(surface, "material.transmission",
+               "a page shows glass of one surface alone; leave it out, or share a movie (isomotion "
+               "render --movie)");
+    };
+    expect_no_glass(scene);
+    for (const scene::Scene& other : scene.others) expect_no_glass(other);
 }
 
 WebSurface web_surface(scene::Scene scene) {

@@ -34,7 +34,7 @@ struct WebScene : WebSurface {
     std::vector<const WebSurface*> surfaces() const;
 };
 
-// Throws SceneError ("file: what is wrong, what would be right") for a scene that a page cannot
+// Throws SceneError ("file:line: key: what is wrong, what would be right") for a scene that a page cannot
 // show, and std::length_error for a sum too long for a shader.
 WebScene web_scene(scene::Scene scene);
 

@@ -70,12 +70,8 @@ public:
     }
     // "ring.toml:9: camera.fov", or without the line if the file states no such value.
     std::string where(const std::string& name) const {
-        const auto is_stated = [](const StatedAt&) { return true; };
-        PlaceOfValue<StatedAt> found;
-        if (scene_.value_places) found = place_of_value(*scene_.value_places, name, is_stated);
-        if (!found.place) return fmt::format("{}: {}", scene_.file.string(), name);
-        const std::string& key = found.key.empty() ? found.place->key : found.key;
-        return fmt::format("{}: {}{}", found.place->position, key, found.rest);
+        const StatedAt at = stated_at(scene_.value_places.get(), scene_.file.string(), name);
+        return fmt::format("{}: {}", at.position, at.key);
     }
     const std::string& name(TrackId track) const {
         return scene_.timeline.animation.tracks()[std::size_t(track)].name;

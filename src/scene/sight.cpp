@@ -8,6 +8,7 @@
 
 #include "formula/enclosure.h"
 #include "scene/halton.h"
+#include "scene/unbounded.h"
 
 namespace isomotion::scene {
 namespace {
@@ -169,6 +170,7 @@ Sight sight(const Scene& scene, const SceneAt& now) {
         has_end = part && (*part == 0 || *part == 1);
         if (has_end && !scene.material.inside) found.closed_by = factor;
     }
+    found.unbounded = why_unbounded(scene, now);
     if (!found.changes_sign) {
         found.values =
             Enclosing(formula::enclosure_programs(field).value, now, evaluations).values();
@@ -193,6 +195,7 @@ std::string why_nothing_is_seen(const Sight& sight) {
     if (sight.is_cut_away)
         return "the sections take all of the solid away, where F < 0, at the points that were "
                "tried";
+    if (sight.unbounded) return "F has no value or may jump at every point that was tried";
     if (sight.changes_sign)
         return "F changes its sign within the bounds, but no ray meets a zero there: the camera "
                "looks elsewhere, or F jumps or has a pole";
@@ -203,6 +206,7 @@ std::string why_nothing_is_seen(const Sight& sight) {
 
 std::vector<std::string> slips(const Sight& sight) {
     std::vector<std::string> told;
+    if (sight.unbounded) told.push_back(*sight.unbounded);
     if (sight.eye_in_solid) told.emplace_back("the camera stands inside the solid");
     if (sight.closed_by)
         told.push_back(fmt::format("the bounds cut the surface open: {:.2g} % of their faces are "

@@ -13,8 +13,9 @@ namespace isomotion::scene {
 struct Sight {
     // The range of F, if intervals show that it has no zero within the bounds.
     std::optional<formula::Interval> values;
-    bool changes_sign = false;  // between sampled points
-    double least = 0, most = 0; // at those points
+    std::optional<std::string> unbounded; // by which values F may jump anywhere: unbounded.h
+    bool changes_sign = false;            // between sampled points
+    double least = 0, most = 0;           // at those points
     // The part of the bounds' faces on which F has the sign that most of them do not have. There
     // the bounds cut the surface open.
     double cut = 0;
@@ -29,7 +30,8 @@ Sight sight(const Scene& scene, const SceneAt& now);
 
 // The reason for a frame without a hit.
 std::string why_nothing_is_seen(const Sight& sight);
-// Likely mistakes: an eye in the solid; a closed surface that sticks out of its bounds.
+// Likely mistakes: a divisor of 0; an eye in the solid; a closed surface that sticks out of its
+// bounds.
 std::vector<std::string> slips(const Sight& sight);
 
 } // namespace isomotion::scene

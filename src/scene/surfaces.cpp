@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -75,6 +76,15 @@ int surface_named(const Scene& scene, const std::string& name, const std::string
     if (found != names.end()) return int(found - names.begin());
     throw SceneError(fmt::format("{} {}: the scene has no such surface; it has {}", option, name,
                                  fmt::join(names, ", ")));
+}
+
+std::string place_of(const Scene& surface, const std::string& name) {
+    StatedAt at = stated_at(surface.value_places.get(), surface.file.string(), name);
+    const std::string& label = surface.surface.label;
+    if (label.empty()) return fmt::format("{}: {}", at.position, at.key);
+    constexpr std::string_view of_one = "surface.";
+    if (at.key.starts_with(of_one)) at.key.erase(0, of_one.size());
+    return fmt::format("{}: surfaces.{}.{}", at.position, label, at.key);
 }
 
 void expect_one_surface(const Scene& scene, const std::string& who) {

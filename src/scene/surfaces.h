@@ -24,6 +24,11 @@ std::vector<std::string> surface_names(const Scene& scene);
 int surface_named(const Scene& scene, const std::string& name,
                   const std::string& option = "--surface");
 
+// Where the file states what belongs to a surface, for messages: "ring.toml:9: material.color", or
+// of one among several "ring.toml:9: surfaces.ball.material.color", as --set calls it. `name`: see
+// value_places.h.
+std::string place_of(const Scene& surface, const std::string& name);
+
 // Throws SceneError if there are several surfaces. `who` needs a single one: "a page".
 void expect_one_surface(const Scene& scene, const std::string& who);
 

@@ -1,4 +1,5 @@
-// Where a file states the values of its scene, to tell of one that leaves its range at some time.
+// Where a file states the values of its scene, to tell of one that cannot be used, or leaves its
+// range at some time.
 #pragma once
 
 #include <map>
@@ -6,7 +7,8 @@
 
 namespace isomotion::scene {
 
-// Places by the names of tracks ("camera.fov") and of arrays' fields ("blobs.cx").
+// Places by the names of tracks ("camera.fov"), of arrays' fields and counts ("blobs.cx"), and of
+// "surface.formula".
 template<class Place> using PlacesByName = std::map<std::string, Place>;
 
 // The place of a value, and the part of its name beyond the key there. For one element
@@ -36,5 +38,14 @@ struct StatedAt {
     std::string position, key;
 };
 using ValuePlaces = PlacesByName<StatedAt>;
+
+// Where a scene's file states a value; the file's name and the value's if it states none.
+inline StatedAt stated_at(const ValuePlaces* places, const std::string& file,
+                          const std::string& name) {
+    PlaceOfValue<StatedAt> found;
+    if (places) found = place_of_value(*places, name, [](const StatedAt&) { return true; });
+    if (!found.place) return {file, name};
+    return {found.place->position, (found.key.empty() ? found.place->key : found.key) + found.rest};
+}
 
 } // namespace isomotion::scene

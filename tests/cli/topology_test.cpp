@@ -69,7 +69,9 @@ TEST_F(Topology, WritesItsFilesAndMakesTheirFolders) {
                   "new/s.betti.csv", "--plot", "new/s.svg"});
     EXPECT_EQ(ending.code, 0) << ending;
     EXPECT_THAT(ending.out, StartsWith("Sphere: frames 2 to 4, "));
-    EXPECT_THAT(bytes("new/s.timeline.json"), HasSubstr("\"frames_per_second\": \"30000/1001\""));
+    EXPECT_THAT(bytes("new/s.timeline.json"),
+                AllOf(HasSubstr("\"frames_per_second\": \"30000/1001\""),
+                      HasSubstr("\"solid\": \"F < 0\"")));
     const std::string table = bytes("new/s.betti.csv");
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);
     EXPECT_THAT(bytes("new/s.svg"), HasSubstr("data:image/png;base64,iVBOR"));

@@ -212,6 +212,7 @@ animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
         }
         array.count = read_count(*nodes.count, key + ".count");
     }
+    if (nodes.count) tracks.place(name + ".count", key + ".count", nodes.count);
     for (const std::string& field : nodes.order) {
         const toml::node& node = *nodes.fields.at(field);
         const std::string field_key = key + "." + field;

@@ -284,6 +284,8 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     std::uint64_t seed = 0;
     read_time(document, scene, seed);
     const auto parts = read_surface(document, scene.timeline, tracks, within);
+    tracks.place("surface.formula", parts->catalogue ? "formula" : "surface.formula",
+                 parts->formula_node);
     read_space(document, *parts, tracks);
     scene.camera = read_camera(document, tracks);
     read_lights(document, scene, tracks);
@@ -393,11 +395,44 @@ void certify_all_or_none(std::vector<Scene>& scenes) {
     for (Scene& scene : scenes) scene.isolation.certify = any;
 }
 
+// Whether the surface is drawn by elements of the array.
+bool uses_array(const Scene& surface, std::string_view name) {
+    const auto& arrays = surface.timeline.animation.arrays();
+    const auto found = std::ranges::find(arrays, name, &animation::Array::name);
+    if (found == arrays.end()) return false;
+    std::vector<const formula::Graph*> graphs{&surface.surface.field->graph};
+    for (const formula::Paint* paint : paints_of(surface.material)) graphs.push_back(&paint->graph);
+    return std::ranges::any_of(graphs, [&](const formula::Graph* graph) {
+        for (formula::NodeId id = 0; id < graph->size(); ++id) {
+            const formula::Node& node = (*graph)[id];
+            if (formula::is_over_elements(node.op) && node.index == found - arrays.begin())
+                return true;
+        }
+        return false;
+    });
+}
+
+// A file may hold arrays that nothing uses; a count that was set is to have an effect.
+void refuse_unused_arrays(const toml::table& root, const Scene& scene) {
+    const toml::table* arrays = root["arrays"].as_table();
+    if (!arrays) return;
+    for (const auto& [name, node] : *arrays) {
+        const toml::table* array = node.as_table();
+        const toml::node* count = array ? array->get("count") : nullptr;
+        if (!count || position(*count) != "--set" || uses_array(scene, name.str())) continue;
+        const bool is_of_others = std::ranges::any_of(
+            scene.others, [&](const Scene& other) { return uses_array(other, name.str()); });
+        if (is_of_others) continue;
+        fail(*count, fmt::format("arrays.{}.count", name.str()),
+             "no formula and no colour sums or picks over an array of this name");
+    }
+}
+
 using Parse = std::function<toml::table()>;
 
 // Reads each listed surface from a document of its own: copied nodes would not know their lines.
 Scene read_listed(const toml::table& root, const Parse& parse, const fs::path& file,
-                  const base::Confines& within) {
+                  const std::vector<Override>& overrides, const base::Confines& within) {
     const std::vector<std::string> names = listed_names(root);
     std::set<std::string> unused = shared_parameters(root);
     std::vector<Scene> scenes;
@@ -412,7 +447,11 @@ Scene read_listed(const toml::table& root, const Parse& parse, const fs::path& f
         try {
             scene = read_one(document, file, within, &for_others);
         } catch (const Mistakes& of_surface) {
-            mistakes = mistakes ? joined(*mistakes, of_surface) : of_surface;
+            std::vector<ToldMistake> told = of_surface.told();
+            for (ToldMistake& one : told)
+                one.message = as_set(std::move(one.message), overrides, names[k], k);
+            const Mistakes named(std::move(told));
+            mistakes = mistakes ? joined(*mistakes, named) : named;
             continue;
         }
         for (const std::string& name : shared) {
@@ -443,13 +482,19 @@ Scene read_scene(toml::table& root, const Parse& parse, const fs::path& file,
         for (const Override& setting : overrides) override_key(document, setting);
     };
     set(root);
-    if (!lists_surfaces(root)) return read_one(root, file, within, nullptr);
+    if (!lists_surfaces(root)) {
+        Scene scene = read_one(root, file, within, nullptr);
+        refuse_unused_arrays(root, scene);
+        return scene;
+    }
     const auto parse_again = [&] {
         toml::table document = parse();
         set(document);
         return document;
     };
-    return read_listed(root, parse_again, file, within);
+    Scene scene = read_listed(root, parse_again, file, overrides, within);
+    refuse_unused_arrays(root, scene);
+    return scene;
 }
 
 // A document with where it stands, before it is read.

@@ -214,6 +214,9 @@ Mistakes all_mistakes(toml::table& root, const PlacedError& first,
     const auto take = [&](const PlacedError& mistake) {
         Path path;
         const bool is_here = find_path(root, mistake.at(), path);
+        // The surface is missing: one that stands in lets the rest be read.
+        const bool lacks_surface = is_here && path.empty() && !root.contains("surface");
+        if (lacks_surface) path = {"surface"};
         const auto is_below = [&](const Path& other) { return begins_with(other, path); };
         if (std::ranges::any_of(out, is_below) && !std::ranges::count(out, path)) {
             // A value that lacks a key that was taken out is taken out as well, and its mistake is
@@ -222,7 +225,7 @@ Mistakes all_mistakes(toml::table& root, const PlacedError& first,
             put_out(path, false);
             return true;
         }
-        Path value = is_here ? value_of(root, path) : path;
+        Path value = is_here && !lacks_surface ? value_of(root, path) : path;
         const bool is_again = std::ranges::count(out, value) > 0;
         if (!is_again) told.push_back({mistake.line(), mistake.what()});
         if (!is_here || decides_all(root, value) || told.size() == most_told) return false;

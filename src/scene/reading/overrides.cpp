@@ -76,6 +76,24 @@ toml::table* listed_table(toml::table& table, const std::string& part) {
     return list->get(index)->as_table();
 }
 
+// What is set whole although only its keys can be: a list of tables, or a section.
+void refuse_whole(const toml::table& document, const std::string& setting, const std::string& path,
+                  const toml::node& value) {
+    if (path.find('.') != path.npos || document.at_path("parameters." + path)) return;
+    const bool is_list = path == "lights" || path == "sections" || path == "surfaces";
+    if (is_list) {
+        throw SceneError(fmt::format("--set {}: '{}' is a list of the scene file; set keys of its "
+                                     "tables: {}.key=value",
+                                     setting, path,
+                                     path == "surfaces" ? "surfaces.NAME" : path + "[0]"));
+    }
+    const toml::node* section = document.get(path);
+    if (section && section->is_table() && value.is_table()) {
+        throw SceneError(
+            fmt::format("--set {0}: '{1}' is a table; set its keys: {1}.key=value", setting, path));
+    }
+}
+
 } // namespace
 
 void override_key(toml::table& document, const std::string& setting) {
@@ -98,6 +116,7 @@ void override_key(toml::table& document, const std::string& setting) {
         return;
     const bool is_look =
         path == "look" && parsed.get("value")->is_string() && !document.at_path("parameters.look");
+    if (!is_camera && !is_look) refuse_whole(document, setting, path, *parsed.get("value"));
     if (!is_camera && !is_look && path.find('.') == path.npos) path = "parameters." + path;
     // parse() without a path leaves lines but no file; documents tell by that it was the command
     // line.
@@ -142,6 +161,31 @@ void override_key(toml::table& document, const std::string& setting) {
     take_out_others(*table, section_above(begin), last);
     if (const auto other = other_name(*table, section_above(begin), last)) table->erase(*other);
     table->insert_or_assign(last, *parsed.get("value"));
+}
+
+std::string as_set(std::string message, const std::vector<std::string>& settings,
+                   const std::string& name, std::size_t index) {
+    constexpr std::string_view place = "--set: ";
+    if (!message.starts_with(place)) return message;
+    const std::string key =
+        message.substr(place.size(), message.find(": ", place.size()) - place.size());
+    for (const std::string& setting : settings) {
+        const std::string path = setting.substr(0, setting.find('='));
+        for (const std::string& called : {name, std::to_string(index + 1)}) {
+            const std::string start = fmt::format("surfaces.{}.", called);
+            if (!path.starts_with(start)) continue;
+            const std::string section = section_of(path.substr(0, path.rfind('.')));
+            const std::string own = fmt::format("{}{}", section, path.substr(path.rfind('.')));
+            const bool is_it =
+                key == own || key.starts_with(own + ".") || own.starts_with(key + ".");
+            if (!is_it) continue;
+            constexpr std::string_view of_one = "surface.";
+            message.insert(place.size(), start);
+            if (key.starts_with(of_one)) message.erase(place.size() + start.size(), of_one.size());
+            return message;
+        }
+    }
+    return message;
 }
 
 } // namespace isomotion::scene

@@ -17,6 +17,13 @@ namespace {
 
 using formula::Interval;
 
+std::string solids_text(const std::vector<int>& solids) {
+    std::string text;
+    for (const int sign : solids)
+        text += fmt::format("{}{}", text.empty() ? "" : " and ", solid_text(sign));
+    return text;
+}
+
 class Comparison {
 public:
     Comparison(const TimelineRecord& expected, const TimelineRecord& found, double dt)
@@ -35,6 +42,10 @@ public:
         if (one.shape != other.shape || one.start_bounds != other.start_bounds ||
             one.end_bounds != other.end_bounds) {
             check_.notes.emplace_back("the bounds are not those of the expectation");
+        }
+        if (!one.solids.empty() && !other.solids.empty() && one.solids != other.solids) {
+            differ(fmt::format("solid: {}, expected {}; --solid chooses the side of F",
+                               solids_text(other.solids), solids_text(one.solids)));
         }
         if (one.fps != other.fps) {
             check_.notes.emplace_back("the frame rate is not the expectation's; times are compared "

@@ -253,6 +253,18 @@ void read_format(base::DocumentTable& root) {
     }
 }
 
+std::vector<int> read_solids(const base::DocumentNode& node) {
+    const auto sign = [](const base::DocumentNode& one) {
+        const std::string text = one.text();
+        if (text != solid_text(-1) && text != solid_text(1))
+            one.fail("must be \"F < 0\" or \"F > 0\", the side that is the solid");
+        return text == solid_text(1) ? 1 : -1;
+    };
+    if (!node.is_list()) return {sign(node)};
+    const auto both = node.list(2);
+    return {sign(both[0]), sign(both[1])};
+}
+
 TimelineHeader read_header(base::DocumentTable& root) {
     TimelineHeader header;
     base::DocumentTable scene = root.at("scene").table();
@@ -271,6 +283,7 @@ TimelineHeader read_header(base::DocumentTable& root) {
     header.start_bounds = read_box(bounds.at("start"));
     header.end_bounds = read_box(bounds.at("end"));
     bounds.refuse_rest();
+    if (const auto solid = root.find("solid")) header.solids = read_solids(*solid);
     return header;
 }
 
@@ -310,6 +323,11 @@ std::string to_json(const TimelineRecord& record) {
     add("scene", scene.dump());
     add("frames_per_second", Json(animation::to_string(fps)).dump());
     add("bounds", bounds.dump());
+    if (header.solids.size() == 1) add("solid", Json(solid_text(header.solids[0])).dump());
+    if (header.solids.size() == 2) {
+        add("solid",
+            Json::array({solid_text(header.solids[0]), solid_text(header.solids[1])}).dump());
+    }
     add("time", json(timeline.range).dump());
     add("frames", frames.dump());
     add("complete", Json(timeline.is_complete()).dump());

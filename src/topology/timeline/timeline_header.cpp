@@ -103,8 +103,13 @@ TimelineHeader header_of(const scene::Scene& scene, formula::Interval range) {
     const auto bounds = [&](double time) {
         return box_of(scene::at(scene, scene.timeline.animation.at(time)).bounds);
     };
-    return {scene.title,      fingerprint(scene), scene.timeline.fps, scene.surface.bounds.shape,
-            bounds(range.lo), bounds(range.hi)};
+    return {scene.title,
+            fingerprint(scene),
+            scene.timeline.fps,
+            scene.surface.bounds.shape,
+            bounds(range.lo),
+            bounds(range.hi),
+            {}};
 }
 
 TimelineHeader header_of_contact(const scene::Scene& first, const scene::Scene& second,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "animation/timeline.h"
 #include "formula/interval/interval.h"
@@ -21,6 +22,9 @@ struct TimelineHeader {
     animation::FrameRate fps;
     scene::Bounds::Shape shape = scene::Bounds::Shape::box;
     Box start_bounds{}, end_bounds{}; // formula coordinates; for a sphere the box around it
+    // The sign of F in the solid: -1 or 1, of both surfaces of a contact. Empty where it is not
+    // known, as of files of former versions.
+    std::vector<int> solids;
 
     bool operator==(const TimelineHeader&) const = default;
 };

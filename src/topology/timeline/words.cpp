@@ -41,6 +41,8 @@ std::string in_words(const Betti& solid) {
                        things(solid.tunnels, "tunnel"), things(solid.voids, "void"));
 }
 
+std::string solid_text(int sign) { return sign > 0 ? "F > 0" : "F < 0"; }
+
 double frame_at(animation::FrameRate fps, double time) {
     return 1 + time * double(fps.numerator) / double(fps.denominator);
 }

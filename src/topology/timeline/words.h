@@ -16,6 +16,9 @@ std::string plural(Kind kind); // "merges", "tunnels form"
 // "3 components, 1 tunnel, 0 voids".
 std::string in_words(const Betti& solid);
 
+// "F > 0" for a solid where F is positive (1), "F < 0" for the other (-1).
+std::string solid_text(int sign);
+
 // Frames count from 1 and have fractions here: 1 + t * fps.
 double frame_at(animation::FrameRate fps, double time);
 formula::Interval frames_at(animation::FrameRate fps, formula::Interval time);

@@ -234,6 +234,21 @@ TEST(Compare, OnlyTheTimeThatTheExpectationSpansCounts) {
               "searched were frames 1 to 31, expected are events of 1 to 101");
 }
 
+// Unless one of them is of a former version, which doesn't say.
+TEST(Compare, AnotherSideOfFDiffers) {
+    TimelineRecord expected = story(), found = story();
+    expected.header.solids = {-1};
+    EXPECT_EQ(compare(expected, found, dt).outcome(), Outcome::passes);
+    EXPECT_EQ(compare(found, expected, dt).outcome(), Outcome::passes);
+    found.header.solids = {1};
+    const Check check = compare(expected, found, dt);
+    EXPECT_EQ(check.outcome(), Outcome::differs);
+    EXPECT_THAT(check.differences,
+                ElementsAre("solid: F > 0, expected F < 0; --solid chooses the side of F"));
+    expected.header.solids = {1};
+    EXPECT_EQ(compare(expected, found, dt).outcome(), Outcome::passes);
+}
+
 TEST(Compare, AnotherSceneIsNoted) {
     TimelineRecord found = story();
     found.header.fingerprint = "f";

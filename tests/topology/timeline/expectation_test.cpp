@@ -179,9 +179,8 @@ TEST(Expectation, TomlMistakesNameTheLine) {
     EXPECT_THAT(mistake("[tunnels]\n1 = 0\n\nx = 2\n", "e.toml"),
                 StartsWith("e.toml:4: tunnels.x: 'x' is no frame"));
     EXPECT_THAT(mistake("\n\ntunnels = 3\n", "e.toml"), StartsWith("e.toml:3: tunnels: "));
-    // A mistake of the whole file has no line.
     EXPECT_THAT(mistake("component = 1\n", "e.toml"),
-                StartsWith("e.toml: unknown key 'component'; did you mean 'components'?"));
+                StartsWith("e.toml:1: component: unknown key; did you mean 'components'?"));
 }
 
 TEST(Expectation, MistakesNameTheKey) {
@@ -190,7 +189,7 @@ TEST(Expectation, MistakesNameTheKey) {
         {"[]", "e.json: must be an object, in { }"},
         {"{}", "e.json: claims nothing; write { \"components\": { \"1\": 2 }"},
         {R"({"events": []})", "e.json: claims nothing"},
-        {R"({"component": {"1": 2}})", "unknown key 'component'; did you mean 'components'?"},
+        {R"({"component": {"1": 2}})", "component: unknown key; did you mean 'components'?"},
         {R"({"components": 3})", "components: must be an object, in { }"},
         {R"({"components": {"one": 3}})", "components.one: 'one' is no frame; write \"12\""},
         {R"({"components": {"9..5": 3}})", "components.9..5: '9..5' is no frame"},

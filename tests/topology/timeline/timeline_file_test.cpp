@@ -71,6 +71,8 @@ TimelineRecord any_record(std::mt19937_64& random) {
     record.header.fps = {std::int64_t(1 + random() % 100'000), std::int64_t(1 + random() % 2000)};
     record.header.shape = scene::Bounds::Shape(random() % 2);
     for (auto& side : record.header.end_bounds) side = any_interval(random);
+    for (std::uint64_t k = random() % 3; k > 0; --k)
+        record.header.solids.push_back(random() % 2 ? 1 : -1);
     Timeline& timeline = record.timeline;
     std::uniform_real_distribution<double> time(-10, 10);
     timeline.range = {time(random) - 20, time(random) + 20};
@@ -118,6 +120,20 @@ TEST(TimelineFile, ReadsBackWhatWasWritten) {
         ASSERT_EQ(back, record) << seed << ' ' << trial << '\n' << text;
     }
     EXPECT_EQ(parse_timeline(to_json(story()), ""), story());
+}
+
+TEST(TimelineFile, SaysWhichSideIsTheSolid) {
+    TimelineRecord record = story();
+    EXPECT_THAT(to_json(record), testing::Not(HasSubstr("\n  \"solid\""))) << "as before";
+    record.header.solids = {1};
+    const std::string text = to_json(record);
+    EXPECT_THAT(text, HasSubstr("\n  \"solid\": \"F > 0\",\n"));
+    EXPECT_THAT(mistake(replaced(text, "\"F > 0\"", "\"F = 0\"")),
+                HasSubstr("solid: must be \"F < 0\" or \"F > 0\""));
+    EXPECT_THAT(mistake(replaced(text, "\"F > 0\"", "[\"F > 0\"]")),
+                HasSubstr("solid: must be a list of 2"));
+    record.header.solids = {1, -1};
+    EXPECT_THAT(to_json(record), HasSubstr("\"solid\": [\"F > 0\",\"F < 0\"],"));
 }
 
 TEST(TimelineFile, SaysForReadersWhereAndWhen) {
@@ -185,7 +201,7 @@ TEST(TimelineFile, MistakesNameTheKey) {
         {"\"none_missing\"", "\"none_mising\"", "has no key 'none_missing'"},
         {"\"complete\": true", "\"complete\": false", "complete: contradicts the rest"},
         {"\"complete\": true", "\"complete\": 1", "complete: must be true or false"},
-        {"\"complete\"", "\"complet\"", "unknown key 'complet'; did you mean 'complete'?"},
+        {"\"complete\"", "\"complet\"", "complet: unknown key; did you mean 'complete'?"},
         {"\"10\"", "\"0\"", "frames_per_second: must be a rate above 0"},
         {"\"10\"", "10", "frames_per_second: must be a text"},
         {"\"shape\":\"box\"", "\"shape\":\"cube\"", "bounds.shape: must be \"box\" or \"sphere\""},

@@ -93,8 +93,8 @@ TEST(Document, SaysWhereAMistakeIs) {
               "a.json: has no key 'b', which it needs");
     const auto radius = [](DocumentTable& root) { root.find("radius"); };
     EXPECT_EQ(mistake(json(R"({"radus": 1})"), radius),
-              "a.json: unknown key 'radus'; did you mean 'radius'?");
-    EXPECT_EQ(mistake(json(R"({"x": 1})"), radius), "a.json: unknown key 'x'; known: radius");
+              "a.json:1: radus: unknown key; did you mean 'radius'?");
+    EXPECT_EQ(mistake(json(R"({"x": 1})"), radius), "a.json:1: x: unknown key; known here: radius");
 }
 
 TEST(Document, NumbersAreInTheirRange) {

@@ -14,7 +14,9 @@
 #include "page/frame_values.h"
 #include "scene/error.h"
 #include "scene/reading/load.h"
+#include "synthesis/assemble.h"
 #include "synthesis/beam_copies_text.h"
+#include "synthesis/inlined_size.h"
 
 namespace isomotion::page {
 namespace {
@@ -46,13 +48,14 @@ std::string refusal(const std::string& text) {
 
 TEST(WebScene, RefusesTooManyElementsAndSaysHowManyFit) {
     EXPECT_THAT(refusal(balls(most_elements_by_place + 1)),
-                AllOf(StartsWith("page.toml: an array has 20001 elements"), HasSubstr("20000"),
-                      HasSubstr("isomotion render --movie")));
+                AllOf(StartsWith("page.toml:5: arrays.b.count: the array has 20001 elements"),
+                      HasSubstr("20000"), HasSubstr("isomotion render --movie")));
     EXPECT_EQ(refusal(balls(5000)), "");
     // Fewer fit into a scene that asks for all elements at every place.
     const std::string all = "[isolation]\nbeam = false\n";
     EXPECT_THAT(refusal(balls(most_elements + 1) + all),
-                AllOf(HasSubstr("have 1001 elements"), HasSubstr("1000")));
+                AllOf(StartsWith("page.toml:5: arrays.b.count: "), HasSubstr("have 1001 elements"),
+                      HasSubstr("1000")));
     EXPECT_EQ(refusal(balls(most_elements) + all), "");
 }
 
@@ -108,14 +111,16 @@ TEST(WebScene, SurfacesAreAllDrawnInOneDrawEachOrNone) {
 }
 
 TEST(WebScene, RefusesGlassAmongSeveralSurfaces) {
-    scene::Scene scene = several();
-    scene.others[0].material.glass.emplace();
     try {
-        web_scene(std::move(scene));
+        web_scene(scene::load_text(std::string(two_surfaces)
+                                       .replace(std::string_view(two_surfaces).find("[time]"), 0,
+                                                "material = { transmission = 1 }\n"),
+                                   "page.toml"));
         FAIL() << "nothing was thrown";
     } catch (const scene::SceneError& error) {
-        EXPECT_THAT(error.what(), AllOf(StartsWith("page.toml: material.transmission"),
-                                        HasSubstr("one surface alone")));
+        EXPECT_THAT(error.what(),
+                    AllOf(StartsWith("page.toml:12: surfaces.box.material.transmission: "),
+                          HasSubstr("one surface alone")));
     }
     const WebScene alone = web_scene(scene_of("formula = 'x^2 + y^2 + z^2 - 1'\nbounds = { sphere "
                                               "= 2 }\n[material]\ntransmission = 1\n"));
@@ -265,6 +270,18 @@ TEST(WebScene, ListsThatWouldNotFitAreNotMade) {
             EXPECT_EQ(level.lists != synthesis::BeamLists::none, synthesis::has_copies(passes));
     }
     EXPECT_FALSE(synthesis::has_copies(web_scene(scene_of(balls_of_texels(384, 12))).passes));
+}
+
+// A page that keeps no lists has fewer operations than `render` would compile.
+TEST(WebScene, IsRefusedByTheLengthOfItsOwnShaders) {
+    const scene::Scene scene = scene_of(balls_of_texels(12, 60));
+    const double largest = synthesis::largest_shaders();
+    EXPECT_GT(synthesis::inlined_size(synthesis::assemble(scene)), largest);
+    EXPECT_LT(synthesis::inlined_size(web_scene(scene).passes), largest);
+    std::string waves = "x";
+    for (int k = 1; k < 700; ++k) waves += fmt::format(" + sin({}*y)*cos({}.5*z)", k, k);
+    const std::string text = fmt::format("formula = '{}'\nbounds = {{ sphere = 2 }}\n", waves);
+    EXPECT_THROW(web_scene(scene_of(text)), std::length_error);
 }
 
 TEST(FrameValues, RefuseTooMuchOfThem) {

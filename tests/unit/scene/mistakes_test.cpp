@@ -162,6 +162,15 @@ TEST_F(SeveralMistakes, GoOnBehindAKeyThatIsNeeded) {
     EXPECT_THAT(words, testing::HasSubstr("scene.toml:7: environment.map: "));
 }
 
+TEST_F(SeveralMistakes, GoOnWhereTheSurfaceIsMissing) {
+    EXPECT_EQ(mistake("[output]\nsize = [64, 64]\nsurfaces = []\n[camera]\nfvo = 3\n"),
+              "scene.toml:1: surface: is missing; give formula = \"...\" and bounds, or use = "
+              "\"name\" of the catalogue\n"
+              "scene.toml:3: output.surfaces: unknown key; known here: background, poster, "
+              "samples, size\n"
+              "scene.toml:5: camera.fvo: unknown key; did you mean 'fov'?");
+}
+
 TEST_F(SeveralMistakes, OfValuesThatWereSetComeFirst) {
     EXPECT_EQ(mistake(ball_with(12, "fob = 40"), {"output.size=3"}),
               "--set: output.size: must be [width, height], integers from 1 to 16384\n"

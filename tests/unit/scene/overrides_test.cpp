@@ -71,6 +71,30 @@ TEST_F(Overrides, WhatIsNoSetting) {
               "--set lights.color=[1, 1, 1]: 'lights' is a list: write lights[0] for its first");
 }
 
+TEST_F(Overrides, ListsAndSectionsAreSetKeyByKey) {
+    for (const char* list : {"lights", "sections"}) {
+        const std::string setting = fmt::format("{}=[{{direction=[0,0,1]}}]", list);
+        EXPECT_EQ(wrong({setting}), fmt::format("--set {}: '{}' is a list of the scene file; set "
+                                                "keys of its tables: {}[0].key=value",
+                                                setting, list, list));
+    }
+    EXPECT_EQ(wrong({"surfaces=[]"}), "--set surfaces=[]: 'surfaces' is a list of the scene file; "
+                                      "set keys of its tables: surfaces.NAME.key=value");
+    EXPECT_EQ(wrong({"output={size=[8,8]}"}), "--set output={size=[8,8]}: 'output' is a table; set "
+                                              "its keys: output.key=value");
+    EXPECT_THAT(wrong({"radius=[1]"}), StartsWith("--set: parameters.radius: must be a number"));
+}
+
+TEST_F(Overrides, ACountOfAnArrayThatNothingUses) {
+    const std::string why = ": no formula and no colour sums or picks over an array of this name";
+    EXPECT_EQ(wrong({"arrays.p.count=3"}), "--set: arrays.p.count" + why);
+    EXPECT_EQ(mistake(blobs("count = 2\ncx = \"i\"\nw = 1"), {"arrays.blob.count=3"}),
+              "--set: arrays.blob.count" + why);
+    const Scene scene = loaded(blobs("count = 2\ncx = \"i\"\nw = 1"), {"arrays.blobs.count=3"});
+    EXPECT_EQ(at_time(scene, 0).bindings.counts(), std::vector{3});
+    EXPECT_EQ(loaded(ball_and("[arrays.p]\ncount = 3")).timeline.animation.arrays().size(), 1u);
+}
+
 TEST_F(Overrides, ATableOfAListByItsNumber) {
     const std::string two = ball_and("[[lights]]\ndirection = [0, 0, 1]\n"
                                      "[[lights]]\ndirection = [0, 1, 0]");

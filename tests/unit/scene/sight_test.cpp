@@ -38,6 +38,32 @@ TEST_F(Sighting, AFormulaWithAZeroIsNotSaidToHaveNone) {
     }
 }
 
+// By an element alone or by a parameter; what is under the root of a sum has no part in it.
+TEST_F(Sighting, AValueByWhichFMayJumpAnywhereIsNamed) {
+    const auto told = [&](const std::string& formula, const std::string& values) {
+        return of(formula, "{ sphere = 3 }", values).unbounded.value_or("");
+    };
+    const std::string balls = "sum(p, exp(-((x - cx)^2 + y^2 + z^2)/r^2)) - 0.5";
+    const auto of_radii = [](const std::string& radii) {
+        return "[arrays.p]\ncount = 3\ncx = 'i - 1'\nr = " + radii;
+    };
+    using testing::HasSubstr;
+    EXPECT_THAT(told(balls, of_radii("[0.5, -0.5, 0]")),
+                HasSubstr(":7: arrays.p.r[2] is 0 at t = 0: a divisor is 0 by it, and F has no "
+                          "value or may jump at every point"));
+    EXPECT_THAT(told(balls, of_radii("'sqrt(i - 1)'")),
+                HasSubstr("arrays.p.r[0] is 0 (and 1 more like it) at t = 0: a divisor"));
+    EXPECT_EQ(told(balls, of_radii("[0.5, -0.5, 1e-6]")), "");
+    EXPECT_THAT(told("least(p, abs(x - cx)/r) - 0.5", of_radii("'2 - i'")),
+                HasSubstr("arrays.p.r[2] is 0"));
+    EXPECT_THAT(told("x^2/m + y^2 - 1", "[parameters]\nm = 't'\n"),
+                HasSubstr(":5: parameters.m is 0 at t = 0: a divisor"));
+    EXPECT_THAT(told("x + log(k*(y^2 + 1))", "[parameters]\nk = -1\n"),
+                HasSubstr("parameters.k is -1 at t = 0: F has no value"));
+    for (const char* formula : {"1/x", "log(x)", "x + floor(y)", "sqrt(x)"})
+        EXPECT_EQ(told(formula, ""), "") << formula;
+}
+
 TEST_F(Sighting, SectionsThatTakeAllAwayAreTold) {
     const auto cut = [&](const std::string& section) {
         return of("x^2 + y^2 + z^2 - 1", "{ sphere = 1.5 }", "[[sections]]\n" + section);

@@ -50,6 +50,28 @@ double parameter(const Scene& scene, const char* name) {
     return animation.at(0).tracks[std::size_t(animation.find(name).value())];
 }
 
+// As it was set, since no line tells which surface it is of.
+TEST(Surfaces, MistakesThatWereSetNameTheirSurface) {
+    EXPECT_EQ(message_of(two, {"surfaces.ball.material.colour=[1, 0, 0]"}),
+              "--set: surfaces.ball.material.colour: unknown key; did you mean 'color'?");
+    EXPECT_THAT(message_of(two, {"surfaces.2.transform.scale='x'"}),
+                HasSubstr("--set: surfaces.2.transform.scale: "));
+    EXPECT_THAT(message_of(two, {"surfaces.ball.formula=x +"}),
+                HasSubstr("--set: surfaces.ball.formula: "));
+    EXPECT_EQ(message_of(two, {"material.colour=[1, 0, 0]"}),
+              "--set: material.colour: unknown key; did you mean 'color'?");
+}
+
+TEST(Surfaces, PlacesNameTheSurface) {
+    const Scene scene = read(two);
+    EXPECT_EQ(place_of(scene, "surface.formula"), "scene.toml:3: surfaces.ball.formula");
+    EXPECT_EQ(place_of(scene.others[0], "material.color"),
+              "scene.toml:12: surfaces.ring.material.color");
+    const Scene one = read("[surface]\nformula = 'x'\nbounds = { sphere = 1 }\n");
+    EXPECT_EQ(place_of(one, "surface.formula"), "scene.toml:2: surface.formula");
+    EXPECT_EQ(place_of(one, "material.color"), "scene.toml: material.color");
+}
+
 // What --set gives of a surface takes the place of what excludes it, as of a scene of one.
 TEST(Surfaces, SettingsReplaceWhatExcludesThem) {
     std::string boxed = two;
