@@ -71,6 +71,26 @@ bool force(std::vector<Event*> events, int change, int Betti::*number, const cha
     return true;
 }
 
+// How many open events there are, and at how many moments: groups of events whose times overlap.
+struct Crowd {
+    std::ptrdiff_t open = 0, moments = 0;
+};
+
+Crowd crowd_of(const Timeline& timeline) {
+    std::vector<Interval> times;
+    for (const Event& event : timeline.events) {
+        if (is_open(event)) times.push_back(event.time);
+    }
+    std::ranges::sort(times, {}, &Interval::lo);
+    Crowd crowd{std::ssize(times), 0};
+    double end = -formula::infinity;
+    for (const Interval& time : times) {
+        crowd.moments += time.lo > end;
+        end = std::max(end, time.hi);
+    }
+    return crowd;
+}
+
 void settle_by_index(Timeline& timeline) {
     for (Event& event : timeline.events) {
         if (event.kind != Kind::unknown) {
@@ -473,6 +493,10 @@ void find_kinds(Timeline& timeline, const KindProofs& proofs) {
     // in the time that a frame takes, which may tell of hundreds.
     constexpr std::ptrdiff_t events_a_frame = 16;
     count(0);
+    // A frame between two moments at which many events come tells of all of these, and paths of
+    // few: they may not lead over one another.
+    if (const Crowd crowd = crowd_of(timeline); crowd.open >= events_a_frame * crowd.moments)
+        count(int(crowd.moments));
     for (const int effort : {0, 1, 2}) {
         if (std::ranges::none_of(timeline.events, is_open)) break;
         settle_by_path(timeline, proofs, effort);
