@@ -48,7 +48,10 @@ private:
     // Turns along the axes from this one on, with the sum of the values along those before it.
     bool combine(std::size_t axis, Interval sum) {
         if (axis == turns_.size()) return is_stopped() || add(sum);
-        for (const Turn& turn : turns_[axis]) {
+        for (std::size_t k = 0; k < turns_[axis].size(); ++k) {
+            const Turn& turn = turns_[axis][k];
+            if (axis == 0 && searching_.progress)
+                searching_.progress(double(k) / double(turns_[axis].size()));
             now_.where[axis] = turn.at.where;
             now_.alone[axis] = turn.at.alone;
             if (!combine(axis + 1, sum + turn.value)) return false;
